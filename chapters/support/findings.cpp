@@ -1,0 +1,115 @@
+// What a run found, and how it reaches the disk: all of it or nothing.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "lab.hpp"
+
+namespace lab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string join(const std::vector<std::string>& cells) {
+    std::string line = cells.front();
+    for (std::size_t i = 1; i < cells.size(); ++i) line += "\t" + cells[i];
+    return line + "\n";
+}
+
+std::string formatted(double value, int digits) {
+    char text[64];
+    const bool whole = value == std::trunc(value) && std::fabs(value) < 1e7;
+    if (whole)
+        std::snprintf(text, sizeof text, "%.0f", value);
+    else
+        std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
+}
+
+}  // namespace
+
+Table::Table(std::string file, std::vector<std::string> columns)
+    : file_(std::move(file)), columns_(columns.size()), text_(join(columns)) {}
+
+void Table::row(std::vector<Cell> cells) {
+    if (cells.size() != columns_) throw std::logic_error(file_ + ": a row with a missing cell");
+    std::vector<std::string> words;
+    for (const auto& cell : cells) {
+        if (const auto* word = std::get_if<std::string>(&cell)) {
+            words.push_back(*word);
+        } else {
+            char text[40];
+            std::snprintf(text, sizeof text, "%.12g", std::get<double>(cell));
+            words.push_back(text);
+        }
+    }
+    text_ += join(words);
+}
+
+void Findings::section(const std::string& title) {
+    std::printf("\n%s\n%s\n", title.c_str(), std::string(title.size(), '-').c_str());
+}
+
+void Findings::add_number(const std::string& name, const std::string& value,
+                          const std::string& unit, const std::string& meaning) {
+    if (std::find(names_.begin(), names_.end(), name) != names_.end())
+        throw std::logic_error(name + ": a number of that name exists already");
+    names_.push_back(name);
+    numbers_ += join({name, value, unit, meaning});
+}
+
+void Findings::number(const std::string& name, double value, const std::string& unit,
+                      const std::string& meaning, int digits) {
+    add_number(name, formatted(value, digits), unit, meaning);
+}
+
+void Findings::text(const std::string& name, const std::string& words, const std::string& meaning) {
+    add_number(name, words, "", meaning);
+}
+
+void Findings::check(const std::string& name, bool holds, const std::string& statement) {
+    checks_ += join({name, statement});
+    if (!holds) failed_.push_back(statement);
+}
+
+Table& Findings::table(const std::string& file, std::vector<std::string> columns) {
+    return tables_.emplace_back(file, std::move(columns));
+}
+
+// The files are written into a folder of their own beside the target and moved in when all of
+// them are whole, so a full disk or a kill leaves what was there before.
+void Findings::save(const std::string& folder) const {
+    const fs::path target(folder);
+    const fs::path staging = target / ".unfinished";
+    std::vector<std::pair<std::string, const std::string*>> files{{"numbers.tsv", &numbers_},
+                                                                  {"checks.tsv", &checks_}};
+    for (const auto& table : tables_) files.emplace_back(table.file(), &table.text());
+
+    std::error_code error;
+    const bool made = fs::create_directories(target, error);
+    fs::remove_all(staging, error);
+    fs::create_directory(staging, error);
+    if (error)
+        throw std::runtime_error(folder + ": the folder cannot be written (" + error.message() + ")");
+    try {
+        for (const auto& [name, text] : files) {
+            std::ofstream file(staging / name, std::ios::binary);
+            file << *text;
+            file.close();
+            if (!file) throw std::runtime_error((target / name).string() + ": cannot be written");
+        }
+        for (const auto& [name, text] : files) fs::rename(staging / name, target / name);
+        fs::remove(staging);
+    } catch (...) {
+        fs::remove_all(staging, error);
+        if (made) fs::remove(target, error);
+        throw;
+    }
+}
+
+}  // namespace lab

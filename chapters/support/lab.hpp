@@ -1,0 +1,108 @@
+#pragma once
+/// \file
+/// What every chapter's program needs besides physics: options to play with, data for the figures,
+/// numbers for the page, and manners towards bad input. Standard C++ only.
+
+#include <deque>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace lab {
+
+/// One cell of a data file: a number, or a word.
+using Cell = std::variant<double, std::string>;
+
+/// A data file in the making: named columns, one row after the other.
+class Table {
+public:
+    Table(std::string file, std::vector<std::string> columns);
+    /// Adds a row; throws `std::logic_error` when it has not one cell a column.
+    void row(std::vector<Cell> cells);
+    /// A blank line: gnuplot lifts its pen.
+    void gap() { text_ += "\n"; }
+
+    const std::string& file() const { return file_; }
+    const std::string& text() const { return text_; }
+
+private:
+    std::string file_;
+    std::size_t columns_;
+    std::string text_;
+};
+
+/// What a run found: its data files, the numbers that the page names, and the checks that the
+/// page's sentences rest on. All of it stays in memory until the run is over.
+class Findings {
+public:
+    /// Prints a heading; `{{run: title}}` on a page quotes what is printed below it.
+    void section(const std::string& title);
+    /// A number for the page, rounded to `digits` significant digits. Integers stand in full.
+    void number(const std::string& name, double value, const std::string& unit,
+                const std::string& meaning, int digits = 3);
+    /// Words for the page, such as the name of the method that won.
+    void text(const std::string& name, const std::string& words, const std::string& meaning);
+    /// Something the page says and this run confirms.
+    void check(const std::string& name, bool holds, const std::string& statement);
+    /// A data file with the columns named.
+    Table& table(const std::string& file, std::vector<std::string> columns);
+
+    const std::vector<std::string>& failed() const { return failed_; }
+    /// Writes every file into `folder`, all of them or none. Throws `std::runtime_error`.
+    void save(const std::string& folder) const;
+
+private:
+    void add_number(const std::string& name, const std::string& value, const std::string& unit,
+                    const std::string& meaning);
+    std::deque<Table> tables_;  // a deque: references to its tables stay good
+    std::vector<std::string> names_, failed_;
+    std::string numbers_ = "name\tvalue\tunit\tmeaning\n";
+    std::string checks_ = "name\tstatement\n";
+};
+
+/// The rule that an option's number must obey.
+struct Rule {
+    bool (*holds)(double);
+    const char* words;
+};
+extern const Rule any_number, above_zero, zero_or_more;
+
+/// A chapter's program: its options and its exit status.
+///
+///     int main(int argc, char** argv) {
+///         double omega = 1;
+///         lab::Program program("spring", "one line on what it shows");
+///         program.option("--omega", omega, lab::above_zero, "angular frequency, rad/s");
+///         return program.run(argc, argv, [&](lab::Findings& out) { … });
+///     }
+///
+/// Exit status: 0 all is well; 1 a check failed with the options the page uses; 2 bad input, or the
+/// files could not be written, with one line on standard error and nothing half-written.
+class Program {
+public:
+    Program(std::string name, std::string summary);
+    void option(const std::string& flag, double& value, Rule rule, const std::string& help);
+    /// A whole number between `least` and `most`.
+    void option(const std::string& flag, long& value, long least, long most, const std::string& help);
+    /// One of a few words.
+    void option(const std::string& flag, std::string& value, std::vector<std::string> choices,
+                const std::string& help);
+    int run(int argc, char** argv, const std::function<void(Findings&)>& body);
+
+private:
+    struct Option {
+        std::string flag, help;
+        std::function<void(const std::string&)> set;  // throws std::invalid_argument
+        std::string initial;
+    };
+    enum class Parsed { go, help };
+    Parsed parse(int argc, char** argv);
+    void print_help() const;
+
+    std::string name_, summary_, folder_;
+    std::vector<Option> options_;
+    bool changed_ = false;
+};
+
+}  // namespace lab

@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// Inputs are checked once, where models and runs are made, so that a step stays a bare formula.
+/// Each check returns the value it was given, or throws `std::invalid_argument` with one line that
+/// names the value and the rule it breaks.
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+#include <timestep/state.hpp>
+
+namespace timestep {
+
+/// Throws `std::invalid_argument`: "name = value: must be rule".
+template <class Real>
+[[noreturn]] void refuse(const char* name, Real value, const char* rule) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%g", static_cast<double>(value));
+    throw std::invalid_argument(std::string(name) + " = " + text + ": must be " + rule);
+}
+
+/// A finite number.
+template <class Real>
+Real finite(const char* name, Real value) {
+    if (!std::isfinite(value)) refuse(name, value, "a finite number");
+    return value;
+}
+
+/// A finite number above zero.
+template <class Real>
+Real positive(const char* name, Real value) {
+    if (!(std::isfinite(value) && value > 0)) refuse(name, value, "finite and greater than zero");
+    return value;
+}
+
+/// A finite number, zero or more.
+template <class Real>
+Real not_negative(const char* name, Real value) {
+    if (!(std::isfinite(value) && value >= 0)) refuse(name, value, "finite and zero or more");
+    return value;
+}
+
+/// Is every part of a number, a vector or a state a finite number?
+template <class X>
+bool is_finite(const X& x) {
+    if constexpr (std::is_floating_point_v<X>)
+        return std::isfinite(x);
+    else
+        return x.array().isFinite().all();
+}
+template <class X>
+bool is_finite(const State<X>& s) {
+    return is_finite(s.t) && is_finite(s.x) && is_finite(s.v);
+}
+template <class Y>
+bool is_finite(const FirstOrder<Y>& s) {
+    return is_finite(s.t) && is_finite(s.y);
+}
+
+}  // namespace timestep

@@ -1,0 +1,94 @@
+#pragma once
+/// \file
+/// What a force depends on. A model says it by the arguments its `acceleration` takes, and nothing
+/// more reaches it:
+///
+///     acceleration()        constant           ConstantForce
+///     acceleration(x)       position only      PositionForce
+///     acceleration(x, v)    and velocity       VelocityForce
+///
+/// The partial derivatives ∂a/∂x and ∂a/∂v, which implicit methods need, follow the same rule:
+/// `slope_x()` and `slope_v()` without arguments are constants, so the model is linear.
+
+#include <timestep/state.hpp>
+
+namespace timestep {
+
+/// The acceleration is the same everywhere and always.
+template <class Model>
+concept ConstantForce = requires(const Model& m) { m.acceleration(); };
+
+/// The acceleration depends on the position at most.
+template <class Model, class X>
+concept PositionForce =
+    ConstantForce<Model> || requires(const Model& m, const X& x) { m.acceleration(x); };
+
+/// The acceleration depends on position and velocity at most.
+template <class Model, class X>
+concept VelocityForce = PositionForce<Model, X> ||
+                        requires(const Model& m, const X& x, const X& v) { m.acceleration(x, v); };
+
+/// The acceleration of `model` at position `x` and velocity `v`, m/s².
+template <class X, class Model>
+X acceleration(const Model& model, const X& x, const X& v) {
+    static_assert(VelocityForce<Model, X>,
+                  "timestep: a model needs acceleration(), acceleration(x) or acceleration(x, v)");
+    if constexpr (ConstantForce<Model>)
+        return model.acceleration();
+    else if constexpr (PositionForce<Model, X>)
+        return model.acceleration(x);
+    else if constexpr (VelocityForce<Model, X>)
+        return model.acceleration(x, v);
+}
+
+/// The rate of change of a body's state, Newton's law in first-order form (N16, I04):
+/// ẋ = v and v̇ = a(x, v).
+template <class Model, class X>
+Rate<X> rate(const Model& model, const State<X>& s) {
+    return {s.v, acceleration(model, s.x, s.v)};
+}
+
+/// The rate of change of a first-order system: f(t, y).
+template <class System, class Y>
+Y rate(const System& f, const FirstOrder<Y>& s) {
+    static_assert(requires { f(s.t, s.y); }, "timestep: a first-order system needs f(t, y)");
+    return f(s.t, s.y);
+}
+
+/// A force whose derivatives are constant: a = a₀ + slope_x·x + slope_v·v.
+/// For such models implicit methods need one linear solve and no iteration.
+template <class Model, class X>
+concept LinearForce =
+    ConstantForce<Model> || (requires(const Model& m) { m.slope_x(); } &&
+                             (PositionForce<Model, X> || requires(const Model& m) { m.slope_v(); }));
+
+/// A force that carries its derivatives, constant or not.
+template <class Model, class X>
+concept SmoothForce = LinearForce<Model, X> || requires(const Model& m, const X& x, const X& v) {
+    m.slope_x(x, v);
+    m.slope_v(x, v);
+};
+
+/// ∂a/∂x at (x, v), 1/s²: a number or a matrix.
+template <class X, class Model>
+auto slope_x(const Model& model, const X& x, const X& v) {
+    if constexpr (ConstantForce<Model>)
+        return real_of<X>(0);
+    else if constexpr (requires { model.slope_x(); })
+        return model.slope_x();
+    else
+        return model.slope_x(x, v);
+}
+
+/// ∂a/∂v at (x, v), 1/s: a number or a matrix.
+template <class X, class Model>
+auto slope_v(const Model& model, const X& x, const X& v) {
+    if constexpr (PositionForce<Model, X>)
+        return real_of<X>(0);
+    else if constexpr (requires { model.slope_v(); })
+        return model.slope_v();
+    else
+        return model.slope_v(x, v);
+}
+
+}  // namespace timestep

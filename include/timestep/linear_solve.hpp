@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// The operations in which a number and a matrix differ when an implicit method solves for
+/// its new state. Eigen is used where the caller brings Eigen types, and not included here.
+
+#include <type_traits>
+
+#include <timestep/state.hpp>
+
+namespace timestep {
+
+/// The x with A x = b: a division, or an LU solve. A number A stands for A times the identity.
+template <class A, class X>
+X solve(const A& a, const X& b) {
+    if constexpr (std::is_floating_point_v<A>)
+        return b / a;
+    else
+        return a.partialPivLu().solve(b);
+}
+
+/// The 1 of numbers and of matrices.
+template <class A>
+A identity() {
+    if constexpr (std::is_floating_point_v<A>)
+        return A(1);
+    else
+        return A::Identity();
+}
+
+/// The 0 of numbers and of vectors.
+template <class X>
+X zero() {
+    if constexpr (std::is_floating_point_v<X>)
+        return X(0);
+    else
+        return X::Zero();
+}
+
+/// 1 − h A − h² B, the matrix of an implicit step with the slopes A = ∂a/∂v and B = ∂a/∂x. Either
+/// may be a number, which stands for that number times the identity; with two numbers no matrix
+/// is built at all.
+template <class Real, class A, class B>
+auto implicit_matrix(Real h, const A& slope_v, const B& slope_x) {
+    using Matrix = std::conditional_t<std::is_floating_point_v<A>, B, A>;
+    const auto times_identity = [](const auto& a) -> Matrix {
+        if constexpr (std::is_convertible_v<decltype(a), Matrix>)
+            return a;
+        else
+            return a * Matrix::Identity();
+    };
+    return Matrix(identity<Matrix>() - h * times_identity(slope_v) - h * h * times_identity(slope_x));
+}
+
+/// The size of a number or vector: its absolute value or norm.
+template <class X>
+real_of<X> magnitude(const X& x) {
+    if constexpr (std::is_floating_point_v<X>)
+        return x < 0 ? -x : x;
+    else
+        return x.norm();
+}
+
+}  // namespace timestep

@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// Explicit Euler: extrapolate from what is known.
+
+#include <timestep/forces.hpp>
+#include <timestep/methods/cost.hpp>
+
+namespace timestep {
+
+/// Explicit Euler (N20, N21). The forward difference (y₂ − y₁)/h stands in for the derivative at
+/// the start of the step, so y₂ = y₁ + h f(t₁, y₁): everything on the right is known.
+struct ExplicitEuler {
+    static constexpr const char* name = "explicit Euler";
+    static constexpr int order = 1;
+    static constexpr Cost cost{.evaluations = 1};
+
+    /// [step]
+    template <class Model, class X>
+    State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
+        const auto& [t1, x1, v1] = state1;
+        const X v2 = v1 + h * acceleration(model, x1, v1);
+        const X x2 = x1 + h * v1;
+        return {t1 + h, x2, v2};
+    }
+    /// [step]
+
+    /// [first order]
+    template <class System, class Y>
+    FirstOrder<Y> step(const System& f, const FirstOrder<Y>& state1, real_of<Y> h) const {
+        return advance(state1, h, rate(f, state1));
+    }
+    /// [first order]
+};
+
+inline constexpr ExplicitEuler explicit_euler;  ///< the method as a value
+
+}  // namespace timestep

@@ -1,0 +1,31 @@
+#pragma once
+/// \file
+/// Semi-implicit Euler: the first choice for games.
+
+#include <timestep/forces.hpp>
+#include <timestep/methods/cost.hpp>
+
+namespace timestep {
+
+/// Semi-implicit, or symplectic, Euler (N29). Velocity is extrapolated as in explicit Euler, but
+/// the position moves with the NEW velocity. One character of difference, the same cost, and the
+/// spring no longer blows up while ωh < 2.
+struct SemiImplicitEuler {
+    static constexpr const char* name = "semi-implicit Euler";
+    static constexpr int order = 1;
+    static constexpr Cost cost{.evaluations = 1};
+
+    /// [step]
+    template <class Model, class X>
+    State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
+        const auto& [t1, x1, v1] = state1;
+        const X v2 = v1 + h * acceleration(model, x1, v1);
+        const X x2 = x1 + h * v2;
+        return {t1 + h, x2, v2};
+    }
+    /// [step]
+};
+
+inline constexpr SemiImplicitEuler semi_implicit_euler;  ///< the method as a value
+
+}  // namespace timestep

@@ -1,0 +1,31 @@
+#pragma once
+/// \file
+/// A body under gravity alone.
+
+#include <timestep/checks.hpp>
+#include <timestep/forces.hpp>
+
+namespace timestep {
+
+/// Constant acceleration (N12): `gravity` is the vector, or with one degree of freedom the number,
+/// that is added to the velocity each second: −9.81 m/s² when up is positive.
+template <class X>
+struct Projectile {
+    X gravity;  ///< acceleration, m/s²
+
+    /// Throws `std::invalid_argument` where gravity is not finite.
+    explicit Projectile(const X& gravity_) : gravity(gravity_) {
+        if (!is_finite(gravity)) throw std::invalid_argument("gravity: must be finite");
+    }
+
+    /// [model]
+    X acceleration() const { return gravity; }
+    /// [model]
+
+    /// The exact state a time `t` after `start`: y₀ + v₀ t + ½ a t², a parabola.
+    State<X> exact(const State<X>& start, real_of<X> t) const {
+        return {start.t + t, start.x + t * start.v + t * t / 2 * gravity, start.v + t * gravity};
+    }
+};
+
+}  // namespace timestep

@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// The mass on a spring: the system on which every method of the course is tried first.
+
+#include <cmath>
+
+#include <timestep/checks.hpp>
+#include <timestep/forces.hpp>
+
+namespace timestep {
+
+/// An undamped spring, a = −ω² x, with position measured from the equilibrium (N13, N14).
+///
+/// Dividing m ẍ = −k x by the mass leaves one parameter, ω = √(k/m). The position may be a number
+/// or a vector: in 3D it is a spring that pulls to the origin with zero rest length (I03).
+template <class Real>
+struct Spring {
+    Real omega;  ///< angular frequency, rad/s
+
+    /// `omega` in rad/s, zero or more, its square finite. Throws `std::invalid_argument`.
+    explicit Spring(Real omega_) : omega(not_negative("omega", omega_)) {
+        if (!std::isfinite(omega * omega)) refuse("omega", omega, "small enough that its square is finite");
+    }
+
+    /// From stiffness k in N/m and mass m in kg: ω = √(k/m).
+    static Spring from_stiffness(Real k, Real m) {
+        using std::sqrt;
+        return Spring(sqrt(not_negative("stiffness", k) / positive("mass", m)));
+    }
+
+    /// [model]
+    template <class X>
+    X acceleration(const X& x) const {
+        return -omega * omega * x;
+    }
+    /// [model]
+
+    /// ∂a/∂x = −ω², everywhere the same.
+    Real slope_x() const { return -omega * omega; }
+
+    /// Energy per unit of mass, m²/s²: kinetic ½v² and stored ½ω²x².
+    template <class X>
+    real_of<X> energy(const State<X>& s) const {
+        if constexpr (std::is_floating_point_v<X>)
+            return (s.v * s.v + omega * omega * s.x * s.x) / 2;
+        else
+            return (s.v.squaredNorm() + omega * omega * s.x.squaredNorm()) / 2;
+    }
+
+    /// [exact]
+    /// The exact state a time `t` after `start`: x₀ cos ωt + (v₀/ω) sin ωt and its derivative.
+    template <class X>
+    State<X> exact(const State<X>& start, real_of<X> t) const {
+        using std::cos, std::sin;
+        const Real c = cos(omega * t);
+        const Real s = sin(omega * t);
+        const Real s_over_omega = omega > 0 ? s / omega : t;  // its limit as ω → 0
+        return {start.t + t, c * start.x + s_over_omega * start.v, c * start.v - omega * s * start.x};
+    }
+    /// [exact]
+};
+
+}  // namespace timestep

@@ -1,0 +1,59 @@
+#pragma once
+/// \file
+/// Many steps of one method: the loop around every picture of the course.
+
+#include <timestep/checks.hpp>
+#include <timestep/forces.hpp>
+
+namespace timestep {
+
+/// A method that needs the two latest states: it starts itself and steps from both.
+template <class Method, class Model, class S>
+concept TwoStepMethod = requires(const Method& m, const Model& f, const S& s, real_of<S> h) {
+    { m.start(f, s, h) } -> std::same_as<S>;
+    { m.step(f, s, s, h) } -> std::same_as<S>;
+};
+
+/// Takes `steps` steps of `h` seconds from `start` and returns the last state. Calls
+/// `observe(state)` with the start and after each step.
+///
+/// The inputs are looked at once, here: throws `std::invalid_argument` when the step is not a
+/// finite number above zero, the count is negative or the start is not finite. Whether the result
+/// is finite is for the caller to ask, with is_finite(): some methods blow up, and a course shows it.
+template <class Method, class Model, class S, class Observe>
+S run(const Method& method, const Model& model, const S& start, real_of<S> h, long steps,
+      Observe&& observe) {
+    positive("step", h);
+    not_negative("steps", static_cast<double>(steps));
+    if (!is_finite(start)) throw std::invalid_argument("start: must be a finite state");
+
+    observe(start);
+    if (steps == 0) return start;
+    if constexpr (TwoStepMethod<Method, Model, S>) {
+        S before = start;
+        S state = method.start(model, start, h);
+        observe(state);
+        for (long i = 1; i < steps; ++i) {
+            const S next = method.step(model, before, state, h);
+            before = state;
+            state = next;
+            observe(state);
+        }
+        return state;
+    } else {
+        S state = start;
+        for (long i = 0; i < steps; ++i) {
+            state = method.step(model, state, h);
+            observe(state);
+        }
+        return state;
+    }
+}
+
+/// The same without an observer.
+template <class Method, class Model, class S>
+S run(const Method& method, const Model& model, const S& start, real_of<S> h, long steps) {
+    return run(method, model, start, h, steps, [](const S&) {});
+}
+
+}  // namespace timestep

@@ -1,0 +1,85 @@
+#pragma once
+/// \file
+/// States and their rates of change: what a method advances, and how fast it goes.
+
+#include <concepts>
+#include <type_traits>
+
+namespace timestep {
+
+/// \cond
+namespace detail {
+template <class X>
+struct RealOf {
+    using type = typename X::Scalar;  // an Eigen vector, a State: they name their real number
+};
+template <class X>
+    requires std::is_arithmetic_v<X>
+struct RealOf<X> {
+    using type = X;
+};
+}  // namespace detail
+/// \endcond
+
+/// The real number type behind `X`: `double` for `double`, for `Eigen::Vector3d` and for
+/// `State<double>`.
+template <class X>
+using real_of = typename detail::RealOf<X>::type;
+
+/// The state of a body that obeys Newton's law: time is the independent variable, position and
+/// velocity are the dependent ones (talk row I01).
+///
+/// `X` is a real number or a fixed-size Eigen vector. Units: s, m, m/s.
+template <class X>
+struct State {
+    static_assert(!std::is_integral_v<X>,
+                  "timestep: a state holds real numbers: write 1.0 instead of 1");
+    using Scalar = real_of<X>;
+
+    Scalar t;  ///< time, s
+    X x;       ///< position, m
+    X v;       ///< velocity, m/s
+};
+
+template <class X>
+State(real_of<X>, X, X) -> State<X>;
+
+/// The rate of change of a State: ẋ and v̇. Rates add and scale as vectors do.
+template <class X>
+struct Rate {
+    using Scalar = real_of<X>;
+
+    X x;  ///< ẋ, the velocity, m/s
+    X v;  ///< v̇, the acceleration, m/s²
+
+    friend Rate operator+(const Rate& a, const Rate& b) { return {a.x + b.x, a.v + b.v}; }
+    friend Rate operator*(Scalar s, const Rate& a) { return {s * a.x, s * a.v}; }
+};
+
+/// The state of a first-order system ẏ = f(t, y), one equation or an array of them (N16, I04).
+template <class Y>
+struct FirstOrder {
+    static_assert(!std::is_integral_v<Y>,
+                  "timestep: a state holds real numbers: write 1.0 instead of 1");
+    using Scalar = real_of<Y>;
+
+    Scalar t;  ///< time, s
+    Y y;       ///< the unknowns, in their own units
+};
+
+template <class Y>
+FirstOrder(real_of<Y>, Y) -> FirstOrder<Y>;
+
+/// Go on for a time `h` at a constant rate: t + h, x + h ẋ, v + h v̇.
+template <class X>
+State<X> advance(const State<X>& s, real_of<X> h, const Rate<X>& rate) {
+    return {s.t + h, s.x + h * rate.x, s.v + h * rate.v};
+}
+
+/// Go on for a time `h` at a constant rate: t + h, y + h ẏ.
+template <class Y>
+FirstOrder<Y> advance(const FirstOrder<Y>& s, real_of<Y> h, const Y& rate) {
+    return {s.t + h, s.y + h * rate};
+}
+
+}  // namespace timestep

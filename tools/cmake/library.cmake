@@ -1,0 +1,33 @@
+# The library: headers only. Two targets, so that a scene with one degree of freedom need not have
+# Eigen:
+#   timestep::headers   the include path, nothing else
+#   timestep::timestep  the same and Eigen, for vectors and rigid bodies
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+
+add_library(timestep_headers INTERFACE)
+add_library(timestep::headers ALIAS timestep_headers)
+set_target_properties(timestep_headers PROPERTIES EXPORT_NAME headers)
+target_compile_features(timestep_headers INTERFACE cxx_std_20)
+target_include_directories(timestep_headers INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+
+add_library(timestep INTERFACE)
+add_library(timestep::timestep ALIAS timestep)
+target_link_libraries(timestep INTERFACE timestep_headers Eigen3::Eigen)
+
+install(TARGETS timestep timestep_headers EXPORT timestep_targets)
+install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+set(package_folder ${CMAKE_INSTALL_DATADIR}/cmake/timestep)
+install(EXPORT timestep_targets NAMESPACE timestep:: DESTINATION ${package_folder})
+file(WRITE ${PROJECT_BINARY_DIR}/timestep-config.cmake
+"include(CMakeFindDependencyMacro)
+find_dependency(Eigen3 3.4 NO_MODULE)
+include(\${CMAKE_CURRENT_LIST_DIR}/timestep_targets.cmake)
+")
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/timestep-config-version.cmake
+  COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
+install(FILES ${PROJECT_BINARY_DIR}/timestep-config.cmake
+  ${PROJECT_BINARY_DIR}/timestep-config-version.cmake DESTINATION ${package_folder})

@@ -1,0 +1,48 @@
+# The one style of every figure. A chapter's figures.gp begins with `load style`.
+#
+#   call figure "portraits.svg" 640 560      opens a still picture of that size
+#   call animation "sweep.gif" 640 420 6     opens an animation, hundredths of a second a frame
+#   plot "spring.tsv" using 2:3 @explicit_euler title "explicit Euler"
+#
+# A method has the same colour and dashes in every picture; the palette is that of Okabe and Ito,
+# which colour-blind readers can tell apart.
+
+folder = style[1:strstrt(style, "style.gp") - 1]
+figure = folder . "figure.gp"
+animation = folder . "animation.gp"
+
+set encoding utf8
+set macros
+set datafile separator "\t"
+set datafile commentschars "#"
+set key autotitle columnhead
+set samples 400
+
+ink = "#333333"
+soft = "#dddddd"
+set border 3 lc rgb ink lw 1
+set tics nomirror out scale 0.6 textcolor rgb ink
+set grid lc rgb soft lt 1 lw 0.8
+set xzeroaxis lc rgb soft lt 1
+set yzeroaxis lc rgb soft lt 1
+set key noautotitle textcolor rgb ink
+
+exact                = "lc rgb '#8a8a8a' lw 5 dt 1"
+explicit_euler       = "lc rgb '#d55e00' lw 2.5 dt 1"
+implicit_euler       = "lc rgb '#0072b2' lw 2.5 dt (14,5)"
+semi_implicit_euler  = "lc rgb '#009e73' lw 2.5 dt 1"
+verlet               = "lc rgb '#b15a98' lw 2.5 dt (6,4)"
+velocity_verlet      = "lc rgb '#b15a98' lw 2.5 dt 1"
+newton               = "lc rgb '#e0a800' lw 2.5 dt (3,4)"
+midpoint             = "lc rgb '#e69f00' lw 2.5 dt (10,4,3,4)"
+heun                 = "lc rgb '#56b4e9' lw 2.5 dt (3,3)"
+runge_kutta_4        = "lc rgb '#7a4a1e' lw 2.5 dt 1"
+bdf2                 = "lc rgb '#2f4b7c' lw 2.5 dt (18,4,3,4)"
+implicit_midpoint    = "lc rgb '#000000' lw 2.5 dt (8,4)"
+
+# Numbers that are no method: first, second, third quantity of a picture.
+first  = "lc rgb '#0072b2' lw 2.5 dt 1"
+second = "lc rgb '#d55e00' lw 2.5 dt (14,5)"
+third  = "lc rgb '#009e73' lw 2.5 dt (4,4)"
+fourth = "lc rgb '#b15a98' lw 2.5 dt (10,4,3,4)"
+faint  = "lc rgb '#8a8a8a' lw 1.5 dt (4,4)"
