@@ -72,13 +72,13 @@ FirstOrder(real_of<Y>, Y) -> FirstOrder<Y>;
 
 /// Go on for a time `h` at a constant rate: t + h, x + h ẋ, v + h v̇.
 template <class X>
-State<X> advance(const State<X>& s, real_of<X> h, const Rate<X>& rate) {
+State<X> advance(const State<X>& s, real_of<X> h, const std::type_identity_t<Rate<X>>& rate) {
     return {s.t + h, s.x + h * rate.x, s.v + h * rate.v};
 }
 
 /// Go on for a time `h` at a constant rate: t + h, y + h ẏ.
 template <class Y>
-FirstOrder<Y> advance(const FirstOrder<Y>& s, real_of<Y> h, const Y& rate) {
+FirstOrder<Y> advance(const FirstOrder<Y>& s, real_of<Y> h, const std::type_identity_t<Y>& rate) {
     return {s.t + h, s.y + h * rate};
 }
 
