@@ -36,19 +36,23 @@ X zero() {
         return X::Zero();
 }
 
+/// A matrix as it is, and a number as that number times the identity.
+template <class Matrix, class A>
+Matrix times_identity(const A& a) {
+    if constexpr (std::is_convertible_v<A, Matrix>)
+        return a;
+    else
+        return a * Matrix::Identity();
+}
+
 /// 1 − h A − h² B, the matrix of an implicit step with the slopes A = ∂a/∂v and B = ∂a/∂x. Either
 /// may be a number, which stands for that number times the identity; with two numbers no matrix
 /// is built at all.
 template <class Real, class A, class B>
 auto implicit_matrix(Real h, const A& slope_v, const B& slope_x) {
     using Matrix = std::conditional_t<std::is_floating_point_v<A>, B, A>;
-    const auto times_identity = [](const auto& a) -> Matrix {
-        if constexpr (std::is_convertible_v<decltype(a), Matrix>)
-            return a;
-        else
-            return a * Matrix::Identity();
-    };
-    return Matrix(identity<Matrix>() - h * times_identity(slope_v) - h * h * times_identity(slope_x));
+    return Matrix(identity<Matrix>() - h * times_identity<Matrix>(slope_v) -
+                  h * h * times_identity<Matrix>(slope_x));
 }
 
 /// The size of a number or vector: its absolute value or norm.

@@ -54,6 +54,7 @@ struct Rate {
 
     friend Rate operator+(const Rate& a, const Rate& b) { return {a.x + b.x, a.v + b.v}; }
     friend Rate operator*(Scalar s, const Rate& a) { return {s * a.x, s * a.v}; }
+    friend Rate operator/(const Rate& a, Scalar s) { return {a.x / s, a.v / s}; }
 };
 
 /// The state of a first-order system ẏ = f(t, y), one equation or an array of them (N16, I04).

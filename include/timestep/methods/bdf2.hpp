@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// BDF2: a backward difference over two steps.
+
+#include <timestep/methods/implicit_midpoint.hpp>
+
+namespace timestep {
+
+/// The two-step backward differentiation formula (N35). The one-sided second-order difference
+/// (3y₂ − 4y₁ + y₀)/2h stands in for the derivative at the end of the step. Second order, damped.
+///
+/// Solved for y₂ it reads y₂ = (4y₁ − y₀)/3 + (2h/3) f(y₂): implicit Euler from another start with
+/// another step. The first step, which has no y₀, is an implicit midpoint step.
+struct Bdf2 {
+    static constexpr const char* name = "BDF2";
+    static constexpr int order = 2;
+    static constexpr Cost cost{.evaluations = 1, .solves = 1};
+
+    template <class Model, class S>
+    S start(const Model& model, const S& state0, real_of<S> h) const {
+        return implicit_midpoint.step(model, state0, h);
+    }
+
+    /// [step]
+    template <class Model, class X>
+    State<X> step(const Model& model, const State<X>& state0, const State<X>& state1,
+                  real_of<X> h) const {
+        const State<X> from{state1.t + h / 3,  //
+                            (4 * state1.x - state0.x) / 3, (4 * state1.v - state0.v) / 3};
+        return implicit_euler.step(model, from, 2 * h / 3);
+    }
+    /// [step]
+};
+
+inline constexpr Bdf2 bdf2;  ///< the method as a value
+
+}  // namespace timestep

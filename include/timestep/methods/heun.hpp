@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// Heun's method: predict, then correct.
+
+#include <timestep/forces.hpp>
+#include <timestep/methods/cost.hpp>
+
+namespace timestep {
+
+/// Heun's method, the simplest predictor–corrector: explicit Euler predicts the end of the step,
+/// then the mean of the rates at both ends carries it. Second order (N35).
+struct Heun {
+    static constexpr const char* name = "Heun";
+    static constexpr int order = 2;
+    static constexpr Cost cost{.evaluations = 2};
+
+    /// [step]
+    template <class Model, class S>
+    S step(const Model& f, const S& state1, real_of<S> h) const {
+        const auto k1 = rate(f, state1);
+        const auto k2 = rate(f, advance(state1, h, k1));
+        return advance(state1, h, (k1 + k2) / 2);
+    }
+    /// [step]
+};
+
+inline constexpr Heun heun;  ///< the method as a value
+
+}  // namespace timestep

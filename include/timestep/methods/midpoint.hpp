@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// Explicit midpoint: look half a step ahead, then go.
+
+#include <timestep/forces.hpp>
+#include <timestep/methods/cost.hpp>
+
+namespace timestep {
+
+/// The explicit midpoint method: the rate in the middle of the step, found by half a step of
+/// explicit Euler, carries the whole step. Second order (N35).
+struct Midpoint {
+    static constexpr const char* name = "midpoint";
+    static constexpr int order = 2;
+    static constexpr Cost cost{.evaluations = 2};
+
+    /// [step]
+    template <class Model, class S>
+    S step(const Model& f, const S& state1, real_of<S> h) const {
+        const auto k1 = rate(f, state1);
+        const auto k2 = rate(f, advance(state1, h / 2, k1));
+        return advance(state1, h, k2);
+    }
+    /// [step]
+};
+
+inline constexpr Midpoint midpoint;  ///< the method as a value
+
+}  // namespace timestep

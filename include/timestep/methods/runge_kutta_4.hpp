@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// The classical Runge–Kutta method of order four.
+
+#include <timestep/forces.hpp>
+#include <timestep/methods/cost.hpp>
+
+namespace timestep {
+
+/// RK4: four looks at the rate, at the start, twice in the middle and at the end, weighted as in
+/// Simpson's rule. Fourth order while the force is smooth (N35, N36); the course's reference where
+/// no exact solution is known (I03).
+struct RungeKutta4 {
+    static constexpr const char* name = "Runge-Kutta 4";
+    static constexpr int order = 4;
+    static constexpr Cost cost{.evaluations = 4};
+
+    /// [step]
+    template <class Model, class S>
+    S step(const Model& f, const S& state1, real_of<S> h) const {
+        const auto k1 = rate(f, state1);
+        const auto k2 = rate(f, advance(state1, h / 2, k1));
+        const auto k3 = rate(f, advance(state1, h / 2, k2));
+        const auto k4 = rate(f, advance(state1, h, k3));
+        return advance(state1, h, (k1 + real_of<S>(2) * (k2 + k3) + k4) / 6);
+    }
+    /// [step]
+};
+
+inline constexpr RungeKutta4 runge_kutta_4;  ///< the method as a value
+
+}  // namespace timestep

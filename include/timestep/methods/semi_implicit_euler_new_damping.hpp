@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// Semi-implicit Euler that damps the new velocity.
+
+#include <timestep/forces.hpp>
+#include <timestep/linear_solve.hpp>
+#include <timestep/methods/cost.hpp>
+
+namespace timestep {
+
+/// Semi-implicit Euler with the damping taken at the NEW velocity (N25). The spring pulls from the
+/// old position as before; the damper is implicit, which costs one division:
+///     v₂ = v₁ + h a(x₁, v₂)   ⇒   (1 − h ∂a/∂v) v₂ = v₁ + h a(x₁, 0)
+/// More damping then makes the largest stable step longer; taken at the old velocity it makes it
+/// shorter.
+struct SemiImplicitEulerNewDamping {
+    static constexpr const char* name = "semi-implicit Euler, new damping";
+    static constexpr int order = 1;
+    static constexpr Cost cost{.evaluations = 1, .solves = 1};
+
+    /// [step]
+    template <class Model, class X>
+    State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
+        static_assert(LinearForce<Model, X>,
+                      "timestep: damping at the new velocity needs a linear force with slope_v()");
+        const auto& [t1, x1, v1] = state1;
+        const X v2 = solve(implicit_matrix(h, slope_v(model, x1, v1), real_of<X>(0)),
+                           X(v1 + h * acceleration(model, x1, zero<X>())));
+        const X x2 = x1 + h * v2;
+        return {t1 + h, x2, v2};
+    }
+    /// [step]
+};
+
+inline constexpr SemiImplicitEulerNewDamping semi_implicit_euler_new_damping;  ///< the method as a value
+
+}  // namespace timestep

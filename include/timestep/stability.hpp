@@ -1,0 +1,70 @@
+#pragma once
+/// \file
+/// Will it blow up? One step of a linear scene with one degree of freedom is a 2×2 matrix, and its
+/// eigenvalues answer (N23).
+
+#include <algorithm>
+#include <complex>
+#include <utility>
+
+#include <timestep/checks.hpp>
+#include <timestep/state.hpp>
+
+namespace timestep {
+
+/// The matrix A of one step: (x₂, v₂) = A (x₁, v₁).
+template <class Real>
+struct StepMatrix {
+    Real xx, xv;  ///< x₂ = xx x₁ + xv v₁
+    Real vx, vv;  ///< v₂ = vx x₁ + vv v₁
+
+    Real trace() const { return xx + vv; }
+    /// By how much a step changes areas in the phase portrait.
+    Real determinant() const { return xx * vv - xv * vx; }
+};
+
+/// The step matrix of a one-step method on a linear scene without a constant force: its columns
+/// are what a step makes of the states (1, 0) and (0, 1).
+/// [matrix]
+template <class Method, class Model, class Real>
+StepMatrix<Real> step_matrix(const Method& method, const Model& model, Real h) {
+    const State<Real> a = method.step(model, State<Real>{0, 1, 0}, h);
+    const State<Real> b = method.step(model, State<Real>{0, 0, 1}, h);
+    return {a.x, b.x, a.v, b.v};
+}
+/// [matrix]
+
+/// The two roots of the characteristic polynomial λ² − trace λ + determinant = 0.
+/// [eigenvalues]
+template <class Real>
+std::pair<std::complex<Real>, std::complex<Real>> eigenvalues(const StepMatrix<Real>& a) {
+    const Real half = a.trace() / 2;
+    const std::complex<Real> root = std::sqrt(std::complex<Real>(half * half - a.determinant()));
+    return {half + root, half - root};
+}
+/// [eigenvalues]
+
+/// The larger magnitude of the two: what a step multiplies by in the long run.
+template <class Real>
+Real spectral_radius(const StepMatrix<Real>& a) {
+    const auto [first, second] = eigenvalues(a);
+    return std::max(std::abs(first), std::abs(second));
+}
+
+/// The largest h up to `longest` for which no step up to it lets the scene grow, found by bisection:
+/// stable(h) must hold for small h and fail from some h on. Returns `longest` if it holds there.
+/// [bisection]
+template <class Real, class Stable>
+Real largest_stable_step(const Stable& stable, Real longest) {
+    Real good = 0;
+    Real bad = positive("longest", longest);
+    if (stable(bad)) return bad;
+    for (int i = 0; i < 100; ++i) {
+        const Real middle = (good + bad) / 2;
+        (stable(middle) ? good : bad) = middle;
+    }
+    return good;
+}
+/// [bisection]
+
+}  // namespace timestep
