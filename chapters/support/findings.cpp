@@ -81,6 +81,22 @@ Table& Findings::table(const std::string& file, std::vector<std::string> columns
     return tables_.emplace_back(file, std::move(columns));
 }
 
+namespace {
+
+// Makes the folder, and returns what had to be made for it, the innermost first.
+std::vector<fs::path> make_folder(const fs::path& folder) {
+    std::vector<fs::path> made;
+    std::error_code error;
+    for (fs::path path = folder; !path.empty() && !fs::exists(path, error); path = path.parent_path())
+        made.push_back(path);
+    fs::create_directories(folder, error);
+    if (!error) return made;
+    for (const auto& path : made) fs::remove(path, error);
+    throw std::runtime_error(folder.string() + ": the folder cannot be made");
+}
+
+}  // namespace
+
 // The files are written into a folder of their own beside the target and moved in when all of
 // them are whole, so a full disk or a kill leaves what was there before.
 void Findings::save(const std::string& folder) const {
@@ -90,24 +106,27 @@ void Findings::save(const std::string& folder) const {
                                                                   {"checks.tsv", &checks_}};
     for (const auto& table : tables_) files.emplace_back(table.file(), &table.text());
 
+    const std::vector<fs::path> made = make_folder(target);
     std::error_code error;
-    const bool made = fs::create_directories(target, error);
-    fs::remove_all(staging, error);
-    fs::create_directory(staging, error);
-    if (error)
-        throw std::runtime_error(folder + ": the folder cannot be written (" + error.message() + ")");
     try {
+        fs::remove_all(staging, error);
+        if (!fs::create_directory(staging, error))
+            throw std::runtime_error(folder + ": the folder cannot be written to");
         for (const auto& [name, text] : files) {
+            if (fs::is_directory(target / name, error))
+                throw std::runtime_error((target / name).string() + ": must be a file, not a folder");
             std::ofstream file(staging / name, std::ios::binary);
             file << *text;
             file.close();
-            if (!file) throw std::runtime_error((target / name).string() + ": cannot be written");
+            if (!file)
+                throw std::runtime_error((target / name).string() +
+                                         ": cannot be written (is the disk full?)");
         }
         for (const auto& [name, text] : files) fs::rename(staging / name, target / name);
         fs::remove(staging);
     } catch (...) {
         fs::remove_all(staging, error);
-        if (made) fs::remove(target, error);
+        for (const auto& path : made) fs::remove(path, error);
         throw;
     }
 }

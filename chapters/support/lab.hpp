@@ -92,12 +92,12 @@ public:
 
 private:
     struct Option {
-        std::string flag, help;
-        std::function<void(const std::string&)> set;  // throws std::invalid_argument
-        std::string initial;
+        std::string flag, help, rule, initial;
+        std::function<bool(const std::string&)> set;  // false: the text breaks the rule
     };
     enum class Parsed { go, help };
     Parsed parse(int argc, char** argv);
+    bool set_folder(const std::string& text);
     void print_help() const;
 
     std::string name_, summary_, folder_;

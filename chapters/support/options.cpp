@@ -1,8 +1,10 @@
 // Options of a chapter program: few, plain, and strict.
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
 
 #include "lab.hpp"
@@ -15,8 +17,16 @@ const Rule zero_or_more{[](double v) { return v >= 0; }, "finite and zero or mor
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& flag, const std::string& value, const std::string& rule) {
-    throw std::invalid_argument(flag + " " + value + ": must be " + rule);
+// What the user typed, as it may stand in a message of one line.
+std::string one_line(const std::string& text) {
+    std::string line;
+    for (const char c : text) {
+        char code[8];
+        std::snprintf(code, sizeof code, "\\x%02x", static_cast<unsigned char>(c));
+        const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+        line += control ? std::string(code) : std::string(1, c);
+    }
+    return line;
 }
 
 template <class Number>
@@ -38,63 +48,72 @@ Program::Program(std::string name, std::string summary)
     : name_(std::move(name)), summary_(std::move(summary)) {}
 
 void Program::option(const std::string& flag, double& value, Rule rule, const std::string& help) {
-    const auto set = [&value, flag, rule](const std::string& text) {
+    const auto set = [&value, rule](const std::string& text) {
         double given = 0;
-        if (!read(text, given) || !std::isfinite(given) || !rule.holds(given))
-            refuse(flag, text, rule.words);
+        if (!read(text, given) || !std::isfinite(given) || !rule.holds(given)) return false;
         value = given;
+        return true;
     };
-    options_.push_back({flag, help, set, shown(value)});
+    options_.push_back({flag, help, rule.words, shown(value), set});
 }
 
 void Program::option(const std::string& flag, long& value, long least, long most,
                      const std::string& help) {
-    const auto set = [&value, flag, least, most](const std::string& text) {
+    const auto set = [&value, least, most](const std::string& text) {
         long given = 0;
-        if (!read(text, given) || given < least || given > most)
-            refuse(flag, text,
-                   "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+        if (!read(text, given) || given < least || given > most) return false;
         value = given;
+        return true;
     };
-    options_.push_back({flag, help, set, std::to_string(value)});
+    const std::string range = std::to_string(least) + " to " + std::to_string(most);
+    options_.push_back({flag, help, "a whole number from " + range, std::to_string(value), set});
 }
 
 void Program::option(const std::string& flag, std::string& value, std::vector<std::string> choices,
                      const std::string& help) {
     std::string words;
     for (const auto& choice : choices) words += (words.empty() ? "" : ", ") + choice;
-    const auto set = [&value, flag, choices, words](const std::string& text) {
-        for (const auto& choice : choices)
-            if (choice == text) {
-                value = text;
-                return;
-            }
-        refuse(flag, text, "one of " + words);
+    const auto set = [&value, choices](const std::string& text) {
+        if (std::find(choices.begin(), choices.end(), text) == choices.end()) return false;
+        value = text;
+        return true;
     };
-    options_.push_back({flag, help + ": " + words, set, value});
+    options_.push_back({flag, help, "one of " + words, value, set});
+}
+
+bool Program::set_folder(const std::string& text) {
+    folder_ = text;
+    std::error_code error;
+    std::filesystem::path path = text;  // goes up to the innermost thing that is there
+    while (!path.empty() && !exists(path, error)) path = path.parent_path();
+    return !text.empty() && (path.empty() || is_directory(path, error));
 }
 
 Program::Parsed Program::parse(int argc, char** argv) {
-    const auto out = [this](const std::string& text) {
-        if (text.empty()) throw std::invalid_argument("--out: must be the name of a folder");
-        folder_ = text;
-    };
     std::vector<Option> known = options_;
-    known.push_back({"--out", "", out, ""});
+    known.push_back({"--out", "", "a folder, or the name of a new one", "",
+                     [this](const std::string& text) { return set_folder(text); }});
 
+    std::vector<std::string> given;
     for (int i = 1; i < argc; ++i) {
         std::string word = argv[i];
         if (word == "--help" || word == "-h") return Parsed::help;
         const auto equals = word.find('=');
         const std::string flag = word.substr(0, equals);
-        const Option* option = nullptr;
-        for (const auto& candidate : known)
-            if (candidate.flag == flag) option = &candidate;
-        if (!option)
-            throw std::invalid_argument(word + ": unknown option (" + name_ + " --help lists them)");
+        const auto option = std::find_if(known.begin(), known.end(),
+                                         [&](const Option& o) { return o.flag == flag; });
+        if (option == known.end())
+            throw std::invalid_argument((word.empty() ? "\"\"" : word) + ": unknown option (" +
+                                        name_ + " --help lists them)");
+        if (std::find(given.begin(), given.end(), flag) != given.end())
+            throw std::invalid_argument(flag + ": must be given once only");
+        given.push_back(flag);
         if (equals == std::string::npos && i + 1 == argc)
             throw std::invalid_argument(flag + ": needs a value");
-        option->set(equals == std::string::npos ? argv[++i] : word.substr(equals + 1));
+        const std::string text = equals == std::string::npos ? argv[++i] : word.substr(equals + 1);
+        if (!option->set(text))
+            throw std::invalid_argument(flag + " " + (text.empty() ? "\"\"" : text) +
+                                        ": must be " + option->rule);
         changed_ = changed_ || flag != "--out";
     }
     return Parsed::go;
@@ -103,8 +122,8 @@ Program::Parsed Program::parse(int argc, char** argv) {
 void Program::print_help() const {
     std::printf("%s: %s\n\n", name_.c_str(), summary_.c_str());
     for (const auto& option : options_)
-        std::printf("  %-11s %s (%s)\n", option.flag.c_str(), option.help.c_str(),
-                    option.initial.c_str());
+        std::printf("  %-11s %s (%s; must be %s)\n", option.flag.c_str(), option.help.c_str(),
+                    option.initial.c_str(), option.rule.c_str());
     std::printf("  %-11s %s\n  %-11s %s\n", "--out DIR", "leave data, numbers and checks in DIR",
                 "--help", "this text");
 }
@@ -126,7 +145,7 @@ int Program::run(int argc, char** argv, const std::function<void(Findings&)>& bo
         if (!folder_.empty()) findings.save(folder_);
         return 0;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s: %s\n", name_.c_str(), error.what());
+        std::fprintf(stderr, "%s: %s\n", name_.c_str(), one_line(error.what()).c_str());
         return 2;
     }
 }
