@@ -1,14 +1,23 @@
 # Runs one chapter: its program, then gnuplot on what the program left. Called as
 #   cmake -DPROGRAM=… -DOUT=… -DSCRIPT=figures.gp -DSTYLE=style.gp -DGNUPLOT=… -DABOUT=about.json
-#         [-DQUIET=ON] [-DARGUMENTS=--omega;2] -P run.cmake
+#         [-DQUIET=ON] [-DARGUMENTS=--omega;2] [-DCOMPLAINT=file] -P run.cmake
 # Leaves in OUT: the data (*.tsv), numbers.tsv, checks.tsv, the account (run.txt), seconds.txt and
 # the figures. All of it is made in a folder of its own and moved in when it is whole.
+# COMPLAINT gets an exit status in its first line, and below it what there is to complain of, in the
+# complainer's own words: CMake breaks the lines of its error messages.
 
 cmake_minimum_required(VERSION 3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/chapter_figures.cmake")
 
-function(fail text)
+function(complain status text)
+  if(DEFINED COMPLAINT)
+    file(WRITE "${COMPLAINT}" "${status}\n${text}")
+  endif()
+endfunction()
+
+function(fail status text)
   file(REMOVE_RECURSE "${work}")
+  complain("${status}" "${text}")
   message(FATAL_ERROR "${text}")
 endfunction()
 
@@ -20,9 +29,12 @@ string(TIMESTAMP begin "%s%f")
 execute_process(COMMAND "${PROGRAM}" ${ARGUMENTS} --out "${work}"
   OUTPUT_VARIABLE account ERROR_VARIABLE complaint RESULT_VARIABLE status)
 string(TIMESTAMP end "%s%f")
-if(NOT status EQUAL 0)
-  fail("${complaint}")
+if(NOT status MATCHES "^[0-9]+$")  # ended by a signal: CMake gives its name
+  fail(1 "${PROGRAM}: ${status}")
+elseif(NOT status EQUAL 0)
+  fail(${status} "${complaint}")
 endif()
+complain(0 "${complaint}")
 if(NOT QUIET)
   message(NOTICE "${account}")
 endif()
@@ -34,18 +46,20 @@ execute_process(COMMAND "${GNUPLOT}" -e "style = '${STYLE}'" "${SCRIPT}"
   WORKING_DIRECTORY "${work}" ERROR_VARIABLE complaint OUTPUT_VARIABLE complaint
   RESULT_VARIABLE status)
 if(NOT status EQUAL 0 OR NOT complaint STREQUAL "")
-  fail("${SCRIPT}: gnuplot says:\n${complaint}")
+  fail(2 "${SCRIPT}: gnuplot says:\n${complaint}")
 endif()
 check_figures("${work}" "${ABOUT}" problem)
 if(problem)
-  fail("${problem}")
+  fail(2 "${problem}")
 endif()
 
 file(GLOB old "${OUT}/*.tsv" "${OUT}/*.svg" "${OUT}/*.gif")
 if(old)
   file(REMOVE ${old})
 endif()
-file(GLOB made "${work}/*")
-file(COPY ${made} DESTINATION "${OUT}")
+file(GLOB made RELATIVE "${work}" "${work}/*")
+foreach(file IN LISTS made)  # moving takes no space: a full disk cannot stop it half-way
+  file(RENAME "${work}/${file}" "${OUT}/${file}")
+endforeach()
 file(REMOVE_RECURSE "${work}")
 file(TOUCH "${OUT}/done")

@@ -1,0 +1,68 @@
+#include "chapters.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "stop.hpp"
+
+namespace course {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// A chapter's folder is two digits, an underscore and the name of its program.
+bool is_chapter(const std::string& folder) {
+    return folder.size() > 3 && is_digit(folder[0]) && is_digit(folder[1]) && folder[2] == '_';
+}
+
+Chapter read_chapter(const fs::path& folder) {
+    const fs::path about = folder / "about.json";
+    const std::string name = folder.filename().string();
+    try {
+        std::ifstream file(about);
+        if (!file) throw Stop(Status::bad_use, about.string() + ": cannot be read");
+        const auto json = nlohmann::json::parse(file);
+        return {name, name.substr(3), json.at("title"), json.at("question"), json.at("figures"),
+                json.at("rows")};
+    } catch (const nlohmann::json::exception& error) {
+        throw Stop(Status::bad_use, about.string() + ": " + error.what());
+    }
+}
+
+std::string without_zeros(const std::string& number) {
+    return number.substr(std::min(number.find_first_not_of('0'), number.size()));
+}
+
+}  // namespace
+
+fs::path Chapter::sources() const { return fs::path(TIMESTEP_SOURCE) / "chapters" / folder; }
+fs::path Chapter::run() const { return fs::path(TIMESTEP_BUILD) / "chapters" / folder / "run"; }
+
+std::vector<Chapter> read_chapters() {
+    std::vector<Chapter> chapters;
+    for (const auto& entry : fs::directory_iterator(fs::path(TIMESTEP_SOURCE) / "chapters"))
+        if (is_chapter(entry.path().filename().string())) chapters.push_back(read_chapter(entry));
+    std::sort(chapters.begin(), chapters.end(),
+              [](const Chapter& a, const Chapter& b) { return a.folder < b.folder; });
+    return chapters;
+}
+
+Chapter find_chapter(const std::string& name) {
+    const bool is_number = !name.empty() && std::all_of(name.begin(), name.end(), is_digit);
+    std::string known;
+    for (const auto& chapter : read_chapters()) {
+        const std::string number = without_zeros(chapter.folder.substr(0, 2));
+        if (name == chapter.folder || name == chapter.program ||
+            (is_number && without_zeros(name) == number))
+            return chapter;
+        known += (known.empty() ? "" : ", ") + number + " " + chapter.program;
+    }
+    throw Stop(Status::bad_use, "'" + name + "' is no chapter; there are " + known);
+}
+
+}  // namespace course

@@ -1,0 +1,31 @@
+#pragma once
+/// \file
+/// The chapters, as their folders say.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace course {
+
+struct Chapter {
+    std::string folder;   ///< `03_euler_variants`
+    std::string program;  ///< `euler_variants`
+    std::string title;
+    std::string question;
+    std::vector<std::string> figures;
+    std::vector<std::string> rows;
+
+    /// Where the sources are: `chapters/03_euler_variants` in the checkout.
+    std::filesystem::path sources() const;
+    /// Where the build keeps the run that the page is made from.
+    std::filesystem::path run() const;
+};
+
+/// All chapters, in order. Throws Stop(bad_use) naming an about.json that cannot be used.
+std::vector<Chapter> read_chapters();
+
+/// The chapter meant by `3`, `03`, `euler_variants` or `03_euler_variants`. Throws Stop(bad_use).
+Chapter find_chapter(const std::string& name);
+
+}  // namespace course

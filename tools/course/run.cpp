@@ -1,0 +1,163 @@
+// course run
+
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <system_error>
+
+#include <unistd.h>
+
+#include "build.hpp"
+#include "chapters.hpp"
+#include "commands.hpp"
+#include "process.hpp"
+#include "stop.hpp"
+
+namespace course {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The folder that the reader wants the run in. The run is made in a folder inside it and moved up
+// when it is whole; unless it comes to that, nothing of it stays.
+class Destination {
+public:
+    explicit Destination(const fs::path& folder) : folder_(fs::absolute(folder).lexically_normal()) {
+        std::error_code error;
+        for (fs::path path = folder_; !fs::exists(path, error) && path.has_relative_path();
+             path = path.parent_path())
+            made_.push_back(path);
+        work_ = folder_ / (".unfinished_" + std::to_string(getpid()));
+        fs::create_directories(work_, error);
+        if (error) {
+            tidy();
+            throw Stop(Status::bad_use,
+                       "--out " + folder.string() + ": cannot write there (" + error.message() + ")");
+        }
+    }
+    ~Destination() { tidy(); }
+    Destination(const Destination&) = delete;
+    Destination& operator=(const Destination&) = delete;
+
+    const fs::path& work() const { return work_; }
+
+    // Moving within one file system takes no space: a full disk cannot stop it half-way.
+    void keep() {
+        fs::remove(work_ / "done");  // the build's mark
+        for (const auto& file : fs::directory_iterator(work_))
+            fs::rename(file.path(), folder_ / file.path().filename());
+        made_.clear();
+    }
+
+    // Names the files as the reader knows them, not where they were being made.
+    std::string in_readers_words(std::string text) const {
+        const std::string inner = (work_ / ".unfinished_run").string();
+        for (auto at = text.find(inner); at != std::string::npos; at = text.find(inner))
+            text.replace(at, inner.size(), folder_.string());
+        return text;
+    }
+
+private:
+    void tidy() {
+        std::error_code ignored;
+        fs::remove_all(work_, ignored);
+        for (const auto& path : made_) fs::remove(path, ignored);
+    }
+
+    fs::path folder_, work_;
+    std::vector<fs::path> made_;  // folders that were not there before, innermost first
+};
+
+std::string read(const fs::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// A list as CMake takes it.
+std::string cmake_list(const std::vector<std::string>& words) {
+    std::string list;
+    for (const auto& word : words) {
+        if (!list.empty()) list += ';';
+        for (const char c : word) list += c == ';' ? std::string("\\;") : std::string(1, c);
+    }
+    return list;
+}
+
+// What went wrong with a run, or what its program had to say besides its account.
+struct Complaint {
+    Status status;
+    std::string text;
+};
+
+std::string trimmed(std::string text) {
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
+    return text;
+}
+
+// Program and figures, by the same script that the build uses.
+Complaint make_run(const Chapter& chapter, const fs::path& program, const fs::path& folder,
+                   const std::vector<std::string>& options) {
+    const fs::path source = TIMESTEP_SOURCE;
+    const fs::path file = fs::path(TIMESTEP_BUILD) / ("complaint_" + std::to_string(getpid()));
+    std::string said;
+    const int status = listen(
+        {TIMESTEP_CMAKE, "-DPROGRAM=" + program.string(), "-DOUT=" + folder.string(),
+         "-DSCRIPT=" + (chapter.sources() / "figures.gp").string(),
+         "-DSTYLE=" + (source / "tools/figures/style.gp").string(), "-DGNUPLOT=gnuplot",
+         "-DABOUT=" + (chapter.sources() / "about.json").string(), "-DQUIET=ON",
+         "-DARGUMENTS=" + cmake_list(options), "-DCOMPLAINT=" + file.string(), "-P",
+         (source / "tools/cmake/run.cmake").string()},
+        [&](std::string_view text) { said += text; });
+
+    std::istringstream complaint(read(file));
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    int given = 0;
+    complaint >> given >> std::ws;
+    const std::string text{std::istreambuf_iterator<char>(complaint), {}};
+    if (status == 0) return {Status::fine, trimmed(text)};
+    // CMake itself could not do its part, such as writing a file.
+    if (given == 0) return {Status::bad_use, trimmed(said)};
+    return {static_cast<Status>(given), trimmed(text)};
+}
+
+}  // namespace
+
+void run(const std::string& name, const std::string& out, const std::vector<std::string>& options) {
+    const Chapter chapter = find_chapter(name);
+    const fs::path program = fs::path(TIMESTEP_BUILD) / "chapters" / chapter.program;
+    Progress progress;
+    build({chapter.program}, progress);
+    for (const auto& option : options) {
+        if (option == "--help" || option == "-h") {
+            listen({program.string(), "--help"}, [](std::string_view text) {
+                std::fwrite(text.data(), 1, text.size(), stdout);
+            });
+            return;
+        }
+        if (option.starts_with("--out"))
+            throw Stop(Status::bad_use, "--out belongs before the --: ./course run " + name +
+                                            " --out DIR -- OPTIONS");
+    }
+
+    const fs::path folder = out.empty() ? fs::path(TIMESTEP_BUILD) / "runs" / chapter.folder : fs::path(out);
+    Destination destination(folder);
+    const Complaint complaint = make_run(chapter, program, destination.work(), options);
+    if (complaint.status != Status::fine)
+        throw Stop(complaint.status, destination.in_readers_words(complaint.text));
+    try {
+        destination.keep();
+    } catch (const fs::filesystem_error& error) {
+        throw Stop(Status::bad_use, error.what());
+    }
+    std::printf("%s", read(folder / "run.txt").c_str());
+    std::printf("\nData, numbers and figures: %s\n", fs::canonical(folder).c_str());
+    std::fflush(stdout);
+    if (!complaint.text.empty()) std::fprintf(stderr, "%s\n", complaint.text.c_str());
+}
+
+}  // namespace course

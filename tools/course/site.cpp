@@ -1,0 +1,28 @@
+// course site
+
+#include <cstdio>
+
+#include "build.hpp"
+#include "commands.hpp"
+#include "process.hpp"
+#include "stop.hpp"
+
+namespace course {
+
+void site(bool open) {
+    Progress progress;
+    build({"docs"}, progress);
+    std::printf("%s\n", site_address().c_str());
+    if (!open) return;
+    std::fflush(stdout);
+#ifdef __APPLE__
+    const char* opener = "open";
+#else
+    const char* opener = "xdg-open";
+#endif
+    if (listen({opener, site_address()}, [](std::string_view) {}) != 0)
+        throw Stop(Status::missing, std::string(opener) +
+                                        " found no browser; open the address above in one");
+}
+
+}  // namespace course

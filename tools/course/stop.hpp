@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// How a command ends when it does not end well.
+
+#include <stdexcept>
+#include <string>
+
+namespace course {
+
+/// Exit status of the program.
+enum class Status {
+    fine = 0,
+    wrong = 1,        ///< a check is wrong, or something did not build
+    bad_use = 2,      ///< wrong use or bad input
+    missing = 3,      ///< the machine lacks something
+    interrupted = 130 ///< by Ctrl-C, as shells count it
+};
+
+/// Ends the command: a line for people, a status for programs.
+class Stop : public std::runtime_error {
+public:
+    Stop(Status status, const std::string& line) : std::runtime_error(line), status_(status) {}
+    Status status() const { return status_; }
+
+private:
+    Status status_;
+};
+
+}  // namespace course

@@ -1,0 +1,60 @@
+#include "terminal.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace course {
+
+namespace {
+
+bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
+
+std::size_t columns() {
+    winsize size{};
+    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col : 80u;
+}
+
+// The first `width` characters.
+std::string cut(const std::string& text, std::size_t width) {
+    std::size_t end = 0;
+    for (std::size_t seen = 0; end < text.size(); ++end)
+        if (!continues_character(text[end]) && ++seen > width) break;
+    return text.substr(0, end);
+}
+
+}  // namespace
+
+bool on_terminal() { return isatty(STDOUT_FILENO) == 1; }
+
+std::string bold(const std::string& text) { return on_terminal() ? "\033[1m" + text + "\033[0m" : text; }
+
+std::size_t width_of(const std::string& text) {
+    return text.size() - static_cast<std::size_t>(
+                             std::count_if(text.begin(), text.end(), continues_character));
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+    const std::size_t taken = width_of(text);
+    return taken < width ? text + std::string(width - taken, ' ') : text;
+}
+
+void Progress::say(const std::string& line) {
+    clear();
+    std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+void Progress::now(const std::string& line) {
+    if (isatty(STDERR_FILENO) != 1) return;
+    std::fprintf(stderr, "\r\033[K%s", cut(line, columns() - 1).c_str());
+    drawn_ = true;
+}
+
+void Progress::clear() {
+    if (drawn_) std::fprintf(stderr, "\r\033[K");
+    drawn_ = false;
+}
+
+}  // namespace course

@@ -1,0 +1,71 @@
+// course tour
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <vector>
+
+#include "build.hpp"
+#include "chapters.hpp"
+#include "commands.hpp"
+#include "stop.hpp"
+#include "terminal.hpp"
+
+namespace course {
+
+namespace {
+
+// How long the chapter's run took, as the run itself has measured it.
+double seconds_of(const Chapter& chapter) {
+    const auto path = chapter.run() / "seconds.txt";
+    std::ifstream file(path);
+    double amount = 0;
+    std::string unit;
+    if (!(file >> amount >> unit) || unit != "ms")
+        throw Stop(Status::wrong, path.string() + ": does not hold a time in ms");
+    return amount / 1000;
+}
+
+void print_table(const std::vector<Chapter>& chapters) {
+    std::size_t name_width = 7, title_width = 5;
+    for (const auto& chapter : chapters) {
+        name_width = std::max(name_width, chapter.folder.size());
+        title_width = std::max(title_width, width_of(chapter.title));
+    }
+    const auto print_row = [&](const std::string& name, const std::string& title, double seconds,
+                               std::size_t figures, std::size_t rows) {
+        std::printf("%s  %s  %7.2f  %7zu  %11zu\n", padded(name, name_width).c_str(),
+                    padded(title, title_width).c_str(), seconds, figures, rows);
+    };
+    std::printf("%s\n", bold(padded("chapter", name_width) + "  " + padded("title", title_width) +
+                             "  seconds  figures  ledger rows")
+                            .c_str());
+    double seconds = 0;
+    std::size_t figures = 0, rows = 0;
+    for (const auto& chapter : chapters) {
+        print_row(chapter.folder, chapter.title, seconds_of(chapter), chapter.figures.size(),
+                  chapter.rows.size());
+        seconds += seconds_of(chapter);
+        figures += chapter.figures.size();
+        rows += chapter.rows.size();
+    }
+    print_row("all", "", seconds, figures, rows);
+}
+
+}  // namespace
+
+void tour() {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto chapters = read_chapters();
+    Progress progress;
+    progress.say("Building the programs, running the chapters, drawing the figures, making the site:");
+    build({"all", "docs"}, progress);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    progress.say("  done in " + std::to_string(std::lround(taken.count())) + " s\n");
+    print_table(chapters);
+    std::printf("\nThe site: %s\n", site_address().c_str());
+}
+
+}  // namespace course
