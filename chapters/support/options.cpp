@@ -138,12 +138,12 @@ int Program::run(int argc, char** argv, const std::function<void(Findings&)>& bo
         // A full disk shows when the buffer is written out.
         if (std::fflush(stdout) != 0 || std::ferror(stdout))
             throw std::runtime_error("standard output: cannot be written");
+        const bool failed = !findings.failed().empty() && !changed_;
+        if (!failed && !folder_.empty()) findings.save(folder_);
         for (const auto& statement : findings.failed())
             std::fprintf(stderr, "%s: does not hold%s: %s\n", name_.c_str(),
                          changed_ ? " with these options" : "", statement.c_str());
-        if (!findings.failed().empty() && !changed_) return 1;
-        if (!folder_.empty()) findings.save(folder_);
-        return 0;
+        return failed ? 1 : 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s: %s\n", name_.c_str(), one_line(error.what()).c_str());
         return 2;

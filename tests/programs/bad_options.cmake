@@ -1,0 +1,76 @@
+# Whatever a chapter's program is given, it answers with one line that names the value and the rule
+# it breaks, and exits with 2. The options and their rules are read from --help, so a new chapter,
+# or a new option, is covered as it is.
+include("${CMAKE_CURRENT_LIST_DIR}/program.cmake")
+
+read_options()
+
+foreach(flag IN LISTS flags)
+  set(rule "${rule_${flag}}")
+  set(bad abc 1x "1 2" 0x10 "1,5" -- --help= " 1" "1 " "1\n" "nan\n")
+  if(NOT rule MATCHES "^one of ")
+    list(APPEND bad nan -nan inf -inf 1e999 -1e999 infinity)
+  endif()
+  if(rule MATCHES "^finite and ")
+    list(APPEND bad -1 -0.001)
+  endif()
+  if(rule MATCHES "greater than zero")
+    list(APPEND bad 0 -0 0.0)
+  endif()
+  if(rule MATCHES "^a whole number from (-?[0-9]+) to (-?[0-9]+)$")
+    math(EXPR below "${CMAKE_MATCH_1} - 1")
+    math(EXPR above "${CMAKE_MATCH_2} + 1")
+    list(APPEND bad ${below} ${above} 1.5 1e3 99999999999999999999)
+  elseif(NOT rule MATCHES "^(a finite number|finite and zero or more|finite and greater than zero|one of .+)$")
+    wrong("${flag}: the test does not know the rule \"${rule}\"")
+  endif()
+  foreach(value IN LISTS bad)
+    string(REPLACE "\n" "\\x0a" shown "${value}")
+    run_program(${flag} "${value}" --out never)
+    must_refuse("${flag} ${shown}" "${flag} ${shown}: must be ${rule}")
+    run_program("${flag}=${value}" --out never)
+    must_refuse("${flag}=${shown}" "${flag} ${shown}: must be ${rule}")
+  endforeach()
+
+  run_program(${flag}= --out never)
+  must_refuse("${flag}=" "${flag} \"\": must be ${rule}")
+  run_program(--out never ${flag})
+  must_refuse("${flag} without a value" "${flag}: needs a value")
+  set(value "${initial_${flag}}")
+  run_program(--out never ${flag} ${value} ${flag} ${value})
+  must_refuse("${flag} twice" "${flag}: must be given once only")
+endforeach()
+
+# Words that are no option of any program.
+foreach(word --no-such-option --no-such-option=1 -x word 42 - -- --OUT --outer --help=1 "a\nb" "tab\t")
+  string(REPLACE "\n" "\\x0a" shown "${word}")
+  string(REPLACE "\t" "\\x09" shown "${shown}")
+  run_program(--out never "${word}")
+  must_refuse("${shown}" "${shown}: unknown option")
+endforeach()
+execute_process(COMMAND "${PROGRAM}" --out never "" WORKING_DIRECTORY "${WORK}" TIMEOUT 60
+  RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE err)
+must_refuse("an empty word" "\"\": unknown option")
+
+# Folders that cannot be.
+file(WRITE "${WORK}/file" "older\n")
+set(rule "must be a folder, or the name of a new one")
+foreach(folder file file/below file/far/below /dev/null)
+  run_program(--out ${folder})
+  must_refuse("--out ${folder}" "--out ${folder}: ${rule}")
+endforeach()
+run_program(--out=)
+must_refuse("--out=" "--out \"\": ${rule}")
+run_program(--out)
+must_refuse("--out without a value" "--out: needs a value")
+run_program(--out never --out never)
+must_refuse("--out twice" "--out: must be given once only")
+
+# Nothing was written by any of them.
+file(READ "${WORK}/file" older)
+file(GLOB_RECURSE left LIST_DIRECTORIES true RELATIVE "${WORK}" "${WORK}/*" "${WORK}/.*")
+if(NOT older STREQUAL "older\n" OR NOT left STREQUAL "file")
+  wrong("a refused run left something behind: ${left}")
+endif()
+
+report()
