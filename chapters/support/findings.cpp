@@ -1,6 +1,7 @@
 // What a run found, and how it reaches the disk: all of it or nothing.
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -32,6 +33,12 @@ std::string formatted(double value, int digits) {
 }
 
 }  // namespace
+
+std::string id(const std::string& name) {
+    std::string word;
+    for (const char c : name) word += std::isalnum(static_cast<unsigned char>(c)) ? char(std::tolower(c)) : '_';
+    return word;
+}
 
 Table::Table(std::string file, std::vector<std::string> columns)
     : file_(std::move(file)), columns_(columns.size()), text_(join(columns)) {}

@@ -11,6 +11,10 @@
 
 namespace lab {
 
+/// A method's name as it stands in file names and numbers: "semi-implicit Euler" becomes
+/// "semi_implicit_euler".
+std::string id(const std::string& name);
+
 /// One cell of a data file: a number, or a word.
 using Cell = std::variant<double, std::string>;
 

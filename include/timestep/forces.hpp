@@ -64,10 +64,12 @@ concept LinearForce =
 
 /// A force that carries its derivatives, constant or not.
 template <class Model, class X>
-concept SmoothForce = LinearForce<Model, X> || requires(const Model& m, const X& x, const X& v) {
-    m.slope_x(x, v);
-    m.slope_v(x, v);
-};
+concept SmoothForce =
+    LinearForce<Model, X> ||
+    (PositionForce<Model, X> && requires(const Model& m, const X& x) { m.slope_x(x); }) ||
+    (requires(const Model& m, const X& x, const X& v) { m.slope_x(x, v); } &&
+     (PositionForce<Model, X> ||
+      requires(const Model& m, const X& x, const X& v) { m.slope_v(x, v); }));
 
 /// ∂a/∂x at (x, v), 1/s²: a number or a matrix.
 template <class X, class Model>
@@ -76,6 +78,8 @@ auto slope_x(const Model& model, const X& x, const X& v) {
         return real_of<X>(0);
     else if constexpr (requires { model.slope_x(); })
         return model.slope_x();
+    else if constexpr (requires { model.slope_x(x); })
+        return model.slope_x(x);
     else
         return model.slope_x(x, v);
 }

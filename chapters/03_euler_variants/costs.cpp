@@ -1,0 +1,159 @@
+// What a step costs, and what accuracy costs: measured here, on this machine, side by side.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <vector>
+
+#include <timestep/methods.hpp>
+#include <timestep/models/pendulum.hpp>
+#include <timestep/run.hpp>
+
+#include "sections.hpp"
+
+using namespace timestep;
+
+namespace {
+
+volatile double sink;  // results go here, so that the compiler has to compute them
+
+template <class Work>
+double seconds_of(const Work& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+// One body, step after step: each step waits for the one before.
+template <class Method, class Model>
+double one_body(const Method& method, const Model& model, double h) {
+    const long steps = 20000;
+    return seconds_of([&] { sink = run(method, model, State{0, 1.0, 0.0}, h, steps).x; }) / steps;
+}
+
+// A thousand bodies: their steps do not wait for each other.
+template <class Method, class Model>
+double many_bodies(const Method& method, const Model& model, double h) {
+    const std::size_t bodies = 1000;
+    const int steps = 20;
+    std::vector<double> x0(bodies, 1.0), v0(bodies), x(bodies, 1.0), v(bodies);
+    return seconds_of([&] {
+               for (int n = 0; n < steps; ++n)
+                   for (std::size_t i = 0; i < bodies; ++i) {
+                       const State now{0, x[i], v[i]};
+                       State<double> next;
+                       if constexpr (TwoStepMethod<Method, Model, State<double>>) {
+                           next = method.step(model, State{0, x0[i], v0[i]}, now, h);
+                           x0[i] = x[i], v0[i] = v[i];
+                       } else {
+                           next = method.step(model, now, h);
+                       }
+                       x[i] = next.x, v[i] = next.v;
+                   }
+               sink = x[bodies / 2] + v[bodies / 3];
+           }) / (double(bodies) * steps);
+}
+
+// A pendulum that counts how often it is asked.
+struct CountedPendulum : Pendulum<double> {
+    mutable long forces = 0, slopes = 0;
+    using Pendulum::Pendulum;
+    double acceleration(double x) const { return ++forces, Pendulum::acceleration(x); }
+    double slope_x(double x) const { return ++slopes, Pendulum::slope_x(x); }
+};
+
+struct Times {
+    double one = 1, many = 1, pendulum = 1;  // seconds a step, the least of the repetitions
+};
+
+std::map<std::string, Times> measure() {
+    std::map<std::string, Times> times;
+    const Spring spring(1.0);
+    const Pendulum pendulum(1.0);
+    const double h = 0.01;
+    for (int repetition = 0; repetition < 25; ++repetition)  // interleaved, so that all meet the same machine
+        for_each_method([&](const auto& method) {
+            Times& t = times[method.name];
+            t.one = std::min(t.one, one_body(method, spring, h));
+            t.many = std::min(t.many, many_bodies(method, spring, h));
+            t.pendulum = std::min(t.pendulum, one_body(method, pendulum, h));
+        });
+    return times;
+}
+
+void cost_table(const std::map<std::string, Times>& times, lab::Findings& out) {
+    std::printf("  %-20s %6s %6s %10s %12s %12s %10s %9s\n", "", "forces", "solves", "ns, alone", "ns, of 1000",
+                "ns, pendulum", "forces", "solves");
+    auto& table = out.table("costs.tsv",
+                            {"method", "forces", "solves", "ns a step, one spring", "ns a step, each of 1000 springs",
+                             "ns a step, one pendulum", "forces, pendulum", "solves, pendulum"});
+    const auto rounded = [](double value) {
+        char text[24];
+        std::snprintf(text, sizeof text, "%.2f", value);
+        return std::string(text);
+    };
+    for_each_method([&](const auto& method) {
+        const CountedPendulum counted(1.0);
+        const long steps = 1000;
+        run(method, counted, State{0, 1.0, 0.0}, 0.1, steps);
+        const Times& t = times.at(method.name);
+        const double forces = double(counted.forces) / steps, solves = double(counted.slopes) / steps;
+        std::printf("  %-20s %6d %6d %10.2f %12.2f %12.2f %10.2f %9.2f\n", method.name, method.cost.evaluations,
+                    method.cost.solves, 1e9 * t.one, 1e9 * t.many, 1e9 * t.pendulum, forces, solves);
+        table.row({std::string(method.name), double(method.cost.evaluations), double(method.cost.solves),
+                   rounded(1e9 * t.one), rounded(1e9 * t.many), rounded(1e9 * t.pendulum), rounded(forces),
+                   rounded(solves)});
+    });
+    const Times &e = times.at("explicit Euler"), &s = times.at("semi-implicit Euler"), &i = times.at("implicit Euler");
+    out.number("alone_ratio", s.one / e.one, "", "semi-implicit over explicit, one spring", 2);
+    out.number("many_ratio", s.many / e.many, "", "semi-implicit over explicit, each of 1000 springs", 2);
+    out.number("implicit_ratio", i.many / s.many, "", "implicit over semi-implicit, each of 1000 springs", 2);
+    out.number("implicit_ratio_pendulum", i.pendulum / s.pendulum, "", "implicit over semi-implicit, pendulum", 2);
+}
+
+// Error at the end of three swings against the time that its steps take.
+void work_and_precision(const std::map<std::string, Times>& times, lab::Findings& out) {
+    const Spring spring(1.0);
+    const State start{0, 1.0, 0.0};
+    const double seconds = 20;
+    const std::pair<double, const char*> wanted[] = {{0.1, "10 %"}, {0.01, "1 %"}, {0.001, "0.1 %"}, {1e-6, "0.0001 %"}};
+    struct Best {
+        double time = 1e9;
+        std::string method = "none";
+        long steps = 0;
+    } best[4];
+    for_each_method([&](const auto& method) {
+        auto& table = out.table("work_" + lab::id(method.name) + ".tsv", {"microseconds", "error", "evaluations"});
+        for (int i = 0; i <= 44; ++i) {
+            const long steps = std::lround(10 * std::pow(2.0, i / 3.0));
+            const State end = run(method, spring, start, seconds / steps, steps);
+            const State exact = spring.exact(start, seconds);
+            const double error = std::hypot(end.x - exact.x, end.v - exact.v);
+            const double time = times.at(method.name).one * steps;
+            if (error < 2) table.row({1e6 * time, error, double(steps * method.cost.evaluations)});
+            for (int k = 0; k < 4; ++k)
+                if (error <= wanted[k].first && time < best[k].time) best[k] = {time, method.name, steps};
+        }
+    });
+    out.section("The cheapest method for an accuracy");
+    auto& table = out.table("ranking.tsv", {"wanted error", "cheapest here", "steps a swing", "µs for 20 s"});
+    for (int k = 0; k < 4; ++k) {
+        char swing[16], time[16];
+        std::snprintf(swing, sizeof swing, "%.1f", best[k].steps * 2 * pi / seconds);
+        std::snprintf(time, sizeof time, "%.2f", 1e6 * best[k].time);
+        std::printf("  %-9s %-20s %8s steps a swing, %8s us for 20 s of one spring\n", wanted[k].second,
+                    best[k].method.c_str(), swing, time);
+        table.row({std::string(wanted[k].second), best[k].method, std::string(swing), std::string(time)});
+        out.text("cheapest_" + std::to_string(k), best[k].method, "cheapest method, measured");
+    }
+}
+
+}  // namespace
+
+void costs(const Settings&, lab::Findings& out) {
+    out.section("What a step costs");
+    const auto times = measure();
+    cost_table(times, out);
+    work_and_precision(times, out);
+}

@@ -1,0 +1,73 @@
+// What the three Eulers do to the energy of the spring.
+
+#include <algorithm>
+#include <cstdio>
+
+#include <timestep/methods/explicit_euler.hpp>
+#include <timestep/methods/implicit_euler.hpp>
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/run.hpp>
+
+#include "sections.hpp"
+
+using namespace timestep;
+
+namespace {
+
+template <class Method>
+void energy_of(const Method& method, const Settings& settings, lab::Findings& out) {
+    const Spring spring(settings.omega);
+    const State start{0, 1.0, 0.0};
+    auto& table = out.table("energy_" + lab::id(Method::name) + ".tsv", {"t", "energy"});
+    run(method, spring, start, settings.step, settings.steps, [&](const auto& s) {
+        table.row({s.t, spring.energy(s) / spring.energy(start)});
+    });
+}
+
+}  // namespace
+
+// Semi-implicit Euler keeps another energy than the true one. With v₂ = v₁ − hω²x₁ and x₂ = x₁ + hv₂
+//     ½v² + ½ω²x² − ½hω²xv
+// is the same before and after a step: an ellipse, slightly tilted, on which the state stays while
+// ωh < 2. The true energy differs by the last term, so it swings in a fixed band.
+void energies(const Settings& settings, lab::Findings& out) {
+    energy_of(explicit_euler, settings, out);
+    energy_of(implicit_euler, settings, out);
+    energy_of(semi_implicit_euler, settings, out);
+
+    const Spring spring(settings.omega);
+    const double h = settings.step, w2 = settings.omega * settings.omega;
+    /// [kept]
+    const auto kept = [&](const State<double>& s) { return spring.energy(s) - h * w2 * s.x * s.v / 2; };
+    /// [kept]
+    const State start{0, 1.0, 0.0};
+    double least = 1, most = 1, sum = 0, drift = 0;
+    const long steps = 1000000;
+    run(semi_implicit_euler, spring, start, h, steps, [&](const auto& s) {
+        const double energy = spring.energy(s) / spring.energy(start);
+        least = std::min(least, energy);
+        most = std::max(most, energy);
+        sum += energy;
+        drift = std::max(drift, std::fabs(kept(s) / kept(start) - 1));
+    });
+    const double mean = sum / (steps + 1);
+    const double wh = settings.wh(), predicted = 1 / (1 - wh * wh / 4);
+
+    out.section("Energy");
+    std::printf("  semi-implicit Euler, %ld steps: energy between %.4f and %.4f of the first,\n"
+                "  mean %.5f (predicted %.5f); the energy it keeps drifts by %.1e\n",
+                steps, least, most, mean, predicted, drift);
+    out.number("energy_least", 100 * least, "%", "least energy of semi-implicit Euler");
+    out.number("energy_most", 100 * most, "%", "greatest energy of semi-implicit Euler");
+    out.number("energy_mean", 100 * mean, "%", "mean energy of semi-implicit Euler", 4);
+    out.number("energy_drift", drift, "", "relative drift of the energy that semi-implicit Euler keeps", 2);
+    out.number("energy_steps", double(steps), "", "steps of the long run");
+    // On the ellipse the true energy is between 1/(1 + ωh/2) and 1/(1 − ωh/2) of the kept one. An
+    // average over n steps is off by at most one swing of the band, over n.
+    out.check("energy_band",
+              wh < 2 && least > (1 - 1e-9) / (1 + wh / 2) && most < (1 + 1e-9) / (1 - wh / 2),
+              "the energy of semi-implicit Euler stays in the band 1/(1 ± omega h/2)");
+    out.check("energy_mean",
+              wh < 2 && std::fabs(mean - predicted) < 20 / (1 - wh / 2) / wh / steps + 1e-9,
+              "the mean energy of semi-implicit Euler is E0/(1 - (omega h)^2/4)");
+}

@@ -1,0 +1,99 @@
+// The same spring, stepped by three Eulers, in the phase portrait; and implicit Euler run backwards.
+
+#include <cstdio>
+
+#include <timestep/methods/explicit_euler.hpp>
+#include <timestep/methods/implicit_euler.hpp>
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/run.hpp>
+
+#include "sections.hpp"
+
+using namespace timestep;
+
+namespace {
+
+// What a step multiplied the amplitude by, on the average over the run.
+template <class Method>
+double portrait(const Method& method, const Settings& settings, lab::Findings& out) {
+    const std::string id = lab::id(Method::name);
+    /// [portrait]
+    const Spring spring(settings.omega);
+    const State start{0, 1.0, 0.0};  // pulled out by one metre and let go
+    auto& table = out.table(id + ".tsv", {"t", "x", "v_over_omega"});
+    const State end = run(method, spring, start, settings.step, settings.steps, [&](const auto& s) {
+        table.row({s.t, s.x, s.v / settings.omega});
+    });
+    /// [portrait]
+    const double reached = amplitude(end, settings.omega);
+    const double growth = std::pow(reached, 1.0 / settings.steps);
+    if (settings.wants(Method::name))
+        std::printf("  %-20s ends at an amplitude of %8.4f m: x %.4f a step, x %.3g a second\n",
+                    Method::name, reached, growth, std::pow(growth, 1 / settings.step));
+    out.number(id + "_amplitude", reached, "m", "amplitude at the end of the run");
+    out.number(id + "_growth", growth, "", "amplitude times this a step", 5);
+    out.number(id + "_per_second", std::pow(growth, 1 / settings.step), "",
+               "amplitude times this a second");
+    return growth;
+}
+
+// Implicit Euler from the start, then explicit Euler with a negative step from where that ended.
+void backwards(const Settings& settings, lab::Findings& out) {
+    const Spring spring(settings.omega);
+    const long steps = std::min(settings.steps, 40L);
+    auto& there = out.table("there.tsv", {"t", "x", "v_over_omega"});
+    auto& back = out.table("back.tsv", {"t", "x", "v_over_omega"});
+    /// [backwards]
+    State state{0, 1.0, 0.0};
+    for (long i = 0; i < steps; ++i) {
+        there.row({state.t, state.x, state.v / settings.omega});
+        state = implicit_euler.step(spring, state, settings.step);
+    }
+    for (long i = 0; i < steps; ++i) {
+        back.row({state.t, state.x, state.v / settings.omega});
+        state = explicit_euler.step(spring, state, -settings.step);
+    }
+    /// [backwards]
+    back.row({state.t, state.x, state.v / settings.omega});
+    const double miss = std::hypot(state.x - 1, state.v / settings.omega);
+    std::printf("  %ld implicit steps, then as many explicit ones with -h, miss the start by %.1e m\n",
+                steps, miss);
+    out.number("backwards_steps", double(steps), "", "steps there, and back");
+    out.number("backwards_miss", miss, "m", "distance from the start after going there and back", 2);
+    // A step there and back rounds by a few ε of the amplitude, and explicit Euler carries each error
+    // on, larger, to the end: by no more than (1 + ω²h²)^(steps/2).
+    const double carried = std::pow(1 + settings.wh() * settings.wh(), steps / 2.0);
+    out.check("backwards", miss < 20 * steps * 2.2e-16 * carried,
+              "implicit Euler is explicit Euler run backwards, to roundoff");
+}
+
+}  // namespace
+
+void portraits(const Settings& settings, lab::Findings& out) {
+    out.section("Three Eulers on one spring");
+    std::printf("  omega = %g rad/s, h = %.5g s (omega h = %.4g), %ld steps\n", settings.omega,
+                settings.step, settings.wh(), settings.steps);
+    const double explicit_growth = portrait(explicit_euler, settings, out);
+    const double implicit_growth = portrait(implicit_euler, settings, out);
+    const double semi_growth = portrait(semi_implicit_euler, settings, out);
+
+    auto& circle = out.table("exact.tsv", {"x", "v_over_omega"});
+    for (int i = 0; i <= 360; ++i) circle.row({std::cos(i * pi / 180), -std::sin(i * pi / 180)});
+
+    const double factor = std::sqrt(1 + settings.wh() * settings.wh());
+    out.number("omega", settings.omega, "rad/s", "angular frequency of the spring");
+    out.number("rate", 1 / settings.step, "Hz", "steps a second");
+    out.number("wh", settings.wh(), "", "angular frequency times step");
+    out.number("steps", double(settings.steps), "", "steps in the portraits");
+    out.number("seconds", settings.steps * settings.step, "s", "length of the portraits");
+    out.number("predicted_growth", factor, "", "sqrt(1 + (omega h)^2)", 5);
+    // The root of the last amplitude takes the roundoff of the run down to that of one step.
+    const double roundoff = 20 * 2.2e-16;
+    out.check("explicit_grows", std::fabs(explicit_growth / factor - 1) < roundoff,
+              "explicit Euler multiplies the amplitude by sqrt(1 + (omega h)^2) a step");
+    out.check("implicit_shrinks", std::fabs(implicit_growth * factor - 1) < roundoff,
+              "implicit Euler divides the amplitude by sqrt(1 + (omega h)^2) a step");
+    out.check("semi_implicit_stays", std::pow(semi_growth, double(settings.steps)) < 1 / (1 - settings.wh() / 2),
+              "semi-implicit Euler stays within the ellipse that its own energy allows");
+    backwards(settings, out);
+}
