@@ -15,11 +15,14 @@ namespace timestep {
 /// The matrix A of one step: (x₂, v₂) = A (x₁, v₁).
 template <class Real>
 struct StepMatrix {
-    Real xx, xv;  ///< x₂ = xx x₁ + xv v₁
-    Real vx, vv;  ///< v₂ = vx x₁ + vv v₁
+    Real xx;  ///< x₂ = xx x₁ + xv v₁
+    Real xv;  ///< the same
+    Real vx;  ///< v₂ = vx x₁ + vv v₁
+    Real vv;  ///< the same
 
+    /// The sum of the two eigenvalues.
     Real trace() const { return xx + vv; }
-    /// By how much a step changes areas in the phase portrait.
+    /// Their product: by how much a step changes areas in the phase portrait.
     Real determinant() const { return xx * vv - xv * vx; }
 };
 
@@ -27,7 +30,9 @@ struct StepMatrix {
 /// are what a step makes of the states (1, 0) and (0, 1).
 /// [matrix]
 template <class Method, class Model, class Real>
-    requires requires(const Method& m, const Model& f, State<Real> s, Real h) { m.step(f, s, h); }
+requires requires(const Method& m, const Model& f, State<Real> s, Real h) {
+    m.step(f, s, h);
+}
 StepMatrix<Real> step_matrix(const Method& method, const Model& model, Real h) {
     const State<Real> a = method.step(model, State<Real>{0, 1, 0}, h);
     const State<Real> b = method.step(model, State<Real>{0, 0, 1}, h);
@@ -52,9 +57,9 @@ Real spectral_radius(const StepMatrix<Real>& a) {
     return std::max(std::abs(first), std::abs(second));
 }
 
-/// The largest h up to `longest` for which no step up to it lets the scene grow, found by bisection:
-/// stable(h) must hold for small h and fail from some h on. Returns `longest` if it holds there.
-/// [bisection]
+/// The largest h up to `longest` for which no step up to it lets the scene grow, found by
+/// bisection: stable(h) must hold for small h and fail from some h on. Returns `longest` if it
+/// holds there. [bisection]
 template <class Real, class Stable>
 Real largest_stable_step(const Stable& stable, Real longest) {
     Real good = 0;

@@ -12,15 +12,17 @@ namespace timestep {
 /// Solved for y₂ it reads y₂ = (4y₁ − y₀)/3 + (2h/3) f(y₂): implicit Euler from another start with
 /// another step. The first step, which has no y₀, is an implicit midpoint step.
 struct Bdf2 {
-    static constexpr const char* name = "BDF2";
-    static constexpr int order = 2;
-    static constexpr Cost cost{.evaluations = 1, .solves = 1};
+    static constexpr const char* name = "BDF2";                 ///< for tables and keys
+    static constexpr int order = 2;                             ///< of the error after a whole run
+    static constexpr Cost cost{.evaluations = 1, .solves = 1};  ///< of one step
 
+    /// The first step, from one state alone.
     template <class Model, class S>
     S start(const Model& model, const S& state0, real_of<S> h) const {
         return implicit_midpoint.step(model, state0, h);
     }
 
+    /// One step of length h on from `state1`; `state0` is h before it.
     /// [step]
     template <class Model, class X>
     State<X> step(const Model& model, const State<X>& state0, const State<X>& state1,

@@ -10,10 +10,11 @@ namespace timestep {
 /// Explicit Euler (N20, N21). The forward difference (y₂ − y₁)/h stands in for the derivative at
 /// the start of the step, so y₂ = y₁ + h f(t₁, y₁): everything on the right is known.
 struct ExplicitEuler {
-    static constexpr const char* name = "explicit Euler";
-    static constexpr int order = 1;
-    static constexpr Cost cost{.evaluations = 1};
+    static constexpr const char* name = "explicit Euler";  ///< for tables and keys
+    static constexpr int order = 1;                        ///< of the error after a whole run
+    static constexpr Cost cost{.evaluations = 1};          ///< of one step
 
+    /// One step of length h.
     /// [step]
     template <class Model, class X>
     State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
@@ -24,6 +25,7 @@ struct ExplicitEuler {
     }
     /// [step]
 
+    /// One step of length h of a first-order system.
     /// [first order]
     template <class System, class Y>
     FirstOrder<Y> step(const System& f, const FirstOrder<Y>& state1, real_of<Y> h) const {

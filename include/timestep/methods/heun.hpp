@@ -10,10 +10,11 @@ namespace timestep {
 /// Heun's method, the simplest predictor–corrector: explicit Euler predicts the end of the step,
 /// then the mean of the rates at both ends carries it. Second order (N35).
 struct Heun {
-    static constexpr const char* name = "Heun";
-    static constexpr int order = 2;
-    static constexpr Cost cost{.evaluations = 2};
+    static constexpr const char* name = "Heun";    ///< for tables and keys
+    static constexpr int order = 2;                ///< of the error after a whole run
+    static constexpr Cost cost{.evaluations = 2};  ///< of one step
 
+    /// One step of length h, of a State or a FirstOrder.
     /// [step]
     template <class Model, class S>
     S step(const Model& f, const S& state1, real_of<S> h) const {

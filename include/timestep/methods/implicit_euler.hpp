@@ -12,13 +12,14 @@ namespace timestep {
 /// END of the step: y₂ = y₁ + h f(t₂, y₂) has to be solved for y₂. It never blows up on a spring,
 /// and it damps what should not be damped (N27).
 struct ImplicitEuler {
-    static constexpr const char* name = "implicit Euler";
-    static constexpr int order = 1;
-    static constexpr Cost cost{.evaluations = 1, .solves = 1};
+    static constexpr const char* name = "implicit Euler";       ///< for tables and keys
+    static constexpr int order = 1;                             ///< of the error after a whole run
+    static constexpr Cost cost{.evaluations = 1, .solves = 1};  ///< of one step
 
     // v₂ = v₁ + h a(x₁ + h v₂, v₂). Where the force is linear, the terms with v₂ go to the left:
     //     (1 − h ∂a/∂v − h² ∂a/∂x) v₂ = v₁ + h a(x₁, 0)
     // On the spring: v₂ = (v₁ − h ω² x₁) / (1 + h² ω²). Elsewhere Newton–Raphson finds v₂.
+    /// One step of length h.
     /// [step]
     template <class Model, class X>
     State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
@@ -29,11 +30,13 @@ struct ImplicitEuler {
     }
     /// [step]
 
+    /// One step of length h of a first-order system.
     /// [first order]
     template <class System, class Y>
     FirstOrder<Y> step(const System& f, const FirstOrder<Y>& state1, real_of<Y> h) const {
-        static_assert(requires { f.slope_y(state1.t, state1.y); },
-                      "timestep: implicit methods need the system's derivative slope_y(t, y)");
+        static_assert(
+            requires { f.slope_y(state1.t, state1.y); },
+            "timestep: implicit methods need the system's derivative slope_y(t, y)");
         const auto t2 = state1.t + h;
         const Y y1 = state1.y;
         const Y y2 = newton_raphson(
@@ -47,8 +50,9 @@ private:
     /// [solve]
     template <class Model, class X>
     X new_velocity(const Model& model, const X& x1, const X& v1, real_of<X> h) const {
-        static_assert(SmoothForce<Model, X>,
-                      "timestep: implicit methods need the force's derivatives slope_x and slope_v");
+        static_assert(
+            SmoothForce<Model, X>,
+            "timestep: implicit methods need the force's derivatives slope_x and slope_v");
         const auto jacobian = [&](const X& x2, const X& v2) {
             return implicit_matrix(h, slope_v(model, x2, v2), slope_x(model, x2, v2));
         };

@@ -12,10 +12,11 @@ namespace timestep {
 /// The middle m = (y₁ + y₂)/2 obeys m = y₁ + (h/2) f(m): implicit Euler over half the step. From
 /// the middle it is as far again to the end: y₂ = 2m − y₁.
 struct ImplicitMidpoint {
-    static constexpr const char* name = "implicit midpoint";
-    static constexpr int order = 2;
-    static constexpr Cost cost{.evaluations = 1, .solves = 1};
+    static constexpr const char* name = "implicit midpoint";    ///< for tables and keys
+    static constexpr int order = 2;                             ///< of the error after a whole run
+    static constexpr Cost cost{.evaluations = 1, .solves = 1};  ///< of one step
 
+    /// One step of length h.
     /// [step]
     template <class Model, class X>
     State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {

@@ -10,10 +10,11 @@ namespace timestep {
 /// The explicit midpoint method: the rate in the middle of the step, found by half a step of
 /// explicit Euler, carries the whole step. Second order (N35).
 struct Midpoint {
-    static constexpr const char* name = "midpoint";
-    static constexpr int order = 2;
-    static constexpr Cost cost{.evaluations = 2};
+    static constexpr const char* name = "midpoint";  ///< for tables and keys
+    static constexpr int order = 2;                  ///< of the error after a whole run
+    static constexpr Cost cost{.evaluations = 2};    ///< of one step
 
+    /// One step of length h, of a State or a FirstOrder.
     /// [step]
     template <class Model, class S>
     S step(const Model& f, const S& state1, real_of<S> h) const {

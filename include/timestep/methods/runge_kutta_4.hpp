@@ -11,10 +11,11 @@ namespace timestep {
 /// Simpson's rule. Fourth order while the force is smooth (N35, N36); the course's reference where
 /// no exact solution is known (I03).
 struct RungeKutta4 {
-    static constexpr const char* name = "Runge-Kutta 4";
-    static constexpr int order = 4;
-    static constexpr Cost cost{.evaluations = 4};
+    static constexpr const char* name = "Runge-Kutta 4";  ///< for tables and keys
+    static constexpr int order = 4;                       ///< of the error after a whole run
+    static constexpr Cost cost{.evaluations = 4};         ///< of one step
 
+    /// One step of length h, of a State or a FirstOrder.
     /// [step]
     template <class Model, class S>
     S step(const Model& f, const S& state1, real_of<S> h) const {

@@ -11,10 +11,11 @@ namespace timestep {
 /// the position moves with the NEW velocity. One character of difference, the same cost, and the
 /// spring no longer blows up while ωh < 2.
 struct SemiImplicitEuler {
-    static constexpr const char* name = "semi-implicit Euler";
-    static constexpr int order = 1;
-    static constexpr Cost cost{.evaluations = 1};
+    static constexpr const char* name = "semi-implicit Euler";  ///< for tables and keys
+    static constexpr int order = 1;                             ///< of the error after a whole run
+    static constexpr Cost cost{.evaluations = 1};               ///< of one step
 
+    /// One step of length h.
     /// [step]
     template <class Model, class X>
     State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {

@@ -14,10 +14,12 @@ namespace timestep {
 /// More damping then makes the largest stable step longer; taken at the old velocity it makes it
 /// shorter.
 struct SemiImplicitEulerNewDamping {
-    static constexpr const char* name = "semi-implicit Euler, new damping";
-    static constexpr int order = 1;
-    static constexpr Cost cost{.evaluations = 1, .solves = 1};
+    static constexpr const char* name =
+        "semi-implicit Euler, new damping";                     ///< for tables and keys
+    static constexpr int order = 1;                             ///< of the error after a whole run
+    static constexpr Cost cost{.evaluations = 1, .solves = 1};  ///< of one step
 
+    /// One step of length h.
     /// [step]
     template <class Model, class X>
     State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
@@ -32,6 +34,7 @@ struct SemiImplicitEulerNewDamping {
     /// [step]
 };
 
-inline constexpr SemiImplicitEulerNewDamping semi_implicit_euler_new_damping;  ///< the method as a value
+inline constexpr SemiImplicitEulerNewDamping
+    semi_implicit_euler_new_damping;  ///< the method as a value
 
 }  // namespace timestep

@@ -22,8 +22,10 @@ struct Pendulum {
             refuse("omega", omega, "small enough that its square is finite");
     }
 
+    /// −ω² sin x, 1/s²
     /// [model]
     Real acceleration(Real x) const { return -omega * omega * std::sin(x); }
+    /// Its derivative, for implicit methods.
     Real slope_x(Real x) const { return -omega * omega * std::cos(x); }
     /// [model]
 

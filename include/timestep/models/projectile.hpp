@@ -18,6 +18,7 @@ struct Projectile {
         if (!is_finite(gravity)) throw std::invalid_argument("gravity: must be finite");
     }
 
+    /// Gravity, wherever the body is and however it moves.
     /// [model]
     X acceleration() const { return gravity; }
     /// [model]
