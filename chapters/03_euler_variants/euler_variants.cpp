@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
         sweep(settings, out);
         damping(settings, out);
         orders(settings, out);
-        //bounces(settings, out);
+        bounces(settings, out);
         costs(settings, out);
     });
 }

@@ -37,6 +37,37 @@ double portrait(const Method& method, const Settings& settings, lab::Findings& o
     return growth;
 }
 
+// Explicit Euler over one second with a step, its half, its quarter, its eighth: closer each time, and
+// each time twice the work.
+void smaller_steps(const Settings& settings, lab::Findings& out) {
+    const Spring spring(settings.omega);
+    const State start{0, 1.0, 0.0};
+    const double seconds = 4 * pi / settings.omega;  // two swings
+    std::printf("  explicit Euler, error after two swings:");
+    double before = 0;
+    for (const long divisor : {1, 2, 4, 8}) {
+        const long steps = divisor * std::lround(seconds / settings.step);
+        auto& table = out.table("smaller_" + std::to_string(divisor) + ".tsv", {"t", "x"});
+        const State end = run(explicit_euler, spring, start, seconds / steps, steps,
+                              [&](const auto& s) { table.row({s.t, s.x}); });
+        const State exact = spring.exact(start, seconds);
+        const double error = amplitude({0, end.x - exact.x, end.v - exact.v}, settings.omega);
+        std::printf(" %.3f m (%ld steps)", error, steps);
+        out.number("smaller_steps_" + std::to_string(divisor), double(steps), "", "steps in two swings");
+        out.number("smaller_error_" + std::to_string(divisor), error, "m", "error after two swings");
+        if (divisor > 1)
+            out.check("smaller_is_better_" + std::to_string(divisor), error < before,
+                      "explicit Euler's error falls as the step is halved");
+        before = error;
+    }
+    std::printf("\n");
+    auto& exact = out.table("smaller_exact.tsv", {"t", "x"});
+    for (int i = 0; i <= 400; ++i) {
+        const double t = seconds * i / 400;
+        exact.row({t, spring.exact(start, t).x});
+    }
+}
+
 // Implicit Euler from the start, then explicit Euler with a negative step from where that ended.
 void backwards(const Settings& settings, lab::Findings& out) {
     const Spring spring(settings.omega);
@@ -49,6 +80,7 @@ void backwards(const Settings& settings, lab::Findings& out) {
         there.row({state.t, state.x, state.v / settings.omega});
         state = implicit_euler.step(spring, state, settings.step);
     }
+    there.row({state.t, state.x, state.v / settings.omega});
     for (long i = 0; i < steps; ++i) {
         back.row({state.t, state.x, state.v / settings.omega});
         state = explicit_euler.step(spring, state, -settings.step);
@@ -95,5 +127,6 @@ void portraits(const Settings& settings, lab::Findings& out) {
               "implicit Euler divides the amplitude by sqrt(1 + (omega h)^2) a step");
     out.check("semi_implicit_stays", std::pow(semi_growth, double(settings.steps)) < 1 / (1 - settings.wh() / 2),
               "semi-implicit Euler stays within the ellipse that its own energy allows");
+    smaller_steps(settings, out);
     backwards(settings, out);
 }

@@ -45,6 +45,8 @@ file(WRITE "${work}/seconds.txt" "${milliseconds} ms\n")
 execute_process(COMMAND "${GNUPLOT}" -e "style = '${STYLE}'" "${SCRIPT}"
   WORKING_DIRECTORY "${work}" ERROR_VARIABLE complaint OUTPUT_VARIABLE complaint
   RESULT_VARIABLE status)
+string(REGEX REPLACE "[0-9]+ frames in animation sequence" "" complaint "${complaint}")
+string(STRIP "${complaint}" complaint)
 if(NOT status EQUAL 0 OR NOT complaint STREQUAL "")
   fail(2 "${SCRIPT}: gnuplot says:\n${complaint}")
 endif()

@@ -1,0 +1,119 @@
+// A beach ball bounces: what a collision inside the run does to the order of a method.
+
+#include <cstdio>
+#include <vector>
+
+#include <timestep/measured_order.hpp>
+#include <timestep/methods/midpoint.hpp>
+#include <timestep/methods/runge_kutta_4.hpp>
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/models/drag.hpp>
+#include <timestep/models/projectile.hpp>
+#include <timestep/scene.hpp>
+
+#include "sections.hpp"
+
+using namespace timestep;
+
+namespace {
+
+constexpr double restitution = 0.8;  // the speed after the bounce over the speed before
+
+constexpr double in_the_air = 0.4, after_landing = 0.9;  // s; the ball lands after some 0.6 s
+
+const Scene ball{Projectile(-9.81), Drag<double>::from_terminal_speed(4.0, 9.81)};
+
+/// [bounce]
+// As games do it: step, and when the ball has sunk into the ground, put it back and turn it round.
+template <class Method>
+State<double> step_and_bounce(const Method& method, const State<double>& state1, double h) {
+    State state2 = method.step(ball, state1, h);
+    if (state2.x < 0) {
+        state2.x = -restitution * state2.x;
+        state2.v = -restitution * state2.v;
+    }
+    return state2;
+}
+/// [bounce]
+
+template <class Method>
+double height_after(const Method& method, double drop, double seconds, long steps) {
+    State state{0, drop, 0.0};
+    for (long i = 0; i < steps; ++i) state = step_and_bounce(method, state, seconds / steps);
+    return state.x;
+}
+
+// The true height: small RK4 steps, the last one before the ground cut by bisection to end on it.
+double true_height(double drop, double seconds) {
+    State state{0, drop, 0.0};
+    while (state.t < seconds) {
+        double h = std::min(1e-3, seconds - state.t);
+        State next = runge_kutta_4.step(ball, state, h);
+        if (next.x < 0 && state.v < 0) {
+            double before = 0, after = h;
+            for (int i = 0; i < 60; ++i) {
+                const double middle = (before + after) / 2;
+                (runge_kutta_4.step(ball, state, middle).x < 0 ? after : before) = middle;
+            }
+            next = runge_kutta_4.step(ball, state, before);
+            next.x = 0;
+            next.v = -restitution * next.v;
+            h = before;
+        }
+        state = next;
+        if (seconds - state.t < 1e-12) break;
+    }
+    return state.x;
+}
+
+// Where in its step the ball meets the ground decides the error of a single run, so this is the mean
+// over 60 heights from which the ball is dropped.
+template <class Method>
+double mean_error(const Method& method, double seconds, long steps) {
+    double sum = 0;
+    const int drops = 60;
+    for (int i = 0; i < drops; ++i) {
+        const double drop = 1 + 0.3 * i / drops;
+        sum += std::fabs(height_after(method, drop, seconds, steps) - true_height(drop, seconds));
+    }
+    return sum / drops;
+}
+
+template <class Method>
+double order(const Method& method, bool bounce, lab::Findings& out) {
+    const double seconds = bounce ? after_landing : in_the_air;
+    auto& table = out.table(std::string(bounce ? "bounce_" : "fall_") + lab::id(method.name) + ".tsv",
+                            {"step", "error"});
+    std::vector<double> h, mean;
+    for (long steps = bounce ? 32 : 16; steps <= (bounce ? 2048 : 256); steps *= 2) {
+        h.push_back(seconds / steps), mean.push_back(mean_error(method, seconds, steps));
+        table.row({h.back(), mean.back()});
+    }
+    return measured_order(h, mean);
+}
+
+template <class Method>
+double compare(const Method& method, lab::Findings& out) {
+    const double fall = order(method, false, out), bounce = order(method, true, out);
+    const double at_60 = mean_error(method, after_landing, std::lround(60 * after_landing));
+    std::printf("  %-20s order %5.2f while it falls, %5.2f once it has bounced; at 60 Hz it is %.1f mm off\n",
+                Method::name, fall, bounce, 1000 * at_60);
+    const std::string id = lab::id(method.name);
+    out.number("fall_order_" + id, fall, "", "measured order without a bounce");
+    out.number("bounce_order_" + id, bounce, "", "measured order with a bounce");
+    out.check("bounce_order_" + id, std::fabs(fall - Method::order) < 0.1 && std::fabs(bounce - 1) < 0.1,
+              std::string(method.name) + " has its order while the ball falls, and order one once it has bounced");
+    out.number("bounce_error_" + id, 1000 * at_60, "mm", "mean error after the bounce, at 60 Hz", 2);
+    return at_60;
+}
+
+}  // namespace
+
+void bounces(const Settings&, lab::Findings& out) {
+    out.section("A bouncing ball");
+    const double cheap = compare(semi_implicit_euler, out);
+    compare(midpoint, out);
+    const double dear = compare(runge_kutta_4, out);
+    out.check("bounce_rk4_no_better", dear >= cheap,
+              "after the bounce, RK4 at 60 Hz is no closer than semi-implicit Euler");
+}
