@@ -22,39 +22,52 @@ template <class Real>
     throw std::invalid_argument(std::string(name) + " = " + text + ": must be " + rule);
 }
 
+/// \cond
+namespace detail {
+template <class Real>
+bool is_finite_parameter(Real value) {
+    static_assert(!std::is_integral_v<Real>,
+                  "timestep: parameters are real numbers: write 1.0 instead of 1");
+    return std::isfinite(value);
+}
+}  // namespace detail
+/// \endcond
+
 /// A finite number.
 template <class Real>
 Real finite(const char* name, Real value) {
-    if (!std::isfinite(value)) refuse(name, value, "a finite number");
+    if (!detail::is_finite_parameter(value)) refuse(name, value, "a finite number");
     return value;
 }
 
 /// A finite number above zero.
 template <class Real>
 Real positive(const char* name, Real value) {
-    if (!(std::isfinite(value) && value > 0)) refuse(name, value, "finite and greater than zero");
+    if (!(detail::is_finite_parameter(value) && value > 0)) refuse(name, value, "finite and greater than zero");
     return value;
 }
 
 /// A finite number, zero or more.
 template <class Real>
 Real not_negative(const char* name, Real value) {
-    if (!(std::isfinite(value) && value >= 0)) refuse(name, value, "finite and zero or more");
+    if (!(detail::is_finite_parameter(value) && value >= 0)) refuse(name, value, "finite and zero or more");
     return value;
 }
 
 /// Is every part of a number, a vector or a state a finite number?
 template <class X>
 bool is_finite(const X& x) {
-    if constexpr (std::is_floating_point_v<X>)
-        return std::isfinite(x);
+    if constexpr (std::is_arithmetic_v<X>)
+        return detail::is_finite_parameter(x);
     else
         return x.array().isFinite().all();
 }
+/// Time, position and velocity, all of them.
 template <class X>
 bool is_finite(const State<X>& s) {
     return is_finite(s.t) && is_finite(s.x) && is_finite(s.v);
 }
+/// Time and every unknown.
 template <class Y>
 bool is_finite(const FirstOrder<Y>& s) {
     return is_finite(s.t) && is_finite(s.y);

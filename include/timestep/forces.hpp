@@ -28,17 +28,33 @@ template <class Model, class X>
 concept VelocityForce = PositionForce<Model, X> ||
                         requires(const Model& m, const X& x, const X& v) { m.acceleration(x, v); };
 
-/// The acceleration of `model` at position `x` and velocity `v`, m/s².
-template <class X, class Model>
-X acceleration(const Model& model, const X& x, const X& v) {
-    static_assert(VelocityForce<Model, X>,
-                  "timestep: a model needs acceleration(), acceleration(x) or acceleration(x, v)");
+/// \cond
+namespace detail {
+// The model's acceleration in the type in which the model gives it.
+template <class Model, class X>
+decltype(auto) given_acceleration(const Model& model, const X& x, const X& v) {
     if constexpr (ConstantForce<Model>)
         return model.acceleration();
     else if constexpr (PositionForce<Model, X>)
         return model.acceleration(x);
     else if constexpr (VelocityForce<Model, X>)
         return model.acceleration(x, v);
+}
+}  // namespace detail
+/// \endcond
+
+/// The acceleration of `model` at position `x` and velocity `v`, m/s².
+template <class X, class Model>
+X acceleration(const Model& model, const X& x, const X& v) {
+    static_assert(VelocityForce<Model, X>,
+                  "timestep: a model needs a const member acceleration(), acceleration(x) or "
+                  "acceleration(x, v)");
+    if constexpr (VelocityForce<Model, X>) {
+        static_assert(std::is_convertible_v<decltype(detail::given_acceleration(model, x, v)), X>,
+                      "timestep: the acceleration must be what the position is: a number, or a "
+                      "vector of the same size");
+        return detail::given_acceleration(model, x, v);
+    }
 }
 
 /// The rate of change of a body's state, Newton's law in first-order form (N16, I04):

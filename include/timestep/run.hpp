@@ -14,15 +14,37 @@ concept TwoStepMethod = requires(const Method& m, const Model& f, const S& s, re
     { m.step(f, s, s, h) } -> std::same_as<S>;
 };
 
+/// \cond
+namespace detail {
+// What can be wrong with the types that are handed to run().
+template <class Method, class Model, class S, class Count, class Observe>
+struct RunTypes {
+    static_assert(requires(const S& s) { s.t; },
+                  "timestep: a run starts from a State{t, x, v} or a FirstOrder{t, y}");
+    static_assert(TwoStepMethod<Method, Model, S> ||
+                      requires(const Method& m, const Model& f, const S& s, real_of<S> h) {
+                          { m.step(f, s, h) } -> std::same_as<S>;
+                      },
+                  "timestep: in run(method, model, start, h, steps) this method does not step this "
+                  "kind of state");
+    static_assert(std::is_integral_v<Count>,
+                  "timestep: in run(method, model, start, h, steps) steps is a whole number");
+    static_assert(std::is_invocable_v<Observe&, const S&>,
+                  "timestep: observe is called with each state, as in [](const auto& state) { }");
+};
+}  // namespace detail
+/// \endcond
+
 /// Takes `steps` steps of `h` seconds from `start` and returns the last state. Calls
 /// `observe(state)` with the start and after each step.
 ///
 /// The inputs are looked at once, here: throws `std::invalid_argument` when the step is not a
 /// finite number above zero, the count is negative or the start is not finite. Whether the result
 /// is finite is for the caller to ask, with is_finite(): some methods blow up, and a course shows it.
-template <class Method, class Model, class S, class Observe>
-S run(const Method& method, const Model& model, const S& start, real_of<S> h, long steps,
+template <class Method, class Model, class S, class Count, class Observe>
+S run(const Method& method, const Model& model, const S& start, real_of<S> h, Count steps,
       Observe&& observe) {
+    [[maybe_unused]] const detail::RunTypes<Method, Model, S, Count, Observe> types_fit;
     positive("step", h);
     not_negative("steps", static_cast<double>(steps));
     if (!is_finite(start)) throw std::invalid_argument("start: must be a finite state");
@@ -33,7 +55,7 @@ S run(const Method& method, const Model& model, const S& start, real_of<S> h, lo
         S before = start;
         S state = method.start(model, start, h);
         observe(state);
-        for (long i = 1; i < steps; ++i) {
+        for (Count i = 1; i < steps; ++i) {
             const S next = method.step(model, before, state, h);
             before = state;
             state = next;
@@ -42,7 +64,7 @@ S run(const Method& method, const Model& model, const S& start, real_of<S> h, lo
         return state;
     } else {
         S state = start;
-        for (long i = 0; i < steps; ++i) {
+        for (Count i = 0; i < steps; ++i) {
             state = method.step(model, state, h);
             observe(state);
         }
@@ -51,8 +73,8 @@ S run(const Method& method, const Model& model, const S& start, real_of<S> h, lo
 }
 
 /// The same without an observer.
-template <class Method, class Model, class S>
-S run(const Method& method, const Model& model, const S& start, real_of<S> h, long steps) {
+template <class Method, class Model, class S, class Count>
+S run(const Method& method, const Model& model, const S& start, real_of<S> h, Count steps) {
     return run(method, model, start, h, steps, [](const S&) {});
 }
 

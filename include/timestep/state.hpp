@@ -18,6 +18,31 @@ template <class X>
 struct RealOf<X> {
     using type = X;
 };
+
+// What a state keeps of a position A and a velocity B: 0 and 1.0 are real numbers; an Eigen
+// expression becomes the vector that it computes; a number and a vector are a mistake.
+struct NumberAndVector {
+    using Scalar = double;
+};
+template <class A, class B>
+struct Kept {
+    using type = NumberAndVector;
+};
+template <class A, class B>
+    requires std::is_arithmetic_v<A> && std::is_arithmetic_v<B>
+struct Kept<A, B> : std::common_type<A, B> {};
+template <class A, class B>
+    requires std::same_as<typename A::PlainObject, typename B::PlainObject>
+struct Kept<A, B> {
+    using type = typename A::PlainObject;
+};
+
+// Eigen names the vector that an expression computes; a vector names itself.
+template <class X>
+inline constexpr bool is_expression = false;
+template <class X>
+    requires requires { typename X::PlainObject; }
+inline constexpr bool is_expression<X> = !std::same_as<X, typename X::PlainObject>;
 }  // namespace detail
 /// \endcond
 
@@ -34,7 +59,12 @@ template <class X>
 struct State {
     static_assert(!std::is_integral_v<X>,
                   "timestep: a state holds real numbers: write 1.0 instead of 1");
-    using Scalar = real_of<X>;
+    static_assert(!std::same_as<X, detail::NumberAndVector>,
+                  "timestep: position and velocity are two numbers, or two vectors of one size");
+    static_assert(!detail::is_expression<X>,
+                  "timestep: a state holds vectors, not Eigen expressions of them: "
+                  "State<Eigen::Vector3d>");
+    using Scalar = real_of<X>;  ///< the real number type
 
     Scalar t;  ///< time, s
     X x;       ///< position, m
@@ -42,18 +72,24 @@ struct State {
 };
 
 template <class X>
-State(real_of<X>, X, X) -> State<X>;
+State(real_of<X>, X, X) -> State<typename detail::Kept<X, X>::type>;
+template <class T, class A, class B>
+    requires(!std::same_as<A, B>)
+State(T, A, B) -> State<typename detail::Kept<A, B>::type>;
 
 /// The rate of change of a State: ẋ and v̇. Rates add and scale as vectors do.
 template <class X>
 struct Rate {
-    using Scalar = real_of<X>;
+    using Scalar = real_of<X>;  ///< the real number type
 
     X x;  ///< ẋ, the velocity, m/s
     X v;  ///< v̇, the acceleration, m/s²
 
+    /// Rates add.
     friend Rate operator+(const Rate& a, const Rate& b) { return {a.x + b.x, a.v + b.v}; }
+    /// A rate times a number.
     friend Rate operator*(Scalar s, const Rate& a) { return {s * a.x, s * a.v}; }
+    /// A rate over a number.
     friend Rate operator/(const Rate& a, Scalar s) { return {a.x / s, a.v / s}; }
 };
 
@@ -62,14 +98,17 @@ template <class Y>
 struct FirstOrder {
     static_assert(!std::is_integral_v<Y>,
                   "timestep: a state holds real numbers: write 1.0 instead of 1");
-    using Scalar = real_of<Y>;
+    static_assert(!detail::is_expression<Y>,
+                  "timestep: a state holds vectors, not Eigen expressions of them: "
+                  "FirstOrder<Eigen::Vector3d>");
+    using Scalar = real_of<Y>;  ///< the real number type
 
     Scalar t;  ///< time, s
     Y y;       ///< the unknowns, in their own units
 };
 
 template <class Y>
-FirstOrder(real_of<Y>, Y) -> FirstOrder<Y>;
+FirstOrder(real_of<Y>, Y) -> FirstOrder<typename detail::Kept<Y, Y>::type>;
 
 /// Go on for a time `h` at a constant rate: t + h, x + h ẋ, v + h v̇.
 template <class X>
