@@ -64,4 +64,15 @@ real_of<X> magnitude(const X& x) {
         return x.norm();
 }
 
+/// x yᵀ: the product of two numbers, or of two vectors the matrix of all products.
+template <class X>
+auto outer(const X& x, const X& y) {
+    if constexpr (std::is_floating_point_v<X>)
+        return x * y;
+    else {
+        using Matrix = typename decltype(x * y.transpose())::PlainObject;
+        return Matrix(x * y.transpose());
+    }
+}
+
 }  // namespace timestep

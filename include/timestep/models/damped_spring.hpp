@@ -26,6 +26,16 @@ struct DampedSpring {
         if (!std::isfinite(2 * zeta * omega)) refuse("zeta", zeta, "small enough that 2 zeta omega is finite");
     }
 
+    /// From stiffness k in N/m, damping c in N·s/m and mass m in kg: ω = √(k/m), ζ = c / (2√(k m)).
+    /// Throws `std::invalid_argument` unless k and m are above zero and c is zero or more.
+    static DampedSpring from_stiffness(Real k, Real c, Real m) {
+        using std::sqrt;
+        const Real root_k = sqrt(positive("stiffness", k));
+        const Real root_m = sqrt(positive("mass", m));
+        return DampedSpring(root_k / root_m, not_negative("damping", c) / (2 * root_k * root_m));
+    }
+
+    /// −ω² x − 2ζω v, m/s²
     /// [model]
     template <class X>
     X acceleration(const X& x, const X& v) const {
@@ -33,8 +43,56 @@ struct DampedSpring {
     }
     /// [model]
 
-    Real slope_x() const { return -omega * omega; }        ///< ∂a/∂x, 1/s²
-    Real slope_v() const { return -2 * zeta * omega; }     ///< ∂a/∂v, 1/s
+    Real slope_x() const { return -omega * omega; }     ///< ∂a/∂x, 1/s²
+    Real slope_v() const { return -2 * zeta * omega; }  ///< ∂a/∂v, 1/s
+
+    /// The exact state a time `t` after `start`, for every ζ.
+    template <class X>
+    State<X> exact(const State<X>& start, real_of<X> t) const {
+        return zeta < 1 ? swinging(start, t) : creeping(start, t);
+    }
+
+private:
+    // ζ < 1. With γ = ζω and β = ω√(1 − ζ²), e^(−γt) cos βt and e^(−γt) sin βt solve the equation.
+    // The start x₀, v₀ picks the constants: x = e^(−γt) (x₀ cos βt + (v₀ + γx₀) sin βt / β).
+    // Written as (1 − ζ)(1 + ζ), 1 − ζ² loses no digits near ζ = 1, and sin βt / β tends to t.
+    /// [swinging]
+    template <class X>
+    State<X> swinging(const State<X>& start, real_of<X> t) const {
+        using std::cos, std::exp, std::sin, std::sqrt;
+        const Real gamma = zeta * omega;
+        const Real beta = omega * sqrt((1 - zeta) * (1 + zeta));
+        const real_of<X> e = exp(-gamma * t);
+        const real_of<X> c = e * cos(beta * t);
+        const real_of<X> s = beta > 0 ? e * sin(beta * t) / beta : e * t;
+        return {start.t + t,
+                (c + gamma * s) * start.x + s * start.v,
+                (c - gamma * s) * start.v - omega * omega * s * start.x};
+    }
+    /// [swinging]
+
+    // ζ ≥ 1. Two exponentials e^(−pt) and e^(−qt) solve the equation: p, q = ω (ζ ∓ √(ζ² − 1)).
+    // The slow one is written p = ω / (ζ + √(ζ² − 1)), since pq = ω², so nothing cancels for large ζ.
+    //     s = (e^(−pt) − e^(−qt)) / (q − p) = e^(−pt) (1 − e^(−(q − p)t)) / (q − p)
+    // is what a push of v₀ = 1 does. By expm1 it keeps its digits as q − p → 0, where it tends to
+    // t e^(−pt), the answer at ζ = 1. No cosh, which overflows long before its e^(−γt) makes up for
+    // it. The start weighs in as x = (e^(−pt) + p s) x₀ + s v₀, a sum of terms above zero.
+    /// [creeping]
+    template <class X>
+    State<X> creeping(const State<X>& start, real_of<X> t) const {
+        using std::exp, std::expm1, std::sqrt;
+        const Real root = sqrt(zeta - 1) * sqrt(zeta + 1);
+        const Real p = omega / (zeta + root);
+        const Real q = zeta * omega + omega * root;
+        const Real gap = 2 * omega * root;  // q − p
+        const real_of<X> e_p = exp(-p * t);
+        const real_of<X> e_q = exp(-q * t);
+        const real_of<X> s = gap > 0 ? -e_p * expm1(-gap * t) / gap : e_p * t;
+        return {start.t + t,
+                (e_p + p * s) * start.x + s * start.v,
+                (e_q - p * s) * start.v - omega * omega * s * start.x};
+    }
+    /// [creeping]
 };
 
 }  // namespace timestep

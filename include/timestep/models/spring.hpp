@@ -28,6 +28,7 @@ struct Spring {
         return Spring(sqrt(not_negative("stiffness", k) / positive("mass", m)));
     }
 
+    /// −ω² x, m/s²
     /// [model]
     template <class X>
     X acceleration(const X& x) const {
@@ -52,9 +53,9 @@ struct Spring {
     template <class X>
     State<X> exact(const State<X>& start, real_of<X> t) const {
         using std::cos, std::sin;
-        const Real c = cos(omega * t);
-        const Real s = sin(omega * t);
-        const Real s_over_omega = omega > 0 ? s / omega : t;  // its limit as ω → 0
+        const real_of<X> c = cos(omega * t);
+        const real_of<X> s = sin(omega * t);
+        const real_of<X> s_over_omega = omega > 0 ? s / omega : t;  // its limit as ω → 0
         return {start.t + t, c * start.x + s_over_omega * start.v, c * start.v - omega * s * start.x};
     }
     /// [exact]

@@ -1,0 +1,90 @@
+#pragma once
+/// \file
+/// The game loop: frames come when they come, the simulation goes on in steps of one size.
+
+#include <cmath>
+
+#include <timestep/checks.hpp>
+
+namespace timestep {
+
+/// A fixed time step behind any frame rate (I02).
+///
+/// The time that passes on the player's clock is owed to the simulation. Each frame pays it in whole
+/// steps; what is left, less than a step, stays owed. So the state after step n depends on n and on
+/// the inputs of the steps, never on the frames: it is the same bit for bit at 30 and at 144 frames
+/// a second. (Inputs that come with a frame belong to the next step; a replay stores their steps.)
+///
+/// When steps take longer to compute than the time they simulate, each frame owes more than the one
+/// before: the spiral of death. The cap `most_steps` ends it. What is owed beyond it is dropped, and
+/// the game runs slower than the clock instead of not at all.
+template <class Real>
+class GameLoop {
+public:
+    /// `step` in s, above zero; at most `most_steps` a frame, one or more.
+    /// Throws `std::invalid_argument`.
+    GameLoop(Real step, long most_steps)
+        : step_(positive("step", step)), most_steps_(most_steps) {
+        if (most_steps < 1) refuse("most steps", static_cast<double>(most_steps), "one or more");
+    }
+
+    /// Call once a frame with the seconds since the last one. Calls `simulate(h)` for each step that
+    /// is due and returns how many there were. Throws `std::invalid_argument` when `passed` is
+    /// negative or not finite.
+    /// [frame]
+    template <class Simulate>
+    long frame(Real passed, Simulate&& simulate) {
+        owed_ += not_negative("frame time", passed);
+        long count = 0;
+        for (; owed_ >= step_ && count < most_steps_; ++count) {
+            simulate(step_);
+            owed_ -= step_;
+        }
+        if (owed_ >= step_) drop_whole_steps();
+        steps_ += count;
+        return count;
+    }
+    /// [frame]
+
+    /// How far the player's clock is past the last step, as a part of a step: from 0, below 1.
+    Real alpha() const { return owed_ / step_; }
+
+    /// Steps taken since the start.
+    long steps() const { return steps_; }
+
+    /// The simulated time, s. Counted, not added up: `steps() * step` is rounded once, while adding
+    /// a step to a clock rounds every time, and in `float` the errors show within the hour.
+    Real time() const { return static_cast<Real>(steps_) * step_; }
+
+    /// The time, in s, that the cap has kept from being simulated.
+    Real dropped() const { return dropped_; }
+
+private:
+    void drop_whole_steps() {
+        const Real kept = std::fmod(owed_, step_);  // exact, and below one step
+        dropped_ += owed_ - kept;
+        owed_ = kept;
+    }
+
+    Real step_;
+    long most_steps_;
+    Real owed_ = 0;
+    Real dropped_ = 0;
+    long steps_ = 0;
+};
+
+template <class Real>
+GameLoop(Real, long) -> GameLoop<Real>;
+
+/// The state to draw, a part `alpha` of the way from the last state but one to the last. The picture
+/// is up to one step late, and moves evenly at any frame rate.
+/// [interpolate]
+template <class X>
+State<X> interpolate(const State<X>& before, const State<X>& now, real_of<X> alpha) {
+    const real_of<X> rest = 1 - alpha;
+    return {rest * before.t + alpha * now.t, rest * before.x + alpha * now.x,
+            rest * before.v + alpha * now.v};
+}
+/// [interpolate]
+
+}  // namespace timestep

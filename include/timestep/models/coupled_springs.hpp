@@ -1,0 +1,105 @@
+#pragma once
+/// \file
+/// Masses in a row, coupled by springs.
+
+#include <cmath>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+#include <timestep/checks.hpp>
+#include <timestep/models/spring.hpp>
+
+namespace timestep {
+
+/// N masses in a row between two walls, N + 1 springs between them (N16):
+///
+///     wall ~k₀~ m₀ ~k₁~ m₁ ~ … ~k₍N₎~ wall
+///
+/// x holds the displacements from equilibrium. Each mass feels its neighbours, so no mass can be
+/// solved alone: M ẍ = −K x with the mass matrix M (diagonal) and the stiffness matrix K
+/// (tridiagonal). A spring of stiffness zero is no spring: with k₀ = 0 the row has a free end.
+///
+/// The row swings in N patterns, its normal modes, each at one frequency of its own, and every
+/// motion is a sum of them.
+template <class Real, int N>
+class CoupledSprings {
+public:
+    using Vector = Eigen::Matrix<Real, N, 1>;
+    using Matrix = Eigen::Matrix<Real, N, N>;
+
+    /// Masses in kg, above zero; stiffnesses in N/m, zero or more. Throws `std::invalid_argument`.
+    CoupledSprings(const Vector& masses, const Eigen::Matrix<Real, N + 1, 1>& stiffnesses) {
+        static_assert(N > 0, "timestep: the number of masses must be known at compile time");
+        for (const Real m : masses) positive("mass", m);
+        for (const Real k : stiffnesses) not_negative("stiffness", k);
+
+        // Spring i sits left of mass i and stretches by x(i) − x(i − 1).
+        Matrix stiffness = Matrix::Zero();
+        for (int i = 0; i < N; ++i) {
+            stiffness(i, i) = stiffnesses(i) + stiffnesses(i + 1);
+            if (i > 0) stiffness(i, i - 1) = stiffness(i - 1, i) = -stiffnesses(i);
+        }
+        slope_x_ = -(masses.cwiseInverse().asDiagonal() * stiffness);
+        if (!slope_x_.allFinite())
+            throw std::invalid_argument("stiffness / mass: must be finite for every mass");
+        find_modes(masses, stiffness);
+    }
+
+    /// [model]
+    template <class X>
+    X acceleration(const X& x) const {
+        return slope_x_ * x;
+    }
+    /// [model]
+
+    /// ∂a/∂x = −M⁻¹ K, 1/s².
+    const Matrix& slope_x() const { return slope_x_; }
+
+    /// The angular frequencies of the normal modes, rising, rad/s.
+    const Vector& frequencies() const { return frequencies_; }
+    /// The normal modes: column i is the pattern of displacements that swings at frequency i.
+    const Matrix& modes() const { return from_modes_; }
+
+    /// The exact state a time `t` after `start`: each mode by itself is a spring.
+    /// [exact]
+    template <class X>
+    State<X> exact(const State<X>& start, real_of<X> t) const {
+        using Number = real_of<X>;
+        X x = to_modes_.template cast<Number>() * start.x;
+        X v = to_modes_.template cast<Number>() * start.v;
+        for (int i = 0; i < N; ++i) {
+            const Spring<Real> mode(frequencies_(i));
+            const State<Number> s = mode.exact(State<Number>{0, x(i), v(i)}, t);
+            x(i) = s.x;
+            v(i) = s.v;
+        }
+        return {start.t + t, from_modes_.template cast<Number>() * x,
+                from_modes_.template cast<Number>() * v};
+    }
+    /// [exact]
+
+private:
+    // With y = M^½ x the equation becomes ÿ = −S y, where S = M^−½ K M^−½ is symmetric: it has N
+    // eigenvectors at right angles to each other, the columns of Q, and its eigenvalues are ω² ≥ 0.
+    // So Qᵀ M^½ takes x to its modes and M^−½ Q takes it back.
+    /// [modes]
+    void find_modes(const Vector& masses, const Matrix& stiffness) {
+        const Vector root = masses.cwiseSqrt();
+        const Vector over_root = root.cwiseInverse();
+        const Matrix s = over_root.asDiagonal() * stiffness * over_root.asDiagonal();
+        const Eigen::SelfAdjointEigenSolver<Matrix> solver(s);
+        frequencies_ = solver.eigenvalues().cwiseMax(Real(0)).cwiseSqrt();
+        to_modes_ = solver.eigenvectors().transpose() * root.asDiagonal();
+        from_modes_ = over_root.asDiagonal() * solver.eigenvectors();
+    }
+    /// [modes]
+
+    Matrix slope_x_, to_modes_, from_modes_;
+    Vector frequencies_;
+};
+
+template <class Real, int N>
+CoupledSprings(Eigen::Matrix<Real, N, 1>, Eigen::Matrix<Real, N + 1, 1>) -> CoupledSprings<Real, N>;
+
+}  // namespace timestep
