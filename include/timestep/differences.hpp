@@ -1,0 +1,103 @@
+#pragma once
+/// \file
+/// Finite differences: the slope of a function from a few of its values (N01, N07, N08).
+///
+/// Each formula is a small function object: `central_difference(f, x, h)` is the slope of `f` at
+/// `x`. `f` is anything that can be called with a real number; it may return a number or a
+/// fixed-size Eigen vector. Units: those of `f` over those of `x`.
+///
+/// A slope from differences has two errors. Truncation is what the formula leaves out of the Taylor
+/// series, `error_constant` · hᵖ · |f⁽ᵖ⁺¹⁾| with p = `order`. Noise is what the values carry:
+/// when each is off by up to δ, the slope is off by up to `noise_gain` · δ/h.
+
+#include <concepts>
+#include <type_traits>
+
+namespace timestep {
+
+/// What `Function` returns for a real number: a number, or a vector.
+template <class Function, class Real>
+using value_of = std::decay_t<std::invoke_result_t<const Function&, Real>>;
+
+/// The value after minus the value now, over the step (N07).
+struct ForwardDifference {
+    static constexpr const char* name = "forward";
+    static constexpr int order = 1;
+    static constexpr int evaluations = 2;
+    static constexpr double error_constant = 1.0 / 2;
+    static constexpr double noise_gain = 2;
+
+    /// [forward]
+    template <class Function, std::floating_point Real>
+    value_of<Function, Real> operator()(const Function& f, Real x, Real h) const {
+        return (f(x + h) - f(x)) / h;
+    }
+    /// [forward]
+};
+
+/// The value now minus the value before, over the step: the forward difference with −h (N07).
+struct BackwardDifference {
+    static constexpr const char* name = "backward";
+    static constexpr int order = 1;
+    static constexpr int evaluations = 2;
+    static constexpr double error_constant = 1.0 / 2;
+    static constexpr double noise_gain = 2;
+
+    /// [backward]
+    template <class Function, std::floating_point Real>
+    value_of<Function, Real> operator()(const Function& f, Real x, Real h) const {
+        return (f(x) - f(x - h)) / h;
+    }
+    /// [backward]
+};
+
+/// One step to either side (N08). Subtracting the Taylor series for f(x − h) from that for
+/// f(x + h) removes the second derivative.
+struct CentralDifference {
+    static constexpr const char* name = "central";
+    static constexpr int order = 2;
+    static constexpr int evaluations = 2;
+    static constexpr double error_constant = 1.0 / 6;
+    static constexpr double noise_gain = 1;
+
+    /// [central]
+    template <class Function, std::floating_point Real>
+    value_of<Function, Real> operator()(const Function& f, Real x, Real h) const {
+        return (f(x + h) - f(x - h)) / (2 * h);
+    }
+    /// [central]
+};
+
+/// Two steps to either side (N08). A central difference over 2h errs four times as much as one
+/// over h, so (4 · narrow − wide)/3 removes the third derivative too.
+struct FivePointDifference {
+    static constexpr const char* name = "five-point";
+    static constexpr int order = 4;
+    static constexpr int evaluations = 4;  // the fifth point, x itself, has weight zero
+    static constexpr double error_constant = 1.0 / 30;
+    static constexpr double noise_gain = 18.0 / 12;
+
+    /// [five_point]
+    template <class Function, std::floating_point Real>
+    value_of<Function, Real> operator()(const Function& f, Real x, Real h) const {
+        return (8 * (f(x + h) - f(x - h)) - (f(x + 2 * h) - f(x - 2 * h))) / (12 * h);
+    }
+    /// [five_point]
+};
+
+inline constexpr ForwardDifference forward_difference;       ///< the formula as a value
+inline constexpr BackwardDifference backward_difference;     ///< the formula as a value
+inline constexpr CentralDifference central_difference;       ///< the formula as a value
+inline constexpr FivePointDifference five_point_difference;  ///< the formula as a value
+
+/// The step that is really taken: `x + h` is rounded to a number that `Real` has, and this is how
+/// far that number lies from `x`. Zero when `h` is too small to move `x` at all.
+/// [step_taken]
+template <std::floating_point Real>
+Real step_taken(Real x, Real h) {
+    const Real next = x + h;
+    return next - x;
+}
+/// [step_taken]
+
+}  // namespace timestep

@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// The order of a formula or a method, measured: how fast its error falls with the step (N60).
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace timestep {
+
+/// When error = C hᵖ, log(error) against log(h) is a line of slope p. This is that slope, by least
+/// squares over all pairs (`steps[i]`, `errors[i]`).
+///
+/// NaN when there are fewer than two different steps, or a step or an error that is not above zero.
+/// [fit]
+inline double measured_order(const std::vector<double>& steps, const std::vector<double>& errors) {
+    if (steps.size() != errors.size()) return std::numeric_limits<double>::quiet_NaN();
+    const double n = static_cast<double>(steps.size());
+    double mean_x = 0, mean_y = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        mean_x += std::log(steps[i]) / n;
+        mean_y += std::log(errors[i]) / n;
+    }
+    double xx = 0, xy = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const double x = std::log(steps[i]) - mean_x;
+        xx += x * x;
+        xy += x * (std::log(errors[i]) - mean_y);
+    }
+    return xy / xx;
+}
+/// [fit]
+
+}  // namespace timestep

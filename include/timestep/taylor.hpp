@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// Taylor series: a function a step away, from its derivatives here (N09, N10).
+
+#include <concepts>
+#include <cstddef>
+#include <span>
+
+namespace timestep {
+
+/// The Taylor series f + h f′ + h²/2 f″ + …, as many terms as `derivatives` has: f itself first,
+/// then f′, f″ and so on, all at one point. Zero terms give zero.
+///
+/// After the term in hⁿ the series is off by h⁽ⁿ⁺¹⁾/(n+1)! times the next derivative at some point
+/// in between.
+/// [series]
+template <std::floating_point Real, std::size_t Extent>
+Real taylor(std::span<const Real, Extent> derivatives, Real h) {
+    Real sum = 0;
+    Real factor = 1;  // hᵏ/k!
+    for (std::size_t k = 0; k < derivatives.size(); ++k) {
+        sum += factor * derivatives[k];
+        factor *= h / static_cast<Real>(k + 1);
+    }
+    return sum;
+}
+/// [series]
+
+}  // namespace timestep
