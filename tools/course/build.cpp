@@ -7,6 +7,7 @@
 #include <fstream>
 #include <thread>
 
+#include "places.hpp"
 #include "process.hpp"
 #include "stop.hpp"
 
@@ -58,7 +59,7 @@ std::vector<std::string> reason(const std::vector<std::string>& log) {
 }  // namespace
 
 void build(const std::vector<std::string>& targets, Progress& progress) {
-    const fs::path log_path = fs::path(TIMESTEP_BUILD) / "course.log";
+    const fs::path log_path = places().build / "course.log";
     std::ofstream log(log_path);
     std::vector<std::string> heard;
 
@@ -72,7 +73,7 @@ void build(const std::vector<std::string>& targets, Progress& progress) {
         else
             progress.say("  " + step.text);
     });
-    std::vector<std::string> command{TIMESTEP_CMAKE, "--build", TIMESTEP_BUILD, "--parallel",
+    std::vector<std::string> command{places().cmake, "--build", places().build.string(), "--parallel",
                                      std::to_string(std::max(1u, std::thread::hardware_concurrency())),
                                      "--target"};
     command.insert(command.end(), targets.begin(), targets.end());
@@ -86,7 +87,7 @@ void build(const std::vector<std::string>& targets, Progress& progress) {
 
 std::string site_address() {
     std::string address = "file://";
-    for (const char c : (fs::path(TIMESTEP_BUILD) / "site/html/index.html").string()) {
+    for (const char c : (places().build / "site/html/index.html").string()) {
         const auto byte = static_cast<unsigned char>(c);
         char coded[4];
         std::snprintf(coded, sizeof coded, "%%%02X", byte);

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "places.hpp"
 #include "stop.hpp"
 
 namespace course {
@@ -34,18 +35,15 @@ Chapter read_chapter(const fs::path& folder) {
     }
 }
 
-std::string without_zeros(const std::string& number) {
-    return number.substr(std::min(number.find_first_not_of('0'), number.size()));
-}
-
 }  // namespace
 
-fs::path Chapter::sources() const { return fs::path(TIMESTEP_SOURCE) / "chapters" / folder; }
-fs::path Chapter::run() const { return fs::path(TIMESTEP_BUILD) / "chapters" / folder / "run"; }
+int Chapter::number() const { return std::stoi(folder.substr(0, 2)); }
+fs::path Chapter::sources() const { return places().source / "chapters" / folder; }
+fs::path Chapter::run() const { return places().build / "chapters" / folder / "run"; }
 
 std::vector<Chapter> read_chapters() {
     std::vector<Chapter> chapters;
-    for (const auto& entry : fs::directory_iterator(fs::path(TIMESTEP_SOURCE) / "chapters"))
+    for (const auto& entry : fs::directory_iterator(places().source / "chapters"))
         if (is_chapter(entry.path().filename().string())) chapters.push_back(read_chapter(entry));
     std::sort(chapters.begin(), chapters.end(),
               [](const Chapter& a, const Chapter& b) { return a.folder < b.folder; });
@@ -53,13 +51,11 @@ std::vector<Chapter> read_chapters() {
 }
 
 Chapter find_chapter(const std::string& name) {
-    const bool is_number = !name.empty() && std::all_of(name.begin(), name.end(), is_digit);
     std::string known;
     for (const auto& chapter : read_chapters()) {
-        const std::string number = without_zeros(chapter.folder.substr(0, 2));
-        if (name == chapter.folder || name == chapter.program ||
-            (is_number && without_zeros(name) == number))
-            return chapter;
+        const std::string number = std::to_string(chapter.number());
+        for (const auto& meant : {number, chapter.folder.substr(0, 2), chapter.program, chapter.folder})
+            if (name == meant) return chapter;
         known += (known.empty() ? "" : ", ") + number + " " + chapter.program;
     }
     throw Stop(Status::bad_use, "'" + name + "' is no chapter; there are " + known);

@@ -16,6 +16,8 @@ struct Chapter {
     std::vector<std::string> figures;
     std::vector<std::string> rows;
 
+    /// 3
+    int number() const;
     /// Where the sources are: `chapters/03_euler_variants` in the checkout.
     std::filesystem::path sources() const;
     /// Where the build keeps the run that the page is made from.

@@ -24,10 +24,9 @@ void list(bool json) {
         return;
     }
     for (const auto& chapter : read_chapters())
-        std::printf("%s  %s\n    %s\n    ./course run %s   chapters/%s\n\n",
+        std::printf("%s  %s\n    %s\n    ./course run %d   chapters/%s\n\n",
                     chapter.folder.substr(0, 2).c_str(), bold(chapter.title).c_str(),
-                    chapter.question.c_str(), chapter.folder.substr(0, 2).c_str(),
-                    chapter.folder.c_str());
+                    chapter.question.c_str(), chapter.number(), chapter.folder.c_str());
 }
 
 }  // namespace course

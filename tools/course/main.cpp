@@ -1,88 +1,19 @@
-// The course program: reads what is asked, and does it. ./course builds it and hands over to it.
+// The course program. ./course builds it and hands over to it.
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <string>
-#include <vector>
 
-#include <CLI/CLI.hpp>
-
-#include "commands.hpp"
-#include "stop.hpp"
-
-namespace {
-
-using course::Status;
-
-int status_of(Status status) { return static_cast<int>(status); }
-
-struct Asked {
-    bool yes = false, all = false, json = false, open = false;
-    std::string chapter, folder;
-    std::vector<std::string> chapter_options;
-};
-
-void declare(CLI::App& app, Asked& asked) {
-    app.require_subcommand(1);
-    app.fallthrough();
-    app.add_flag("-y,--yes", asked.yes, "do not ask before installing what is missing");
-
-    app.add_subcommand("tour", "build everything, run every chapter, make the site");
-    app.add_subcommand("test", "build everything and run all tests")
-        ->add_flag("--all", asked.all, "install all extras first; a skipped check counts as failed");
-    app.add_subcommand("list", "the chapters")
-        ->add_flag("--json", asked.json, "as JSON, for programs");
-    const auto run = app.add_subcommand("run", "run one chapter: its account, data and figures");
-    run->add_option("CHAPTER", asked.chapter, "number or name, as ./course list shows them")
-        ->required();
-    run->add_option("--out", asked.folder, "leave data, numbers and figures in this folder")
-        ->type_name("DIR");
-    run->footer("What stands after -- goes to the chapter's program; its own options:\n"
-                "  ./course run 3 -- --help");
-    app.add_subcommand("site", "bring the site up to date and say where it is")
-        ->add_flag("--open", asked.open, "open it in the browser");
-}
-
-int answer(int argc, char** argv) {
-    // What stands after -- is the chapter program's and none of our business.
-    const auto end = std::find(argv + 1, argv + argc, std::string("--"));
-    Asked asked;
-    if (end != argv + argc) asked.chapter_options.assign(end + 1, argv + argc);
-
-    CLI::App app("Timestep: numerical methods for game physics, by building them.", "./course");
-    declare(app, asked);
-    try {
-        app.parse(static_cast<int>(end - argv), argv);
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error);  // --help
-        throw course::Stop(Status::bad_use, error.what() + std::string(" (./course --help)"));
-    }
-
-    if (!app.got_subcommand("run") && !asked.chapter_options.empty())
-        throw course::Stop(Status::bad_use, "only run takes options for a chapter's program after --");
-    if (app.got_subcommand("tour")) course::tour();
-    if (app.got_subcommand("test")) course::test(asked.all);
-    if (app.got_subcommand("list")) course::list(asked.json);
-    if (app.got_subcommand("run"))
-        course::run(asked.chapter, asked.folder, asked.chapter_options);
-    if (app.got_subcommand("site")) course::site(asked.open);
-    // A full disk shows when the buffer is written out.
-    if (std::fflush(stdout) != 0 || std::ferror(stdout))
-        throw course::Stop(Status::bad_use, "standard output: cannot be written");
-    return status_of(Status::fine);
-}
-
-}  // namespace
+#include "answer.hpp"
 
 int main(int argc, char** argv) {
+    const auto exit_with = [](course::Status status) { return static_cast<int>(status); };
     try {
-        return answer(argc, argv);
+        return exit_with(course::answer(argc, argv));
     } catch (const course::Stop& stop) {
         if (*stop.what()) std::fprintf(stderr, "course: %s\n", stop.what());
-        return status_of(stop.status());
+        return exit_with(stop.status());
     } catch (const std::exception& error) {
         std::fprintf(stderr, "course: %s\n", error.what());
-        return status_of(Status::wrong);
+        return exit_with(course::Status::wrong);
     }
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <system_error>
 
@@ -13,6 +14,7 @@
 #include "build.hpp"
 #include "chapters.hpp"
 #include "commands.hpp"
+#include "places.hpp"
 #include "process.hpp"
 #include "stop.hpp"
 
@@ -101,11 +103,11 @@ std::string trimmed(std::string text) {
 // Program and figures, by the same script that the build uses.
 Complaint make_run(const Chapter& chapter, const fs::path& program, const fs::path& folder,
                    const std::vector<std::string>& options) {
-    const fs::path source = TIMESTEP_SOURCE;
-    const fs::path file = fs::path(TIMESTEP_BUILD) / ("complaint_" + std::to_string(getpid()));
+    const fs::path source = places().source;
+    const fs::path file = places().build / ("complaint_" + std::to_string(getpid()));
     std::string said;
     const int status = listen(
-        {TIMESTEP_CMAKE, "-DPROGRAM=" + program.string(), "-DOUT=" + folder.string(),
+        {places().cmake, "-DPROGRAM=" + program.string(), "-DOUT=" + folder.string(),
          "-DSCRIPT=" + (chapter.sources() / "figures.gp").string(),
          "-DSTYLE=" + (source / "tools/figures/style.gp").string(), "-DGNUPLOT=gnuplot",
          "-DABOUT=" + (chapter.sources() / "about.json").string(), "-DQUIET=ON",
@@ -127,9 +129,10 @@ Complaint make_run(const Chapter& chapter, const fs::path& program, const fs::pa
 
 }  // namespace
 
-void run(const std::string& name, const std::string& out, const std::vector<std::string>& options) {
+void run(const std::string& name, const std::optional<std::string>& out,
+         const std::vector<std::string>& options) {
     const Chapter chapter = find_chapter(name);
-    const fs::path program = fs::path(TIMESTEP_BUILD) / "chapters" / chapter.program;
+    const fs::path program = places().build / "chapters" / chapter.program;
     Progress progress;
     build({chapter.program}, progress);
     for (const auto& option : options) {
@@ -139,12 +142,14 @@ void run(const std::string& name, const std::string& out, const std::vector<std:
             });
             return;
         }
+        if (option.empty()) throw Stop(Status::bad_use, "'': there is an empty word after the --");
         if (option.starts_with("--out"))
             throw Stop(Status::bad_use, "--out belongs before the --: ./course run " + name +
                                             " --out DIR -- OPTIONS");
     }
 
-    const fs::path folder = out.empty() ? fs::path(TIMESTEP_BUILD) / "runs" / chapter.folder : fs::path(out);
+    const fs::path folder = out ? fs::path(*out) : places().build / "runs" / chapter.folder;
+    if (folder.empty()) throw Stop(Status::bad_use, "--out '': must be the name of a folder");
     Destination destination(folder);
     const Complaint complaint = make_run(chapter, program, destination.work(), options);
     if (complaint.status != Status::fine)

@@ -9,6 +9,7 @@
 
 #include "build.hpp"
 #include "commands.hpp"
+#include "places.hpp"
 #include "process.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
@@ -46,7 +47,7 @@ void test(bool strict) {
         }
     });
     const std::string jobs = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
-    const int status = listen({TIMESTEP_CTEST, "--test-dir", TIMESTEP_BUILD, "--output-on-failure",
+    const int status = listen({places().ctest, "--test-dir", places().build.string(), "--output-on-failure",
                                "--no-tests=error", "--parallel", jobs},
                               std::ref(lines));
 

@@ -1,0 +1,155 @@
+# Tests of the course program: what it accepts, list, tour and site.
+
+here=$(dirname "$0")
+. "$here/expect.sh"
+. "$here/stage.sh"
+
+test_bad_use_is_one_line_and_status_2() {
+    for words in '' turo '--json' 'list --jsn' 'list 3' 'run' 'run 3 4' 'run 3 --out' 'tour -- --step'; do
+        # shellcheck disable=SC2086
+        expect 2 course $words
+        is "$(lines err)" 1
+        is "$(lines out)" 0
+        is "$(sed 's/course: .*/course/' err)" course
+    done
+    expect 2 course list --jsn
+    says err '--jsn'
+    expect 2 course tour -- --step
+    says err "course: only run takes options for a chapter's program after --"
+}
+
+test_every_command_has_a_help_and_stands_in_the_doors() {
+    expect 0 course --help
+    for command in tour test list run site; do
+        says out "  $command "
+        expect 0 course $command --help
+        says out "Usage: ./course $command"
+        grep -q "^  ./course $command " "$source_of_door" || fail "the door's help lacks $command"
+        expect 0 course --help
+    done
+    is "$(sed -n '/^Subcommands/,$p' out | grep -c '^  [a-z]')" 5
+}
+
+test_list_shows_title_and_question_in_order() {
+    expect 0 course list
+    is "$(grep -v '^$' out)" '01  A body falls
+    Why?
+    ./course run 1   chapters/01_fall
+03  A spring swings
+    Why?
+    ./course run 3   chapters/03_swing'
+}
+
+test_list_json_is_for_programs() {
+    expect 0 course list --json
+    cat >look.cmake <<'END'
+file(READ out json)
+string(JSON count LENGTH "${json}" chapters)
+string(JSON name GET "${json}" chapters 1 chapter)
+string(JSON title GET "${json}" chapters 1 title)
+string(JSON program GET "${json}" chapters 1 program)
+string(JSON figure GET "${json}" chapters 1 figures 0)
+string(JSON rows GET "${json}" chapters 0 rows)
+message("${count} ${name}, ${title}, ${program}, ${figure} ${rows}")
+END
+    is "$("$real_cmake" -P look.cmake 2>&1)" \
+        '2 03_swing, A spring swings, swing, swing.svg [ "N01", "N02" ]'
+    expect 0 course list --json --yes
+    silent_on out 'course:'
+}
+
+test_a_broken_about_json_is_named() {
+    echo '{"title": 3' >source/chapters/03_swing/about.json
+    expect 2 course list
+    says err "course: $folder/source/chapters/03_swing/about.json: "
+    echo '{"title": "x"}' >source/chapters/03_swing/about.json
+    expect 2 course list --json
+    says err "about.json"
+    says err "question"
+    is "$(lines out)" 0
+}
+
+test_a_full_standard_output_is_no_success() {
+    [ -e /dev/full ] || exit 77
+    got=0
+    course list >/dev/full 2>err </dev/null || got=$?
+    is "$got" 2
+    says err 'course: standard output: cannot be written'
+}
+
+test_tour_shows_its_stages_and_closes_with_the_table() {
+    cat >build_says <<'END'
+[1/4] Building CXX object a.cpp.o
+[2/4] Linking CXX executable swing
+[3/4] Running chapter 03_swing
+[4/4] Making the site with Doxygen
+END
+    expect 0 course tour
+    says err '  Running chapter 03_swing'
+    says err '  Making the site with Doxygen'
+    silent_on err 'Building CXX'
+    cmp -s build_says build/course.log || fail 'course.log is not what the build said'
+    says calls "--build $folder/build"
+    says calls docs
+    is "$(cat out)" "chapter   title            seconds  figures  ledger rows
+01_fall   A body falls        1.23        1            2
+03_swing  A spring swings     1.23        1            1
+all                           2.47        2            3
+
+The site: file://$folder/build/site/html/index.html"
+}
+
+test_tour_that_fails_says_why_without_a_table() {
+    cat >build_says <<'END'
+[1/4] Building CXX object a.cpp.o
+FAILED: chapters/03_swing/run/done
+cd /somewhere && a very long command
+CMake Error at run.cmake:23 (message):
+  swing: does not hold: up is up
+ninja: build stopped: subcommand failed.
+END
+    echo 1 >build_status
+    expect 1 course tour
+    says err '  swing: does not hold: up is up'
+    says err "course: the build failed; the lines above say why, the whole log is in $folder/build/course.log"
+    silent_on err 'a very long command'
+    silent_on err 'Building CXX'
+    is "$(lines out)" 0
+}
+
+test_tour_does_not_invent_a_time() {
+    echo 'soon' >build/chapters/03_swing/run/seconds.txt
+    expect 1 course tour
+    says err 'run/seconds.txt: does not hold a time in ms'
+}
+
+test_site_gives_an_address_that_a_browser_takes() {
+    mv build 'the build'
+    ln -s 'the build' build
+    expect 0 env STAGE_SOURCE="$folder/source" STAGE_BUILD="$folder/the build" \
+        STAGE_CMAKE="$folder/bin/stage_cmake" "$program" site
+    is "$(cat out)" "file://$folder/the%20build/site/html/index.html"
+    says calls docs
+}
+
+test_site_opens_where_it_is_asked_to() {
+    stand_in_browser 0
+    expect 0 course site
+    [ ! -e opened ] || fail 'opened without being asked'
+    expect 0 course site --open
+    is "$(cat opened)" "file://$folder/build/site/html/index.html"
+    stand_in_browser 1
+    expect 3 course site --open
+    says err 'course: xdg-open found no browser; open the address above in one'
+}
+
+stand_in_browser() {
+    printf '#!/bin/sh\necho "$1" >"%s/opened"\nexit %s\n' "$folder" "$1" >bin/xdg-open
+    chmod +x bin/xdg-open
+}
+
+source_of_door=$3/course
+ctest=$6
+begin "$@"
+new_stage "$4" "$5"
+"$function"

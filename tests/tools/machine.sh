@@ -1,0 +1,86 @@
+# A machine of stand-ins: $folder/bin is all there is on PATH, $folder/usr all there is of headers.
+# What is asked of apt-get, sudo and cmake is kept in $folder/calls.
+
+stand_in() { printf '#!/bin/sh\n%s\n' "$2" >"bin/$1"; chmod +x "bin/$1"; }
+
+# new_machine USER_ID: with apt-get, apt-cache and nothing that the course needs.
+new_machine() {
+    mkdir -p bin usr checkout apt
+    cp "$source/course" checkout/course
+    for tool in sh cat sed grep tail head tee env mkdir mktemp rm chmod dirname readlink tr cp; do
+        ln -s "$(command -v $tool)" bin/$tool
+    done
+    : >calls
+    stand_in id "echo $1"
+    # apt-get install NAME leaves $folder/apt/NAME's files in place.
+    stand_in apt-get "echo \"apt-get \$*\" >>'$folder/calls'
+[ ! -e '$folder/apt_fails' ] || { echo 'E: Unable to fetch some archives'; exit 100; }
+for word; do last=\$word; case \$word in
+    install) installing=yes ;; update) installing= ;; -*) ;;
+    *) [ -z \"\$installing\" ] || [ ! -e '$folder/apt/'\$word ] || {
+        echo \"Setting up \$word (1.0) ...\"; . '$folder/apt/'\$word; } ;;
+esac; done"
+    stand_in apt-cache "case \$1 in
+policy) echo '  Candidate: '\$(cat '$folder/catch2_version') ;;
+madison) echo ' catch2 | 2.13.10-1 | http://mirror.example/debian bookworm/main amd64 Packages' ;;
+esac"
+    echo 3.7.1-1 >catch2_version
+    offer_tool g++ g++
+    offer_tool ninja-build ninja
+    offer_tool gnuplot-nox gnuplot
+    offer_tool doxygen doxygen
+    offer_tool valgrind valgrind
+    offer_tool clang clang++
+    offer_tool chromium chromium
+    offer_tool chromium-driver chromedriver
+    offer_file libeigen3-dev include/eigen3/Eigen/Core
+    offer_file catch2 include/catch2/catch_all.hpp
+    offer_file doxygen-awesome-css share/doxygen-awesome-css/doxygen-awesome.css
+    offer_file libjs-katex share/javascript/katex/katex.min.js
+    offer_file libcli11-dev include/CLI/CLI.hpp
+    offer_file nlohmann-json3-dev include/nlohmann/json.hpp
+    offer_file python3-selenium lib/python3/dist-packages/selenium/__init__.py
+    echo "cp '$folder/cmake_3.25.1' '$folder/bin/cmake'" >apt/cmake
+    make_cmake 3.25.1
+}
+
+offer_tool() { echo ": >'$folder/bin/$2'; chmod +x '$folder/bin/$2'" >"apt/$1"; }
+offer_file() { echo "mkdir -p '$folder/usr/${2%/*}'; : >'$folder/usr/$2'" >"apt/$1"; }
+
+# have PACKAGE…: it is there from the beginning.
+have() { for package; do sh "$folder/apt/$package"; done; }
+have_all() {
+    have g++ cmake ninja-build libeigen3-dev catch2 gnuplot-nox doxygen doxygen-awesome-css \
+        libjs-katex libcli11-dev nlohmann-json3-dev
+}
+
+# A CMake that configures by leaving a cache, and builds a course program that tells its arguments.
+make_cmake() {
+    cat >"cmake_$1" <<END
+#!/bin/sh
+[ "\$1" != --version ] || { echo "cmake version $1"; exit; }
+echo "cmake \$*" >>'$folder/calls'
+case \$1 in
+-S) [ ! -e '$folder/configure_fails' ] || { echo 'CMake Error: no'; exit 1; }
+    echo "CMAKE_HOME_DIRECTORY:INTERNAL=\$2" >"\$4/CMakeCache.txt" ;;
+--build) [ ! -e '$folder/build_fails' ] || { echo 'error: no'; exit 1; }
+    mkdir -p "\$2/tools/course"
+    printf '#!/bin/sh\necho "handed over: \$*"\nexit 7\n' >"\$2/tools/course/course"
+    chmod +x "\$2/tools/course/course" ;;
+esac
+END
+    chmod +x "cmake_$1"
+}
+
+# sudo that lets everything through (yes) or nothing (no).
+have_sudo() {
+    stand_in sudo "echo \"sudo \$*\" >>'$folder/calls'
+[ $1 = yes ] || exit 1
+case \$1 in -v) exit ;; -n) shift ;; esac
+\"\$@\""
+    ln -s "$(command -v true)" bin/true
+}
+
+# The script, with this machine's things only.
+course() { env -i PATH="$folder/bin" HOME="$folder" COURSE_PLACES="$folder/usr" \
+    "$folder/checkout/course" "$@"; }

@@ -1,0 +1,128 @@
+# Tests of `course run`: one chapter, its files in the reader's folder, and never a part of them.
+
+here=$(cd "$(dirname "$0")" && pwd)
+stage=$here/stage.sh
+. "$here/expect.sh"
+. "$here/stage.sh"
+
+test_run_leaves_everything_and_shows_the_account() {
+    expect 0 course run 3 --out made/for/me
+    says out 'The account, with'
+    says out "Data, numbers and figures: $folder/made/for/me"
+    is "$(cd made/for/me && echo *)" 'motion.tsv numbers.tsv run.txt seconds.txt swing.svg'
+    is "$(ls -A made/for/me | lines /dev/stdin)" 5
+    says calls '--target swing'
+    # Again, beside files of the reader's own, which stay.
+    echo mine >made/for/me/mine.tsv
+    echo old >made/for/me/motion.tsv
+    expect 0 course run 3 --out made/for/me
+    is "$(cat made/for/me/mine.tsv)" mine
+    silent_on made/for/me/motion.tsv old
+}
+
+test_a_chapter_has_four_names() {
+    for name in 3 03 swing 03_swing; do
+        expect 0 course run $name
+        says out "Data, numbers and figures: $folder/build/runs/03_swing"
+    done
+    for name in 2 33 3x swin '' 0 -3; do
+        expect 2 course run "$name"
+        is "$(lines err)" 1
+        is "$(lines out)" 0
+    done
+    expect 2 course run 17
+    is "$(cat err)" "course: '17' is no chapter; there are 1 fall, 3 swing"
+}
+
+test_options_reach_the_chapters_program_as_they_are() {
+    expect 0 course run 3 -- --step 0.1 'two words' 'a;b' --all
+    says out 'The account, with <--step> <0.1> <two words> <a;b> <--all>'
+    expect 2 course run 3 -- --step ''
+    is "$(cat err)" "course: '': there is an empty word after the --"
+}
+
+test_help_of_the_chapters_program() {
+    expect 0 course run 3 -- --help
+    is "$(cat out)" 'the options of this chapter'
+    [ ! -e build/runs ] || fail 'something was left'
+}
+
+test_what_a_program_refuses_is_one_line_and_status_2() {
+    expect 2 course run 3 --out new -- --bad
+    is "$(cat err)" 'course: swing: --bad: must be good'
+    [ ! -e new ] || fail 'something was left'
+    expect 2 course run 3 -- --out there
+    is "$(cat err)" 'course: --out belongs before the --: ./course run 3 --out DIR -- OPTIONS'
+}
+
+test_a_wrong_check_is_status_1() {
+    expect 1 course run 3 --out new -- --wrong
+    is "$(cat err)" 'course: swing: does not hold: up is up'
+    [ ! -e new ] || fail 'something was left'
+}
+
+test_what_does_not_hold_with_other_options_is_said() {
+    expect 0 course run 3 --out new -- --doubt
+    is "$(cat err)" 'swing: does not hold with these options: up is up'
+    [ -e new/motion.tsv ] || fail 'nothing was kept'
+}
+
+test_a_program_that_crashes_is_named() {
+    expect 1 course run 3 --out new -- --crash
+    says err 'course: '
+    says err 'swing: '
+    [ ! -e new ] || fail 'something was left'
+}
+
+test_figures_that_fail_leave_nothing() {
+    mkdir old
+    : >gnuplot_complains
+    expect 2 course run 3 --out old/new
+    says err 'undefined variable: styel'
+    rm gnuplot_complains
+    : >draws_nothing
+    expect 2 course run 3 --out old/new
+    says err 'swing.svg was not drawn'
+    is "$(ls -A old)" ''
+}
+
+test_a_folder_that_cannot_be_written_is_named() {
+    : >file
+    expect 2 course run 3 --out file
+    is "$(cat err)" 'course: --out file: cannot write there (Not a directory)'
+    expect 2 course run 3 --out file/below
+    is "$(cat err)" 'course: --out file/below: cannot write there (Not a directory)'
+    [ ! -d /proc/self ] || {
+        expect 2 course run 3 --out /proc/self/new/one
+        is "$(sed 's/(.*//' err)" 'course: --out /proc/self/new/one: cannot write there '
+    }
+    expect 2 course run 3 --out ''
+    is "$(cat err)" "course: --out '': must be the name of a folder"
+}
+
+test_a_build_that_fails_is_status_1() {
+    echo 'FAILED: swing' >build_says
+    echo 1 >build_status
+    expect 1 course run 3 --out new
+    says err 'FAILED: swing'
+    [ ! -e new ] || fail 'something was left'
+}
+
+test_an_interrupted_run_leaves_nothing() {
+    command -v setsid >/dev/null || exit 77
+    cat >interrupted.sh <<END
+trap : INT
+. '$stage'
+folder=$folder program=$program ctest=$ctest
+course run 3 --out new -- --interrupt
+echo "status \$?" >status
+END
+    setsid -w sh interrupted.sh >out 2>err </dev/null
+    is "$(cat status)" 'status 130'
+    [ ! -e new ] || fail 'something was left'
+}
+
+ctest=$6
+begin "$@"
+new_stage "$4" "$5"
+"$function"

@@ -1,0 +1,66 @@
+# A stage for the course program: a checkout with two small chapters, a build folder, and stand-ins
+# for cmake (where it builds), gnuplot and the chapters' programs.
+
+new_stage() {
+    program=$1 real_cmake=$2
+    mkdir -p bin source/tools/cmake source/tools/figures build/site/html
+    cp "$source"/tools/cmake/*.cmake source/tools/cmake
+    : >source/tools/figures/style.gp
+    new_chapter 01_fall 'A body falls' 'fall.svg' '["N01", "N02"]'
+    new_chapter 03_swing 'A spring swings' 'swing.svg' '["N20"]'
+    cat >bin/stage_cmake <<END
+#!/bin/sh
+echo "\$*" >>'$folder/calls'
+[ "\$1" = --build ] || exec '$real_cmake' "\$@"
+cat '$folder/build_says'
+exit \$(cat '$folder/build_status')
+END
+    echo 0 >build_status
+    : >build_says
+    : >calls
+    # Draws the figures of the chapter it is called for, unless told otherwise.
+    cat >bin/gnuplot <<END
+#!/bin/sh
+for word; do script=\$word; done
+[ ! -e '$folder/gnuplot_complains' ] || { echo 'line 7: undefined variable: styel' >&2; exit 1; }
+name=\$(basename "\$(dirname "\$script")")
+[ -e '$folder/draws_nothing' ] || echo '<svg></svg>' >"\${name#*_}.svg"
+END
+    chmod +x bin/*
+}
+
+# new_chapter FOLDER TITLE FIGURE ROWS
+new_chapter() {
+    mkdir -p "source/chapters/$1" "build/chapters/$1/run"
+    cat >"source/chapters/$1/about.json" <<END
+{"title": "$2", "question": "Why?", "needs": [], "builds_on": [], "rows": $4, "figures": ["$3"]}
+END
+    : >"source/chapters/$1/figures.gp"
+    echo '1234 ms' >"build/chapters/$1/run/seconds.txt"
+    cat >"build/chapters/${1#*_}" <<'END'
+#!/bin/sh
+out= options=
+while [ $# -gt 0 ]; do
+    case $1 in
+    --help) echo 'the options of this chapter'; exit ;;
+    --bad) echo 'swing: --bad: must be good' >&2; exit 2 ;;
+    --wrong) echo 'swing: does not hold: up is up' >&2; exit 1 ;;
+    --crash) kill -SEGV $$ ;;
+    --doubt) echo 'swing: does not hold with these options: up is up' >&2 ;;
+    --interrupt) kill -INT 0; sleep 5 ;;
+    --out) out=$2; shift ;;
+    *) options="$options <$1>" ;;
+    esac
+    shift
+done
+echo "The account, with$options"
+printf 't\tx\n0\t1\n' >"$out/motion.tsv" && printf 'n\t1\t\tone\n' >"$out/numbers.tsv" || {
+    echo "swing: $out/motion.tsv: cannot be written" >&2; exit 2; }
+END
+    chmod +x "build/chapters/${1#*_}"
+}
+
+course() {
+    STAGE_SOURCE=$folder/source STAGE_BUILD=$folder/build STAGE_CMAKE=$folder/bin/stage_cmake \
+        STAGE_CTEST=$ctest PATH=$folder/bin:$PATH "$program" "$@"
+}

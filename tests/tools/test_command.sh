@@ -1,0 +1,70 @@
+# Tests of `course test`, with a real ctest on a handful of small tests.
+
+here=$(dirname "$0")
+. "$here/expect.sh"
+. "$here/stage.sh"
+
+# tests NAME=STATUS…: what ctest finds in the build folder; 77 is a skip.
+tests() {
+    for test; do
+        printf 'add_test("%s" sh -c "echo words of %s; exit %s")\n' \
+            "${test%=*}" "${test%=*}" "${test#*=}"
+        printf 'set_tests_properties("%s" PROPERTIES SKIP_RETURN_CODE 77)\n' "${test%=*}"
+    done >build/CTestTestfile.cmake
+}
+
+test_all_passing_ends_with_the_summary() {
+    tests one=0 two=0
+    expect 0 course test
+    says out 'Test #1: one'
+    says out '100% tests passed, 0 tests failed out of 2'
+    is "$(tail -n 1 out | sed 's/=.*//')" 'Total Test time (real) '
+    silent_on out setup
+    says calls "--build $folder/build"
+    says calls 'all docs'
+}
+
+test_a_failing_test_is_status_1_and_shows_its_words() {
+    tests one=0 'number two=5'
+    expect 1 course test
+    says out 'words of number two'
+    silent_on out 'words of one'
+    says out '50% tests passed, 1 tests failed out of 2'
+}
+
+test_skipped_checks_are_named_with_the_command_that_helps() {
+    tests one=0 'pages in a browser=77' 'memory checker=77'
+    expect 0 course test
+    is "$(grep -A 3 '^Skipped' out)" 'Skipped, because this machine lacks what they need:
+  pages in a browser
+  memory checker
+To add it: ./course setup --all'
+    # The summary still comes last.
+    is "$(sed -n '/^To add it/,$p' out | sed -n 3p | sed 's/passed.*/passed/')" '100% tests passed'
+}
+
+test_with_all_a_skipped_check_fails() {
+    tests one=0
+    expect 0 course test --all
+    tests one=0 browser=77
+    expect 1 course test --all
+    says err 'course: 1 skipped, which --all counts as failed'
+}
+
+test_no_tests_at_all_is_a_failure() {
+    tests
+    expect 1 course test
+}
+
+test_a_build_that_fails_runs_no_test() {
+    tests one=0
+    echo 1 >build_status
+    expect 1 course test
+    silent_on out 'Test #1'
+    says err 'course: the build failed'
+}
+
+ctest=$6
+begin "$@"
+new_stage "$4" "$5"
+"$function"

@@ -1,0 +1,80 @@
+#include "answer.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "commands.hpp"
+#include "stop.hpp"
+
+namespace course {
+
+namespace {
+
+struct Asked {
+    bool yes = false, all = false, json = false, open = false;
+    std::string chapter;
+    std::optional<std::string> out;
+    std::vector<std::string> chapter_options;
+};
+
+void declare(CLI::App& app, Asked& asked) {
+    app.require_subcommand(1);
+    app.fallthrough();
+    app.add_flag("-y,--yes", asked.yes, "do not ask before installing what is missing");
+
+    app.add_subcommand("tour", "build everything, run every chapter, make the site");
+    app.add_subcommand("test", "build everything and run all tests")
+        ->add_flag("--all", asked.all, "install all extras first; a skipped check counts as failed");
+    app.add_subcommand("list", "the chapters")
+        ->add_flag("--json", asked.json, "as JSON, for programs");
+    const auto run = app.add_subcommand("run", "run one chapter: its account, data and figures");
+    run->add_option("CHAPTER", asked.chapter, "number or name, as ./course list shows them")
+        ->required();
+    run->add_option("--out", asked.out, "leave data, numbers and figures in this folder")
+        ->type_name("DIR");
+    run->footer("What stands after -- goes to the chapter's program; its own options:\n"
+                "  ./course run 3 -- --help");
+    app.add_subcommand("site", "bring the site up to date and say where it is")
+        ->add_flag("--open", asked.open, "open it in the browser");
+}
+
+}  // namespace
+
+Status answer(int argc, char** argv) {
+    // What stands after -- is the chapter program's and none of our business.
+    const auto end = std::find(argv + 1, argv + argc, std::string("--"));
+    Asked asked;
+    if (end != argv + argc) asked.chapter_options.assign(end + 1, argv + argc);
+
+    CLI::App app("Timestep: numerical methods for game physics, by building them.", "./course");
+    declare(app, asked);
+    try {
+        app.parse(static_cast<int>(end - argv), argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) {  // --help
+            app.exit(error);
+            return Status::fine;
+        }
+        throw Stop(Status::bad_use, error.what() + std::string(" (./course --help)"));
+    }
+
+    if (!app.got_subcommand("run") && !asked.chapter_options.empty())
+        throw Stop(Status::bad_use, "only run takes options for a chapter's program after --");
+    if (app.got_subcommand("tour")) tour();
+    if (app.got_subcommand("test")) test(asked.all);
+    if (app.got_subcommand("list")) list(asked.json);
+    if (app.got_subcommand("run"))
+        run(asked.chapter, asked.out, asked.chapter_options);
+    if (app.got_subcommand("site")) site(asked.open);
+    // A full disk shows when the buffer is written out.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+        throw Stop(Status::bad_use, "standard output: cannot be written");
+    return Status::fine;
+}
+
+}  // namespace course
