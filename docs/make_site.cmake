@@ -1,0 +1,49 @@
+# Makes the site: Doxygen on the filled pages, then what Doxygen cannot do. Called as
+#   cmake -DDOXYGEN=… -DDOXYFILE=… -DSITE=… -DHEADS="a.html;b.html" -DKATEX=folder
+#         -DLINK_SOURCES=program -P make_site.cmake
+# All of it happens in SITE/unfinished, which becomes SITE/html when nothing went wrong.
+
+cmake_minimum_required(VERSION 3.25)
+set(html "${SITE}/unfinished")
+
+function(run)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${SITE}"
+    RESULT_VARIABLE status OUTPUT_VARIABLE words ERROR_VARIABLE words)
+  if(NOT status EQUAL 0)
+    message(NOTICE "${words}")
+    message(FATAL_ERROR "The site was not made; the reason stands above.")
+  endif()
+endfunction()
+
+# The header is this Doxygen's own with our lines added, so that it fits every version. MathJax
+# gives way to KaTeX.
+file(TOUCH "${SITE}/header.html" "${SITE}/footer.html")  # the Doxyfile names them
+run("${DOXYGEN}" -w html header.html footer.html theme.css "${DOXYFILE}")
+file(READ "${SITE}/header.html" header)
+set(lines "")
+foreach(head IN LISTS HEADS)
+  file(READ "${head}" more)
+  string(APPEND lines "${more}")
+endforeach()
+string(REPLACE "$mathjax" "" header "${header}")
+string(REPLACE "</head>" "${lines}</head>" header "${header}")
+file(WRITE "${SITE}/header.html" "${header}")
+
+file(REMOVE_RECURSE "${html}")
+run("${DOXYGEN}" "${DOXYFILE}")
+
+file(COPY "${SITE}/figures" DESTINATION "${html}")
+if(KATEX)
+  file(COPY "${KATEX}/katex.min.css" DESTINATION "${html}/katex")
+  file(COPY "${KATEX}/contrib/auto-render.js" DESTINATION "${html}/katex")
+  # Links in Debian's package: copy what they lead to.
+  file(REAL_PATH "${KATEX}/katex.min.js" script)
+  configure_file("${script}" "${html}/katex/katex.min.js" COPYONLY)
+  file(REAL_PATH "${KATEX}/fonts" fonts)
+  file(GLOB fonts "${fonts}/*.woff2")
+  file(COPY ${fonts} DESTINATION "${html}/katex/fonts")
+endif()
+run("${LINK_SOURCES}" "${html}")
+
+file(REMOVE_RECURSE "${SITE}/html")
+file(RENAME "${html}" "${SITE}/html")

@@ -1,0 +1,49 @@
+#include "context.hpp"
+
+#include "text.hpp"
+
+#include <stdexcept>
+
+namespace page {
+
+Context::Context(std::filesystem::path root, std::filesystem::path runs)
+    : root_{std::move(root)}, runs_{std::move(runs)}, chapters_{load_chapters(root_)} {
+    for (const Chapter& chapter : chapters_) {
+        data_.emplace(chapter.folder, RunData{chapter.folder, runs_ / chapter.folder / "run"});
+        inputs.insert(root_ / chapter.about());
+    }
+}
+
+void Context::set_chapter(const std::string& folder) {
+    for (const Chapter& chapter : chapters_) {
+        if (chapter.folder == folder) {
+            chapter_ = &chapter;
+            return;
+        }
+    }
+    throw std::out_of_range{"there is no chapter " + folder};
+}
+
+const std::string& Context::folder_of(const std::string& reference) const {
+    const std::size_t slash = reference.find('/');
+    if (slash == std::string::npos) {
+        if (chapter_ == nullptr) {
+            throw std::out_of_range{"\"" + reference + "\" needs its chapter before it: NN_name/" +
+                                    reference};
+        }
+        return chapter_->folder;
+    }
+    const auto found = data_.find(reference.substr(0, slash));
+    if (found == data_.end()) {
+        throw std::out_of_range{"there is no chapter " + reference.substr(0, slash)};
+    }
+    return found->first;
+}
+
+RunData& Context::run_of(const std::string& reference, std::string& name) {
+    const std::size_t slash = reference.find('/');
+    name = slash == std::string::npos ? reference : reference.substr(slash + 1);
+    return data_.at(folder_of(reference));
+}
+
+}  // namespace page

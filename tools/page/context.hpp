@@ -1,0 +1,61 @@
+#pragma once
+
+#include "chapter.hpp"
+#include "run_data.hpp"
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace page {
+
+/// Where a ledger row is taught or drawn: one line of a page's index file.
+struct IndexEntry {
+    std::string row, kind, page, anchor, title;  ///< kind: "section" or "figure"
+};
+
+/// What the talks show in one row of the ledger, in our words.
+struct TalkRow {
+    std::string talk, text, erratum;  ///< the erratum is empty when there is none
+    int line;                         ///< in docs/talks.tsv
+};
+
+/// Where a Catch2 test stands that is tagged with a row.
+struct TestPlace {
+    std::string row, name, file;
+    int line;
+};
+
+/// What the page that is being filled knows of the course, and what it gathers on its way.
+class Context {
+public:
+    Context(std::filesystem::path root, std::filesystem::path runs);
+
+    const std::filesystem::path& root() const { return root_; }
+    const std::vector<Chapter>& chapters() const { return chapters_; }
+
+    /// Makes this page the chapter's. Throws std::out_of_range when there is no such folder.
+    void set_chapter(const std::string& folder);
+    const Chapter* chapter() const { return chapter_; }
+
+    /// The run that `reference` names: a chapter's before the slash, this chapter's without one.
+    /// `name` becomes what follows the slash.
+    RunData& run_of(const std::string& reference, std::string& name);
+    /// The chapter whose run that is.
+    const std::string& folder_of(const std::string& reference) const;
+
+    std::vector<IndexEntry> index;                         ///< rows taught and drawn here
+    std::map<std::string, std::filesystem::path> figures;  ///< shown here: `chapter/file`, drawn at
+    std::set<std::filesystem::path> inputs;                ///< files read besides the runs'
+    std::filesystem::path indexes, tests;                  ///< for the page of the talks
+
+private:
+    std::filesystem::path root_, runs_;
+    std::vector<Chapter> chapters_;
+    const Chapter* chapter_ = nullptr;
+    std::map<std::string, RunData> data_;
+};
+
+}  // namespace page

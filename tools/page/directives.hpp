@@ -1,0 +1,53 @@
+#pragma once
+
+#include "context.hpp"
+#include "scanner.hpp"
+
+#include <string>
+#include <vector>
+
+namespace page {
+
+/// `{{code include/timestep/run.hpp loop}}`: a word that says what it is, its arguments, and (after
+/// a colon) a text.
+struct Directive {
+    std::string name;
+    std::vector<std::string> arguments;
+    std::string text;
+};
+Directive parse_directive(const std::string& inner);
+
+// Each of these returns the Markdown (with HTML where Markdown has no word for it) that takes the
+// directive's place. What is wrong with it is a std::out_of_range or std::invalid_argument with one
+// clear sentence; fill.cpp adds file and line.
+
+/// `{{name}}`, `{{name.value}}`, `{{03_euler_variants/name}}`
+std::string number_markdown(Context& context, const std::string& reference);
+/// The same within a formula.
+std::string number_tex(Context& context, const std::string& reference);
+/// `{{check name}}`: a check mark that tells what the run confirmed.
+std::string check_markdown(Context& context, const Directive& directive);
+/// `{{figure file.svg N22 N24: caption}}`; `caption` is the filled caption.
+std::string figure_markdown(Context& context, const Directive& directive,
+                            const std::string& caption);
+/// `{{code file tag}}`
+std::string code_markdown(Context& context, const Directive& directive);
+/// `{{run}}`, `{{run: Heading}}`
+std::string run_markdown(Context& context, const Directive& directive);
+/// `{{table file.tsv}}`; cells are filled by the caller, for they may hold formulas.
+std::string table_markdown(Context& context, const Directive& directive);
+/// `{{rows N22 N24}}` below `heading`
+std::string rows_markdown(Context& context, const Directive& directive, const Heading& heading);
+/// `{{chapters}}`: every chapter with its question and picture.
+std::string chapters_markdown(Context& context);
+/// `{{talks}}`: every row that a chapter claims, with its section, figures and tests.
+std::string talks_markdown(Context& context);
+
+/// What stands above and below a chapter: its heading and facts, the way to its neighbours.
+std::string chapter_header(Context& context);
+std::string chapter_footer(const Context& context);
+
+/// A link to a source file in the site, to be resolved by link_sources once the site is made.
+std::string source_link(const std::string& file, int line, const std::string& text);
+
+}  // namespace page

@@ -1,0 +1,81 @@
+// Figures: what a run has drawn, with a caption.
+
+#include "directives.hpp"
+#include "image.hpp"
+#include "text.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace page {
+namespace {
+
+/// The caption's first sentence without marks, for those who cannot see the picture.
+std::string alternative(const std::string& caption) {
+    std::string plain;
+    bool in_tag = false;
+    for (const char c : replace_all(caption, "\\f$", "")) {
+        in_tag = in_tag || c == '<';
+        if (!in_tag && std::string_view{"\\{}*`_"}.find(c) == std::string_view::npos) {
+            plain += c == '\n' ? ' ' : c;
+        }
+        in_tag = in_tag && c != '>';
+    }
+    const std::size_t end = plain.find(". ");
+    return std::string{trim(end == std::string::npos ? plain : plain.substr(0, end + 1))};
+}
+
+}  // namespace
+
+std::string figure_markdown(Context& context, const Directive& directive,
+                            const std::string& caption) {
+    if (directive.arguments.empty() || trim(caption).empty()) {
+        throw std::invalid_argument{"a figure is {{figure file.svg N22: caption}}"};
+    }
+    const std::string& reference = directive.arguments.front();
+    std::string file;
+    RunData& run = context.run_of(reference, file);
+    const std::string& folder = context.folder_of(reference);
+    for (const Chapter& chapter : context.chapters()) {
+        if (chapter.folder == folder &&
+            std::count(chapter.figures.begin(), chapter.figures.end(), file) == 0) {
+            throw std::out_of_range{file + " is not among the figures in " + chapter.about()};
+        }
+    }
+    const std::filesystem::path drawn = run.figure(file);
+    if (!context.figures.emplace(folder + "/" + file, drawn).second) {
+        throw std::out_of_range{file + " is shown twice on this page"};
+    }
+
+    const std::string anchor = "fig-" + drawn.stem().string();
+    for (std::size_t i = 1; i < directive.arguments.size(); ++i) {
+        const std::string& row = directive.arguments[i];
+        const Chapter* chapter = context.chapter();
+        if (chapter == nullptr ||
+            std::count(chapter->rows.begin(), chapter->rows.end(), row) == 0) {
+            throw std::out_of_range{"\"" + row + "\" is none of this chapter's ledger rows"};
+        }
+        context.index.push_back({row, "figure", chapter->id() + ".html", anchor,
+                                 replace_all(drawn.stem().string(), "_", " ")});
+    }
+
+    const ImageSize size = image_size(drawn);
+    const std::string source = "figures/" + folder + "/" + file;
+    const bool moves = drawn.extension() == ".gif";
+    std::string image = "<img src=\"" + source + "\" alt=\"" + escape_html(alternative(caption)) +
+                        "\" width=\"" + std::to_string(size.width) + "\" height=\"" +
+                        std::to_string(size.height) + "\" loading=\"lazy\">";
+    if (moves) {
+        // Readers who asked for less motion see the first frame; timestep.js adds the button.
+        const std::string still = replace_all(source, ".gif", ".still.gif");
+        image = "<picture><source srcset=\"" + still +
+                "\" media=\"(prefers-reduced-motion: reduce)\">" + image + "</picture>";
+    }
+    return "\n\\htmlonly[block]<figure id=\"" + anchor + "\" class=\"" +
+           (moves ? "picture animation" : "picture") +
+           "\" style=\"--width:" + std::to_string(size.width) + "px\"><a class=\"card\" href=\"" +
+           source + "\">" + image + "</a><figcaption>\\endhtmlonly\n" + std::string{trim(caption)} +
+           "\n\\htmlonly[block]</figcaption></figure>\\endhtmlonly\n";
+}
+
+}  // namespace page

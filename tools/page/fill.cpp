@@ -1,0 +1,208 @@
+#include "fill.hpp"
+
+#include "directives.hpp"
+#include "error.hpp"
+#include "scanner.hpp"
+#include "skeleton.hpp"
+#include "text.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <stdexcept>
+
+namespace page {
+namespace {
+
+using Kind = Piece::Kind;
+
+/// Fills one source, piece by piece.
+class Filler {
+public:
+    Filler(Context& context, const std::string& file) : context_{context}, file_{file} {}
+
+    std::string fill(const std::vector<Piece>& pieces) {
+        std::string page;
+        for (const Piece& piece : pieces) {
+            try {
+                page += fill(piece);
+            } catch (const std::logic_error& wrong) {  // out_of_range, invalid_argument
+                throw Error{file_, piece.line, wrong.what()};
+            }
+        }
+        return page;
+    }
+
+private:
+    std::string fill(const Piece& piece) {
+        switch (piece.kind) {
+            case Kind::heading:
+                return fill_heading(piece);
+            case Kind::formula:
+                below_heading_ = false;
+                return fill_formula(piece);
+            case Kind::display:
+                below_heading_ = false;
+                return "\\f[" + fill_tex(piece.text) + "\\f]";
+            case Kind::directive:
+                return fill_directive(piece);
+            case Kind::text:
+                below_heading_ = below_heading_ && trim(piece.text).empty();
+                return piece.text;
+            case Kind::code:
+                below_heading_ = false;
+                return piece.text;
+        }
+        return {};
+    }
+
+    /// A chapter's title comes from about.json, with the header.
+    std::string fill_heading(const Piece& piece) {
+        if (piece.text.find_first_of("$") != std::string::npos ||
+            piece.text.find("{{") != std::string::npos) {
+            throw std::invalid_argument{
+                "a heading stands in the tree and in the search as plain text: "
+                "no formula and no number in it"};
+        }
+        heading_ = parse_heading(piece.text);
+        below_heading_ = true;
+        return heading_.level == 1 && context_.chapter() != nullptr ? "" : piece.text;
+    }
+
+    std::string fill_formula(const Piece& piece) {
+        std::string tex = replace_all(fill_tex(piece.text), "\n", " ");
+        if (piece.in_table) {  // a bar would end the cell
+            tex = replace_all(replace_all(tex, "\\|", "\\Vert "), "|", "\\vert ");
+        }
+        return "\\f$" + tex + "\\f$";
+    }
+
+    /// Numbers within a formula.
+    std::string fill_tex(const std::string& tex) {
+        std::string filled;
+        std::size_t at = 0;
+        while (true) {
+            const std::size_t open = tex.find("{{", at);
+            filled += tex.substr(at, open - at);
+            if (open == std::string::npos) {
+                return filled;
+            }
+            const std::size_t close = tex.find("}}", open);
+            if (close == std::string::npos) {
+                throw std::invalid_argument{"this formula has a {{ without its }}"};
+            }
+            filled += number_tex(context_, tex.substr(open + 2, close - open - 2));
+            at = close + 2;
+        }
+    }
+
+    std::string fill_directive(const Piece& piece) {
+        const Directive directive = parse_directive(piece.text);
+        const std::string& name = directive.name;
+        const bool below_heading = below_heading_;
+        below_heading_ = below_heading_ && name == "rows";
+        if (name == "check") {
+            return check_markdown(context_, directive);
+        }
+        static const std::set<std::string> blocks{"figure", "code",  "run",     "table",
+                                                  "rows",   "talks", "chapters"};
+        if (blocks.count(name) == 0) {
+            if (!directive.arguments.empty() || !directive.text.empty()) {
+                throw std::invalid_argument{"there is no {{" + name + " …}}"};
+            }
+            return number_markdown(context_, name);
+        }
+        if (!piece.own_line) {
+            throw std::invalid_argument{"{{" + name + " …}} must stand on a line of its own"};
+        }
+        if (name == "figure") {
+            const std::size_t before = piece.text.size() - directive.text.size();
+            const int lines_before = static_cast<int>(
+                std::count(piece.text.begin(),
+                           piece.text.begin() + static_cast<std::ptrdiff_t>(before), '\n'));
+            const std::vector<Piece> caption =
+                scan(directive.text, file_, piece.line + lines_before);
+            return figure_markdown(context_, directive, fill(caption));
+        }
+        if (name == "code") {
+            return code_markdown(context_, directive);
+        }
+        if (name == "run") {
+            return run_markdown(context_, directive);
+        }
+        if (name == "table") {
+            return fill_generated(table_markdown(context_, directive), piece);
+        }
+        if (name == "rows") {
+            return rows_markdown(context_, directive, below_heading ? heading_ : Heading{});
+        }
+        return fill_generated(
+            name == "talks" ? talks_markdown(context_) : chapters_markdown(context_), piece);
+    }
+
+    /// Tables and lists hold words from data files, and those may hold formulas.
+    std::string fill_generated(const std::string& text, const Piece& directive) {
+        try {
+            return fill(scan(text, file_, directive.line));
+        } catch (const Error& wrong) {
+            throw Error{file_, directive.line,
+                        "what {{" + directive.text + "}} puts in is wrong (" + wrong.what() + ")"};
+        }
+    }
+
+    Context& context_;
+    const std::string& file_;
+    Heading heading_{};
+    bool below_heading_ = false;
+};
+
+/// A chapter shows all its figures and teaches all its rows.
+void check_complete(const Context& context) {
+    const Chapter& chapter = *context.chapter();
+    for (const std::string& figure : chapter.figures) {
+        if (context.figures.count(chapter.folder + "/" + figure) == 0) {
+            throw Error{chapter.about(), 1, "the page does not show " + figure};
+        }
+    }
+    for (const std::string& row : chapter.rows) {
+        const auto teaches = [&](const IndexEntry& entry) {
+            return entry.row == row && entry.kind == "section";
+        };
+        if (std::none_of(context.index.begin(), context.index.end(), teaches)) {
+            throw Error{
+                chapter.about(), 1,
+                row + " is claimed, but no section of the page teaches it ({{rows " + row + "}})"};
+        }
+    }
+}
+
+}  // namespace
+
+Directive parse_directive(const std::string& inner) {
+    const std::size_t colon = inner.find(':');
+    Directive directive{};
+    std::vector<std::string> words = split_words(std::string_view{inner}.substr(0, colon));
+    if (words.empty()) {
+        throw std::invalid_argument{"there is nothing between {{ and }}"};
+    }
+    directive.name = words.front();
+    directive.arguments.assign(words.begin() + 1, words.end());
+    directive.text = colon == std::string::npos
+                         ? ""
+                         : std::string{trim(std::string_view{inner}.substr(colon + 1))};
+    return directive;
+}
+
+std::string fill(Context& context, std::string_view source, const std::string& file) {
+    const std::vector<Piece> pieces = scan(source, file);
+    Filler filler{context, file};
+    if (context.chapter() == nullptr) {
+        return filler.fill(pieces);
+    }
+    check_skeleton(pieces, *context.chapter(), file);
+    const std::string body = filler.fill(pieces);
+    check_complete(context);
+    return chapter_header(context) + body + chapter_footer(context);
+}
+
+}  // namespace page

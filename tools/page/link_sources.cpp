@@ -1,0 +1,86 @@
+// link_sources: turns links to source files into links to their pages in the finished site.
+//
+// A page links to a source as `source:tests/library/run.cpp#l00042`, for the name that Doxygen
+// gives to that file's page depends on all the other files. Here, after Doxygen, the names are
+// known: each source page carries its file in its title.
+
+#include "error.hpp"
+#include "text.hpp"
+
+#include <filesystem>
+#include <iostream>
+#include <map>
+
+namespace {
+
+namespace fs = std::filesystem;
+using SourcePages = std::map<std::string, std::string>;
+
+/// `<title>Timestep: include/timestep/run.hpp Source File</title>` tells
+/// `include/timestep/run.hpp`.
+SourcePages find_source_pages(const fs::path& site) {
+    SourcePages pages;
+    for (const auto& entry : fs::directory_iterator{site}) {
+        const std::string name = entry.path().filename().string();
+        if (!name.ends_with("_source.html")) {
+            continue;
+        }
+        const std::string html = page::read_file(entry.path());
+        const std::size_t begin = html.find("<title>");
+        const std::size_t colon = html.find(": ", begin);
+        const std::size_t end = html.find(" Source File</title>", begin);
+        if (begin != std::string::npos && colon < end && end != std::string::npos) {
+            pages[html.substr(colon + 2, end - colon - 2)] = name;
+        }
+    }
+    return pages;
+}
+
+/// The page with its links resolved. A source that the site does not show is an Error.
+std::string resolve(const std::string& html, const SourcePages& pages, const std::string& name) {
+    const std::string marker = "href=\"source:";
+    std::string resolved;
+    std::size_t at = 0;
+    while (true) {
+        const std::size_t link = html.find(marker, at);
+        resolved += html.substr(at, link - at);
+        if (link == std::string::npos) {
+            return resolved;
+        }
+        const std::size_t path = link + marker.size();
+        const std::size_t end = html.find_first_of("#\"", path);
+        const std::string file = html.substr(path, end - path);
+        const auto found = pages.find(file);
+        if (found == pages.end()) {
+            throw page::Error{name, 1, "links to " + file + ", which the site does not show"};
+        }
+        resolved += "href=\"" + found->second;
+        at = end;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::cerr << "usage: link_sources SITE\n";
+        return 2;
+    }
+    try {
+        const SourcePages pages = find_source_pages(argv[1]);
+        for (const auto& entry : fs::directory_iterator{argv[1]}) {
+            const std::string name = entry.path().filename().string();
+            if (entry.path().extension() == ".html" && !name.ends_with("_source.html")) {
+                const std::string html = page::read_file(entry.path());
+                const std::string resolved = resolve(html, pages, name);
+                if (resolved != html) {
+                    page::write_file(entry.path(), resolved);
+                }
+            }
+        }
+        return 0;
+    } catch (const std::exception& wrong) {
+        std::cerr << wrong.what() << "\n";
+        return 2;
+    }
+}

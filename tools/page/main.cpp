@@ -1,0 +1,123 @@
+// page: fills a page of the course from the run that belongs to it.
+//
+// A page's source is Markdown for Doxygen. It names the numbers, checks, figures, tables, code and
+// output that it shows; this program puts them in, and fails where one of them does not exist.
+// README.md beside this file tells what may stand in a source.
+
+#include "context.hpp"
+#include "error.hpp"
+#include "fill.hpp"
+#include "image.hpp"
+#include "ledger.hpp"
+#include "text.hpp"
+
+#include <iostream>
+#include <map>
+#include <stdexcept>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Options = std::map<std::string, std::string>;
+
+constexpr const char* usage =
+    "usage: page --source ROOT --runs DIR --input FILE --output FILE\n"
+    "            [--chapter NN_name] [--index FILE] [--figures DIR] [--depfile FILE]\n"
+    "            [--indexes DIR --tests FILE]\n"
+    "Fills a page's source from the runs below DIR. --index writes where ledger rows are taught,\n"
+    "--figures copies what the page shows, --depfile lists what it quotes; --indexes and --tests\n"
+    "are what {{talks}} is made of.\n";
+
+Options parse(int argc, char** argv) {
+    Options options{{"--source", ""},  {"--runs", ""},  {"--input", ""},   {"--output", ""},
+                    {"--chapter", ""}, {"--index", ""}, {"--figures", ""}, {"--depfile", ""},
+                    {"--indexes", ""}, {"--tests", ""}};
+    for (int i = 1; i < argc; i += 2) {
+        const std::string name{argv[i]};
+        if (options.count(name) == 0) {
+            throw std::invalid_argument{"page: " + name +
+                                        ": unknown option (page --help lists them)"};
+        }
+        if (i + 1 == argc || *argv[i + 1] == '\0') {
+            throw std::invalid_argument{"page: " + name + ": needs a value"};
+        }
+        options[name] = argv[i + 1];
+    }
+    for (const char* needed : {"--source", "--runs", "--input", "--output"}) {
+        if (options[needed].empty()) {
+            throw std::invalid_argument{std::string{"page: "} + needed + ": is missing"};
+        }
+    }
+    return options;
+}
+
+/// Copies the figures that the page shows, and of every animation its first frame.
+void copy_figures(const page::Context& context, const fs::path& folder) {
+    for (const auto& [name, drawn] : context.figures) {
+        const std::string content = page::read_file(drawn);
+        page::write_file(folder / name, content);
+        if (drawn.extension() == ".gif") {
+            fs::path still = folder / name;
+            still.replace_extension(".still.gif");
+            try {
+                page::write_file(still, page::first_frame(content));
+            } catch (const std::invalid_argument& wrong) {
+                throw page::Error{drawn.string(), 1, wrong.what()};
+            }
+        }
+    }
+}
+
+/// What make and ninja read to know when the page is out of date.
+std::string depfile(const std::string& output, const page::Context& context) {
+    std::string rule = page::replace_all(output, " ", "\\ ") + ":";
+    for (const fs::path& input : context.inputs) {
+        rule += " \\\n  " + page::replace_all(input.string(), " ", "\\ ");
+    }
+    return rule + "\n";
+}
+
+void make_page(Options& options) {
+    page::Context context{options["--source"], options["--runs"]};
+    context.indexes = options["--indexes"];
+    context.tests = options["--tests"];
+    if (!options["--chapter"].empty()) {
+        context.set_chapter(options["--chapter"]);
+    }
+    const fs::path input{options["--input"]};
+    const std::string shown = fs::proximate(input, options["--source"]).generic_string();
+    const std::string content = page::fill(context, page::read_file(input), shown);
+
+    if (!options["--figures"].empty()) {
+        copy_figures(context, options["--figures"]);
+    }
+    if (!options["--index"].empty()) {
+        page::write_file(options["--index"], page::index_lines(context.index));
+    }
+    if (!options["--depfile"].empty()) {
+        page::write_file(options["--depfile"], depfile(options["--output"], context));
+    }
+    page::write_file(options["--output"], content);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc == 2 && (std::string{argv[1]} == "--help" || std::string{argv[1]} == "-h")) {
+        std::cout << usage;
+        return 0;
+    }
+    Options options;
+    try {
+        options = parse(argc, argv);
+        make_page(options);
+        return 0;
+    } catch (const std::exception& wrong) {
+        // A page of an earlier build must not pass for this one's.
+        std::error_code ignored;
+        fs::remove(options["--output"], ignored);
+        fs::remove(options["--index"], ignored);
+        std::cerr << wrong.what() << "\n";
+        return 2;
+    }
+}

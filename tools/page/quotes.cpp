@@ -1,0 +1,100 @@
+// What a page quotes: code from the sources, the account of the run, and its tables.
+
+#include "directives.hpp"
+#include "number.hpp"
+#include "snippet.hpp"
+#include "text.hpp"
+
+#include <stdexcept>
+
+namespace page {
+namespace {
+
+/// Doxygen highlights what it knows by this name.
+std::string language(const std::string& file) {
+    const std::string extension = std::filesystem::path{file}.extension().string();
+    return extension == ".hpp" || extension == ".cpp" ? "cpp" : "";
+}
+
+/// A column is set flush right when all its cells are numbers (or left out).
+bool is_numeric(const Table& table, std::size_t column) {
+    bool any = false;
+    for (const std::vector<std::string>& row : table.rows) {
+        const bool number = parse_number(row[column]).has_value();
+        any = any || number;
+        if (!number && !row[column].empty() && row[column] != "–") {
+            return false;
+        }
+    }
+    return any;
+}
+
+}  // namespace
+
+std::string source_link(const std::string& file, int line, const std::string& text) {
+    std::string number = std::to_string(line);
+    number.insert(0, number.size() < 5 ? 5 - number.size() : 0, '0');
+    return "<a href=\"source:" + file + (line > 0 ? "#l" + number : "") + "\">" + text + "</a>";
+}
+
+std::string code_markdown(Context& context, const Directive& directive) {
+    if (directive.arguments.size() < 2) {
+        throw std::invalid_argument{"a quotation is {{code file tag}}"};
+    }
+    const std::string& file = directive.arguments.front();
+    std::string tag;  // of one or more words
+    for (std::size_t i = 1; i < directive.arguments.size(); ++i) {
+        tag += (i > 1 ? " " : "") + directive.arguments[i];
+    }
+    const Snippet snippet = quote(context.root(), file, tag);
+    context.inputs.insert(context.root() / file);
+    // The site shows C++ sources whole; other files are quoted without a link.
+    const std::string caption = language(file).empty()
+                                    ? escape_markdown(file)
+                                    : source_link(file, snippet.first_line, escape_markdown(file));
+    const std::string fence = snippet.code.find("```") == std::string::npos ? "```" : "~~~~";
+    return "\n\\htmlonly[block]<figure class=\"listing\"><figcaption>\\endhtmlonly\n" + caption +
+           "\n\\htmlonly[block]</figcaption>\\endhtmlonly\n\n" + fence + language(file) + "\n" +
+           snippet.code + fence + "\n\n\\htmlonly[block]</figure>\\endhtmlonly\n";
+}
+
+std::string run_markdown(Context& context, const Directive& directive) {
+    if (context.chapter() == nullptr || !directive.arguments.empty()) {
+        throw std::invalid_argument{"{{run}} or {{run: Heading}} stands on a chapter's page"};
+    }
+    std::string name;
+    const std::string account =
+        context.run_of(context.chapter()->folder + "/", name).account(directive.text);
+    const std::size_t first = account.find_first_not_of('\n');
+    if (first == std::string::npos) {
+        throw std::out_of_range{"the run of " + context.chapter()->folder + " printed nothing"};
+    }
+    const std::string prompt = "./course run " + std::to_string(context.chapter()->number);
+    return "\n\\htmlonly[block]<pre class=\"run\" tabindex=\"0\"><span class=\"prompt\">$ " +
+           prompt + "</span>\n" + escape_html(account.substr(first)) + "</pre>\\endhtmlonly\n";
+}
+
+std::string table_markdown(Context& context, const Directive& directive) {
+    if (directive.arguments.size() != 1) {
+        throw std::invalid_argument{"a table is {{table file.tsv}}"};
+    }
+    std::string file;
+    RunData& run = context.run_of(directive.arguments.front(), file);
+    const Table table = run.table(file);
+    std::string names = "|", rule = "|", body;
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+        names += " " + replace_all(table.columns[column], "_", " ") + " |";
+        rule += is_numeric(table, column) ? "---:|" : "---|";
+    }
+    for (const std::vector<std::string>& row : table.rows) {
+        body += "|";
+        for (const std::string& cell : row) {
+            // Words may hold formulas and Markdown: the cell is filled like the page itself.
+            body += " " + (parse_number(cell) ? typeset(cell, "") : cell) + " |";
+        }
+        body += "\n";
+    }
+    return "\n" + names + "\n" + rule + "\n" + body;
+}
+
+}  // namespace page

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace page {
+
+/// A number (or a word) that a chapter's program found.
+struct Number {
+    std::string value, unit, meaning;
+};
+
+/// A data file: the columns' names, and the rows.
+struct Table {
+    std::vector<std::string> columns;
+    std::vector<std::vector<std::string>> rows;
+};
+
+/// What one run left behind in its folder. Files are read when they are first asked for; a thing
+/// that does not exist is a std::out_of_range whose what() is one clear sentence.
+class RunData {
+public:
+    RunData(std::string chapter, std::filesystem::path folder);
+
+    const Number& number(const std::string& name);
+    /// The statement that the run confirmed.
+    const std::string& check(const std::string& name);
+    Table table(const std::string& file) const;
+    /// The whole account, or (with a heading) what stands below that heading, heading included.
+    std::string account(const std::string& heading = "") const;
+    /// A figure's path; it exists.
+    std::filesystem::path figure(const std::string& file) const;
+    /// Milliseconds that the program took.
+    long milliseconds() const;
+
+private:
+    std::filesystem::path existing(const std::string& file) const;
+    std::map<std::string, std::vector<std::string>> records(const std::string& file,
+                                                            std::size_t fields) const;
+
+    std::string chapter_;
+    std::filesystem::path folder_;
+    std::map<std::string, Number> numbers_;
+    std::map<std::string, std::string> checks_;
+};
+
+}  // namespace page

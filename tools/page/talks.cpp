@@ -1,0 +1,90 @@
+// The talks row by row: what they show, and where the course teaches, draws and tests it.
+
+#include "directives.hpp"
+#include "error.hpp"
+#include "ledger.hpp"
+#include "text.hpp"
+
+namespace page {
+namespace {
+
+struct Sources {
+    std::map<std::string, TalkRow> talks;
+    std::vector<IndexEntry> index;
+    std::vector<TestPlace> tests;
+};
+
+std::string index_links(const Sources& sources, const std::string& row, const std::string& kind) {
+    std::string links;
+    for (const IndexEntry& entry : sources.index) {
+        if (entry.row == row && entry.kind == kind) {
+            links += (links.empty() ? "" : "<br>") +
+                     ("<a href=\"" + entry.page + "#" + entry.anchor) + "\">" +
+                     escape_markdown(entry.title) + "</a>";
+        }
+    }
+    return links;
+}
+
+std::string test_links(const Sources& sources, const std::string& row) {
+    std::string links;
+    for (const TestPlace& test : sources.tests) {
+        if (test.row == row) {
+            links += (links.empty() ? "" : "<br>") +
+                     source_link(test.file, test.line, escape_markdown(test.name));
+        }
+    }
+    return links;
+}
+
+/// One row of the table. A claimed row that lacks its text, section or test is an Error in the
+/// about.json that claims it.
+std::string row_markdown(const Sources& sources, const std::string& row, const Chapter& chapter) {
+    const auto claim = [&](bool kept, const std::string& lack) {
+        if (!kept) {
+            throw Error{chapter.about(), 1, row + " is claimed, but " + lack};
+        }
+    };
+    const auto found = sources.talks.find(row);
+    claim(found != sources.talks.end(), "docs/talks.tsv does not say what the talks show");
+    const std::string sections = index_links(sources, row, "section");
+    claim(!sections.empty(), "no section teaches it ({{rows " + row + "}})");
+    const std::string tests = test_links(sources, row);
+    claim(!tests.empty(), "no test is tagged [" + row + "]");
+    const std::string figures = index_links(sources, row, "figure");
+
+    const TalkRow& talk = found->second;
+    const std::string erratum =
+        talk.erratum.empty()
+            ? ""
+            : "<br><span class=\"erratum\"><b>Erratum.</b> " + talk.erratum + "</span>";
+    return "<tr id=\"row_" + row + "\">\n<td class=\"id\"><b>" + row + "</b></td>\n<td>" +
+           talk.text + erratum + "</td>\n<td class=\"section\">" + sections +
+           "</td>\n<td class=\"figures\">" + figures + "</td>\n<td class=\"tests\">" + tests +
+           "</td>\n</tr>\n";
+}
+
+}  // namespace
+
+std::string talks_markdown(Context& context) {
+    const std::filesystem::path file = context.root() / "docs/talks.tsv";
+    const Sources sources{load_talks(file), load_indexes(context.indexes),
+                          load_tests(context.tests, context.root())};
+    context.inputs.insert(file);
+    std::string tables;
+    for (const Chapter& chapter : context.chapters()) {
+        if (chapter.rows.empty()) {
+            continue;
+        }
+        tables += "\n## " + chapter.heading() + " {#talks_" + chapter.id() + "}\n\n" +
+                  "<table class=\"talks\">\n<tr><th>Row</th><th>What the talks show</th>"
+                  "<th>Taught in</th><th>Drawn in</th><th>Tested by</th></tr>\n";
+        for (const std::string& row : chapter.rows) {
+            tables += row_markdown(sources, row, chapter);
+        }
+        tables += "</table>\n";
+    }
+    return tables;
+}
+
+}  // namespace page

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace page {
+
+/// The whole file. Throws Error (line 1) when it cannot be read.
+std::string read_file(const std::filesystem::path& path);
+
+/// Writes the file whole or not at all: beside its place first, then moved there.
+void write_file(const std::filesystem::path& path, std::string_view content);
+
+std::vector<std::string> split(std::string_view text, char separator);
+
+/// The lines without their line ends ("\n" or "\r\n").
+std::vector<std::string> split_lines(std::string_view text);
+
+/// The words between blanks.
+std::vector<std::string> split_words(std::string_view text);
+
+std::string_view trim(std::string_view text);
+
+std::string replace_all(std::string text, std::string_view from, std::string_view to);
+
+/// For text between HTML tags and in attributes: & < > " are escaped.
+std::string escape_html(std::string_view text);
+
+/// For text that Doxygen's Markdown shall show as it is.
+std::string escape_markdown(std::string_view text);
+
+/// For an attribute of an HTML tag that stands in Markdown. Doxygen escapes the value itself, so
+/// only what would end the value, or a table's cell, is replaced.
+std::string attribute(std::string_view text);
+
+/// A ledger row's id: N or I and two digits.
+bool is_row(std::string_view word);
+
+}  // namespace page

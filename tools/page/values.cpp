@@ -1,0 +1,51 @@
+// Numbers and checks: what a sentence on a page rests on.
+
+#include "directives.hpp"
+#include "number.hpp"
+#include "text.hpp"
+
+#include <stdexcept>
+
+namespace page {
+namespace {
+
+/// The number that `reference` names, without its unit when it ends in `.value`.
+Number look_up(Context& context, std::string reference) {
+    const bool bare = reference.ends_with(".value");
+    if (bare) {
+        reference.erase(reference.size() - 6);
+    }
+    std::string name;
+    Number number = context.run_of(reference, name).number(name);
+    if (number.value == "nan" || number.value == "-nan" || number.value.empty()) {
+        throw std::out_of_range{"the number \"" + name + "\" is \"" + number.value + "\""};
+    }
+    number.unit = bare ? "" : number.unit;
+    return number;
+}
+
+}  // namespace
+
+std::string number_markdown(Context& context, const std::string& reference) {
+    const Number number = look_up(context, reference);
+    return "<span class=\"number\" title=\"" + attribute(number.meaning) + "\">" +
+           typeset(number.value, number.unit) + "</span>";
+}
+
+std::string number_tex(Context& context, const std::string& reference) {
+    const Number number = look_up(context, reference);
+    return typeset_tex(number.value, number.unit);
+}
+
+std::string check_markdown(Context& context, const Directive& directive) {
+    if (directive.arguments.size() != 1) {
+        throw std::invalid_argument{"{{check name}} takes one name"};
+    }
+    std::string name;
+    const std::string& statement = context.run_of(directive.arguments.front(), name).check(name);
+    // Shown by the style sheet under the pointer, and on a phone at a tap.
+    return "<span class=\"check\" tabindex=\"0\" role=\"note\" data-statement=\"" +
+           attribute(statement) + "\">✓</span>";
+}
+
+}  // namespace page
