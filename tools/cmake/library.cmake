@@ -23,8 +23,8 @@ install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 set(package_folder ${CMAKE_INSTALL_DATADIR}/cmake/timestep)
 install(EXPORT timestep_targets NAMESPACE timestep:: DESTINATION ${package_folder})
 file(WRITE ${PROJECT_BINARY_DIR}/timestep-config.cmake
-"include(CMakeFindDependencyMacro)
-find_dependency(Eigen3 3.4 NO_MODULE)
+"# timestep::headers does without Eigen; timestep::timestep needs it.
+find_package(Eigen3 3.4 QUIET NO_MODULE)
 include(\${CMAKE_CURRENT_LIST_DIR}/timestep_targets.cmake)
 ")
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/timestep-config-version.cmake
