@@ -3,7 +3,7 @@ load style
 # The picture of the chapter: one spring in the phase portrait.
 call figure "portraits.svg" 640 600
 set size ratio -1
-set xlabel "position x (m)"
+set xlabel "position x (m)" offset 0,0.4
 set ylabel "velocity v / ω (m)"
 set xrange [-4.2:5.2]
 set yrange [-4.5:4.5]
@@ -32,7 +32,7 @@ plot "smaller_exact.tsv" using 1:2 with lines @exact title "exact", \
 # Implicit Euler there, explicit Euler with −h back.
 call figure "backwards.svg" 640 560
 set size ratio -1
-set xlabel "position x (m)"
+set xlabel "position x (m)" offset 0,0.4
 set ylabel "velocity v / ω (m)"
 set xrange [-1.15:1.15]
 set yrange [-1.15:1.15]
@@ -87,7 +87,7 @@ set xlabel "damping ratio ζ"
 set ylabel "longest stable ωh (rad)"
 set xrange [0:3]
 set yrange [0:7]
-set key inside top left vertical reverse Left
+set key at graph 0.99,0.56 right vertical reverse Left
 plot "damping_lines.tsv" using 1:4 with lines lc rgb "#009e73" lw 2.5 dt (14,5) title "semi-implicit, new velocity damped", \
      "damping_lines.tsv" using 1:3 with lines @semi_implicit_euler title "semi-implicit, old velocity damped", \
      "damping_lines.tsv" using 1:2 with lines @explicit_euler title "explicit", \
@@ -112,7 +112,7 @@ unset logscale
 # A cloud of states, every ninth step.
 call figure "clouds.svg" 640 600
 set size ratio -1
-set xlabel "position x (m)"
+set xlabel "position x (m)" offset 0,0.4
 set ylabel "velocity v / ω (m)"
 set xrange [-2.1:2.1]
 set yrange [-2.1:2.1]
@@ -137,7 +137,8 @@ do for [i=1:8] {
     r = real(word(range, i))
     set xrange [-r:r]
     set yrange [-r:r]
-    set tics (r < 2 ? 1 : r/2)
+    interval = r < 2 ? 1 : r/2
+    set tics interval
     set title "ωh = ".word(wh, i) offset 0,-0.7
     plot "exact.tsv" using 1:2 with lines lc rgb "#8a8a8a" lw 3 dt 1, \
          "sweep_".word(wh, i).".tsv" using 1:2 with lines lc rgb "#009e73" lw (i > 6 ? 1 : 0), \
@@ -152,12 +153,12 @@ call animation "sweep.gif" 480 480 12
 set size ratio -1
 set xrange [-6:6]
 set yrange [-6:6]
-set xlabel "position x (m)"
+set xlabel "position x (m)" offset 0,0.4
 set ylabel "velocity v / ω (m)"
 unset key
 do for [i=0:80] {
     plot "exact.tsv" using 1:2 with lines @exact, \
-         "sweep_frames.tsv" index i using 2:3 with points pt 7 ps 0.7 lc rgb "#009e73", \
+         "sweep_frames.tsv" index i using 2:3 with points pt 7 ps 3 lc rgb "#009e73", \
          "" index i every ::0::0 using (0):(5.2):(sprintf("ωh = %.3f   %.2f steps a swing", $1, 2*pi/$1)) \
             with labels textcolor rgb ink
 }
@@ -166,7 +167,7 @@ do for [i=0:80] {
 call figure "steps_per_period.svg" 640 440
 set size noratio
 set key bottom right vertical
-set xlabel "steps a period"
+set xlabel "steps a period" offset 0,0.4
 set ylabel "error of the period (%)"
 set xrange [2:20]
 set yrange [-38:4]
@@ -197,7 +198,7 @@ call figure "orders.svg" 640 560
 set autoscale
 set logscale xy
 set format xy "10^{%T}"
-set xlabel "steps a period"
+set xlabel "steps a period" offset 0,0.4
 set ylabel "error after the run (m)"
 set key outside bottom center horizontal reverse Left font ",15" width 2
 set yrange [1e-14:1]
@@ -225,7 +226,7 @@ plot "orders_explicit_euler.tsv" using 1:3 with lines @explicit_euler title "exp
 
 # Error against run time.
 call figure "work.svg" 640 560
-set xlabel "run time (µs for 20 s of one spring)"
+set xlabel "run time (µs for 20 s of one spring)" offset 0,0.4
 set ylabel "error at the end (m)"
 set xrange [0.02:2000]
 set yrange [1e-10:2]
@@ -241,7 +242,7 @@ plot "work_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "expli
 
 # Collisions: the order of every method falls to one.
 call figure "bounce.svg" 640 560
-set xlabel "step h (s)"
+set xlabel "step h (s)" offset 0,0.4
 set ylabel "mean error of the height (m)"
 set xrange [3e-4:4e-2]
 set yrange [1e-13:1]
@@ -258,11 +259,11 @@ unset logscale
 set format xy "%g"
 set xrange [0.2:300]
 set logscale x
-set yrange [7.6:-0.6]
+set yrange [8.6:0.4]
 set ytics nomirror scale 0
 unset grid
 set grid xtics lc rgb soft lt 1 lw 0.8
-set xlabel "time of a step (ns)"
+set xlabel "time of a step (ns)" offset 0,0.4
 unset ylabel
 set boxwidth 0.35
 set style fill solid noborder

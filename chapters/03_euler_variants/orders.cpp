@@ -89,6 +89,11 @@ void orders(const Settings& settings, lab::Findings& out) {
                   std::string(method.name) + " has the order it declares, and one more for a single step");
 
         const double longest = longest_step(method);
+        if (method.order == 4) {
+            out.number("rk4_limit", longest, "", "largest stable omega h of RK4");
+            out.number("rk4_limit_per_evaluation", longest / method.cost.evaluations, "",
+                       "largest stable omega h of RK4 over its evaluations", 2);
+        }
         char text[24];
         std::snprintf(text, sizeof text, "%.3g", longest);
         const std::string limit = longest > 1e5 ? "none" : longest < 0.01 ? "0: always grows" : text;

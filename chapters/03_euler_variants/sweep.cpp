@@ -53,6 +53,14 @@ void portraits_near_the_limit(lab::Findings& out) {
         std::printf("  %7.2f %22.4f %22.4f\n", wh, 2 * pi / wh, measured);
         worst = std::max(worst, std::fabs(measured / predicted_steps_per_swing(wh) - 1));
     }
+    const auto after = [&](double wh, long steps) {
+        return run(semi_implicit_euler, spring, State{0, 1.0, 0.0}, wh, steps);
+    };
+    const State sixth = after(1, 6);
+    out.check("six_points", std::hypot(sixth.x - 1, sixth.v) < 1e-14, "at omega h = 1 the sixth state is the first");
+    const double gained = after(2, 200).x - after(2, 100).x, again = after(2, 300).x - after(2, 200).x;
+    out.check("linear_at_2", std::fabs(again / gained - 1) < 1e-12 && std::fabs(gained) > 100,
+              "at omega h = 2 the swing grows by the same amount each step");
     out.number("frequency_worst", worst, "", "measured against predicted swing, worst", 1);
     // The straight line between two steps puts each crossing at most one step off: 2 in 100000.
     out.check("frequency", worst < 2e-5, "semi-implicit Euler swings with cos(theta) = 1 - (omega h)^2/2");
