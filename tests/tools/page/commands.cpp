@@ -1,0 +1,109 @@
+// The three programs as commands: what they leave behind, and what they do not.
+#include "course.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::EndsWith;
+namespace fs = std::filesystem;
+
+namespace {
+
+Outcome make_page(const Course& course, const std::string& more = "") {
+    const std::string root = (course / "").string();
+    return run_command(std::string{PAGE} + " --source " + root + " --runs " + root +
+                       "runs --chapter 03_springs --input " + root +
+                       "chapters/03_springs/chapter.md --output " + root + "out/page.md --index " +
+                       root + "out/index.tsv --figures " + root + "out/figures --depfile " + root +
+                       "out/page.d" + more);
+}
+
+}  // namespace
+
+TEST_CASE("page leaves the page, the index, the figures and what it depends on") {
+    const Course course;
+    const Outcome outcome = make_page(course);
+    CHECK(outcome.words.empty());
+    REQUIRE(outcome.status == 0);
+    CHECK(course.read("out/page.md").starts_with("# 3 · Springs"));
+    CHECK(course.read("out/index.tsv") ==
+          "N22\tsection\tchapter_03.html\tch3_steps\tSteps\n"
+          "N22\tfigure\tchapter_03.html\tfig-spiral\tspiral\n");
+    CHECK(course.read("out/figures/03_springs/spiral.svg") ==
+          course.read("runs/03_springs/run/spiral.svg"));
+    CHECK(fs::exists(course / "out/figures/03_springs/sweep.still.gif"));
+    CHECK_THAT(course.read("out/page.d"),
+               ContainsSubstring((course / "include/step.hpp").string()));
+}
+
+TEST_CASE("page that fails says where, and leaves neither a page nor an older one") {
+    const Course course;
+    REQUIRE(make_page(course).status == 0);
+    course.replace("chapters/03_springs/chapter.md", "{{amplitude}}", "{{amplitud}}");
+    const Outcome outcome = make_page(course);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.words ==
+          "chapters/03_springs/chapter.md:5: the run of 03_springs has no number "
+          "\"amplitud\"\n");
+    CHECK_FALSE(fs::exists(course / "out/page.md"));
+    CHECK_FALSE(fs::exists(course / "out/index.tsv"));
+}
+
+TEST_CASE("page refuses wrong options, unreadable sources and unwritable places in one line") {
+    const Course course;
+    const std::string program{PAGE};
+    CHECK(run_command(program).words == "page: --source: is missing\n");
+    CHECK(run_command(program + " --colour red").words ==
+          "page: --colour: unknown option (page --help lists them)\n");
+    CHECK(run_command(program + " --source").words == "page: --source: needs a value\n");
+    CHECK(run_command(program + " --source").status == 2);
+    CHECK(run_command(program + " --help").status == 0);
+
+    course.remove("chapters/03_springs/chapter.md");
+    const Outcome unreadable = make_page(course);
+    CHECK(unreadable.status == 2);
+    CHECK_THAT(unreadable.words, EndsWith("chapter.md:1: cannot be read\n"));
+}
+
+TEST_CASE("page on a full disk leaves nothing") {
+    const Course course;
+    if (!fs::exists("/dev/full")) {
+        SKIP("there is no /dev/full on this system");
+    }
+    // The page is written beside its place first: that place is a device that is always full.
+    fs::create_directories(course / "out");
+    fs::create_symlink("/dev/full", course / "out/page.md.part");
+    const Outcome outcome = make_page(course);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.words, EndsWith("page.md:1: cannot be written\n"));
+    CHECK_FALSE(fs::exists(course / "out/page.md"));
+    CHECK_FALSE(fs::exists(course / "out/index.tsv"));
+}
+
+TEST_CASE("source_filter takes the markers from headers, line for line, and hides the rest") {
+    const Course course;
+    const std::string filter =
+        std::string{SOURCE_FILTER} + " " + (course / "include").string() + " ";
+    CHECK(run_command(filter + (course / "include/step.hpp").string()).words ==
+          "struct S {\n\n    void step() {\n        x += h * v;\n    }\n\n};\n");
+    CHECK(
+        run_command(filter + (course / "chapters/03_springs/springs.cpp").string()).words.empty());
+    CHECK(run_command(filter + (course / "include/none.hpp").string()).status == 2);
+}
+
+TEST_CASE("link_sources leads to the source pages, and fails where there is none") {
+    const Course course;
+    course.write("html/step_8hpp_source.html",
+                 "<title>Timestep: include/step.hpp Source File</title>");
+    course.write("html/a.html",
+                 "<a href=\"source:include/step.hpp#l00003\">x</a><a href=\"b.html\">");
+    const std::string program = std::string{LINK_SOURCES} + " " + (course / "html").string();
+    REQUIRE(run_command(program).status == 0);
+    CHECK(course.read("html/a.html") ==
+          "<a href=\"step_8hpp_source.html#l00003\">x</a><a href=\"b.html\">");
+    course.write("html/a.html", "<a href=\"source:tests/none.cpp\">x</a>");
+    const Outcome outcome = run_command(program);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.words == "a.html:1: links to tests/none.cpp, which the site does not show\n");
+}

@@ -1,0 +1,158 @@
+// A chapter's page: what is put in, and every way in which it can be wrong.
+#include "course.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using Catch::Matchers::ContainsSubstring;
+
+TEST_CASE("a number stands with its unit, its meaning at hand") {
+    const Course course;
+    CHECK_THAT(course.fill_paragraph("to {{amplitude}}."),
+               ContainsSubstring(
+                   "to <span class=\"number\" title=\"after two seconds\">5.18\u202fm</span>."));
+    CHECK_THAT(course.fill_paragraph("{{amplitude.value}}"), ContainsSubstring(">5.18</span>"));
+    CHECK_THAT(course.fill_paragraph("{{03_springs/winner}}"),
+               ContainsSubstring(">RK4\\_x</span>"));
+    // A quote would end the attribute, a bar a table's cell.
+    CHECK_THAT(course.fill_paragraph("{{tiny}}"),
+               ContainsSubstring("title=\"left over, < 1 \u2223 'small'\""));
+}
+
+TEST_CASE("formulas become Doxygen's, with numbers in TeX, safe in tables") {
+    const Course course;
+    CHECK_THAT(course.fill_paragraph("$a\n= {{tiny}}$"),
+               ContainsSubstring("\\f$a = -3.2\\times 10^{-16}\\,\\mathrm{m/s^2}\\f$"));
+    CHECK_THAT(course.fill_paragraph("$$\na\n$$"), ContainsSubstring("\\f[\na\n\\f]"));
+    CHECK_THAT(course.fill_paragraph("| $|a|$ |\n|--|"),
+               ContainsSubstring("| \\f$\\vert a\\vert \\f$ |"));
+    CHECK_THAT(course.fill_paragraph("`$a$ {{b}}`"), ContainsSubstring("`$a$ {{b}}`"));
+}
+
+TEST_CASE("a check mark tells what the run has confirmed") {
+    const Course course;
+    CHECK_THAT(course.fill_paragraph("It grows {{check grows}}."),
+               ContainsSubstring("data-statement=\"the amplitude grows\">✓</span>."));
+}
+
+TEST_CASE("a figure has a size, words for those who cannot see it, and a caption") {
+    const Course course;
+    const std::string page = course.fill();
+    CHECK_THAT(page, ContainsSubstring("<figure id=\"fig-spiral\""));
+    CHECK_THAT(page,
+               ContainsSubstring("<a class=\"card\" href=\"figures/03_springs/spiral.svg\"><img "
+                                 "src=\"figures/03_springs/spiral.svg\" alt=\"Out.\" width=\"640\" "
+                                 "height=\"480\" loading=\"lazy\"></a>"));
+    CHECK_THAT(page, ContainsSubstring("**Out.** It reaches <span"));
+    CHECK_THAT(page, ContainsSubstring("\\f$x^2\\f$.\n\\htmlonly[block]</figcaption>"));
+    CHECK_THAT(page, ContainsSubstring("srcset=\"figures/03_springs/sweep.still.gif\""));
+}
+
+TEST_CASE("code, the run and tables are quoted") {
+    const Course course;
+    const std::string page = course.fill_paragraph("{{run: Order}}\n\n{{table costs.tsv}}");
+    CHECK_THAT(
+        page, ContainsSubstring("<a href=\"source:include/step.hpp#l00003\">include/step.hpp</a>"));
+    CHECK_THAT(page, ContainsSubstring("```cpp\nvoid step() {\n    x += h * v;\n}\n```"));
+    CHECK_THAT(page, ContainsSubstring("$ ./course run 3</span>\nGrowth\n------\n  x &lt; 3\n"));
+    CHECK_THAT(page, ContainsSubstring("$ ./course run 3</span>\nOrder\n-----\n  1.00\n</pre>"));
+    CHECK_THAT(page, ContainsSubstring("| method | time step |\n|---|---:|\n"
+                                       "| Euler \\f$x\\vert y\\f$ | 10<sup>\u22126</sup> |\n"
+                                       "| RK4 | 20\u202f000 |\n"));
+}
+
+TEST_CASE("the page stands under its title, with badges of the talks' rows") {
+    const Course course;
+    const std::string page = course.fill();
+    CHECK(page.starts_with("# 3 · Springs {#chapter_03}\n\n[TOC]\n"));
+    CHECK_THAT(page, !ContainsSubstring("\n# Springs"));
+    CHECK_THAT(page, ContainsSubstring("runs in 0.42\u202fs"));
+    CHECK_THAT(page, ContainsSubstring("<a class=\"row\" href=\"talks.html#row_N22\">N22</a>"));
+}
+
+TEST_CASE("chapters know their neighbours") {
+    const Course course;
+    course.write("chapters/04_more/about.json",
+                 R"({"title": "More", "question": "?", "rows": [], "figures": ["a.svg"]})");
+    const std::string page = course.fill();
+    CHECK_THAT(page,
+               ContainsSubstring("<span class=\"next\">\\ref chapter_04 \"4 · More\"</span>"));
+    CHECK_THAT(page, !ContainsSubstring("class=\"previous\""));
+}
+
+TEST_CASE("a name that the run does not know is an error at its line") {
+    const Course course;
+    CHECK(course.paragraph_error("{{none}}") ==
+          "chapter.md:5: the run of 03_springs has no number \"none\"");
+    CHECK(course.paragraph_error("a\nb {{check none}}") ==
+          "chapter.md:6: the run of 03_springs made no check \"none\"");
+    CHECK(course.paragraph_error("$x = {{none}}$") ==
+          "chapter.md:5: the run of 03_springs has no number \"none\"");
+    CHECK(course.paragraph_error("{{04_more/x}}") == "chapter.md:5: there is no chapter 04_more");
+    CHECK(course.paragraph_error("{{lost}}") == "chapter.md:5: the number \"lost\" is \"nan\"");
+    CHECK(course.paragraph_error("{{table none.tsv}}") ==
+          "chapter.md:5: the run of 03_springs left no none.tsv");
+    CHECK(course.paragraph_error("{{run: None}}") ==
+          "chapter.md:5: the run of 03_springs prints no heading \"None\"");
+    CHECK(course.paragraph_error("{{code include/step.hpp none}}") ==
+          "chapter.md:5: [none] stands 0 times in include/step.hpp instead of twice");
+    CHECK(course.paragraph_error("{{figure none.svg: a\nb}}") ==
+          "chapter.md:5: none.svg is not among the figures in chapters/03_springs/about.json");
+    CHECK(course.paragraph_error("{{figure sweep.gif: a}}") ==
+          "chapter.md:24: sweep.gif is shown twice on this page");
+    CHECK(course.paragraph_error("{{figure sweep.gif: a\n\nb}}") ==
+          "chapter.md:5: this {{ has no closing }}");
+    CHECK(course.paragraph_error("{{figure sweep.gif: a\nb {{none}}}}") ==
+          "chapter.md:6: the run of 03_springs has no number \"none\"");
+}
+
+TEST_CASE("a directive in the wrong form is an error") {
+    const Course course;
+    CHECK(course.paragraph_error("{{}}") == "chapter.md:5: there is nothing between {{ and }}");
+    CHECK(course.paragraph_error("{{ampli tude}}") == "chapter.md:5: there is no {{ampli …}}");
+    CHECK(course.paragraph_error("a {{run}}") ==
+          "chapter.md:5: {{run …}} must stand on a line of its own");
+    CHECK(course.paragraph_error("{{figure sweep.gif:}}") ==
+          "chapter.md:5: a figure is {{figure file.svg N22: caption}}");
+    CHECK(course.paragraph_error("{{code include/step.hpp}}") ==
+          "chapter.md:5: a quotation is {{code file tag}}");
+    CHECK(course.paragraph_error("text\n\n{{rows N22}}") ==
+          "chapter.md:7: {{rows N22 N24}} stands directly below a heading that has an id");
+    CHECK(course.paragraph_error("{{rows N23}}") ==
+          "chapter.md:5: \"N23\" is none of this chapter's ledger rows");
+    CHECK(course.paragraph_error("### The $x$ {#ch3_x}") ==
+          "chapter.md:5: a heading stands in the tree and in the search as plain text: no formula "
+          "and "
+          "no number in it");
+}
+
+TEST_CASE("a chapter has its nine sections in their order") {
+    const Course course;
+    const std::string file = "chapters/03_springs/chapter.md";
+    const std::string page = course.read(file);
+    course.replace(file, "{#ch3_code}", "{#ch3_cod}");
+    CHECK(course.fill_error() == "chapter.md:12: section 3 of 9 must have the id {#ch3_code}");
+    course.write(file, page);
+    course.replace(file, "## In the talk {#ch3_in_the_talk}\n", "");
+    CHECK_THAT(course.fill_error(), ContainsSubstring("the section {#ch3_in_the_talk} is missing"));
+    course.write(file, page + "## More {#ch3_more}\n");
+    CHECK(course.fill_error() ==
+          "chapter.md:30: a chapter has nine ## sections; make this one a ###");
+    course.write(file, page);
+    course.replace(file, "# Springs", "# Strings");
+    CHECK(course.fill_error() ==
+          "chapter.md:1: the page's title must be that of about.json: Springs");
+}
+
+TEST_CASE("a chapter shows all its figures and teaches all its rows") {
+    const Course course;
+    const std::string file = "chapters/03_springs/chapter.md";
+    course.replace(file, "{{figure sweep.gif: A sweep.}}", "");
+    CHECK(course.fill_error() ==
+          "chapters/03_springs/about.json:1: the page does not show sweep.gif");
+    course.replace(file, "{{rows N22}}", "");
+    course.replace("chapters/03_springs/about.json", ", \"sweep.gif\"", "");
+    CHECK(course.fill_error() ==
+          "chapters/03_springs/about.json:1: N22 is claimed, but no section of "
+          "the page teaches it ({{rows N22}})");
+}

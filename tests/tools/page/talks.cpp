@@ -1,0 +1,80 @@
+// The page of the talks: every claimed row has its text, its section and its test.
+#include "context.hpp"
+#include "course.hpp"
+#include "error.hpp"
+#include "fill.hpp"
+#include "ledger.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+void index_row(const Course& course) {
+    course.write("index/03_springs.tsv",
+                 "N22\tsection\tchapter_03.html\tch3_steps\tSteps\n"
+                 "N22\tfigure\tchapter_03.html\tfig-spiral\tspiral\n");
+    course.write("tests.tsv",
+                 "N22\tit grows as $n$\t" + (course / "tests/a.cpp").string() + "\t42\n");
+}
+
+std::string talks(const Course& course) {
+    page::Context context{course / "", course / "runs"};
+    context.indexes = course / "index";
+    context.tests = course / "tests.tsv";
+    try {
+        return page::fill(context, "{{talks}}\n", "talks.md");
+    } catch (const page::Error& wrong) {
+        return wrong.what();
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a row stands with what the talks show, its erratum, section, figure and test") {
+    const Course course;
+    index_row(course);
+    const std::string page = talks(course);
+    CHECK_THAT(page, ContainsSubstring("<tr id=\"row_N22\">"));
+    CHECK_THAT(page, ContainsSubstring(
+                         "It spirals, \\f$a<b\\f$.<br><span class=\"erratum\"><b>Erratum.</b> "
+                         "Not always.</span>"));
+    CHECK_THAT(page, ContainsSubstring("<a href=\"chapter_03.html#ch3_steps\">Steps</a>"));
+    CHECK_THAT(page, ContainsSubstring("<a href=\"chapter_03.html#fig-spiral\">spiral</a>"));
+    CHECK_THAT(page,
+               ContainsSubstring("<a href=\"source:tests/a.cpp#l00042\">it grows as \\$n\\$</a>"));
+}
+
+TEST_CASE("a claimed row without its text, section or test is an error") {
+    const Course course;
+    index_row(course);
+    course.write("docs/talks.tsv", "N23\tN\tOther.\t\n");
+    CHECK_THAT(talks(course), ContainsSubstring("N22 is claimed, but docs/talks.tsv does not say"));
+    course.write("docs/talks.tsv", "N22\tN\tIt spirals.\t\n");
+    course.write("tests.tsv", "N23\tother\ttests/a.cpp\t1\n");
+    CHECK_THAT(talks(course), ContainsSubstring("N22 is claimed, but no test is tagged [N22]"));
+    index_row(course);
+    course.write("index/03_springs.tsv", "N22\tfigure\tchapter_03.html\tfig-spiral\tspiral\n");
+    CHECK_THAT(talks(course), ContainsSubstring("N22 is claimed, but no section teaches it"));
+}
+
+TEST_CASE("faulty texts of the talks are refused, at their line") {
+    const Course course;
+    const auto message = [&](const std::string& content) -> std::string {
+        course.write("talks.tsv", content);
+        try {
+            page::load_talks(course / "talks.tsv");
+            return "no error";
+        } catch (const page::Error& wrong) {
+            return wrong.what();
+        }
+    };
+    CHECK_THAT(message("N01\tN\ta\t\nN01\tN\tb\t\n"),
+               ContainsSubstring(":2: N01 stands here twice"));
+    CHECK_THAT(message("N01\tN\t\t\n"), ContainsSubstring(":1: N01 has no text"));
+    CHECK_THAT(message("N01\tN\ta\n"),
+               ContainsSubstring(":1: must be a ledger row and 3 more fields"));
+    CHECK_THAT(message("N1\tN\ta\t\n"), ContainsSubstring(":1: must be a ledger row"));
+}
