@@ -21,6 +21,11 @@ test_alone_and_help_only_talk() {
     done
     is "$(lines calls)" 0
     [ ! -e checkout/build ] || fail 'something was built'
+    have_all
+    expect 7 course list
+    expect 0 course setup --help
+    says out './course tour'
+    expect 7 course list --help  # built, the program has more to say
 }
 
 test_unknown_words_are_refused_before_anything_is_installed() {
@@ -38,6 +43,7 @@ test_root_installs_what_is_missing_then_builds_and_hands_over() {
     is "$(cat out)" 'handed over: list --json'
     says err "course: this machine lacks: $everything"
     says err 'course:   cmake (1.0)'
+    is "$(ls tmp)" ''
     is "$(sed -n 's/^apt-get .* update$/update/p' calls)" update
     says calls "install --no-install-recommends $everything"
     says calls "cmake -S $folder/checkout -B $folder/checkout/build"
@@ -131,8 +137,8 @@ test_test_all_brings_the_extras_and_configures_again() {
 test_after_two_dashes_the_words_are_the_chapters() {
     new_machine 0
     have_all
-    expect 7 course run 3 -- --all --help
-    is "$(cat out)" 'handed over: run 3 -- --all --help'
+    expect 7 course run 3 -- --all --help 'two  words'
+    is "$(cat out)" 'handed over: run 3 -- --all --help two  words'
     silent_on calls valgrind
 }
 
@@ -188,6 +194,8 @@ test_catch2_comes_from_the_backports_where_the_system_has_an_old_one() {
     expect 7 course tour
     says err 'course: Catch2 3 comes from bookworm-backports; your list of package sources stays as it is'
     says calls "install --no-install-recommends $(echo "$everything" | sed 's/catch2 //')"
+    silent_on err 'no package'
+    is "$(ls tmp)" ''
     grep 'backports' calls >backports
     says backports '-o Dir::Etc::SourceParts=-'
     says backports '-o Dir::State::Lists='

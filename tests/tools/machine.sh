@@ -5,7 +5,7 @@ stand_in() { printf '#!/bin/sh\n%s\n' "$2" >"bin/$1"; chmod +x "bin/$1"; }
 
 # new_machine USER_ID: with apt-get, apt-cache and nothing that the course needs.
 new_machine() {
-    mkdir -p bin usr checkout apt
+    mkdir -p bin usr checkout apt tmp
     cp "$source/course" checkout/course
     for tool in sh cat sed grep tail head tee env mkdir mktemp rm chmod dirname readlink tr cp; do
         ln -s "$(command -v $tool)" bin/$tool
@@ -82,5 +82,5 @@ case \$1 in -v) exit ;; -n) shift ;; esac
 }
 
 # The script, with this machine's things only.
-course() { env -i PATH="$folder/bin" HOME="$folder" COURSE_PLACES="$folder/usr" \
+course() { env -i PATH="$folder/bin" TMPDIR="$folder/tmp" COURSE_PLACES="$folder/usr" \
     "$folder/checkout/course" "$@"; }

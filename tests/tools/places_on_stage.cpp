@@ -1,4 +1,5 @@
-// The course program with the places of a test: a stage with a small course and a stand-in for CMake.
+// The course program with the places of a test: a stage with a small course and a stand-in for
+// CMake.
 
 #include <cstdlib>
 

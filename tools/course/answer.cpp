@@ -29,7 +29,8 @@ void declare(CLI::App& app, Asked& asked) {
 
     app.add_subcommand("tour", "build everything, run every chapter, make the site");
     app.add_subcommand("test", "build everything and run all tests")
-        ->add_flag("--all", asked.all, "install all extras first; a skipped check counts as failed");
+        ->add_flag("--all", asked.all,
+                   "install all extras first; a skipped check counts as failed");
     app.add_subcommand("list", "the chapters")
         ->add_flag("--json", asked.json, "as JSON, for programs");
     const auto run = app.add_subcommand("run", "run one chapter: its account, data and figures");
@@ -37,8 +38,9 @@ void declare(CLI::App& app, Asked& asked) {
         ->required();
     run->add_option("--out", asked.out, "leave data, numbers and figures in this folder")
         ->type_name("DIR");
-    run->footer("What stands after -- goes to the chapter's program; its own options:\n"
-                "  ./course run 3 -- --help");
+    run->footer(
+        "What stands after -- goes to the chapter's program; its own options:\n"
+        "  ./course run 3 -- --help");
     app.add_subcommand("site", "bring the site up to date and say where it is")
         ->add_flag("--open", asked.open, "open it in the browser");
 }
@@ -68,8 +70,7 @@ Status answer(int argc, char** argv) {
     if (app.got_subcommand("tour")) tour();
     if (app.got_subcommand("test")) test(asked.all);
     if (app.got_subcommand("list")) list(asked.json);
-    if (app.got_subcommand("run"))
-        run(asked.chapter, asked.out, asked.chapter_options);
+    if (app.got_subcommand("run")) run(asked.chapter, asked.out, asked.chapter_options);
     if (app.got_subcommand("site")) site(asked.open);
     // A full disk shows when the buffer is written out.
     if (std::fflush(stdout) != 0 || std::ferror(stdout))

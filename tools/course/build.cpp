@@ -73,9 +73,13 @@ void build(const std::vector<std::string>& targets, Progress& progress) {
         else
             progress.say("  " + step.text);
     });
-    std::vector<std::string> command{places().cmake, "--build", places().build.string(), "--parallel",
-                                     std::to_string(std::max(1u, std::thread::hardware_concurrency())),
-                                     "--target"};
+    std::vector<std::string> command{
+        places().cmake,
+        "--build",
+        places().build.string(),
+        "--parallel",
+        std::to_string(std::max(1u, std::thread::hardware_concurrency())),
+        "--target"};
     command.insert(command.end(), targets.begin(), targets.end());
     const int status = listen(command, std::ref(lines));
     progress.clear();
@@ -91,7 +95,8 @@ std::string site_address() {
         const auto byte = static_cast<unsigned char>(c);
         char coded[4];
         std::snprintf(coded, sizeof coded, "%%%02X", byte);
-        const bool plain = byte < 0x80 && (std::isalnum(byte) || std::string("/-._~").find(c) != std::string::npos);
+        const bool plain = byte < 0x80 && (std::isalnum(byte) ||
+                                           std::string("/-._~").find(c) != std::string::npos);
         address += plain ? std::string(1, c) : coded;
     }
     return address;

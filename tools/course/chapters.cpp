@@ -14,7 +14,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
 
 // A chapter's folder is two digits, an underscore and the name of its program.
 bool is_chapter(const std::string& folder) {
@@ -28,7 +30,11 @@ Chapter read_chapter(const fs::path& folder) {
         std::ifstream file(about);
         if (!file) throw Stop(Status::bad_use, about.string() + ": cannot be read");
         const auto json = nlohmann::json::parse(file);
-        return {name, name.substr(3), json.at("title"), json.at("question"), json.at("figures"),
+        return {name,
+                name.substr(3),
+                json.at("title"),
+                json.at("question"),
+                json.at("figures"),
                 json.at("rows")};
     } catch (const nlohmann::json::exception& error) {
         throw Stop(Status::bad_use, about.string() + ": " + error.what());
@@ -37,9 +43,15 @@ Chapter read_chapter(const fs::path& folder) {
 
 }  // namespace
 
-int Chapter::number() const { return std::stoi(folder.substr(0, 2)); }
-fs::path Chapter::sources() const { return places().source / "chapters" / folder; }
-fs::path Chapter::run() const { return places().build / "chapters" / folder / "run"; }
+int Chapter::number() const {
+    return std::stoi(folder.substr(0, 2));
+}
+fs::path Chapter::sources() const {
+    return places().source / "chapters" / folder;
+}
+fs::path Chapter::run() const {
+    return places().build / "chapters" / folder / "run";
+}
 
 std::vector<Chapter> read_chapters() {
     std::vector<Chapter> chapters;
@@ -54,7 +66,8 @@ Chapter find_chapter(const std::string& name) {
     std::string known;
     for (const auto& chapter : read_chapters()) {
         const std::string number = std::to_string(chapter.number());
-        for (const auto& meant : {number, chapter.folder.substr(0, 2), chapter.program, chapter.folder})
+        for (const auto& meant :
+             {number, chapter.folder.substr(0, 2), chapter.program, chapter.folder})
             if (name == meant) return chapter;
         known += (known.empty() ? "" : ", ") + number + " " + chapter.program;
     }

@@ -17,8 +17,8 @@ void tour();
 /// Builds and runs all tests. With `strict`, a skipped check counts as a failure.
 void test(bool strict);
 
-/// Runs one chapter and leaves its data, numbers and figures in the folder `out` (none given: in the
-/// build folder). `options` go to the chapter's program.
+/// Runs one chapter and leaves its data, numbers and figures in the folder `out` (none given: in
+/// the build folder). `options` go to the chapter's program.
 void run(const std::string& chapter, const std::optional<std::string>& out,
          const std::vector<std::string>& options);
 

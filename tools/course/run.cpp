@@ -28,7 +28,8 @@ namespace {
 // when it is whole; unless it comes to that, nothing of it stays.
 class Destination {
 public:
-    explicit Destination(const fs::path& folder) : folder_(fs::absolute(folder).lexically_normal()) {
+    explicit Destination(const fs::path& folder)
+        : folder_(fs::absolute(folder).lexically_normal()) {
         std::error_code error;
         for (fs::path path = folder_; !fs::exists(path, error) && path.has_relative_path();
              path = path.parent_path())
@@ -37,8 +38,8 @@ public:
         fs::create_directories(work_, error);
         if (error) {
             tidy();
-            throw Stop(Status::bad_use,
-                       "--out " + folder.string() + ": cannot write there (" + error.message() + ")");
+            throw Stop(Status::bad_use, "--out " + folder.string() + ": cannot write there (" +
+                                            error.message() + ")");
         }
     }
     ~Destination() { tidy(); }
@@ -106,14 +107,14 @@ Complaint make_run(const Chapter& chapter, const fs::path& program, const fs::pa
     const fs::path source = places().source;
     const fs::path file = places().build / ("complaint_" + std::to_string(getpid()));
     std::string said;
-    const int status = listen(
-        {places().cmake, "-DPROGRAM=" + program.string(), "-DOUT=" + folder.string(),
-         "-DSCRIPT=" + (chapter.sources() / "figures.gp").string(),
-         "-DSTYLE=" + (source / "tools/figures/style.gp").string(), "-DGNUPLOT=gnuplot",
-         "-DABOUT=" + (chapter.sources() / "about.json").string(), "-DQUIET=ON",
-         "-DARGUMENTS=" + cmake_list(options), "-DCOMPLAINT=" + file.string(), "-P",
-         (source / "tools/cmake/run.cmake").string()},
-        [&](std::string_view text) { said += text; });
+    const int status =
+        listen({places().cmake, "-DPROGRAM=" + program.string(), "-DOUT=" + folder.string(),
+                "-DSCRIPT=" + (chapter.sources() / "figures.gp").string(),
+                "-DSTYLE=" + (source / "tools/figures/style.gp").string(), "-DGNUPLOT=gnuplot",
+                "-DABOUT=" + (chapter.sources() / "about.json").string(), "-DQUIET=ON",
+                "-DARGUMENTS=" + cmake_list(options), "-DCOMPLAINT=" + file.string(), "-P",
+                (source / "tools/cmake/run.cmake").string()},
+               [&](std::string_view text) { said += text; });
 
     std::istringstream complaint(read(file));
     std::error_code ignored;
@@ -137,9 +138,8 @@ void run(const std::string& name, const std::optional<std::string>& out,
     build({chapter.program}, progress);
     for (const auto& option : options) {
         if (option == "--help" || option == "-h") {
-            listen({program.string(), "--help"}, [](std::string_view text) {
-                std::fwrite(text.data(), 1, text.size(), stdout);
-            });
+            listen({program.string(), "--help"},
+                   [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); });
             return;
         }
         if (option.empty()) throw Stop(Status::bad_use, "'': there is an empty word after the --");

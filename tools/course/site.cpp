@@ -21,8 +21,8 @@ void site(bool open) {
     const char* opener = "xdg-open";
 #endif
     if (listen({opener, site_address()}, [](std::string_view) {}) != 0)
-        throw Stop(Status::missing, std::string(opener) +
-                                        " found no browser; open the address above in one");
+        throw Stop(Status::missing,
+                   std::string(opener) + " found no browser; open the address above in one");
 }
 
 }  // namespace course

@@ -10,10 +10,10 @@ namespace course {
 /// Exit status of the program.
 enum class Status {
     fine = 0,
-    wrong = 1,        ///< a check is wrong, or something did not build
-    bad_use = 2,      ///< wrong use or bad input
-    missing = 3,      ///< the machine lacks something
-    interrupted = 130 ///< by Ctrl-C, as shells count it
+    wrong = 1,         ///< a check is wrong, or something did not build
+    bad_use = 2,       ///< wrong use or bad input
+    missing = 3,       ///< the machine lacks something
+    interrupted = 130  ///< by Ctrl-C, as shells count it
 };
 
 /// Ends the command: a line for people, a status for programs.

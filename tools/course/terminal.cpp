@@ -10,7 +10,9 @@ namespace course {
 
 namespace {
 
-bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
+bool continues_character(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0) == 0x80;
+}
 
 std::size_t columns() {
     winsize size{};
@@ -27,13 +29,17 @@ std::string cut(const std::string& text, std::size_t width) {
 
 }  // namespace
 
-bool on_terminal() { return isatty(STDOUT_FILENO) == 1; }
+bool on_terminal() {
+    return isatty(STDOUT_FILENO) == 1;
+}
 
-std::string bold(const std::string& text) { return on_terminal() ? "\033[1m" + text + "\033[0m" : text; }
+std::string bold(const std::string& text) {
+    return on_terminal() ? "\033[1m" + text + "\033[0m" : text;
+}
 
 std::size_t width_of(const std::string& text) {
-    return text.size() - static_cast<std::size_t>(
-                             std::count_if(text.begin(), text.end(), continues_character));
+    return text.size() -
+           static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues_character));
 }
 
 std::string padded(const std::string& text, std::size_t width) {

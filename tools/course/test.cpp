@@ -47,8 +47,8 @@ void test(bool strict) {
         }
     });
     const std::string jobs = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
-    const int status = listen({places().ctest, "--test-dir", places().build.string(), "--output-on-failure",
-                               "--no-tests=error", "--parallel", jobs},
+    const int status = listen({places().ctest, "--test-dir", places().build.string(),
+                               "--output-on-failure", "--no-tests=error", "--parallel", jobs},
                               std::ref(lines));
 
     const auto left_out = skipped(summary);
@@ -61,8 +61,8 @@ void test(bool strict) {
     std::fflush(stdout);
     if (status != 0) throw Stop(Status::wrong, "");
     if (strict && !left_out.empty())
-        throw Stop(Status::wrong, std::to_string(left_out.size()) +
-                                      " skipped, which --all counts as failed");
+        throw Stop(Status::wrong,
+                   std::to_string(left_out.size()) + " skipped, which --all counts as failed");
 }
 
 }  // namespace course

@@ -60,7 +60,8 @@ void tour() {
     const auto begin = std::chrono::steady_clock::now();
     const auto chapters = read_chapters();
     Progress progress;
-    progress.say("Building the programs, running the chapters, drawing the figures, making the site:");
+    progress.say(
+        "Building the programs, running the chapters, drawing the figures, making the site:");
     build({"all", "docs"}, progress);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     progress.say("  done in " + std::to_string(std::lround(taken.count())) + " s\n");
