@@ -5,51 +5,9 @@
 #include <concepts>
 #include <type_traits>
 
+#include <timestep/real.hpp>
+
 namespace timestep {
-
-/// \cond
-namespace detail {
-template <class X>
-struct RealOf {
-    using type = typename X::Scalar;  // an Eigen vector, a State: they name their real number
-};
-template <class X>
-    requires std::is_arithmetic_v<X>
-struct RealOf<X> {
-    using type = X;
-};
-
-// What a state keeps of a position A and a velocity B: 0 and 1.0 are real numbers; an Eigen
-// expression becomes the vector that it computes; a number and a vector are a mistake.
-struct NumberAndVector {
-    using Scalar = double;
-};
-template <class A, class B>
-struct Kept {
-    using type = NumberAndVector;
-};
-template <class A, class B>
-    requires std::is_arithmetic_v<A> && std::is_arithmetic_v<B>
-struct Kept<A, B> : std::common_type<A, B> {};
-template <class A, class B>
-    requires std::same_as<typename A::PlainObject, typename B::PlainObject>
-struct Kept<A, B> {
-    using type = typename A::PlainObject;
-};
-
-// Eigen names the vector that an expression computes; a vector names itself.
-template <class X>
-inline constexpr bool is_expression = false;
-template <class X>
-    requires requires { typename X::PlainObject; }
-inline constexpr bool is_expression<X> = !std::same_as<X, typename X::PlainObject>;
-}  // namespace detail
-/// \endcond
-
-/// The real number type behind `X`: `double` for `double`, for `Eigen::Vector3d` and for
-/// `State<double>`.
-template <class X>
-using real_of = typename detail::RealOf<X>::type;
 
 /// The state of a body that obeys Newton's law: time is the independent variable, position and
 /// velocity are the dependent ones (talk row I01).
@@ -71,11 +29,15 @@ struct State {
     X v;       ///< velocity, m/s
 };
 
+/// \cond  State{0, 1.0, 0.0} is a State<double>
+/// \cond
 template <class X>
 State(real_of<X>, X, X) -> State<typename detail::Kept<X, X>::type>;
 template <class T, class A, class B>
     requires(!std::same_as<A, B>)
 State(T, A, B) -> State<typename detail::Kept<A, B>::type>;
+/// \endcond
+/// \endcond
 
 /// The rate of change of a State: ẋ and v̇. Rates add and scale as vectors do.
 template <class X>
@@ -107,8 +69,12 @@ struct FirstOrder {
     Y y;       ///< the unknowns, in their own units
 };
 
+/// \cond
+/// \cond
 template <class Y>
 FirstOrder(real_of<Y>, Y) -> FirstOrder<typename detail::Kept<Y, Y>::type>;
+/// \endcond
+/// \endcond
 
 /// Go on for a time `h` at a constant rate: t + h, x + h ẋ, v + h v̇.
 template <class X>
