@@ -73,8 +73,10 @@ private:
     long steps_ = 0;
 };
 
+/// \cond
 template <class Real>
 GameLoop(Real, long) -> GameLoop<Real>;
+/// \endcond
 
 /// The state to draw, a part `alpha` of the way from the last state but one to the last. The picture
 /// is up to one step late, and moves evenly at any frame rate.

@@ -63,6 +63,7 @@ public:
     /// Copies the parts, which have checked their parameters themselves.
     explicit Scene(const Parts&... parts) : parts_(parts...) {}
 
+    /// The sum of constant forces, per unit of mass.
     /// [sum]
     auto acceleration() const
         requires constant
@@ -72,12 +73,14 @@ public:
             return X((first.acceleration() + ... + more.acceleration()));
         });
     }
+    /// The sum, where it depends on the position at most.
     template <class X>
     X acceleration(const X& x) const
         requires(position_only<X> && !constant)
     {
         return of_parts([&](const auto&... part) -> X { return (... + at(part, x)); });
     }
+    /// The sum, where it depends on the velocity too.
     template <class X>
     X acceleration(const X& x, const X& v) const
         requires((VelocityForce<Parts, X> && ...) && !position_only<X>)

@@ -25,8 +25,8 @@ namespace timestep {
 template <class Real, int N>
 class CoupledSprings {
 public:
-    using Vector = Eigen::Matrix<Real, N, 1>;
-    using Matrix = Eigen::Matrix<Real, N, N>;
+    using Vector = Eigen::Matrix<Real, N, 1>;  ///< a number for each mass
+    using Matrix = Eigen::Matrix<Real, N, N>;  ///< a number for each pair of masses
 
     /// Masses in kg, above zero; stiffnesses in N/m, zero or more. Throws `std::invalid_argument`.
     CoupledSprings(const Vector& masses, const Eigen::Matrix<Real, N + 1, 1>& stiffnesses) {
@@ -46,6 +46,7 @@ public:
         find_modes(masses, stiffness);
     }
 
+    /// −M⁻¹ K x, m/s².
     /// [model]
     template <class X>
     X acceleration(const X& x) const {

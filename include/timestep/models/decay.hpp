@@ -17,6 +17,7 @@ struct Decay {
     /// `lambda` in 1/s, any finite number. Throws `std::invalid_argument`.
     explicit Decay(Real lambda_) : lambda(finite("lambda", lambda_)) {}
 
+    /// f(t, y) = λ y.
     /// [model]
     template <class Y>
     Y operator()(real_of<Y> /* t */, const Y& y) const {

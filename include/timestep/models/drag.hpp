@@ -24,6 +24,7 @@ struct Drag {
         return Drag(not_negative("gravity", gravity) / positive("terminal speed", speed) / speed);
     }
 
+    /// −k |v| v, m/s².
     /// [model]
     template <class X>
     X acceleration(const X& /* x */, const X& v) const {

@@ -25,6 +25,7 @@ struct Tether {
 
     // The share of x that is stretch, (|x| − L) / |x| = 1 − L / |x|. At the origin the tether has no
     // direction, and we let it exert no force.
+    /// −ω² (1 − L/|x|) x, m/s².
     /// [model]
     template <class X>
     X acceleration(const X& x) const {
