@@ -30,13 +30,11 @@ struct State {
 };
 
 /// \cond  State{0, 1.0, 0.0} is a State<double>
-/// \cond
 template <class X>
 State(real_of<X>, X, X) -> State<typename detail::Kept<X, X>::type>;
 template <class T, class A, class B>
     requires(!std::same_as<A, B>)
 State(T, A, B) -> State<typename detail::Kept<A, B>::type>;
-/// \endcond
 /// \endcond
 
 /// The rate of change of a State: ẋ and v̇. Rates add and scale as vectors do.
@@ -70,10 +68,8 @@ struct FirstOrder {
 };
 
 /// \cond
-/// \cond
 template <class Y>
 FirstOrder(real_of<Y>, Y) -> FirstOrder<typename detail::Kept<Y, Y>::type>;
-/// \endcond
 /// \endcond
 
 /// Go on for a time `h` at a constant rate: t + h, x + h ẋ, v + h v̇.

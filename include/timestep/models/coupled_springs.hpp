@@ -100,7 +100,9 @@ private:
     Vector frequencies_;
 };
 
+/// \cond
 template <class Real, int N>
 CoupledSprings(Eigen::Matrix<Real, N, 1>, Eigen::Matrix<Real, N + 1, 1>) -> CoupledSprings<Real, N>;
+/// \endcond
 
 }  // namespace timestep
