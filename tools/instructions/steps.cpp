@@ -1,0 +1,81 @@
+// Takes a number of steps with one method and prints the last position: a program for a profiler to
+// count. `steps semi_implicit_euler 1000` steps the library, `steps hand_semi_implicit_euler 1000`
+// the same loop written by hand. The hand-written loops keep no time; nobody reads the library's here, so
+// the compiler drops it too.
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include <timestep/methods.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/run.hpp>
+
+namespace {
+
+using namespace timestep;
+
+constexpr double omega = 10, h = 0.001;
+
+template <class Method>
+[[gnu::noinline]] double by_library(const Method& method, double x, double v, long n) {
+    return run(method, Spring(omega), State{0, x, v}, h, n).x;
+}
+
+[[gnu::noinline]] double explicit_by_hand(double x, double v, long n) {
+    for (long i = 0; i < n; ++i) {
+        const double a = -omega * omega * x;
+        x += h * v;
+        v += h * a;
+    }
+    return x;
+}
+
+[[gnu::noinline]] double semi_implicit_by_hand(double x, double v, long n) {
+    for (long i = 0; i < n; ++i) {
+        v += h * (-omega * omega * x);
+        x += h * v;
+    }
+    return x;
+}
+
+[[gnu::noinline]] double implicit_by_hand(double x, double v, long n) {
+    for (long i = 0; i < n; ++i) {
+        v = (v + h * (-omega * omega * x)) / (1 + h * h * omega * omega);
+        x += h * v;
+    }
+    return x;
+}
+
+[[gnu::noinline]] double runge_kutta_by_hand(double x, double v, long n) {
+    const double k = -omega * omega;
+    for (long i = 0; i < n; ++i) {
+        const double x1 = v, v1 = k * x;
+        const double x2 = v + h / 2 * v1, v2 = k * (x + h / 2 * x1);
+        const double x3 = v + h / 2 * v2, v3 = k * (x + h / 2 * x2);
+        const double x4 = v + h * v3, v4 = k * (x + h * x3);
+        x += h * ((x1 + 2 * (x2 + x3) + x4) / 6);
+        v += h * ((v1 + 2 * (v2 + v3) + v4) / 6);
+    }
+    return x;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 3) return std::fputs("steps: usage: steps METHOD COUNT\n", stderr), 2;
+    const char* what = argv[1];
+    const long n = std::atol(argv[2]);
+    const double x = argc - 2.0, v = 0;  // a start that the compiler does not know
+    double end = 0;
+    if (!std::strcmp(what, "hand_explicit_euler")) end = explicit_by_hand(x, v, n);
+    else if (!std::strcmp(what, "hand_semi_implicit_euler")) end = semi_implicit_by_hand(x, v, n);
+    else if (!std::strcmp(what, "hand_implicit_euler")) end = implicit_by_hand(x, v, n);
+    else if (!std::strcmp(what, "hand_runge_kutta_4")) end = runge_kutta_by_hand(x, v, n);
+    else if (!std::strcmp(what, "explicit_euler")) end = by_library(explicit_euler, x, v, n);
+    else if (!std::strcmp(what, "semi_implicit_euler")) end = by_library(semi_implicit_euler, x, v, n);
+    else if (!std::strcmp(what, "implicit_euler")) end = by_library(implicit_euler, x, v, n);
+    else if (!std::strcmp(what, "runge_kutta_4")) end = by_library(runge_kutta_4, x, v, n);
+    else return std::fprintf(stderr, "steps: %s: no such method\n", what), 2;
+    std::printf("%.17g\n", end);
+}
