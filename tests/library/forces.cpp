@@ -1,0 +1,89 @@
+// What a force depends on is what its acceleration takes; nothing more reaches it.
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <Eigen/Core>
+#include <timestep/forces.hpp>
+#include <timestep/models/damped_spring.hpp>
+#include <timestep/models/projectile.hpp>
+#include <timestep/models/spring.hpp>
+
+using namespace timestep;
+
+namespace {
+
+struct Cubic {  // position only, not linear
+    double acceleration(double x) const { return -x * x * x; }
+    double slope_x(double x, double) const { return -3 * x * x; }
+    double slope_v(double, double) const { return 0; }
+};
+struct Rough {  // no derivatives
+    double acceleration(double x) const { return x > 0 ? -1 : 1; }
+};
+struct TwoSprings {  // another stiffness in each direction
+    Eigen::Vector2d acceleration(const Eigen::Vector2d& x) const { return slope_x() * x; }
+    Eigen::Matrix2d slope_x() const { return Eigen::Vector2d(-1, -4).asDiagonal(); }
+};
+
+}  // namespace
+
+TEST_CASE("a force is of the narrowest kind that its arguments allow", "[library]") {
+    STATIC_REQUIRE(ConstantForce<Projectile<double>>);
+    STATIC_REQUIRE(PositionForce<Projectile<double>, double>);  // constant is position at most
+    STATIC_REQUIRE(VelocityForce<Projectile<double>, double>);
+
+    STATIC_REQUIRE(!ConstantForce<Spring<double>>);
+    STATIC_REQUIRE(PositionForce<Spring<double>, double>);
+    STATIC_REQUIRE(VelocityForce<Spring<double>, double>);
+
+    STATIC_REQUIRE(!PositionForce<DampedSpring<double>, double>);
+    STATIC_REQUIRE(VelocityForce<DampedSpring<double>, double>);
+
+    STATIC_REQUIRE(!VelocityForce<int, double>);
+}
+
+TEST_CASE("a force is linear when its derivatives are constant", "[library]") {
+    STATIC_REQUIRE(LinearForce<Projectile<double>, double>);
+    STATIC_REQUIRE(LinearForce<Spring<double>, double>);
+    STATIC_REQUIRE(LinearForce<DampedSpring<double>, double>);
+    STATIC_REQUIRE(LinearForce<TwoSprings, Eigen::Vector2d>);
+    STATIC_REQUIRE(!LinearForce<Cubic, double>);
+    STATIC_REQUIRE(SmoothForce<Cubic, double>);
+    STATIC_REQUIRE(!SmoothForce<Rough, double>);
+}
+
+TEMPLATE_TEST_CASE("each kind of force is asked with the arguments it takes", "[library]", float, double,
+                   long double) {
+    const TestType x = 2, v = 3;
+    CHECK(acceleration(Projectile<TestType>(-10), x, v) == -10);
+    CHECK(acceleration(Spring<TestType>(4), x, v) == -32);
+    CHECK(acceleration(DampedSpring<TestType>(4, TestType(0.5)), x, v) == -32 - 12);
+
+    CHECK(slope_x(Projectile<TestType>(-10), x, v) == 0);
+    CHECK(slope_v(Projectile<TestType>(-10), x, v) == 0);
+    CHECK(slope_x(Spring<TestType>(4), x, v) == -16);
+    CHECK(slope_v(Spring<TestType>(4), x, v) == 0);
+    CHECK(slope_x(DampedSpring<TestType>(4, TestType(0.5)), x, v) == -16);
+    CHECK(slope_v(DampedSpring<TestType>(4, TestType(0.5)), x, v) == -4);
+}
+
+TEST_CASE("slopes that vary are asked at the place and velocity", "[library]") {
+    CHECK(slope_x(Cubic(), 2.0, 3.0) == -12);
+    CHECK(slope_v(Cubic(), 2.0, 3.0) == 0);
+    const Eigen::Vector2d x(1, 2), v(0, 0);
+    CHECK(slope_x(TwoSprings(), x, v) == TwoSprings().slope_x());
+}
+
+TEST_CASE("a vector's force is a vector", "[library]") {
+    const Eigen::Vector3d x(1, 2, 3), v(10, 20, 30);
+    CHECK(acceleration(Projectile(Eigen::Vector3d(0, 0, -10)), x, v) == Eigen::Vector3d(0, 0, -10));
+    CHECK(acceleration(Spring(2.0), x, v) == Eigen::Vector3d(-4, -8, -12));
+    CHECK(acceleration(DampedSpring(2.0, 0.25), x, v) == Eigen::Vector3d(-14, -28, -42));
+}
+
+TEST_CASE("the rate of change of a body is its velocity and its acceleration", "[library]") {
+    const Rate<double> r = rate(Spring(4.0), State{7, 2.0, 3.0});
+    CHECK(r.x == 3);
+    CHECK(r.v == -32);
+    CHECK(rate([](double t, double y) { return t + y; }, FirstOrder{7, 2.0}) == 9);
+}

@@ -1,0 +1,54 @@
+// One spelling for numbers and matrices.
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <type_traits>
+
+#include <Eigen/Dense>
+#include <timestep/linear_solve.hpp>
+
+using namespace timestep;
+
+// All numbers below are small multiples of powers of two, so every result is exact.
+
+TEMPLATE_TEST_CASE("numbers are solved by division", "[library]", float, double, long double) {
+    CHECK(solve(TestType(4), TestType(10)) == TestType(2.5));
+    CHECK(identity<TestType>() == 1);
+    CHECK(zero<TestType>() == 0);
+    CHECK(magnitude(TestType(-3)) == 3);
+    CHECK(magnitude(TestType(3)) == 3);
+    CHECK(outer(TestType(2), TestType(3)) == 6);
+}
+
+TEMPLATE_TEST_CASE("matrices are solved by elimination", "[library]", float, double, long double) {
+    using Vector = Eigen::Matrix<TestType, 2, 1>;
+    using Matrix = Eigen::Matrix<TestType, 2, 2>;
+    Matrix a;
+    a << 0, 2, 4, 1;  // a zero on the diagonal: needs pivoting
+    CHECK(solve(a, Vector(6, 11)) == Vector(2, 3));
+    CHECK(solve(TestType(4), Vector(8, 2)) == Vector(2, TestType(0.5)));
+    CHECK(identity<Matrix>() == Matrix::Identity());
+    CHECK(zero<Vector>() == Vector::Zero());
+    CHECK(magnitude(Vector(3, -4)) == 5);
+    Matrix products;
+    products << 8, 10, 12, 15;
+    CHECK(outer(Vector(2, 3), Vector(4, 5)) == products);
+}
+
+TEST_CASE("the matrix of an implicit step is a number where both slopes are", "[library]") {
+    const auto number = implicit_matrix(0.5, -2.0, -4.0);  // 1 + 1 + 1
+    STATIC_REQUIRE(std::is_same_v<decltype(number), const double>);
+    CHECK(number == 3);
+}
+
+TEST_CASE("the matrix of an implicit step is a matrix where either slope is one", "[library]") {
+    Eigen::Matrix2d slope;
+    slope << -4, 8, 0, -16;
+    Eigen::Matrix2d as_position, as_velocity;
+    as_position << 1 + 1 + 1, -2, 0, 1 + 1 + 4;   // 1 − h (−2) − h² slope, h = ½
+    as_velocity << 1 + 2 + 0.5, -4, 0, 1 + 8 + 0.5;  // 1 − h slope − h² (−2)
+    CHECK(implicit_matrix(0.5, -2.0, slope) == as_position);
+    CHECK(implicit_matrix(0.5, slope, -2.0) == as_velocity);
+    CHECK(implicit_matrix(0.5, slope, slope) ==
+          Eigen::Matrix2d(Eigen::Matrix2d::Identity() - 0.75 * slope));
+}

@@ -1,0 +1,63 @@
+// Newton–Raphson finds roots, and ends even where there is none.
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Dense>
+#include <timestep/newton_raphson.hpp>
+
+using namespace timestep;
+
+TEMPLATE_TEST_CASE("a square root, to the last digits of its type", "[library]", float, double,
+                   long double) {
+    const TestType epsilon = std::numeric_limits<TestType>::epsilon();
+    const TestType root = newton_raphson(
+        TestType(1), [](TestType x) { return x * x - 2; }, [](TestType x) { return 2 * x; });
+    // x² − 2 near the root is known to 2ε (x² rounds by ε, the difference is exact); dividing it by
+    // 2x puts x within ε of the root, and rounding x adds another ε.
+    CHECK(std::fabs(root - std::sqrt(TestType(2))) <= 2 * epsilon);
+}
+
+TEST_CASE("a linear function needs one correction, and a second one to see that it is done", "[library]") {
+    int evaluations = 0;
+    const double root = newton_raphson(
+        100.0, [&](double x) { return ++evaluations, 2 * x - 6; }, [](double) { return 2.0; });
+    CHECK(root == 3);
+    CHECK(evaluations == 2);
+}
+
+TEST_CASE("two equations with two unknowns", "[library]") {
+    // A circle of radius 5 cuts the line y = x + 1 at (3, 4).
+    const Eigen::Vector2d root = newton_raphson(
+        Eigen::Vector2d(2, 5),
+        [](const Eigen::Vector2d& p) {
+            return Eigen::Vector2d(p.squaredNorm() - 25, p.y() - p.x() - 1);
+        },
+        [](const Eigen::Vector2d& p) {
+            Eigen::Matrix2d j;
+            j << 2 * p.x(), 2 * p.y(), -1, 1;
+            return j;
+        });
+    // The first equation's terms are 25 or less and round by 25 ε together with their sum 50 ε; the
+    // inverse of J at the root, rows (1, −8)/14 and (1, 6)/14, passes on 50/14 ε plus the second
+    // equation's 10 ε · 8/14: below 10 ε.
+    CHECK((root - Eigen::Vector2d(3, 4)).norm() < 10 * std::numeric_limits<double>::epsilon());
+}
+
+TEST_CASE("where there is no root it gives up after fifty corrections", "[library]") {
+    int evaluations = 0;
+    newton_raphson(
+        0.5, [&](double x) { return ++evaluations, x * x + 1; }, [](double x) { return 2 * x; });
+    CHECK(evaluations == 50);
+}
+
+TEST_CASE("a NaN ends it at once", "[library]") {
+    int evaluations = 0;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double x = newton_raphson(
+        1.0, [&](double) { return ++evaluations, nan; }, [](double) { return 1.0; });
+    CHECK(std::isnan(x));
+    CHECK(evaluations == 1);
+}

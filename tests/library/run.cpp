@@ -1,0 +1,137 @@
+// The loop around every picture: how often it steps, what it shows, what it refuses.
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+
+#include <limits>
+#include <vector>
+
+#include <Eigen/Core>
+#include <timestep/methods.hpp>
+#include <timestep/models/projectile.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/run.hpp>
+
+using namespace timestep;
+using Catch::Matchers::Message;
+
+namespace {
+
+// Remembers the last two states: each step moves on by what the last one did, and one more.
+struct Accelerate {
+    template <class Model>
+    State<double> start(const Model&, const State<double>& s, double h) const {
+        return {s.t + h, s.x + 1, s.v};
+    }
+    template <class Model>
+    State<double> step(const Model&, const State<double>& s0, const State<double>& s1, double h) const {
+        return {s1.t + h, s1.x + (s1.x - s0.x) + 1, s1.v};
+    }
+};
+
+const Spring spring(1.0);
+const State start{0, 1.0, 0.0};
+
+}  // namespace
+
+TEST_CASE("a run shows the start and the state after each step, and returns the last", "[library]") {
+    std::vector<State<double>> seen;
+    const State end = run(semi_implicit_euler, spring, start, 0.5, 3, [&](const auto& s) { seen.push_back(s); });
+    REQUIRE(seen.size() == 4);
+    State by_hand = start;
+    for (const auto& s : seen) {
+        CHECK(s.t == by_hand.t);
+        CHECK(s.x == by_hand.x);
+        CHECK(s.v == by_hand.v);
+        by_hand = semi_implicit_euler.step(spring, by_hand, 0.5);
+    }
+    CHECK(end.x == seen.back().x);
+    CHECK(end.t == 1.5);
+}
+
+TEST_CASE("a run of no steps is where it starts", "[library]") {
+    int seen = 0;
+    CHECK(run(semi_implicit_euler, spring, start, 0.5, 0, [&](const auto&) { ++seen; }).x == 1);
+    CHECK(run(bdf2, spring, start, 0.5, 0).x == 1);
+    CHECK(seen == 1);
+}
+
+TEST_CASE("a two-step method starts itself and is handed the last two states", "[library]") {
+    std::vector<double> seen;
+    const State end = run(Accelerate(), spring, State{0, 0.0, 0.0}, 1.0, 4,
+                          [&](const auto& s) { seen.push_back(s.x); });
+    CHECK(seen == std::vector<double>{0, 1, 3, 6, 10});
+    CHECK(end.t == 4);
+    CHECK(run(Accelerate(), spring, State{0, 0.0, 0.0}, 1.0, 1).x == 1);
+}
+
+TEMPLATE_TEST_CASE("a run refuses steps, counts and starts that make no sense", "[library]", float, double,
+                   long double) {
+    using Limits = std::numeric_limits<TestType>;
+    const Spring<TestType> model(1);
+    const State<TestType> good{0, 1, 0};
+    const TestType h = TestType(0.5);
+    for (const TestType bad : {TestType(0), TestType(-1), Limits::quiet_NaN(), Limits::infinity()})
+        CHECK_THROWS_AS(run(explicit_euler, model, good, bad, 10), std::invalid_argument);
+    CHECK_THROWS_AS(run(explicit_euler, model, good, h, -1), std::invalid_argument);
+    for (const TestType bad : {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity()}) {
+        CHECK_THROWS_AS(run(explicit_euler, model, State<TestType>{bad, 1, 0}, h, 1), std::invalid_argument);
+        CHECK_THROWS_AS(run(explicit_euler, model, State<TestType>{0, bad, 0}, h, 1), std::invalid_argument);
+        CHECK_THROWS_AS(run(explicit_euler, model, State<TestType>{0, 1, bad}, h, 1), std::invalid_argument);
+    }
+    int seen = 0;
+    CHECK_THROWS_AS(run(explicit_euler, model, good, h, -1, [&](const auto&) { ++seen; }), std::invalid_argument);
+    CHECK(seen == 0);
+}
+
+TEST_CASE("a run says what it refuses", "[library]") {
+    CHECK_THROWS_MATCHES(run(explicit_euler, spring, start, -0.5, 1), std::invalid_argument,
+                         Message("step = -0.5: must be finite and greater than zero"));
+    CHECK_THROWS_MATCHES(run(explicit_euler, spring, start, 0.5, -3), std::invalid_argument,
+                         Message("steps = -3: must be finite and zero or more"));
+}
+
+TEST_CASE("a run that blows up goes on, and its end can be asked", "[library]") {
+    const State end = run(explicit_euler, Spring(1e100), State{0, 1.0, 0.0}, 1.0, 10);
+    CHECK_FALSE(is_finite(end));
+    CHECK(end.t == 10);
+}
+
+// On a spring the coordinates do not know of each other, so a vector is stepped as its coordinates
+// are: bit for bit, since the operations are the same.
+TEMPLATE_TEST_CASE("every method steps a vector as it steps its coordinates", "[library]", float, double,
+                   long double) {
+    using Vector = Eigen::Matrix<TestType, 3, 1>;
+    const Spring<TestType> model(TestType(1.5));
+    const TestType h = TestType(0.1);
+    const State<Vector> from{0, Vector(1, TestType(-0.3), TestType(0.7)), Vector(0, TestType(0.2), -1)};
+    for_each_method([&](const auto& method) {
+        const State<Vector> end = run(method, model, from, h, 25);
+        for (int i = 0; i < 3; ++i) {
+            INFO(method.name << ", coordinate " << i);
+            const State<TestType> alone = run(method, model, State<TestType>{0, from.x(i), from.v(i)}, h, 25);
+            CHECK(end.t == alone.t);
+            CHECK(end.x(i) == alone.x);
+            CHECK(end.v(i) == alone.v);
+        }
+    });
+}
+
+// A force without position or velocity: methods of order two and more are exact but for rounding.
+TEMPLATE_TEST_CASE("every method of order two or more throws a ball along its parabola", "[library]", float,
+                   double, long double) {
+    using Vector = Eigen::Matrix<TestType, 2, 1>;
+    const Projectile<Vector> ball(Vector(0, -8));
+    const State<Vector> from{0, Vector(0, 1), Vector(4, 16)};
+    const State<Vector> exact = ball.exact(from, TestType(2));
+    // 64 steps. Each rounds a position below 32 by at most three half-ulps of 32: 64·3·16 ε; velocities
+    // are 16 or less and enter the position over 2 s: the same again.
+    const TestType bound = 2 * 64 * 3 * 16 * std::numeric_limits<TestType>::epsilon();
+    for_each_method([&](const auto& method) {
+        if (method.order < 2) return;
+        INFO(method.name);
+        const State<Vector> end = run(method, ball, from, TestType(2) / 64, 64);
+        CHECK((end.x - exact.x).norm() <= bound);
+        CHECK((end.v - exact.v).norm() <= bound);
+    });
+}

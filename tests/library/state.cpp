@@ -1,0 +1,67 @@
+// States, their rates, and what is deduced from what one writes.
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <type_traits>
+
+#include <Eigen/Core>
+#include <timestep/state.hpp>
+
+using namespace timestep;
+
+TEST_CASE("a state is of the type that its values are of", "[library]") {
+    STATIC_REQUIRE(std::is_same_v<decltype(State{0, 1.0f, 0.0f}), State<float>>);
+    STATIC_REQUIRE(std::is_same_v<decltype(State{0, 1.0, 0.0}), State<double>>);
+    STATIC_REQUIRE(std::is_same_v<decltype(State{0, 1.0L, 0.0L}), State<long double>>);
+    STATIC_REQUIRE(std::is_same_v<decltype(FirstOrder{0, 1.0f}), FirstOrder<float>>);
+    // A whole number beside a real one is meant as a real one.
+    STATIC_REQUIRE(std::is_same_v<decltype(State{0, 1, 0.0}), State<double>>);
+    STATIC_REQUIRE(std::is_same_v<decltype(State{0, 1.0f, 0}), State<float>>);
+}
+
+TEST_CASE("a state keeps vectors, whatever Eigen expression they are written as", "[library]") {
+    const Eigen::Vector3d a(1, 2, 3), b(4, 5, 6);
+    STATIC_REQUIRE(std::is_same_v<decltype(State{0, a, b}), State<Eigen::Vector3d>>);
+    STATIC_REQUIRE(std::is_same_v<decltype(State{0, a, b - a}), State<Eigen::Vector3d>>);
+    STATIC_REQUIRE(std::is_same_v<decltype(State{0, a + b, b + a}), State<Eigen::Vector3d>>);
+    STATIC_REQUIRE(std::is_same_v<decltype(FirstOrder{0, 2 * a}), FirstOrder<Eigen::Vector3d>>);
+    const State s{0, Eigen::Vector3d(a + b), Eigen::Vector3d::Zero()};
+    CHECK(s.x == Eigen::Vector3d(5, 7, 9));
+    CHECK(s.v == Eigen::Vector3d(0, 0, 0));
+}
+
+TEST_CASE("the real number behind a number, a vector and a state", "[library]") {
+    STATIC_REQUIRE(std::is_same_v<real_of<float>, float>);
+    STATIC_REQUIRE(std::is_same_v<real_of<Eigen::Vector2f>, float>);
+    STATIC_REQUIRE(std::is_same_v<real_of<State<Eigen::Vector3d>>, double>);
+    STATIC_REQUIRE(std::is_same_v<real_of<FirstOrder<long double>>, long double>);
+}
+
+TEMPLATE_TEST_CASE("a state goes on at a constant rate", "[library]", float, double, long double) {
+    // Small whole numbers and halves: every operation below is exact.
+    const State<TestType> s{1, 2, 3};
+    const Rate<TestType> rate{TestType(4), TestType(-8)};
+    const State<TestType> next = advance(s, TestType(0.5), rate);
+    CHECK(next.t == TestType(1.5));
+    CHECK(next.x == 4);
+    CHECK(next.v == -1);
+
+    const FirstOrder<TestType> y = advance(FirstOrder<TestType>{1, 2}, TestType(0.5), TestType(4));
+    CHECK(y.t == TestType(1.5));
+    CHECK(y.y == 4);
+}
+
+TEST_CASE("vectors go on as their coordinates do", "[library]") {
+    const State s{1, Eigen::Vector2d(2, 20), Eigen::Vector2d(3, 30)};
+    const State next = advance(s, 0.5, Rate<Eigen::Vector2d>{{4, 40}, {-8, -80}});
+    CHECK(next.t == 1.5);
+    CHECK(next.x == Eigen::Vector2d(4, 40));
+    CHECK(next.v == Eigen::Vector2d(-1, -10));
+}
+
+TEST_CASE("rates add and scale as vectors do", "[library]") {
+    const Rate<double> a{1, 2}, b{10, 20};
+    const Rate<double> sum = 2.0 * (a + b) / 4;
+    CHECK(sum.x == 5.5);
+    CHECK(sum.v == 11);
+}
