@@ -15,21 +15,22 @@
 
 namespace timestep {
 
-/// What `Function` returns for a real number: a number, or a vector.
-template <class Function, class Real>
-using value_of = std::decay_t<std::invoke_result_t<const Function&, Real>>;
+/// What a function `F` returns for a real number: a number, or a vector.
+template <class F, class Real>
+using value_of = std::decay_t<std::invoke_result_t<const F&, Real>>;
 
 /// The value after minus the value now, over the step (N07).
 struct ForwardDifference {
-    static constexpr const char* name = "forward";
-    static constexpr int order = 1;
-    static constexpr int evaluations = 2;
-    static constexpr double error_constant = 1.0 / 2;
-    static constexpr double noise_gain = 2;
+    static constexpr const char* name = "forward";  ///< for tables and keys
+    static constexpr int order = 1;                 ///< p: truncation goes with hᵖ
+    static constexpr int evaluations = 2;           ///< values of `f` for one slope
+    static constexpr double error_constant = 1.0 / 2;  ///< truncation is this times hᵖ f⁽ᵖ⁺¹⁾
+    static constexpr double noise_gain = 2;            ///< noise δ gives this times δ/h
 
+    /// The slope of `f` at `x` with step `h`.
     /// [forward]
-    template <class Function, std::floating_point Real>
-    value_of<Function, Real> operator()(const Function& f, Real x, Real h) const {
+    template <class F, std::floating_point Real>
+    value_of<F, Real> operator()(const F& f, Real x, Real h) const {
         return (f(x + h) - f(x)) / h;
     }
     /// [forward]
@@ -37,15 +38,16 @@ struct ForwardDifference {
 
 /// The value now minus the value before, over the step: the forward difference with −h (N07).
 struct BackwardDifference {
-    static constexpr const char* name = "backward";
-    static constexpr int order = 1;
-    static constexpr int evaluations = 2;
-    static constexpr double error_constant = 1.0 / 2;
-    static constexpr double noise_gain = 2;
+    static constexpr const char* name = "backward";  ///< for tables and keys
+    static constexpr int order = 1;                  ///< p: truncation goes with hᵖ
+    static constexpr int evaluations = 2;            ///< values of `f` for one slope
+    static constexpr double error_constant = 1.0 / 2;  ///< truncation is this times hᵖ f⁽ᵖ⁺¹⁾
+    static constexpr double noise_gain = 2;            ///< noise δ gives this times δ/h
 
+    /// The slope of `f` at `x` with step `h`.
     /// [backward]
-    template <class Function, std::floating_point Real>
-    value_of<Function, Real> operator()(const Function& f, Real x, Real h) const {
+    template <class F, std::floating_point Real>
+    value_of<F, Real> operator()(const F& f, Real x, Real h) const {
         return (f(x) - f(x - h)) / h;
     }
     /// [backward]
@@ -54,33 +56,39 @@ struct BackwardDifference {
 /// One step to either side (N08). Subtracting the Taylor series for f(x − h) from that for
 /// f(x + h) removes the second derivative.
 struct CentralDifference {
-    static constexpr const char* name = "central";
-    static constexpr int order = 2;
-    static constexpr int evaluations = 2;
-    static constexpr double error_constant = 1.0 / 6;
-    static constexpr double noise_gain = 1;
+    static constexpr const char* name = "central";  ///< for tables and keys
+    static constexpr int order = 2;                 ///< p: truncation goes with hᵖ
+    static constexpr int evaluations = 2;           ///< values of `f` for one slope
+    static constexpr double error_constant = 1.0 / 6;  ///< truncation is this times hᵖ f⁽ᵖ⁺¹⁾
+    static constexpr double noise_gain = 1;            ///< noise δ gives this times δ/h
 
+    /// The slope of `f` at `x` with step `h`.
     /// [central]
-    template <class Function, std::floating_point Real>
-    value_of<Function, Real> operator()(const Function& f, Real x, Real h) const {
+    template <class F, std::floating_point Real>
+    value_of<F, Real> operator()(const F& f, Real x, Real h) const {
         return (f(x + h) - f(x - h)) / (2 * h);
     }
     /// [central]
 };
 
 /// Two steps to either side (N08). A central difference over 2h errs four times as much as one
-/// over h, so (4 · narrow − wide)/3 removes the third derivative too.
+/// over h, so four thirds of the
+/// narrow one less a third of the wide one removes the third derivative too. The fifth point is `x`
+/// itself, with weight zero.
 struct FivePointDifference {
-    static constexpr const char* name = "five-point";
-    static constexpr int order = 4;
-    static constexpr int evaluations = 4;  // the fifth point, x itself, has weight zero
-    static constexpr double error_constant = 1.0 / 30;
-    static constexpr double noise_gain = 18.0 / 12;
+    static constexpr const char* name = "five-point";  ///< for tables and keys
+    static constexpr int order = 4;                    ///< p: truncation goes with hᵖ
+    static constexpr int evaluations = 4;              ///< values of `f` for one slope
+    static constexpr double error_constant = 1.0 / 30;  ///< truncation is this times hᵖ f⁽ᵖ⁺¹⁾
+    static constexpr double noise_gain = 18.0 / 12;  ///< noise δ gives this times δ/h
 
+    /// The slope of `f` at `x` with step `h`.
     /// [five_point]
-    template <class Function, std::floating_point Real>
-    value_of<Function, Real> operator()(const Function& f, Real x, Real h) const {
-        return (8 * (f(x + h) - f(x - h)) - (f(x + 2 * h) - f(x - 2 * h))) / (12 * h);
+    template <class F, std::floating_point Real>
+    value_of<F, Real> operator()(const F& f, Real x, Real h) const {
+        const value_of<F, Real> narrow = f(x + h) - f(x - h);
+        const value_of<F, Real> wide = f(x + 2 * h) - f(x - 2 * h);
+        return (8 * narrow - wide) / (12 * h);  // 4/3 narrow/(2h) − 1/3 wide/(4h)
     }
     /// [five_point]
 };

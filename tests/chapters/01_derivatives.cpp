@@ -1,6 +1,7 @@
 // The claims of chapter 1, one row of the talk ledger after the other.
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
 
 #include <algorithm>
 #include <array>
@@ -15,42 +16,50 @@
 #include <timestep/taylor.hpp>
 
 using namespace timestep;
+using Catch::Matchers::WithinAbs;
 
 namespace {
 
 template <class Real>
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 
-// A function with what is needed of its derivatives at x.
+// One term of a formula's error: factor · h^power.
+struct Term {
+    int power;
+    double factor;
+};
+
+// A function at x with its size and slope there, and the first two error terms of a formula on it.
 template <class Function>
 struct Case {
     Function f;
-    double x;
-    double value, slope;    // |f|, f′
-    double leading, next;  // the first two error terms of the formula: leading · hᵖ, next · hᵖ⁺ᵐ
+    double x, size, slope;
+    Term leading, next;
 };
 template <class Function>
-Case(Function, double, double, double, double, double) -> Case<Function>;
+Case(Function, double, double, double, Term, Term) -> Case<Function>;
 
-// The order of a formula at a case. The steps are chosen where it can be seen:
-//  at the top, next · hᵐ = 0.02 leading/m, so the local order is within 0.02 of p;
-//  at the bottom, the noise (one last digit a value, ε|f|, also for x³ and its two roundings) is 1 %
+// The order of a formula at a case, measured at steps where it can be seen:
+//  at the top the next term turns the local order by 0.02 (for leading · hᵖ + next · hᵖ⁺ᵐ that is
+//  m · next/leading · hᵐ);
+//  at the bottom the noise (one last digit a value, ε|f|, also for x³ and its two roundings) is 1 %
 //  of the error, which turns a line fitted over a factor of 4 or more by at most 0.01 · 2/ln 4.
 // Together that is less than the 0.05 asked for.
 template <class Real, class Formula, class Function>
-double order_of(const Formula& formula, const Case<Function>& c, int p, int m) {
-    const double noise = epsilon<Real> * c.value;
-    const double high =
-        std::min(0.5, c.next == 0 ? 0.5 : std::pow(0.02 * c.leading / (m * c.next), 1.0 / m));
-    const double low = std::pow(100 * formula.noise_gain * noise / c.leading, 1.0 / (p + 1));
+double order_of(const Formula& formula, const Case<Function>& c) {
+    const int p = c.leading.power, m = c.next.power - p;
+    const double ratio = c.next.factor / c.leading.factor;
+    const double high = ratio > 0 ? std::min(0.5, std::pow(0.02 / (m * ratio), 1.0 / m)) : 0.5;
+    const double noise = formula.noise_gain * epsilon<Real> * c.size;
+    const double low = std::pow(100 * noise / c.leading.factor, 1.0 / (p + 1));
     REQUIRE(high > 4 * low);
     std::vector<double> steps, errors;
     for (int i = 0; i <= 24; ++i) {
         const Real x = static_cast<Real>(c.x);
         const Real h = step_taken(x, static_cast<Real>(low * std::pow(high / low, i / 24.0)));
-        const long double slope = formula(c.f, x, h);
+        const long double error = formula(c.f, x, h) - static_cast<long double>(c.slope);
         steps.push_back(static_cast<double>(h));
-        errors.push_back(static_cast<double>(std::fabs(slope - static_cast<long double>(c.slope))));
+        errors.push_back(static_cast<double>(std::fabs(error)));
     }
     return measured_order(steps, errors);
 }
@@ -66,7 +75,8 @@ double largest_error(double h) {
     double largest = 0;
     for (int i = 0; i < 1000; ++i) {
         const Real x = static_cast<Real>(1 + i * 1e-5);
-        const long double slope = forward_difference(exponential, x, step_taken(x, static_cast<Real>(h)));
+        const long double slope =
+            forward_difference(exponential, x, step_taken(x, static_cast<Real>(h)));
         const long double error = slope - std::exp(static_cast<long double>(x));
         largest = std::max(largest, static_cast<double>(std::fabs(error)));
     }
@@ -75,25 +85,24 @@ double largest_error(double h) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("the chord's slope comes to the tangent's with order 1", "[N01][N07][ch1]", float,
-                   double) {
-    // f″/2 and f‴/6, in size
-    const Case on_exp{exponential, 1, e, e, e / 2, e / 6};
-    const Case on_sin{sine, 1, sin1, cos1, sin1 / 2, cos1 / 6};
-    const Case on_cube{cube, 1, 1, 3, 3, 1};
-    CHECK(std::fabs(order_of<TestType>(forward_difference, on_exp, 1, 1) - 1) <= 0.05);
-    CHECK(std::fabs(order_of<TestType>(forward_difference, on_sin, 1, 1) - 1) <= 0.05);
-    CHECK(std::fabs(order_of<TestType>(forward_difference, on_cube, 1, 1) - 1) <= 0.05);
-    CHECK(std::fabs(order_of<TestType>(backward_difference, on_exp, 1, 1) - 1) <= 0.05);
-    CHECK(std::fabs(order_of<TestType>(backward_difference, on_sin, 1, 1) - 1) <= 0.05);
-    CHECK(std::fabs(order_of<TestType>(backward_difference, on_cube, 1, 1) - 1) <= 0.05);
+TEMPLATE_TEST_CASE("the chord's slope comes to the tangent's with order 1", "[N01][N07][ch1]",
+                   float, double) {
+    // h/2 f″ and h²/6 f‴, in size
+    const Case on_exp{exponential, 1, e, e, {1, e / 2}, {2, e / 6}};
+    const Case on_sin{sine, 1, sin1, cos1, {1, sin1 / 2}, {2, cos1 / 6}};
+    const Case on_cube{cube, 1, 1, 3, {1, 3}, {2, 1}};
+    CHECK_THAT(order_of<TestType>(forward_difference, on_exp), WithinAbs(1, 0.05));
+    CHECK_THAT(order_of<TestType>(forward_difference, on_sin), WithinAbs(1, 0.05));
+    CHECK_THAT(order_of<TestType>(forward_difference, on_cube), WithinAbs(1, 0.05));
+    CHECK_THAT(order_of<TestType>(backward_difference, on_exp), WithinAbs(1, 0.05));
+    CHECK_THAT(order_of<TestType>(backward_difference, on_sin), WithinAbs(1, 0.05));
+    CHECK_THAT(order_of<TestType>(backward_difference, on_cube), WithinAbs(1, 0.05));
 }
 
 TEST_CASE("where the second derivative is zero the chord's slope has order 2", "[N01][ch1]") {
-    // sin at 0: f‴/6 and f⁽⁵⁾/120. Next to the root of sin the values are small and so is their
-    // rounding; |f| ≤ 0.5 on the steps used.
-    CHECK(std::fabs(order_of<double>(forward_difference, Case{sine, 0, 0.5, 1, 1.0 / 6, 1.0 / 120}, 2, 2) -
-                    2) <= 0.05);
+    // sin at 0: h²/6 f‴ and h⁴/120 f⁽⁵⁾, in size; sin is at most 0.5 at the steps used.
+    const Case flat{sine, 0, 0.5, 1, {2, 1.0 / 6}, {4, 1.0 / 120}};
+    CHECK_THAT(order_of<double>(forward_difference, flat), WithinAbs(2, 0.05));
 }
 
 TEMPLATE_TEST_CASE("the chord's error stays below truncation plus rounding at every step",
@@ -101,8 +110,8 @@ TEMPLATE_TEST_CASE("the chord's error stays below truncation plus rounding at ev
     const TestType x = 1;
     const long double exact = std::exp(1.0L);
     for (TestType h = 0.5; step_taken(x, h) == h; h /= 2) {
-        // f″ is at most e^(1 + h) on the chord; values are right to one last digit, ε e^(1 + h); the
-        // subtraction and the quotient are rounded too, by ε/2 each.
+        // f″ is at most e^(1 + h) on the chord; values are right to one last digit, ε e^(1 + h);
+        // the subtraction and the quotient are rounded too, by ε/2 each.
         const double most = std::exp(1 + static_cast<double>(h));
         const double eps = static_cast<double>(epsilon<TestType>);
         const double bound =
@@ -198,9 +207,11 @@ TEST_CASE("one dot is the slope of the position, two dots the slope of the slope
         const double t = i / 64.0;
         // x⃛ is at most 4. Written out, the second one is (x(t + 2h) − 2x(t) + x(t − 2h))/(4h²),
         // which leaves out (2h)²/12 x⁗ with x⁗ ≤ 8; four values, each right to ε/2.
-        CHECK(std::fabs(x_dot(t) - std::cos(2 * t)) <= error_bound(central_difference, h, epsilon<double> / 2, 4));
-        CHECK(std::fabs(x_dot_dot(t) - (-4 * x(t))) <=
-              4 * h * h / 12 * 8 + 4 * (epsilon<double> / 2) / (4 * h * h) + 2 * epsilon<double> / h);
+        CHECK(std::fabs(x_dot(t) - std::cos(2 * t)) <=
+              error_bound(central_difference, h, epsilon<double> / 2, 4));
+        CHECK(std::fabs(x_dot_dot(t) - (-4 * x(t))) <= 4 * h * h / 12 * 8 +
+                                                           4 * (epsilon<double> / 2) / (4 * h * h) +
+                                                           2 * epsilon<double> / h);
     }
 }
 
@@ -224,7 +235,8 @@ TEST_CASE("on a hilltop the forward difference is too low and the backward one t
             const double behind = backward_difference(sine, x, h) - exact;
             const auto [low, high] = std::minmax({std::sin(x), std::sin(x + h), std::sin(x - h)});
             const double rounding = 3 * epsilon<double> / h;
-            const double top = x - h < 1.58 && x + h > 1.57 ? 1 : high;  // the hilltop is within reach
+            const double top =
+                x - h < 1.58 && x + h > 1.57 ? 1 : high;  // the hilltop is within reach
             CHECK(ahead >= h / 2 * low - rounding);
             CHECK(ahead <= h / 2 * top + rounding);
             CHECK(behind >= h / 2 * low - rounding);
@@ -233,19 +245,36 @@ TEST_CASE("on a hilltop the forward difference is too low and the backward one t
 }
 
 TEMPLATE_TEST_CASE("the central difference has order 2", "[N08][ch1]", float, double) {
-    // f‴/6 and f⁽⁵⁾/120, in size
-    CHECK(std::fabs(order_of<TestType>(central_difference, Case{exponential, 1, e, e, e / 6, e / 120}, 2, 2) - 2) <= 0.05);
-    CHECK(std::fabs(order_of<TestType>(central_difference, Case{sine, 1, sin1, cos1, cos1 / 6, cos1 / 120}, 2, 2) - 2) <= 0.05);
-    CHECK(std::fabs(order_of<TestType>(central_difference, Case{cube, 1, 1, 3, 1, 0}, 2, 2) - 2) <= 0.05);
+    // h²/6 f‴ and h⁴/120 f⁽⁵⁾, in size
+    const Case on_exp{exponential, 1, e, e, {2, e / 6}, {4, e / 120}};
+    const Case on_sin{sine, 1, sin1, cos1, {2, cos1 / 6}, {4, cos1 / 120}};
+    const Case on_cube{cube, 1, 1, 3, {2, 1}, {4, 0}};
+    CHECK_THAT(order_of<TestType>(central_difference, on_exp), WithinAbs(2, 0.05));
+    CHECK_THAT(order_of<TestType>(central_difference, on_sin), WithinAbs(2, 0.05));
+    CHECK_THAT(order_of<TestType>(central_difference, on_cube), WithinAbs(2, 0.05));
 }
 
 TEST_CASE("the five-point difference has order 4", "[N08][ch1]") {
-    // f⁽⁵⁾/30 and f⁽⁷⁾/252, in size. In float no step shows it: rounding reaches too far up.
-    CHECK(std::fabs(order_of<double>(five_point_difference, Case{exponential, 1, e, e, e / 30, e / 252}, 4, 2) - 4) <= 0.05);
-    CHECK(std::fabs(order_of<double>(five_point_difference, Case{sine, 1, sin1, cos1, cos1 / 30, cos1 / 252}, 4, 2) - 4) <= 0.05);
+    // h⁴/30 f⁽⁵⁾ and h⁶/252 f⁽⁷⁾, in size. In float no step shows it: rounding reaches too far up.
+    const Case on_exp{exponential, 1, e, e, {4, e / 30}, {6, e / 252}};
+    const Case on_sin{sine, 1, sin1, cos1, {4, cos1 / 30}, {6, cos1 / 252}};
+    CHECK_THAT(order_of<double>(five_point_difference, on_exp), WithinAbs(4, 0.05));
+    CHECK_THAT(order_of<double>(five_point_difference, on_sin), WithinAbs(4, 0.05));
 }
 
-TEST_CASE("subtracting two second-order Taylor series leaves the central difference", "[N08][ch1]") {
+TEST_CASE("the five-point difference is exact on a cubic and on a quartic", "[N08][ch1]") {
+    // Values up to 16 on [−2, 2], right to two digits each, and nothing left out.
+    const auto quartic = [](double x) { return x * x * x * x; };
+    for (const double x : {-1.0, -0.5, 0.0, 0.75, 1.0})
+        for (const double h : {0.5, 0.25, 0.125}) {
+            const double rounding = error_bound(five_point_difference, h, 32 * epsilon<double>, 0);
+            CHECK(std::fabs(five_point_difference(cube, x, h) - 3 * x * x) <= rounding);
+            CHECK(std::fabs(five_point_difference(quartic, x, h) - 4 * x * x * x) <= rounding);
+        }
+}
+
+TEST_CASE("subtracting two second-order Taylor series leaves the central difference",
+          "[N08][ch1]") {
     const double x = 0.8;
     const std::array<double, 3> terms{std::sin(x), std::cos(x), -std::sin(x)};
     const std::span<const double, 3> here(terms);
@@ -263,9 +292,10 @@ TEST_CASE("a sine's Taylor series cut after order 1, 3, 5, 7, 9 errs with order 
           "[N09][ch1]") {
     const std::array<double, 10> sine_at_0{0, 1, 0, -1, 0, 1, 0, -1, 0, 1};
     for (const int n : {1, 3, 5, 7, 9}) {
-        // The next terms are tⁿ⁺²/(n + 2)! and −tⁿ⁺⁴/(n + 4)!: the local order n + 2 − 2t²/((n + 3)(n + 4))
-        // is right to 0.04 at `high`, to 0.02 on average. At t = 0.25 rounding, 1e-16, is below 2 %
-        // of the smallest remainder, 0.25¹¹/11! = 6e-15, and turns the line by less than 0.03.
+        // The next terms are tⁿ⁺²/(n + 2)! and −tⁿ⁺⁴/(n + 4)!: the local order n + 2 − 2t²/((n +
+        // 3)(n + 4)) is right to 0.04 at `high`, to 0.02 on average. At t = 0.25 rounding, 1e-16,
+        // is below 2 % of the smallest remainder, 0.25¹¹/11! = 6e-15, and turns the line by less
+        // than 0.03.
         const double low = 0.25, high = std::sqrt(0.02 * (n + 3) * (n + 4));
         std::vector<double> steps, errors;
         double factorial = 1;
@@ -273,12 +303,13 @@ TEST_CASE("a sine's Taylor series cut after order 1, 3, 5, 7, 9 errs with order 
         for (int i = 0; i <= 24; ++i) {
             const double t = low * std::pow(high / low, i / 24.0);
             steps.push_back(t);
-            errors.push_back(std::fabs(
-                taylor(std::span(sine_at_0).first(static_cast<std::size_t>(n) + 1), t) - std::sin(t)));
+            errors.push_back(
+                std::fabs(taylor(std::span(sine_at_0).first(static_cast<std::size_t>(n) + 1), t) -
+                          std::sin(t)));
             // The series alternates: what is cut off is less than its first term.
             CHECK(errors.back() <= std::pow(t, n + 2) / factorial + 2 * epsilon<double>);
         }
-        CHECK(std::fabs(measured_order(steps, errors) - (n + 2)) <= 0.05);
+        CHECK_THAT(measured_order(steps, errors), WithinAbs(n + 2, 0.05));
     }
 }
 

@@ -12,8 +12,8 @@
 
 using namespace timestep;
 
-TEMPLATE_TEST_CASE("a difference is as good as it declares", "[differences][N08]", ForwardDifference,
-                   BackwardDifference, CentralDifference, FivePointDifference) {
+TEMPLATE_TEST_CASE("a difference is as good as it declares", "[differences][N08]",
+                   ForwardDifference, BackwardDifference, CentralDifference, FivePointDifference) {
     const TestType formula;
     const double epsilon = std::numeric_limits<double>::epsilon();
     // Given tⁿ/n! at 0 with h = 1 a formula answers with the factor of hⁿ⁻¹ f⁽ⁿ⁾ in its Taylor
