@@ -96,7 +96,7 @@ template <class Method>
 double compare(const Method& method, lab::Findings& out) {
     const double fall = order(method, false, out), bounce = order(method, true, out);
     const double at_60 = mean_error(method, after_landing, std::lround(60 * after_landing));
-    std::printf("  %-20s order %5.2f while it falls, %5.2f once it has bounced; at 60 Hz it is %.1f mm off\n",
+    std::printf("  %-20s order %5.2f falling, %5.2f bounced; at 60 Hz %.1f mm off\n",
                 Method::name, fall, bounce, 1000 * at_60);
     const std::string id = lab::id(method.name);
     out.number("fall_order_" + id, fall, "", "measured order without a bounce");

@@ -83,8 +83,10 @@ std::map<std::string, Times> measure() {
 }
 
 void cost_table(const std::map<std::string, Times>& times, lab::Findings& out) {
-    std::printf("  %-20s %6s %6s %10s %12s %12s %10s %9s\n", "", "forces", "solves", "ns, alone", "ns, of 1000",
-                "ns, pendulum", "forces", "solves");
+    std::printf("  %-20s %6s %6s %8s %8s %10s %6s %6s\n", "", "spring", "", "ns a", "ns of", "ns a", "",
+                "");
+    std::printf("  %-20s %6s %6s %8s %8s %10s %6s %6s\n", "", "forces", "solves", "step", "many", "pendulum",
+                "forces", "solves");
     auto& table = out.table("costs.tsv",
                             {"method", "forces", "solves", "ns a step, one spring", "ns a step, each of 1000 springs",
                              "ns a step, one pendulum", "forces, pendulum", "solves, pendulum"});
@@ -101,7 +103,7 @@ void cost_table(const std::map<std::string, Times>& times, lab::Findings& out) {
             out.number("newton_rounds", double(counted.slopes) / steps, "", "Newton-Raphson rounds a step", 2);
         const Times& t = times.at(method.name);
         const double forces = double(counted.forces) / steps, solves = double(counted.slopes) / steps;
-        std::printf("  %-20s %6d %6d %10.2f %12.2f %12.2f %10.2f %9.2f\n", method.name, method.cost.evaluations,
+        std::printf("  %-20s %6d %6d %8.2f %8.2f %10.2f %6.2f %6.2f\n", method.name, method.cost.evaluations,
                     method.cost.solves, 1e9 * t.one, 1e9 * t.many, 1e9 * t.pendulum, forces, solves);
         table.row({std::string(method.name), double(method.cost.evaluations), double(method.cost.solves),
                    rounded(1e9 * t.one), rounded(1e9 * t.many), rounded(1e9 * t.pendulum), rounded(forces),
@@ -144,7 +146,7 @@ void work_and_precision(const std::map<std::string, Times>& times, lab::Findings
         char swing[16], time[16];
         std::snprintf(swing, sizeof swing, "%.1f", best[k].steps * 2 * pi / seconds);
         std::snprintf(time, sizeof time, "%.2f", 1e6 * best[k].time);
-        std::printf("  %-9s %-20s %8s steps a swing, %8s us for 20 s of one spring\n", wanted[k].second,
+        std::printf("  %-9s %-20s %6s steps a swing, %6s us for 20 s\n", wanted[k].second,
                     best[k].method.c_str(), swing, time);
         table.row({std::string(wanted[k].second), best[k].method, std::string(swing), std::string(time)});
     }

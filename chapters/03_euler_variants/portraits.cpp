@@ -28,7 +28,7 @@ double portrait(const Method& method, const Settings& settings, lab::Findings& o
     const double reached = amplitude(end, settings.omega);
     const double growth = std::pow(reached, 1.0 / settings.steps);
     if (settings.wants(Method::name))
-        std::printf("  %-20s ends at an amplitude of %8.4f m: x %.4f a step, x %.3g a second\n",
+        std::printf("  %-20s amplitude %7.4f m, x %.4f a step, x %.3g a second\n",
                     Method::name, reached, growth, std::pow(growth, 1 / settings.step));
     out.number(id + "_amplitude", reached, "m", "amplitude at the end of the run");
     out.number(id + "_growth", growth, "", "amplitude times this a step", 5);
@@ -43,7 +43,7 @@ void smaller_steps(const Settings& settings, lab::Findings& out) {
     const Spring spring(settings.omega);
     const State start{0, 1.0, 0.0};
     const double seconds = 4 * pi / settings.omega;  // two swings
-    std::printf("  explicit Euler, error after two swings:");
+    std::printf("  explicit Euler, error after two swings:\n   ");
     double before = 0;
     for (const long divisor : {1, 2, 4, 8}) {
         const long steps = divisor * std::lround(seconds / settings.step);

@@ -47,26 +47,34 @@ struct ImplicitEuler {
     /// [first order]
 
 private:
-    /// [solve]
+    // A force that is linear in x and v: one solve.
+    /// [linear]
+    template <class Model, class X>
+        requires LinearForce<Model, X>
+    X new_velocity(const Model& model, const X& x1, const X& v1, real_of<X> h) const {
+        const auto matrix = implicit_matrix(h, slope_v(model, x1, v1), slope_x(model, x1, v1));
+        return solve(matrix, X(v1 + h * acceleration(model, x1, zero<X>())));
+    }
+    /// [linear]
+
+    // Any other smooth force: the root of what is missing in v₂ = v₁ + h a(x₁ + h v₂, v₂).
+    /// [newton]
     template <class Model, class X>
     X new_velocity(const Model& model, const X& x1, const X& v1, real_of<X> h) const {
         static_assert(
             SmoothForce<Model, X>,
             "timestep: implicit methods need the force's derivatives slope_x and slope_v");
-        const auto jacobian = [&](const X& x2, const X& v2) {
+        const auto missing = [&](const X& v2) -> X {
+            const X x2 = x1 + h * v2;
+            return v2 - v1 - h * acceleration(model, x2, v2);
+        };
+        const auto slope = [&](const X& v2) {
+            const X x2 = x1 + h * v2;
             return implicit_matrix(h, slope_v(model, x2, v2), slope_x(model, x2, v2));
         };
-        if constexpr (LinearForce<Model, X>)
-            return solve(jacobian(x1, v1), X(v1 + h * acceleration(model, x1, zero<X>())));
-        else
-            return newton_raphson(
-                v1,
-                [&](const X& v2) -> X {
-                    return v2 - v1 - h * acceleration(model, X(x1 + h * v2), v2);
-                },
-                [&](const X& v2) { return jacobian(X(x1 + h * v2), v2); });
+        return newton_raphson(v1, missing, slope);
     }
-    /// [solve]
+    /// [newton]
 };
 
 inline constexpr ImplicitEuler implicit_euler;  ///< the method as a value
