@@ -130,7 +130,7 @@ unset label
 unset xlabel
 unset ylabel
 unset key
-set multiplot layout 4,2 margins 0.08,0.98,0.03,0.97 spacing 0.1,0.075
+set multiplot layout 4,2 margins 0.08,0.98,0.045,0.97 spacing 0.1,0.075
 wh = "0.10 0.50 1.00 1.50 1.90 1.99 2.00 2.01"  # each with the range of its axes
 range = "1.6 1.6 1.6 1.6 4 12 24 12"
 do for [i=1:8] {
