@@ -1,17 +1,41 @@
 // What the pages do themselves: typeset formulas, and let a reader stop an animation.
 
-// Formulas come as \(…\) and \[…\]. Where KaTeX is not there they stay as they are. Listings are
-// left alone: a backslash in a source file is no formula.
-function typesetFormulas() {
-    if (typeof renderMathInElement !== "function") return;
-    renderMathInElement(document.body, {
-        delimiters: [
-            { left: "\\(", right: "\\)", display: false },
-            { left: "\\[", right: "\\]", display: true },
-        ],
-        ignoredClasses: ["fragment", "ttc", "run"],
-        throwOnError: false,
+// Formulas come as \(…\) and \[…\]. KaTeX is loaded where there are some; where it is not to be had
+// they stay as they are. Listings are left alone: a backslash in a source file is no formula.
+const formulaOptions = {
+    delimiters: [
+        { left: "\\(", right: "\\)", display: false },
+        { left: "\\[", right: "\\]", display: true },
+    ],
+    ignoredClasses: ["fragment", "ttc", "run"],
+    throwOnError: false,
+};
+
+function load(tag, attributes) {
+    return new Promise((loaded, failed) => {
+        const element = Object.assign(document.createElement(tag), attributes);
+        element.onload = loaded;
+        element.onerror = failed;
+        document.head.append(element);
     });
+}
+
+async function typesetFormulas() {
+    const contents = document.querySelector(".contents");
+    if (typeof katexFolder === "undefined" || !contents || !/\\[(\[]/.test(contents.textContent)) return;
+    const page = document.documentElement.classList;
+    page.add("typesetting");  // nobody needs to see TeX
+    try {
+        const style = load("link", { rel: "stylesheet", href: katexFolder + "katex.min.css" });
+        await load("script", { src: katexFolder + "katex.min.js" });
+        await load("script", { src: katexFolder + "auto-render.js" });
+        await style;
+        renderMathInElement(document.body, formulaOptions);
+    } finally {
+        page.remove("typesetting");
+    }
+    // An address with a place in the page: the place has moved.
+    if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView();
 }
 
 // A button below each animation: it shows the first frame, or the animation from its beginning.

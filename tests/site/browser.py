@@ -1,0 +1,160 @@
+#!/usr/bin/env python3
+"""Is every page of the site in order in a browser, opened from its file?
+
+    browser.py SITE    prints a line for each fault; exit status 0 when there is none, 1 when there
+                       is one, 77 (skipped) when Chromium or Selenium is not there
+
+One headless Chromium opens every page at the width of a phone, in light and in dark mode. A page is
+in order when the console reports no error, no formula stands unset, every image has arrived, and
+nothing makes the page scroll sideways.
+"""
+
+import os
+import pathlib
+import shutil
+import sys
+import tempfile
+
+SKIPPED = 77
+PHONE = (360, 740)  # CSS pixels
+
+# Both scripts hand a list of sentences to their last argument. Listings are sources: what looks like
+# a formula there is none. KaTeX keeps its TeX for screen readers.
+LOOK = r"""
+const done = arguments[arguments.length - 1];
+const listing = ".fragment, .ttc, pre, code, script, style, textarea, .katex, #side-nav";
+
+async function look() {
+    while (document.documentElement.classList.contains("typesetting"))
+        await new Promise(resolve => setTimeout(resolve, 5));
+    const faults = [];
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    while (walker.nextNode()) {
+        const node = walker.currentNode;
+        if (/\\[()\[\]]|\$\$|\\f[$\[\]]/.test(node.data) && !node.parentElement.closest(listing))
+            faults.push("raw formula: " + node.data.trim().slice(0, 60));
+    }
+    for (const error of document.querySelectorAll(".katex-error"))
+        faults.push("KaTeX cannot set " + error.textContent.slice(0, 60));
+
+    for (const image of document.images) {
+        image.loading = "eager";
+        await image.decode().catch(() => {});
+        if (!(image.naturalWidth > 0 && image.naturalHeight > 0))
+            faults.push("image without size: " + image.getAttribute("src"));
+    }
+    await document.fonts.ready;
+    const arrived = [...document.fonts].some(f => /KaTeX_Main/.test(f.family) && f.status === "loaded");
+    if (document.querySelector(".katex") && !arrived) faults.push("KaTeX's fonts are missing");
+    return faults;
+}
+look().then(done);
+"""
+
+# In the mode that the browser now prefers: the background, and whether anything is too wide.
+LOOK_AT_COLOURS = """
+const [dark, done] = arguments;
+const faults = [];
+function look() {
+    const boxes = [document.scrollingElement, document.getElementById("doc-content")];
+    const colour = getComputedStyle(document.body).backgroundColor;
+    const brightness = colour.match(/[0-9.]+/g).slice(0, 3).reduce((sum, c) => sum + Number(c) / 3, 0);
+    const transparent = /, 0\\)$/.test(colour);
+    if (boxes.some(box => box && box.scrollWidth > box.clientWidth + 1)) faults.push("scrolls sideways");
+    if (dark && (transparent || brightness > 80)) faults.push("is light");
+    if (!dark && !transparent && brightness < 200) faults.push("is dark");
+    done(faults);
+}
+// The page hears of the change to dark in the next frame, and changes in the one after it.
+if (dark) requestAnimationFrame(() => requestAnimationFrame(look)); else look();
+"""
+
+
+def missing():
+    """What this machine lacks, or nothing."""
+    try:
+        import selenium.webdriver  # noqa: F401
+    except ImportError:
+        return "Selenium is not there (package python3-selenium)"
+    if not chromium():
+        return "Chromium is not there (package chromium)"
+    if not shutil.which("chromedriver"):
+        return "Chromium's driver is not there (package chromium-driver)"
+    return ""
+
+
+def chromium():
+    for name in ("chromium", "chromium-browser", "google-chrome"):
+        if shutil.which(name):
+            return shutil.which(name)
+    return None
+
+
+class Browser:
+    """A headless Chromium that looks at pages."""
+
+    def __init__(self):
+        from selenium import webdriver
+        from selenium.webdriver.chrome.service import Service
+        self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+        options = webdriver.ChromeOptions()
+        options.binary_location = chromium()
+        for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                         "--disable-background-networking", "--no-first-run", "--hide-scrollbars",
+                         "--disable-component-update", "--disable-sync",
+                         "--user-data-dir=" + self.profile.name):
+            options.add_argument(argument)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+        self.driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+        self.driver.set_script_timeout(20)
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": PHONE[0], "height": PHONE[1], "deviceScaleFactor": 1, "mobile": False})
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.driver.quit()
+        self.profile.cleanup()
+
+    def prefer(self, scheme):
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+            "features": [{"name": "prefers-color-scheme", "value": scheme}]})
+
+    def look_at_colours(self, scheme):
+        return [f"{fault} at {PHONE[0]} px in {scheme} mode"
+                for fault in self.driver.execute_async_script(LOOK_AT_COLOURS, scheme == "dark")]
+
+    def faults(self, path):
+        """A sentence for each fault of the page in this file."""
+        self.prefer("light")
+        self.driver.get(pathlib.Path(path).resolve().as_uri())
+        found = self.driver.execute_async_script(LOOK)
+        found += self.look_at_colours("light")
+        self.prefer("dark")
+        found += self.look_at_colours("dark")
+        found += ["console: " + entry["message"] for entry in self.driver.get_log("browser")
+                  if entry["level"] == "SEVERE"]
+        return found
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: browser.py SITE")
+    if missing():
+        print("skipped: " + missing())
+        sys.exit(SKIPPED)
+    site = sys.argv[1]
+    pages = sorted(name for name in os.listdir(site) if name.endswith(".html"))
+    count = 0
+    with Browser() as browser:
+        for page in pages:
+            for fault in browser.faults(os.path.join(site, page)):
+                print(f"{page}: {fault}")
+                count += 1
+    print(f"{len(pages)} pages, {count} faults")
+    sys.exit(1 if count or not pages else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,224 @@
+// Nothing that a page uses can go missing unnoticed: for every chapter, each number, check, figure,
+// table, heading of the run and snippet that its page uses is taken away in a copy, one at a time,
+// and the page tool must refuse the page.
+//
+//     deletions PAGE_TOOL ROOT RUNS CHAPTER
+//
+// copies what the page of the chapter reads and prints what it took away. Exit status 0 when every
+// deletion was refused, 1 when one passed.
+
+#include "scanner.hpp"
+#include "text.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <random>
+#include <set>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A copy of the chapters, their runs and the quoted sources, in which things can be broken.
+class Copy {
+public:
+    Copy(std::string tool, const fs::path& root, const fs::path& runs, std::string chapter)
+        : tool_{std::move(tool)}, chapter_{std::move(chapter)} {
+        folder_ =
+            fs::temp_directory_path() / ("deletions_" + std::to_string(std::random_device{}()));
+        fs::create_directories(folder_);
+        for (const char* part : {"chapters", "include", "tests", "tools"}) {
+            fs::copy(root / part, folder_ / part, fs::copy_options::recursive);
+        }
+        for (const auto& entry : fs::directory_iterator{root / "chapters"}) {
+            const fs::path run = entry.path().filename() / "run";
+            if (fs::is_directory(runs / run)) {
+                fs::create_directories(folder_ / "runs" / run);
+                fs::copy(runs / run, folder_ / "runs" / run, fs::copy_options::recursive);
+            }
+        }
+    }
+    ~Copy() {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+    Copy(const Copy&) = delete;
+    Copy& operator=(const Copy&) = delete;
+
+    fs::path source() const { return folder_ / "chapters" / chapter_ / "chapter.md"; }
+    fs::path root() const { return folder_; }
+    /// A file of the run that `reference` names (`file`, or `NN_name/file`).
+    fs::path run(const std::string& chapter, const std::string& file) const {
+        return folder_ / "runs" / chapter / "run" / file;
+    }
+    const std::string& chapter() const { return chapter_; }
+
+    /// The page tool's exit status on the copy as it is now.
+    int fill() const {
+        const fs::path output = folder_ / "page.md";
+        const std::string command = "'" + tool_ + "' --source '" + folder_.string() + "' --runs '" +
+                                    (folder_ / "runs").string() + "' --chapter " + chapter_ +
+                                    " --input '" + source().string() + "' --output '" +
+                                    output.string() + "' 2>'" + (folder_ / "words").string() + "'";
+        const int status = std::system(command.c_str());
+        const bool left_over = status != 0 && fs::exists(output);
+        return left_over ? -1 : (status >= 256 ? status / 256 : status);
+    }
+    std::string words() const { return page::read_file(folder_ / "words"); }
+
+private:
+    std::string tool_, chapter_;
+    fs::path folder_;
+};
+
+/// Changes one file of the copy, or takes it away when nothing is left of it, fills the page, and
+/// puts the file back.
+class Deletions {
+public:
+    explicit Deletions(const Copy& copy) : copy_{copy} {}
+
+    void try_without(const std::string& what, const fs::path& file,
+                     const std::function<std::string(const std::string&)>& change) {
+        if (!tried_.insert(what).second) {
+            return;
+        }
+        const std::string content = page::read_file(file);
+        const std::string changed = change(content);
+        if (changed == content) {
+            report(what, "was not there to be taken away");
+        } else {
+            if (changed.empty()) {
+                fs::remove(file);
+            } else {
+                page::write_file(file, changed);
+            }
+            const int status = copy_.fill();
+            if (status != 2) {
+                report(what, "can go: the page tool's exit status is " + std::to_string(status));
+            }
+        }
+        page::write_file(file, content);
+    }
+
+    int count() const { return static_cast<int>(tried_.size()); }
+    int passed() const { return passed_; }
+
+private:
+    void report(const std::string& what, const std::string& message) {
+        std::cout << copy_.chapter() << ": " << what << " " << message << "\n";
+        ++passed_;
+    }
+
+    const Copy& copy_;
+    std::set<std::string> tried_;
+    int passed_ = 0;
+};
+
+/// Without the lines for which `goes` holds.
+std::string without_lines(const std::string& content,
+                          const std::function<bool(const std::string&)>& goes) {
+    std::string kept;
+    for (const std::string& line : page::split_lines(content)) {
+        kept += goes(line) ? "" : line + "\n";
+    }
+    return kept;
+}
+
+/// Takes away what one directive of the page uses.
+void try_directive(const Copy& copy, Deletions& deletions, const std::string& directive) {
+    const std::size_t colon = directive.find(':');
+    const std::vector<std::string> words = page::split_words(directive.substr(0, colon));
+    const std::string& kind = words.front();
+    // The last word but the first names what is used; a slash parts it from its chapter.
+    const auto in_run = [&](std::string name, const std::string& file, bool is_file) {
+        std::string chapter = copy.chapter();
+        if (const std::size_t slash = name.find('/'); slash != std::string::npos) {
+            chapter = name.substr(0, slash);
+            name = name.substr(slash + 1);
+        }
+        const auto delete_record = [&](const std::string& content) {
+            return without_lines(
+                content, [&](const std::string& line) { return line.starts_with(name + "\t"); });
+        };
+        if (is_file) {
+            deletions.try_without(name, copy.run(chapter, name),
+                                  [](const std::string&) { return std::string{}; });
+        } else {
+            deletions.try_without(name + " in " + file, copy.run(chapter, file), delete_record);
+        }
+    };
+    if (kind == "check") {
+        in_run(words.at(1), "checks.tsv", false);
+    } else if (kind == "figure" || kind == "table") {
+        in_run(words.at(1), "", true);
+    } else if (kind == "run") {
+        const std::string heading{colon == std::string::npos
+                                      ? ""
+                                      : page::trim(std::string_view{directive}.substr(colon + 1))};
+        deletions.try_without("output under \"" + heading + "\"",
+                              copy.run(copy.chapter(), "run.txt"), [&](const std::string& content) {
+                                  return heading.empty() ? ""
+                                                         : page::replace_all(content, heading, "");
+                              });
+    } else if (kind == "code") {
+        const std::string file = words.at(1);
+        std::string tag = words.at(2);
+        for (std::size_t i = 3; i < words.size(); ++i) {
+            tag += " " + words[i];
+        }
+        deletions.try_without("[" + tag + "] in " + file, copy.root() / file,
+                              [&](const std::string& content) {
+                                  return page::replace_all(content, "[" + tag + "]", "");
+                              });
+    } else if (kind != "rows" && kind != "chapters" && kind != "talks") {
+        std::string name = kind;
+        if (name.ends_with(".value")) {
+            name.erase(name.size() - 6);
+        }
+        in_run(name, "numbers.tsv", false);
+    }
+}
+
+/// Captions and formulas hold directives of their own.
+void try_pieces(const Copy& copy, Deletions& deletions, const std::string& source) {
+    using Kind = page::Piece::Kind;
+    for (const page::Piece& piece : page::scan(source, "chapter.md")) {
+        if (piece.kind == Kind::directive) {
+            try_directive(copy, deletions, piece.text);
+            try_pieces(copy, deletions, piece.text);
+        } else if (piece.kind == Kind::formula || piece.kind == Kind::display) {
+            for (std::size_t at = 0; (at = piece.text.find("{{", at)) != std::string::npos;
+                 at += 2) {
+                const std::size_t end = piece.text.find("}}", at);
+                try_directive(copy, deletions, piece.text.substr(at + 2, end - at - 2));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 5) {
+        std::cerr << "usage: deletions PAGE_TOOL ROOT RUNS CHAPTER\n";
+        return 2;
+    }
+    try {
+        const Copy copy{argv[1], argv[2], argv[3], argv[4]};
+        if (copy.fill() != 0) {
+            std::cerr << "the page is wrong as it is: " << copy.words();
+            return 1;
+        }
+        Deletions deletions{copy};
+        try_pieces(copy, deletions, page::read_file(copy.source()));
+        std::cout << copy.chapter() << ": " << deletions.count() << " deletions, "
+                  << deletions.passed() << " unnoticed\n";
+        return deletions.passed() == 0 && deletions.count() > 0 ? 0 : 1;
+    } catch (const std::exception& wrong) {
+        std::cerr << wrong.what() << "\n";
+        return 1;
+    }
+}

@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+"""Do the checks of the site find what they are there to find?
+
+Each test makes a small site that is in order, plants one fault in it, and asks for its sentence.
+Exit status 77 (skipped) when a browser is needed and not there.
+"""
+
+import os
+import sys
+import tempfile
+import unittest
+
+import browser
+import links
+
+PIXEL = b"GIF89a\x01\x00\x01\x00\x80\x00\x00\x00\x00\x00\xff\xff\xff!\xf9\x04\x00\x00\x00\x00\x00," \
+        b"\x00\x00\x00\x00\x01\x00\x01\x00\x00\x02\x02D\x01\x00;"
+GOOD = """<!DOCTYPE html><html><head><meta charset="utf-8"><title>A page</title>
+<style>@media (prefers-color-scheme: dark) { body { background: #111; color: #eee; } }</style>
+</head><body><h1 id="top">A page</h1><img src="pixel.gif"><a href="other.html#there">there</a>
+<pre>a \\(formula\\) in a listing</pre>%s</body></html>"""
+
+
+class SiteCase(unittest.TestCase):
+    """A site that is in order, but for what a test plants."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.write("pixel.gif", PIXEL)
+        self.write("other.html", b'<p id="there">There</p>')
+        self.plant("")
+
+    def write(self, name, content):
+        with open(os.path.join(self.folder.name, name), "wb") as file:
+            file.write(content)
+
+    def plant(self, fault):
+        self.write("index.html", (GOOD % fault).encode())
+
+
+class Links(SiteCase):
+    """links.py"""
+
+    def faults(self):
+        return links.find_faults(self.folder.name)
+
+    def test_a_good_site_has_none(self):
+        self.assertEqual(self.faults(), [])
+
+    def test_missing_files(self):
+        for fault in ('<a href="none.html">', '<img src="none.html">', '<source srcset="none.html">',
+                      '<link href="none.html">', '<script src="none.html">'):
+            self.plant(fault)
+            self.assertEqual(self.faults(), ["index.html: none.html leads to no file"], fault)
+
+    def test_missing_places(self):
+        self.plant('<a href="other.html#here">')
+        self.assertEqual(self.faults(), ["index.html: other.html#here leads to no place in the page"])
+        self.plant('<a href="#here">')
+        self.assertEqual(self.faults(), ["index.html: #here leads to no place in the page"])
+
+    def test_what_a_page_needs_is_part_of_the_site(self):
+        self.plant('<script src="https://example.org/a.js"></script><a href="https://example.org/">')
+        self.assertEqual(self.faults(), ["index.html: https://example.org/a.js is not part of the site"])
+
+    def test_the_tree(self):
+        self.write("navtreedata.js", b'[ "A", "none.html", null ], [ "B", "other.html#here", null ]')
+        self.assertEqual(self.faults(), [
+            "navtreedata.js: none.html leads to no file",
+            "navtreedata.js: other.html#here leads to no place in the page"])
+
+    def test_no_start_page(self):
+        os.remove(os.path.join(self.folder.name, "index.html"))
+        self.assertEqual(self.faults(), ["there is no index.html"])
+
+    def test_a_site_that_is_too_large(self):
+        self.write("large.bin", bytes(links.LARGEST_SITE))
+        self.assertEqual(self.faults(), ["the site has 25.0 MB, more than 25 MB"])
+
+
+@unittest.skipIf(browser.missing(), browser.missing())
+class Pages(SiteCase):
+    """browser.py"""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = browser.Browser()
+        cls.addClassCleanup(cls.browser.__exit__)
+
+    def faults(self):
+        return self.browser.faults(os.path.join(self.folder.name, "index.html"))
+
+    def expect(self, fault, *sentences):
+        self.plant(fault)
+        self.assertEqual(self.faults(), list(sentences))
+
+    def test_a_good_page_has_none(self):
+        self.assertEqual(self.faults(), [])
+
+    def test_raw_formulas(self):
+        for raw in (r"\(x\)", r"\[x\]", "$$x$$", r"\f$x\f$", r"\f[x\f]"):
+            self.expect(f"<p>{raw}</p>", "raw formula: " + raw)
+
+    def test_formulas_that_cannot_be_set(self):
+        self.expect('<p><span class="katex-error">\\x</span></p>', "KaTeX cannot set \\x")
+
+    def test_missing_fonts(self):
+        self.expect('<style>@font-face { font-family: KaTeX_Main; src: url("pixel.gif"); }</style>'
+                    '<span class="katex" style="font-family: KaTeX_Main">x</span>',
+                    "KaTeX's fonts are missing")
+
+    def test_images_without_size(self):
+        self.write("empty.gif", b"")
+        self.expect('<img src="empty.gif">', "image without size: empty.gif")
+        self.expect('<div style="height: 9000px"></div><img src="empty.gif" loading="lazy">',
+                    "image without size: empty.gif")
+
+    def test_errors_on_the_console(self):
+        self.plant("<script>throw new Error('planted')</script>")
+        [fault] = self.faults()
+        self.assertRegex(fault, "^console: .*planted")
+        self.plant('<script src="none.js"></script>')
+        [fault] = self.faults()
+        self.assertRegex(fault, "^console: .*none.js.*ERR_FILE_NOT_FOUND")
+
+    def test_scrolling_sideways(self):
+        self.expect('<div style="width: 370px">wide</div>', "scrolls sideways at 360 px in light mode",
+                    "scrolls sideways at 360 px in dark mode")
+        self.expect('<div id="doc-content" style="overflow: auto"><div style="width: 370px">wide</div></div>',
+                    "scrolls sideways at 360 px in light mode",
+                    "scrolls sideways at 360 px in dark mode")
+        self.expect("<style>@media (prefers-color-scheme: dark) { h1 { width: 370px; } }</style>",
+                    "scrolls sideways at 360 px in dark mode")
+
+    def test_modes(self):
+        self.expect("<style>body { background: #fff !important; }</style>",
+                    "is light at 360 px in dark mode")
+        self.expect("<style>body { background: #111; }</style>", "is dark at 360 px in light mode")
+
+
+if __name__ == "__main__":
+    result = unittest.main(exit=False).result
+    if result.wasSuccessful() and result.skipped:
+        print("skipped: " + browser.missing())
+        sys.exit(browser.SKIPPED)
+    sys.exit(0 if result.wasSuccessful() else 1)
