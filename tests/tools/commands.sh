@@ -1,6 +1,6 @@
 # Tests of the course program: what it accepts, list, tour and site.
 
-here=$(dirname "$0")
+here=$(cd "$(dirname "$0")" && pwd)
 . "$here/expect.sh"
 . "$here/stage.sh"
 
@@ -14,6 +14,8 @@ test_bad_use_is_one_line_and_status_2() {
     done
     expect 2 course list --jsn
     says err '--jsn'
+    expect 2 course run
+    says err 'CHAPTER is required'
     expect 2 course tour -- --step
     says err "course: only run takes options for a chapter's program after --"
 }
@@ -31,6 +33,7 @@ test_every_command_has_a_help_and_stands_in_the_doors() {
 }
 
 test_list_shows_title_and_question_in_order() {
+    mkdir source/chapters/support source/chapters/my_notes source/chapters/1x_notes source/chapters/x1_notes
     expect 0 course list
     is "$(grep -v '^$' out)" '01  A body falls
     Why?
@@ -38,6 +41,14 @@ test_list_shows_title_and_question_in_order() {
 03  A spring swings
     Why?
     ./course run 3   chapters/03_swing'
+}
+
+test_chapters_come_in_the_order_of_their_numbers() {
+    for number in 19 07 12 05 16 02 11; do
+        new_chapter ${number}_more "Number $number" more.svg '[]'
+    done
+    expect 0 course list
+    is "$(grep -o '^[0-9][0-9]' out | tr '\n' ' ')" '01 02 03 05 07 11 12 16 19 '
 }
 
 test_list_json_is_for_programs() {
@@ -78,6 +89,7 @@ test_a_full_standard_output_is_no_success() {
 }
 
 test_tour_shows_its_stages_and_closes_with_the_table() {
+    new_chapter 04_angle 'Angle φ' 'angle.svg' '[]'
     cat >build_says <<'END'
 [1/4] Building CXX object a.cpp.o
 [2/4] Linking CXX executable swing
@@ -94,7 +106,8 @@ END
     is "$(cat out)" "chapter   title            seconds  figures  ledger rows
 01_fall   A body falls        1.23        1            2
 03_swing  A spring swings     1.23        1            1
-all                           2.47        2            3
+04_angle  Angle φ             1.23        1            0
+all                           3.70        3            3
 
 The site: file://$folder/build/site/html/index.html"
 }
@@ -118,9 +131,11 @@ END
 }
 
 test_tour_does_not_invent_a_time() {
-    echo 'soon' >build/chapters/03_swing/run/seconds.txt
-    expect 1 course tour
-    says err 'run/seconds.txt: does not hold a time in ms'
+    for time in soon '3 s' ''; do
+        echo "$time" >build/chapters/03_swing/run/seconds.txt
+        expect 1 course tour
+        says err 'run/seconds.txt: does not hold a time in ms'
+    done
 }
 
 test_site_gives_an_address_that_a_browser_takes() {
@@ -141,6 +156,21 @@ test_site_opens_where_it_is_asked_to() {
     stand_in_browser 1
     expect 3 course site --open
     says err 'course: xdg-open found no browser; open the address above in one'
+}
+
+test_an_interrupt_reaches_what_runs_and_ends_the_command() {
+    command -v setsid >/dev/null || exit 77
+    printf '#!/bin/sh\nkill -INT 0\nsleep 3\n' >bin/xdg-open
+    chmod +x bin/xdg-open
+    cat >interrupted.sh <<END
+trap : INT
+. '$here/stage.sh'
+folder=$folder program=$program ctest=$ctest
+course site --open
+echo "status \$?" >status
+END
+    setsid -w sh interrupted.sh >out 2>err </dev/null
+    is "$(cat status)" 'status 130'
 }
 
 stand_in_browser() {

@@ -1,7 +1,6 @@
 # Tests of `course run`: one chapter, its files in the reader's folder, and never a part of them.
 
 here=$(cd "$(dirname "$0")" && pwd)
-stage=$here/stage.sh
 . "$here/expect.sh"
 . "$here/stage.sh"
 
@@ -51,6 +50,7 @@ test_what_a_program_refuses_is_one_line_and_status_2() {
     expect 2 course run 3 --out new -- --bad
     is "$(cat err)" 'course: swing: --bad: must be good'
     [ ! -e new ] || fail 'something was left'
+    is "$(lines err)" 1
     expect 2 course run 3 -- --out there
     is "$(cat err)" 'course: --out belongs before the --: ./course run 3 --out DIR -- OPTIONS'
 }
@@ -100,6 +100,22 @@ test_a_folder_that_cannot_be_written_is_named() {
     is "$(cat err)" "course: --out '': must be the name of a folder"
 }
 
+test_a_file_that_cannot_be_written_has_the_readers_name() {
+    expect 2 course run 3 --out new -- --full
+    is "$(cat err)" "course: swing: $folder/new/motion.tsv: cannot be written"
+    [ ! -e new ] || fail 'something was left'
+    # Here CMake itself cannot write the account.
+    expect 2 course run 3 --out new -- --blocked
+    says err "$folder/new/run.txt"
+    [ ! -e new ] || fail 'something was left'
+    is "$(lines err)" 1
+    ! ls build | grep complaint || fail 'a complaint was left'
+    # And here a folder of the reader's own is in the way.
+    mkdir -p there/run.txt
+    expect 2 course run 3 --out there
+    says err run.txt
+}
+
 test_a_build_that_fails_is_status_1() {
     echo 'FAILED: swing' >build_says
     echo 1 >build_status
@@ -112,7 +128,7 @@ test_an_interrupted_run_leaves_nothing() {
     command -v setsid >/dev/null || exit 77
     cat >interrupted.sh <<END
 trap : INT
-. '$stage'
+. '$here/stage.sh'
 folder=$folder program=$program ctest=$ctest
 course run 3 --out new -- --interrupt
 echo "status \$?" >status

@@ -39,13 +39,15 @@ END
     echo '1234 ms' >"build/chapters/$1/run/seconds.txt"
     cat >"build/chapters/${1#*_}" <<'END'
 #!/bin/sh
-out= options=
+out= options= full= blocked=
 while [ $# -gt 0 ]; do
     case $1 in
     --help) echo 'the options of this chapter'; exit ;;
     --bad) echo 'swing: --bad: must be good' >&2; exit 2 ;;
     --wrong) echo 'swing: does not hold: up is up' >&2; exit 1 ;;
     --crash) kill -SEGV $$ ;;
+    --full) full=yes ;;
+    --blocked) blocked=yes ;;
     --doubt) echo 'swing: does not hold with these options: up is up' >&2 ;;
     --interrupt) kill -INT 0; sleep 5 ;;
     --out) out=$2; shift ;;
@@ -53,9 +55,11 @@ while [ $# -gt 0 ]; do
     esac
     shift
 done
+[ -z "$full" ] || { echo "swing: $out/motion.tsv: cannot be written" >&2; exit 2; }
+[ -z "$blocked" ] || mkdir "$out/run.txt"
 echo "The account, with$options"
-printf 't\tx\n0\t1\n' >"$out/motion.tsv" && printf 'n\t1\t\tone\n' >"$out/numbers.tsv" || {
-    echo "swing: $out/motion.tsv: cannot be written" >&2; exit 2; }
+printf 't\tx\n0\t1\n' >"$out/motion.tsv"
+printf 'n\t1\t\tone\n' >"$out/numbers.tsv"
 END
     chmod +x "build/chapters/${1#*_}"
 }

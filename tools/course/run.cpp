@@ -53,7 +53,6 @@ public:
         fs::remove(work_ / "done");  // the build's mark
         for (const auto& file : fs::directory_iterator(work_))
             fs::rename(file.path(), folder_ / file.path().filename());
-        made_.clear();
     }
 
     // Names the files as the reader knows them, not where they were being made.
@@ -101,6 +100,17 @@ std::string trimmed(std::string text) {
     return text;
 }
 
+// CMake's own errors, which come in several lines: without the one that says where in CMake's
+// files.
+std::string in_one_line(const std::string& error) {
+    std::istringstream lines(error);
+    std::string words;
+    for (std::string line; std::getline(lines >> std::ws, line);)
+        if (!line.starts_with("CMake Error at"))
+            words += (words.empty() ? "" : " ") + trimmed(line);
+    return words;
+}
+
 // Program and figures, by the same script that the build uses.
 Complaint make_run(const Chapter& chapter, const fs::path& program, const fs::path& folder,
                    const std::vector<std::string>& options) {
@@ -123,8 +133,7 @@ Complaint make_run(const Chapter& chapter, const fs::path& program, const fs::pa
     complaint >> given >> std::ws;
     const std::string text{std::istreambuf_iterator<char>(complaint), {}};
     if (status == 0) return {Status::fine, trimmed(text)};
-    // CMake itself could not do its part, such as writing a file.
-    if (given == 0) return {Status::bad_use, trimmed(said)};
+    if (given == 0) return {Status::bad_use, in_one_line(said)};  // CMake could not write a file
     return {static_cast<Status>(given), trimmed(text)};
 }
 
