@@ -33,7 +33,7 @@ public:
         for (const char* part : {"chapters", "include", "tests", "tools"}) {
             fs::copy(root / part, folder_ / part, fs::copy_options::recursive);
         }
-        for (const auto& entry : fs::directory_iterator{root / "chapters"}) {
+        for (const auto& entry : fs::directory_iterator{runs}) {
             const fs::path run = entry.path().filename() / "run";
             if (fs::is_directory(runs / run)) {
                 fs::create_directories(folder_ / "runs" / run);

@@ -24,7 +24,7 @@ void Context::set_chapter(const std::string& folder) {
     throw std::out_of_range{"there is no chapter " + folder};
 }
 
-const std::string& Context::folder_of(const std::string& reference) const {
+const std::string& Context::folder_of(const std::string& reference) {
     const std::size_t slash = reference.find('/');
     if (slash == std::string::npos) {
         if (chapter_ == nullptr) {
@@ -33,9 +33,14 @@ const std::string& Context::folder_of(const std::string& reference) const {
         }
         return chapter_->folder;
     }
-    const auto found = data_.find(reference.substr(0, slash));
+    const std::string folder = reference.substr(0, slash);
+    auto found = data_.find(folder);
     if (found == data_.end()) {
-        throw std::out_of_range{"there is no chapter " + reference.substr(0, slash)};
+        // What is measured beside the chapters leaves a run of its own.
+        if (!std::filesystem::is_directory(runs_ / folder / "run")) {
+            throw std::out_of_range{"there is no run of " + folder};
+        }
+        found = data_.emplace(folder, RunData{folder, runs_ / folder / "run"}).first;
     }
     return found->first;
 }

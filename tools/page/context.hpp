@@ -40,11 +40,11 @@ public:
     void set_chapter(const std::string& folder);
     const Chapter* chapter() const { return chapter_; }
 
-    /// The run that `reference` names: a chapter's before the slash, this chapter's without one.
-    /// `name` becomes what follows the slash.
+    /// The run that `reference` names: that before the slash, or this chapter's without one.
+    /// `name` becomes what follows the slash. Throws std::out_of_range when there is no such run.
     RunData& run_of(const std::string& reference, std::string& name);
-    /// The chapter whose run that is.
-    const std::string& folder_of(const std::string& reference) const;
+    /// The chapter (or the folder below the runs) whose run that is.
+    const std::string& folder_of(const std::string& reference);
 
     std::vector<IndexEntry> index;                         ///< rows taught and drawn here
     std::map<std::string, std::filesystem::path> figures;  ///< shown here: `chapter/file`, drawn at

@@ -70,6 +70,12 @@ TEST_CASE("the page stands under its title, with badges of the talks' rows") {
     CHECK_THAT(page, ContainsSubstring("<a class=\"row\" href=\"talks.html#row_N22\">N22</a>"));
 }
 
+TEST_CASE("what is measured beside the chapters is quoted by its folder") {
+    const Course course;
+    course.write("runs/beside/run/numbers.tsv", "count\t7\t\tsteps\n");
+    CHECK_THAT(course.fill_paragraph("{{beside/count}}"), ContainsSubstring(">7</span>"));
+}
+
 TEST_CASE("chapters know their neighbours") {
     const Course course;
     course.write("chapters/04_more/about.json",
@@ -88,7 +94,7 @@ TEST_CASE("a name that the run does not know is an error at its line") {
           "chapter.md:6: the run of 03_springs made no check \"none\"");
     CHECK(course.paragraph_error("$x = {{none}}$") ==
           "chapter.md:5: the run of 03_springs has no number \"none\"");
-    CHECK(course.paragraph_error("{{04_more/x}}") == "chapter.md:5: there is no chapter 04_more");
+    CHECK(course.paragraph_error("{{04_more/x}}") == "chapter.md:5: there is no run of 04_more");
     CHECK(course.paragraph_error("{{lost}}") == "chapter.md:5: the number \"lost\" is \"nan\"");
     CHECK(course.paragraph_error("{{table none.tsv}}") ==
           "chapter.md:5: the run of 03_springs left no none.tsv");
