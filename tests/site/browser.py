@@ -2,7 +2,8 @@
 """Is every page of the site in order in a browser, opened from its file?
 
     browser.py SITE    prints a line for each fault; exit status 0 when there is none, 1 when there
-                       is one, 77 (skipped) when Chromium or Selenium is not there
+                       is one, 77 (skipped) when Chromium, Selenium, or what makes the site pretty
+                       is not there
 
 One headless Chromium opens every page at the width of a phone, in light and in dark mode. A page is
 in order when the console reports no error, no formula stands unset, every image has arrived, and
@@ -145,6 +146,10 @@ def main():
         print("skipped: " + missing())
         sys.exit(SKIPPED)
     site = sys.argv[1]
+    for part, package in (("katex", "libjs-katex"), ("doxygen-awesome.css", "doxygen-awesome-css")):
+        if not os.path.exists(os.path.join(site, part)):
+            print(f"skipped: the site was made without {part} (package {package})")
+            sys.exit(SKIPPED)
     pages = sorted(name for name in os.listdir(site) if name.endswith(".html"))
     count = 0
     with Browser() as browser:
