@@ -117,10 +117,10 @@ test_a_file_that_cannot_be_written_has_the_readers_name() {
 }
 
 test_a_build_that_fails_is_status_1() {
-    echo 'FAILED: swing' >build_says
+    printf 'FAILED: swing\nc++ swing\nswing.cpp:3: no\n' >build_says
     echo 1 >build_status
     expect 1 course run 3 --out new
-    says err 'FAILED: swing'
+    is "$(head -n 1 err)" 'swing.cpp:3: no'
     [ ! -e new ] || fail 'something was left'
 }
 

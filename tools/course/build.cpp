@@ -41,18 +41,23 @@ bool is_routine(const std::string& text) {
                                   "Completed", "No ", "Performing", "Creating", "Automatic"});
 }
 
-// The lines that say why: from the first failure on, without the command that failed, which is
-// long and stands in the log.
+// The lines that say why: from the first failure on, without the names and commands of what failed,
+// which are long and stand in the log.
 std::vector<std::string> reason(const std::vector<std::string>& log) {
     const std::size_t most = 30;
-    const auto failed = std::find_if(log.begin(), log.end(), [](const std::string& line) {
+    const auto begin = std::find_if(log.begin(), log.end(), [](const std::string& line) {
         return starts_with_any(line, {"FAILED:", "CMake Error", "ninja: error"});
     });
-    if (failed == log.end())
+    if (begin == log.end())
         return {log.end() - static_cast<std::ptrdiff_t>(std::min(most, log.size())), log.end()};
     std::vector<std::string> lines;
-    for (auto line = failed; line != log.end() && lines.size() < most; ++line)
-        if (line == failed || !(line - 1)->starts_with("FAILED:")) lines.push_back(*line);
+    for (auto line = begin; line != log.end() && lines.size() < most; ++line) {
+        const bool is_command = line != log.begin() && (line - 1)->starts_with("FAILED:");
+        Step step;
+        if (!is_command && !starts_with_any(*line, {"FAILED:", "ninja: build stopped"}) &&
+            !read_step(*line, step))
+            lines.push_back(*line);
+    }
     return lines;
 }
 

@@ -100,14 +100,15 @@ std::string trimmed(std::string text) {
     return text;
 }
 
-// CMake's own errors, which come in several lines: without the one that says where in CMake's
-// files.
+// CMake's own error, which comes in several lines; where in our scripts it arose is left out.
 std::string in_one_line(const std::string& error) {
     std::istringstream lines(error);
     std::string words;
-    for (std::string line; std::getline(lines >> std::ws, line);)
-        if (!line.starts_with("CMake Error at"))
-            words += (words.empty() ? "" : " ") + trimmed(line);
+    for (std::string line; std::getline(lines >> std::ws, line);) {
+        if (line.starts_with("CMake Error at")) continue;
+        if (!words.empty()) words += ' ';
+        words += trimmed(line);
+    }
     return words;
 }
 
