@@ -5,6 +5,10 @@
 #include "ledger.hpp"
 #include "text.hpp"
 
+#include <algorithm>
+#include <set>
+#include <utility>
+
 namespace page {
 namespace {
 
@@ -26,15 +30,44 @@ std::string index_links(const Sources& sources, const std::string& row, const st
     return links;
 }
 
+/// A test's name where neither Doxygen nor the page tool shall find Markdown in it.
+std::string plain_html(const std::string& name) {
+    std::string html = escape_html(name);
+    for (const auto& [mark, entity] :
+         {std::pair{"$", "&#36;"}, {"`", "&#96;"}, {"{", "&#123;"}, {"\\", "&#92;"}}) {
+        html = replace_all(html, mark, entity);
+    }
+    return html;
+}
+
+/// Links to the tests of a row: the first, and the others folded away. A test that Catch2 makes for
+/// several types, "name - float" and "name - double", is one place in a file and so one test here.
 std::string test_links(const Sources& sources, const std::string& row) {
-    std::string links;
+    std::vector<std::string> links;
+    std::set<std::pair<std::string, int>> places;
     for (const TestPlace& test : sources.tests) {
-        if (test.row == row) {
-            links += (links.empty() ? "" : "<br>") +
-                     source_link(test.file, test.line, escape_markdown(test.name));
+        if (test.row == row && places.emplace(test.file, test.line).second) {
+            const auto instances = std::count_if(
+                sources.tests.begin(), sources.tests.end(), [&](const TestPlace& other) {
+                    return other.row == row && other.file == test.file && other.line == test.line;
+                });
+            const std::string name =
+                instances > 1 ? test.name.substr(0, test.name.rfind(" - ")) : test.name;
+            links.push_back(source_link(test.file, test.line, plain_html(name)));
         }
     }
-    return links;
+    if (links.empty()) {
+        return {};
+    }
+    std::string html = "\\htmlonly" + links.front();
+    if (links.size() > 1) {
+        html += "<details><summary>and " + std::to_string(links.size() - 1) + " more</summary>";
+        for (std::size_t i = 1; i < links.size(); ++i) {
+            html += (i > 1 ? "<br>" : "") + links[i];
+        }
+        html += "</details>";
+    }
+    return html + "\\endhtmlonly";
 }
 
 /// One row of the table. A claimed row that lacks its text, section or test is an Error in the

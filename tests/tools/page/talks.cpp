@@ -43,8 +43,21 @@ TEST_CASE("a row stands with what the talks show, its erratum, section, figure a
                          "Not always.</span>"));
     CHECK_THAT(page, ContainsSubstring("<a href=\"chapter_03.html#ch3_steps\">Steps</a>"));
     CHECK_THAT(page, ContainsSubstring("<a href=\"chapter_03.html#fig-spiral\">spiral</a>"));
-    CHECK_THAT(page,
-               ContainsSubstring("<a href=\"source:tests/a.cpp#l00042\">it grows as \\$n\\$</a>"));
+    CHECK_THAT(page, ContainsSubstring(
+                         "<a href=\"source:tests/a.cpp#l00042\">it grows as &#36;n&#36;</a>"));
+}
+
+TEST_CASE("a test for several types is one test; all but a row's first test are folded away") {
+    const Course course;
+    index_row(course);
+    course.write("tests.tsv",
+                 "N22\tgrows - float\ta.cpp\t7\nN22\tgrows - double\ta.cpp\t7\n"
+                 "N22\tan end - to end\ta.cpp\t9\nN22\tx < y\ta.cpp\t11\n");
+    CHECK_THAT(
+        talks(course),
+        ContainsSubstring("<a href=\"source:a.cpp#l00007\">grows</a><details><summary>and 2 more"
+                          "</summary><a href=\"source:a.cpp#l00009\">an end - to end</a><br>"
+                          "<a href=\"source:a.cpp#l00011\">x &lt; y</a></details>"));
 }
 
 TEST_CASE("a claimed row without its text, section or test is an error") {
