@@ -16,7 +16,7 @@ set ylabel "velocity (m/s)"
 set xrange [0:3.2]
 set yrange [-1.4:2.2]
 set ytics -1,0.5,1
-set key top right samplen 3
+set key top right
 plot "hand.tsv" using 1:3 with steps lc rgb '#009e73' lw 1.5 title "two neighbouring frames", \
      "" using 1:2 with lines @exact title "exact", \
      "" using 4:5 with lines lc rgb '#b15a98' lw 2.5 title "two frames further apart"
@@ -27,7 +27,7 @@ set xlabel "frames from the one position to the other"
 set ylabel "largest error of the velocity (m/s)"
 set autoscale
 set xrange [1:*]
-set key top left reverse Left samplen 3
+set key top left reverse Left
 plot "gap.tsv" using 1:2 with linespoints @backward pt 7 ps 0.6 title "as the velocity now", \
      "" using 1:4 with linespoints @central pt 7 ps 0.6 title "as the velocity in between", \
      "" using 1:3 with lines @faint title "predicted", \
@@ -39,7 +39,7 @@ call figure "secants.svg" 560 440
 set xlabel "x"
 set ylabel "f (x)"
 set autoscale
-set key top left reverse Left samplen 3
+set key top left reverse Left
 plot "secants.tsv" using 1:2 with lines @exact title "f", \
      "" using 1:3 with lines @second title "chord, h = 1", \
      "" using 1:4 with lines @third title "chord, h = 1/2", \
@@ -71,7 +71,7 @@ set ylabel "y"
 set xrange [-1:1]
 set yrange [-0.6:1.6]
 set ytics 0.5
-set key top center samplen 3
+set key top center
 plot "parabola.tsv" using 1:2 with lines @exact title "y = x²", \
      "" using 1:4 with lines @tangent title "tangents", "" using 1:5 with lines @tangent, \
      "" using 1:6 with lines @tangent, "parabola_dots.tsv" using 1:2 with points @dots
@@ -79,7 +79,7 @@ set xlabel "x"
 set ylabel "slope"
 set yrange [-2.2:2.2]
 set ytics 1
-set key top left reverse Left samplen 3
+set key top left reverse Left
 plot "parabola.tsv" using 1:3 with lines @second title "slope 2x", \
      "parabola_dots.tsv" using 1:3 with points @dots title "central differences"
 unset multiplot
@@ -90,7 +90,7 @@ set autoscale
 set ytics autofreq
 unset xlabel
 set ylabel "growth"
-set key top left reverse Left samplen 3
+set key top left reverse Left
 plot "growth.tsv" using 1:2 with lines @first title "y = e^{1.5 x}", \
      "" using 1:3 with lines @second title "its slope, 1.5 y", \
      "growth_dots.tsv" using 1:2 with points @dots title "central differences"
@@ -130,6 +130,7 @@ plot "chords.tsv" using 1:2 with lines @exact title "x(t)", \
 
 call figure "central.svg" 560 420
 set yrange [-0.1:1.5]
+set key top left reverse Left
 plot "chords.tsv" using 1:2 with lines @exact title "x(t)", \
      "" using 1:3 with lines @tangent title "tangent at t_1", \
      "" using 1:6 with lines @central title "central difference", \
@@ -160,13 +161,13 @@ set logscale xy
 set xlabel "step h"
 set ylabel "largest error of the slope"
 set xrange [1e-16:1]
-set yrange [1e-9:1e2]
+set yrange [*:*]
 set format xy "10^{%T}"
 set xtics 1e-16,1e4,1
-set ytics 1e-8,1e2,1e2
+set ytics autofreq
 set key bottom left reverse Left
-set label 1 "rounding,\ngrows as 1/h" at 3e-12,3e-2 textcolor rgb ink
-set label 2 "truncation,\nfalls with h" at 1e-5,1e-6 textcolor rgb ink
+set label 1 "rounding,\ngrows as 1/h" at graph 0.27,0.72 textcolor rgb ink
+set label 2 "truncation,\nfalls with h" at graph 0.69,0.3 textcolor rgb ink
 plot "forward_float.tsv" using 1:2 with lines @second title "float", \
      "forward_double.tsv" using 1:2 with lines @first title "double", \
      "forward_float.tsv" using 1:3 with lines @faint title "predicted", \
@@ -175,9 +176,8 @@ unset label
 
 call figure "orders.svg" 560 440
 set xrange [1e-10:1]
-set yrange [1e-14:1e4]
+set yrange [*:1e3]
 set xtics 1e-10,1e2,1
-set ytics 1e-12,1e4,1e0
 set key top left reverse Left
 plot "forward_double.tsv" using 1:2 with lines @forward title "forward, order 1", \
      "central_double.tsv" using 1:2 with lines @central title "central, order 2", \
@@ -197,6 +197,7 @@ set yrange [0.004:12]
 set format
 set xtics ("0.1" 0.1, "1" 1, "10" 10, "100" 100)
 set ytics ("0.01" 0.01, "0.1" 0.1, "1" 1)
+set key top left reverse Left
 set label 1 "the clock stops" at 130,0.03 right textcolor rgb ink
 plot "clock.tsv" using 1:2 with lines @second title "t a float, divided by h", \
      "" using 1:4 with lines @exact title "t a double", \

@@ -29,7 +29,10 @@ constexpr double most_jerk = 4;          // of the acceleration's own slope, m/s
 // The hand as it arrives: a function of time like any other.
 struct Received {
     double grid;  // m
-    double operator()(double t) const { return grid * std::round(position(t) / grid); }
+    double operator()(double t) const {
+        const double lines = position(t) / grid;
+        return grid * std::round(lines);
+    }
 };
 /// [received]
 
@@ -137,6 +140,15 @@ void frames(const Settings& settings, lab::Findings& out) {
     out.number("between_late", 500 * best_between * h, "ms", "how late that velocity is", 3);
     out.check("frames_bounded", bounded,
               "no error is larger than predicted, at any gap up to half a second");
+    // The predicted gap, in whole frames, against the best one.
+    const auto at = [&](double frames) {
+        const long n = std::lround(std::min(frames, double(most_frames)));
+        return largest_errors(received, h, static_cast<int>(std::max(n, 1L)));
+    };
+    out.check("gaps_predicted",
+              at(now_predicted).now <= 1.1 * best.now &&
+                  at(between_predicted).between <= 1.1 * best.between,
+              "the predicted gaps err at most a tenth more than the best ones");
     out.check("one_frame_is_worse", one_frame.now > 1.5 * best.now,
               "neighbouring frames err at least 1.5 times as much as the best gap");
     out.check("between_is_better", best.between < best.now / 2,

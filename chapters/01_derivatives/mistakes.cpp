@@ -31,10 +31,11 @@ struct ClockErrors {
 ClockErrors after(double hours, double rate) {
     const float h = static_cast<float>(1 / rate);
     /// [clock]
-    const auto position = [](auto t) { return std::sin(t); };
-    const auto over_h = [&](float t) { return forward_difference(position, t, h); };
+    const auto x = [](auto t) { return std::sin(t); };
+    const auto over_h = [&](float t) { return forward_difference(x, t, h); };
     const auto over_step = [&](float t) {
-        return forward_difference(position, t, step_taken(t, h));
+        const float taken = step_taken(t, h);
+        return forward_difference(x, t, taken);
     };
     /// [clock]
     ClockErrors largest;
@@ -46,7 +47,7 @@ ClockErrors after(double hours, double rate) {
         const float t = static_cast<float>(now);
         note(largest.over_h, over_h(t), t);
         note(largest.over_step, over_step(t), t);
-        note(largest.in_double, forward_difference(position, now, 1 / rate), now);
+        note(largest.in_double, forward_difference(x, now, 1 / rate), now);
     }
     return largest;
 }

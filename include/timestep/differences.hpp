@@ -88,7 +88,8 @@ struct FivePointDifference {
     value_of<F, Real> operator()(const F& f, Real x, Real h) const {
         const value_of<F, Real> narrow = f(x + h) - f(x - h);
         const value_of<F, Real> wide = f(x + 2 * h) - f(x - 2 * h);
-        return (8 * narrow - wide) / (12 * h);  // 4/3 narrow/(2h) − 1/3 wide/(4h)
+        // four thirds of narrow/(2h) less one third of wide/(4h)
+        return (8 * narrow - wide) / (12 * h);
     }
     /// [five_point]
 };

@@ -273,6 +273,25 @@ TEST_CASE("the five-point difference is exact on a cubic and on a quartic", "[N0
         }
 }
 
+TEST_CASE("positions on a grid give a velocity within truncation plus noise", "[N07][N08][ch1]") {
+    // x = ½ sin 2t: |ẍ| ≤ 2, and the third derivative is at most 4. Times up to 10 s are rounded by
+    // less than 1e-15 s and positions by less: together far below 1e-14.
+    const double grid = 0.004;
+    const auto received = [=](double t) { return grid * std::round(0.5 * std::sin(2 * t) / grid); };
+    for (int frames = 1; frames <= 30; ++frames) {
+        const double gap = frames / 60.0, rounding = 1e-14 / gap;
+        double now = 0, between = 0;
+        for (int i = 0; i < 600; ++i) {
+            const double t = i / 60.0, middle = t - gap / 2;
+            now = std::max(now, std::fabs(backward_difference(received, t, gap) - std::cos(2 * t)));
+            between = std::max(between, std::fabs(central_difference(received, middle, gap / 2) -
+                                                  std::cos(2 * middle)));
+        }
+        CHECK(now <= error_bound(backward_difference, gap, grid / 2, 2) + rounding);
+        CHECK(between <= error_bound(central_difference, gap / 2, grid / 2, 4) + rounding);
+    }
+}
+
 TEST_CASE("subtracting two second-order Taylor series leaves the central difference",
           "[N08][ch1]") {
     const double x = 0.8;

@@ -51,5 +51,5 @@ TEST_CASE("an order that cannot be measured is not a number", "[measured_order]"
     CHECK(std::isnan(measured_order({0.1}, {0.2})));
     CHECK(std::isnan(measured_order({0.1, 0.1}, {0.2, 0.3})));
     CHECK(std::isnan(measured_order({0.1, 0.2}, {0.2, 0.0})));
-    CHECK(std::isnan(measured_order({0.1, 0.2}, {0.2})));
+    CHECK(std::isnan(measured_order({0.1, 0.2}, {0.2, 0.3, 0.4})));
 }
