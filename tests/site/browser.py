@@ -7,7 +7,7 @@
 
 One headless Chromium opens every page at the width of a phone, in light and in dark mode. A page is
 in order when the console reports no error, no formula stands unset, every image has arrived, and
-nothing makes the page scroll sideways.
+nothing makes the page scroll sideways. The search works as well, from a file.
 """
 
 import os
@@ -15,9 +15,11 @@ import pathlib
 import shutil
 import sys
 import tempfile
+import time
 
 SKIPPED = 77
 PHONE = (360, 740)  # CSS pixels
+SEARCHED = "SemiImplicitEuler"
 
 # Both scripts hand a list of sentences to their last argument. Listings are sources: what looks like
 # a formula there is none. KaTeX keeps its TeX for screen readers.
@@ -139,6 +141,24 @@ class Browser:
         return found
 
 
+    def search_finds(self, path, word):
+        """Does the search field of this page offer a result for the word?"""
+        from selenium.webdriver.common.by import By
+        self.driver.get(pathlib.Path(path).resolve().as_uri())
+        self.driver.find_element(By.ID, "MSearchField").send_keys(word)
+        for _ in range(60):
+            frames = self.driver.find_elements(By.CSS_SELECTOR, "iframe#MSearchResults")
+            if frames:  # Doxygen up to 1.9.4 shows results in a frame
+                self.driver.switch_to.frame(frames[0])
+            found = [link.text for link in self.driver.find_elements(By.CSS_SELECTOR, "a.SRSymbol")
+                     if link.is_displayed()]
+            self.driver.switch_to.default_content()
+            if any(word.lower() in text.lower() for text in found):
+                return True
+            time.sleep(0.05)
+        return False
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit("usage: browser.py SITE")
@@ -157,6 +177,9 @@ def main():
             for fault in browser.faults(os.path.join(site, page)):
                 print(f"{page}: {fault}")
                 count += 1
+        if not browser.search_finds(os.path.join(site, "index.html"), SEARCHED):
+            print(f"index.html: the search does not find {SEARCHED}")
+            count += 1
     print(f"{len(pages)} pages, {count} faults")
     sys.exit(1 if count or not pages else 0)
 

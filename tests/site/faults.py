@@ -133,6 +133,12 @@ class Pages(SiteCase):
         self.expect("<style>@media (prefers-color-scheme: dark) { h1 { width: 370px; } }</style>",
                     "scrolls sideways at 360 px in dark mode")
 
+    def test_the_search(self):
+        index = os.path.join(self.folder.name, "index.html")
+        self.plant('<input id="MSearchField"><a class="SRSymbol">Euler</a>')
+        self.assertTrue(self.browser.search_finds(index, "euler"))
+        self.assertFalse(self.browser.search_finds(index, "verlet"))
+
     def test_modes(self):
         self.expect("<style>body { background: #fff !important; }</style>",
                     "is light at 360 px in dark mode")
