@@ -51,7 +51,7 @@ function addPlayButtons() {
 
         function show() {
             image.src = plays ? moving : still;
-            button.textContent = plays ? "❚❚ Pause" : "▶ Play";
+            button.textContent = plays ? "■ Stop" : "▶ Play";
         }
         button.type = "button";
         button.className = "play";
