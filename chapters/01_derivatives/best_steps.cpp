@@ -67,7 +67,7 @@ Best scan(const Formula& formula, const Function& f, double x, lab::Table& table
     }
 }
 
-// One formula in one number type. Returns whether the predicted step is as good as the best one.
+// One formula in one number type: the best step, and whether the predicted one is as good.
 //
 // Half a last digit lies between ε|f|/4 and ε|f|/2; x³ is rounded twice, and a thousand neighbours
 // come within a fifth of the worst case. So the noise is 0.4 to 2 times the ε|f|/2 that we predict
@@ -77,8 +77,8 @@ Best scan(const Formula& formula, const Function& f, double x, lab::Table& table
 // below 1.3. The best step goes with √κ at most, a factor 1.6, and the minimum is so flat (4 % on
 // 1.3 to either side) that the scatter may move it by 1.3: a factor 2 in all.
 template <class Real, class Formula, class Function>
-bool measure(const Formula& formula, const Function& f, double x, const std::string& type,
-             lab::Table& costs, lab::Findings& out) {
+Best measure(const Formula& formula, const Function& f, double x, const std::string& type,
+             bool& as_predicted, lab::Table& costs, lab::Findings& out) {
     std::string name = formula.name;
     std::replace(name.begin(), name.end(), '-', '_');
     name += "_" + type;
@@ -97,12 +97,13 @@ bool measure(const Formula& formula, const Function& f, double x, const std::str
                 cell(predicted).c_str(), best.error);
     out.number("best_" + name, best.step, "", "step with the smallest error", 2);
     out.number("best_error_" + name, best.error, "", "error at that step", 2);
-    if (!std::isfinite(predicted)) return true;  // nothing is left out, so no step is too large
+    if (!std::isfinite(predicted)) return best;  // nothing is left out, so no step is too large
     out.number("predicted_" + name, predicted, "", "the best step by the formula", 2);
     costs.row({formula.name + (", " + type), double(formula.evaluations), cell(best.step),
                cell(predicted), cell(best.error)});
-    return best.step < 2 * predicted && predicted < 2 * best.step &&
-           largest_error<Real>(formula, f, x, predicted) < 1.3 * best.error;
+    as_predicted = as_predicted && best.step < 2 * predicted && predicted < 2 * best.step &&
+                   largest_error<Real>(formula, f, x, predicted) < 1.3 * best.error;
+    return best;
 }
 
 template <class Function>
@@ -110,10 +111,18 @@ void all(const Function& f, double x, lab::Findings& out) {
     auto& costs =
         out.table("costs.tsv", {"formula", "values", "best h", "predicted", "error there"});
     std::printf("  %-11s %-7s %12s %12s %12s\n", "", "", "best h", "predicted", "error there");
-    bool predicted = true;
+    bool as_predicted = true, float_errs_more = true, order_helps = true;
+    Best lower[2] = {{0}, {0}};  // of the formula of lower order, in float and in double
     const auto both = [&](const auto& formula) {
-        predicted = measure<float>(formula, f, x, "float", costs, out) && predicted;
-        predicted = measure<double>(formula, f, x, "double", costs, out) && predicted;
+        const Best now[2] = {measure<float>(formula, f, x, "float", as_predicted, costs, out),
+                             measure<double>(formula, f, x, "double", as_predicted, costs, out)};
+        float_errs_more =
+            float_errs_more && now[0].step > now[1].step && now[0].error > now[1].error;
+        for (int i = 0; i < 2; ++i) {
+            order_helps =
+                order_helps && now[i].step > lower[i].step && now[i].error < lower[i].error;
+            lower[i] = now[i];
+        }
     };
     both(forward_difference);
     both(central_difference);
@@ -122,7 +131,11 @@ void all(const Function& f, double x, lab::Findings& out) {
                "from 1 to the next float", 2);
     out.number("epsilon_double", std::numeric_limits<double>::epsilon(), "",
                "from 1 to the next double", 2);
-    out.check("best_steps", predicted,
+    out.check("float_errs_more", float_errs_more,
+              "in float every formula has a larger best step and a larger error than in double");
+    out.check("order_helps", order_helps,
+              "the higher the order, the larger the best step and the smaller the error there");
+    out.check("best_steps", as_predicted,
               "every predicted step is within a factor 2 of the best one measured, and its error "
               "within 1.3");
 

@@ -136,6 +136,10 @@ void slopes(const Function& f, const Settings& settings, lab::Findings& out) {
     print(backward_difference);
     print(central_difference);
     print(five_point_difference);
+    out.check("central_is_better",
+              std::fabs(central_difference(f, x, h) - exact) <
+                  std::fabs(forward_difference(f, x, h) - exact),
+              "the central difference errs less than the forward one, for as many values");
     secants(f, x, out);
 }
 
