@@ -83,7 +83,8 @@ std::string table_markdown(Context& context, const Directive& directive) {
     const Table table = run.table(file);
     std::string names = "|", rule = "|", body;
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
-        names += " " + replace_all(table.columns[column], "_", " ") + " |";
+        names += ' ';
+        names += replace_all(table.columns[column], "_", " ") + " |";
         rule += is_numeric(table, column) ? "---:|" : "---|";
     }
     for (const std::vector<std::string>& row : table.rows) {
