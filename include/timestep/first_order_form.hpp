@@ -59,9 +59,9 @@ auto unstacked(const FirstOrder<Y>& s) {
                         s.y.template tail<X::SizeAtCompileTime>()};
 }
 
-/// A force as a first-order system ẏ = f(t, y) with y = (x, v), so that ẏ = (v, a(x, v)) (N16, I04).
-/// A solver that steps it need not know which numbers are positions; and several such systems, one
-/// after the other in one array, are a system again.
+/// A force as a first-order system ẏ = f(t, y) with y = (x, v), so that ẏ = (v, a(x, v)) (N16,
+/// I04). A solver that steps it need not know which numbers are positions; and several such
+/// systems, one after the other in one array, are a system again.
 template <class Model>
 struct FirstOrderForm {
     Model model;  ///< the force
@@ -73,7 +73,8 @@ struct FirstOrderForm {
     /// [rate]
     template <class Y>
     auto operator()(real_of<Y> t, const Y& y) const {
-        const auto [velocity, acceleration] = rate(model, unstacked(FirstOrder<detail::Whole<Y>>{t, y}));
+        const FirstOrder<detail::Whole<Y>> state{t, y};
+        const auto [velocity, acceleration] = rate(model, unstacked(state));
         return detail::stack(velocity, acceleration);
     }
     /// [rate]
@@ -83,7 +84,8 @@ struct FirstOrderForm {
     auto slope_y(real_of<Y> t, const Y& y) const {
         constexpr int n = detail::size_of<Y>() / 2;
         using Block = Eigen::Matrix<real_of<Y>, n, n>;
-        const auto [time, x, v] = unstacked(FirstOrder<detail::Whole<Y>>{t, y});
+        const FirstOrder<detail::Whole<Y>> state{t, y};
+        const auto [time, x, v] = unstacked(state);
         Eigen::Matrix<real_of<Y>, 2 * n, 2 * n> slope;
         slope << Block::Zero(), Block::Identity(),  //
             matrix<Block>(slope_x(model, x, v)), matrix<Block>(slope_v(model, x, v));

@@ -10,27 +10,27 @@ namespace timestep {
 
 /// A fixed time step behind any frame rate (I02).
 ///
-/// The time that passes on the player's clock is owed to the simulation. Each frame pays it in whole
-/// steps; what is left, less than a step, stays owed. So the state after step n depends on n and on
-/// the inputs of the steps, never on the frames: it is the same bit for bit at 30 and at 144 frames
-/// a second. (Inputs that come with a frame belong to the next step; a replay stores their steps.)
+/// The time that passes on the player's clock is owed to the simulation. Each frame pays it in
+/// whole steps; what is left, less than a step, stays owed. So the state after step n depends on n
+/// and on the inputs of the steps, never on the frames: it is the same bit for bit at 30 and at
+/// 144 frames a second. (Inputs that come with a frame belong to the next step; a replay stores
+/// their steps.)
 ///
-/// When steps take longer to compute than the time they simulate, each frame owes more than the one
-/// before: the spiral of death. The cap `most_steps` ends it. What is owed beyond it is dropped, and
-/// the game runs slower than the clock instead of not at all.
+/// When steps take longer to compute than the time they simulate, each frame owes more than the
+/// one before: the spiral of death. The cap `most_steps` ends it. What is owed beyond it is
+/// dropped, and the game runs slower than the clock instead of not at all.
 template <class Real>
 class GameLoop {
 public:
     /// `step` in s, above zero; at most `most_steps` a frame, one or more.
     /// Throws `std::invalid_argument`.
-    GameLoop(Real step, long most_steps)
-        : step_(positive("step", step)), most_steps_(most_steps) {
+    GameLoop(Real step, long most_steps) : step_(positive("step", step)), most_steps_(most_steps) {
         if (most_steps < 1) refuse("most steps", static_cast<double>(most_steps), "one or more");
     }
 
-    /// Call once a frame with the seconds since the last one. Calls `simulate(h)` for each step that
-    /// is due and returns how many there were. Throws `std::invalid_argument` when `passed` is
-    /// negative or not finite.
+    /// Call once a frame with the seconds since the last one. Calls `simulate(h)` for each step
+    /// that is due and returns how many there were. Throws `std::invalid_argument` when `passed`
+    /// is negative or not finite.
     /// [frame]
     template <class Simulate>
     long frame(Real passed, Simulate&& simulate) {
@@ -78,8 +78,8 @@ template <class Real>
 GameLoop(Real, long) -> GameLoop<Real>;
 /// \endcond
 
-/// The state to draw, a part `alpha` of the way from the last state but one to the last. The picture
-/// is up to one step late, and moves evenly at any frame rate.
+/// The state to draw, a part `alpha` of the way from the last state but one to the last. The
+/// picture is up to one step late, and moves evenly at any frame rate.
 /// [interpolate]
 template <class X>
 State<X> interpolate(const State<X>& before, const State<X>& now, real_of<X> alpha) {

@@ -109,14 +109,18 @@ public:
     auto slope_x(const X& x, const X& v) const
         requires(!linear && (SmoothForce<Parts, X> && ...))
     {
-        return of_parts([&](const auto&... part) { return detail::sum(part_slope_x(part, x, v)...); });
+        return of_parts([&](const auto&... part) {
+            return detail::sum(part_slope_x(part, x, v)...);
+        });
     }
     /// ∂a/∂v at (x, v), 1/s.
     template <class X>
     auto slope_v(const X& x, const X& v) const
         requires(!linear && (SmoothForce<Parts, X> && ...) && !position_only<X>)
     {
-        return of_parts([&](const auto&... part) { return detail::sum(part_slope_v(part, x, v)...); });
+        return of_parts([&](const auto&... part) {
+            return detail::sum(part_slope_v(part, x, v)...);
+        });
     }
 
 private:

@@ -1,6 +1,6 @@
 // Takes a number of steps with one method and prints the last position: a program for a profiler to
 // count. `steps semi_implicit_euler 1000` steps the library, `steps hand_semi_implicit_euler 1000`
-// the same loop written by hand. The hand-written loops keep no time; nobody reads the library's here, so
+// the same loop written by hand; `steps spring_gravity 1000` steps a scene. The hand-written loops keep no time; nobody reads the library's here, so
 // the compiler drops it too.
 
 #include <cstdio>
@@ -8,8 +8,12 @@
 #include <cstring>
 
 #include <timestep/methods.hpp>
+#include <timestep/models/damped_spring.hpp>
+#include <timestep/models/drag.hpp>
+#include <timestep/models/projectile.hpp>
 #include <timestep/models/spring.hpp>
 #include <timestep/run.hpp>
+#include <timestep/scene.hpp>
 
 namespace {
 
@@ -60,6 +64,48 @@ template <class Method>
     return x;
 }
 
+// Scenes of more and more forces, stepped by semi-implicit Euler: a term that a scene does not name
+// must not cost an instruction.
+constexpr double zeta = 0.1, drag = 0.25, g = 9.81;
+
+template <class Model>
+[[gnu::noinline]] double scene_by_library(const Model& scene, double x, double v, long n) {
+    return run(semi_implicit_euler, scene, State{0, x, v}, h, n).x;
+}
+
+[[gnu::noinline]] double gravity_by_hand(double x, double v, long n) {
+    for (long i = 0; i < n; ++i) {
+        v += h * -g;
+        x += h * v;
+    }
+    return x;
+}
+
+[[gnu::noinline]] double spring_by_hand(double x, double v, long n) {
+    for (long i = 0; i < n; ++i) {
+        v += h * (-omega * omega * x - g);
+        x += h * v;
+    }
+    return x;
+}
+
+[[gnu::noinline]] double legs_by_hand(double x, double v, long n) {
+    for (long i = 0; i < n; ++i) {
+        v += h * (-omega * omega * x - 2 * zeta * omega * v - g);
+        x += h * v;
+    }
+    return x;
+}
+
+[[gnu::noinline]] double drag_by_hand(double x, double v, long n) {
+    for (long i = 0; i < n; ++i) {
+        const double speed = v < 0 ? -v : v;
+        v += h * (-omega * omega * x - 2 * zeta * omega * v - g + -drag * speed * v);
+        x += h * v;
+    }
+    return x;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -76,6 +122,17 @@ int main(int argc, char** argv) {
     else if (!std::strcmp(what, "semi_implicit_euler")) end = by_library(semi_implicit_euler, x, v, n);
     else if (!std::strcmp(what, "implicit_euler")) end = by_library(implicit_euler, x, v, n);
     else if (!std::strcmp(what, "runge_kutta_4")) end = by_library(runge_kutta_4, x, v, n);
+    else if (!std::strcmp(what, "hand_gravity")) end = gravity_by_hand(x, v, n);
+    else if (!std::strcmp(what, "hand_spring_gravity")) end = spring_by_hand(x, v, n);
+    else if (!std::strcmp(what, "hand_spring_damper_gravity")) end = legs_by_hand(x, v, n);
+    else if (!std::strcmp(what, "hand_spring_damper_gravity_drag")) end = drag_by_hand(x, v, n);
+    else if (!std::strcmp(what, "gravity")) end = scene_by_library(Scene{Projectile(-g)}, x, v, n);
+    else if (!std::strcmp(what, "spring_gravity"))
+        end = scene_by_library(Scene{Spring(omega), Projectile(-g)}, x, v, n);
+    else if (!std::strcmp(what, "spring_damper_gravity"))
+        end = scene_by_library(Scene{DampedSpring(omega, zeta), Projectile(-g)}, x, v, n);
+    else if (!std::strcmp(what, "spring_damper_gravity_drag"))
+        end = scene_by_library(Scene{DampedSpring(omega, zeta), Projectile(-g), Drag(drag)}, x, v, n);
     else return std::fprintf(stderr, "steps: %s: no such method\n", what), 2;
     std::printf("%.17g\n", end);
 }

@@ -22,8 +22,10 @@ struct DampedSpring {
     /// Throws `std::invalid_argument`.
     DampedSpring(Real omega_, Real zeta_)
         : omega(not_negative("omega", omega_)), zeta(not_negative("zeta", zeta_)) {
-        if (!std::isfinite(omega * omega)) refuse("omega", omega, "small enough that its square is finite");
-        if (!std::isfinite(2 * zeta * omega)) refuse("zeta", zeta, "small enough that 2 zeta omega is finite");
+        if (!std::isfinite(omega * omega))
+            refuse("omega", omega, "small enough that its square is finite");
+        if (!std::isfinite(2 * zeta * omega))
+            refuse("zeta", zeta, "small enough that 2 zeta omega is finite");
     }
 
     /// From stiffness k in N/m, damping c in N·s/m and mass m in kg: ω = √(k/m), ζ = c / (2√(k m)).
@@ -65,14 +67,13 @@ private:
         const real_of<X> e = exp(-gamma * t);
         const real_of<X> c = e * cos(beta * t);
         const real_of<X> s = beta > 0 ? e * sin(beta * t) / beta : e * t;
-        return {start.t + t,
-                (c + gamma * s) * start.x + s * start.v,
+        return {start.t + t, (c + gamma * s) * start.x + s * start.v,
                 (c - gamma * s) * start.v - omega * omega * s * start.x};
     }
     /// [swinging]
 
     // ζ ≥ 1. Two exponentials e^(−pt) and e^(−qt) solve the equation: p, q = ω (ζ ∓ √(ζ² − 1)).
-    // The slow one is written p = ω / (ζ + √(ζ² − 1)), since pq = ω², so nothing cancels for large ζ.
+    // The slow one is written p = ω / (ζ + √(ζ² − 1)), since pq = ω²: nothing cancels for large ζ.
     //     s = (e^(−pt) − e^(−qt)) / (q − p) = e^(−pt) (1 − e^(−(q − p)t)) / (q − p)
     // is what a push of v₀ = 1 does. By expm1 it keeps its digits as q − p → 0, where it tends to
     // t e^(−pt), the answer at ζ = 1. No cosh, which overflows long before its e^(−γt) makes up for
@@ -88,8 +89,7 @@ private:
         const real_of<X> e_p = exp(-p * t);
         const real_of<X> e_q = exp(-q * t);
         const real_of<X> s = gap > 0 ? -e_p * expm1(-gap * t) / gap : e_p * t;
-        return {start.t + t,
-                (e_p + p * s) * start.x + s * start.v,
+        return {start.t + t, (e_p + p * s) * start.x + s * start.v,
                 (e_q - p * s) * start.v - omega * omega * s * start.x};
     }
     /// [creeping]

@@ -7,10 +7,10 @@
 
 namespace timestep {
 
-/// Quadratic air resistance, a = −k |v| v: against the motion, and four times as strong at twice the
-/// speed (I03). For a body of mass m and cross-section A with drag coefficient C in air of density
-/// ρ, k = ρ C A / (2 m). The force is nonlinear, and in two or three dimensions it ties the
-/// components of the velocity together: a projectile with drag has no simple exact solution.
+/// Quadratic air resistance, a = −k |v| v: against the motion, and four times as strong at twice
+/// the speed (I03). For a body of mass m and cross-section A with drag coefficient C in air of
+/// density ρ, k = ρ C A / (2 m). The force is nonlinear, and in two or three dimensions it ties
+/// the components of the velocity together: a projectile with drag has no simple exact solution.
 template <class Real>
 struct Drag {
     Real k;  ///< drag per unit of mass, 1/m

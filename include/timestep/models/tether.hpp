@@ -20,11 +20,12 @@ struct Tether {
     /// Throws `std::invalid_argument`.
     Tether(Real omega_, Real length_)
         : omega(not_negative("omega", omega_)), length(not_negative("length", length_)) {
-        if (!std::isfinite(omega * omega)) refuse("omega", omega, "small enough that its square is finite");
+        if (!std::isfinite(omega * omega))
+            refuse("omega", omega, "small enough that its square is finite");
     }
 
-    // The share of x that is stretch, (|x| − L) / |x| = 1 − L / |x|. At the origin the tether has no
-    // direction, and we let it exert no force.
+    // The share of x that is stretch, (|x| − L) / |x| = 1 − L / |x|. At the origin the tether has
+    // no direction, and we let it exert no force.
     /// −ω² (1 − L/|x|) x, m/s².
     /// [model]
     template <class X>

@@ -1,0 +1,136 @@
+// The models' derivatives against those of calculus, their exact solutions, and what they refuse.
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Core>
+
+#include <timestep/models/coupled_springs.hpp>
+#include <timestep/models/decay.hpp>
+#include <timestep/models/drag.hpp>
+#include <timestep/models/tether.hpp>
+
+#include "dual.hpp"
+
+using namespace timestep;
+using test_support::Dual;
+using Vector3 = Eigen::Vector3d;
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+// The matrix of derivatives of a vector function, column by column.
+template <class Function>
+Eigen::Matrix3d derivative(const Function& f, const Vector3& at) {
+    Eigen::Matrix3d result;
+    for (int j = 0; j < 3; ++j) {
+        Eigen::Matrix<Dual, 3, 1> x = at.cast<Dual>();
+        x(j).slope = 1;
+        const Eigen::Matrix<Dual, 3, 1> y = f(x);
+        for (int i = 0; i < 3; ++i) result(i, j) = y(i).slope;
+    }
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("drag brakes against the motion, with the square of the speed", "[library]") {
+    const Drag drag(0.25);
+    CHECK(drag.acceleration(0.0, 2.0) == -1);
+    CHECK(drag.acceleration(0.0, -4.0) == 4);
+    CHECK(drag.acceleration(0.0, 0.0) == 0);
+    const Vector3 v(2, -1, 2);  // |v| = 3
+    CHECK(drag.acceleration(Vector3(0, 0, 0), v) == Vector3(-1.5, 0.75, -1.5));
+    // At the terminal speed it holds against gravity.
+    const auto shell = Drag<double>::from_terminal_speed(40, 9.81);
+    CHECK(std::fabs(shell.acceleration(0.0, -40.0) - 9.81) < 4 * eps * 9.81);
+
+    CHECK_THROWS_AS(Drag(-1.0), std::invalid_argument);
+    CHECK_THROWS_AS(Drag(std::nan("")), std::invalid_argument);
+    CHECK_THROWS_AS(Drag<double>::from_terminal_speed(0, 9.81), std::invalid_argument);
+    CHECK_THROWS_AS(Drag<double>::from_terminal_speed(1e-200, 9.81), std::invalid_argument);
+}
+
+TEST_CASE("the slopes of drag are its derivatives", "[library]") {
+    const Drag drag(0.25);
+    for (const double v : {-3.0, 2.0}) CHECK(drag.slope_v(0.0, v) == -0.5 * std::fabs(v));
+    CHECK(drag.slope_v(0.0, 0.0) == 0);
+    CHECK(drag.slope_x(0.0, 3.0) == 0);
+
+    const Vector3 x(0, 0, 0), v(2, -1, 2.5);
+    const auto brake = [&](const auto& u) { return drag.acceleration(u, u); };
+    CHECK((drag.slope_v(x, v) - derivative(brake, v)).norm() < 20 * eps * 3.4);
+    CHECK(drag.slope_v(x, Vector3(0, 0, 0)) == Eigen::Matrix3d::Zero());
+}
+
+TEST_CASE("a tether pulls and pushes along itself", "[library]") {
+    const Tether rope(2.0, 5.0);
+    CHECK(rope.acceleration(Vector3(3, 4, 0)) == Vector3(0, 0, 0));     // at rest length
+    CHECK(rope.acceleration(Vector3(0, 10, 0)) == Vector3(0, -20, 0));  // 5 m too long
+    CHECK(rope.acceleration(Vector3(0, 0, 1)) == Vector3(0, 0, 16));    // 4 m too short
+    CHECK(rope.acceleration(Vector3(0, 0, 0)) == Vector3(0, 0, 0));     // no direction, no force
+    CHECK(rope.energy(State{0, Vector3(0, 10, 0), Vector3(1, 2, 2)}) == 4.5 + 50);
+
+    const auto force = [&](const auto& x) { return rope.acceleration(x); };
+    const Vector3 x(2, -1, 2.5);
+    CHECK((rope.slope_x(x) - derivative(force, x)).norm() < 20 * eps * 4 * 5);
+
+    CHECK_THROWS_AS(Tether(-1.0, 1.0), std::invalid_argument);
+    CHECK_THROWS_AS(Tether(1.0, -1.0), std::invalid_argument);
+    CHECK_THROWS_AS(Tether(1e200, 1.0), std::invalid_argument);
+}
+
+TEST_CASE("decay carries its derivative and refuses what is no number", "[library]") {
+    const Decay decay(-3.0);
+    CHECK(decay(0.0, 2.0) == -6);
+    CHECK(decay.slope_y(0.0, 2.0) == -3);
+    CHECK_THROWS_AS(Decay(INFINITY), std::invalid_argument);
+}
+
+TEMPLATE_TEST_CASE("equal masses and springs swing in sines", "[library]", float, double,
+                   long double) {
+    using Real = TestType;
+    constexpr int n = 4;
+    const Real pi = static_cast<Real>(3.14159265358979323846264338327950288L);
+    const auto ones = [](auto vector) { return decltype(vector)(decltype(vector)::Ones()); };
+    const CoupledSprings row(ones(Eigen::Matrix<Real, n, 1>()),
+                             ones(Eigen::Matrix<Real, n + 1, 1>()));
+    // ω_j = 2 sin(jπ / 2(n + 1)), and mode j is sin(ijπ / (n + 1)).
+    for (int j = 1; j <= n; ++j) {
+        const Real omega = 2 * std::sin(j * pi / (2 * (n + 1)));
+        CHECK(std::fabs(row.frequencies()(j - 1) - omega) <
+              20 * std::numeric_limits<Real>::epsilon());
+        Eigen::Matrix<Real, n, 1> mode;
+        for (int i = 1; i <= n; ++i) mode(i - 1) = std::sin(i * j * pi / (n + 1));
+        const Real aligned = std::fabs(mode.normalized().dot(row.modes().col(j - 1).normalized()));
+        CHECK(std::fabs(aligned - 1) < 20 * std::numeric_limits<Real>::epsilon());
+    }
+}
+
+TEST_CASE("a row with free ends drifts, and keeps its momentum", "[library]") {
+    using Vector2 = Eigen::Vector2d;
+    const CoupledSprings pair(Vector2(1, 3), Vector3(0, 2, 0));
+    CHECK(pair.frequencies()(0) < 1e-7);  // the root of roundoff: it is zero
+    const State start{0, Vector2(0.5, 0), Vector2(1, 1)};
+    const State<Vector2> s = pair.exact(start, 2.0);
+    CHECK(std::fabs((s.v(0) + 3 * s.v(1)) - 4) < 100 * eps);
+    // The middle of mass goes on at 1 m/s; with ω = 1e-8 in place of 0 it would be 1e-16 late.
+    CHECK(std::fabs((s.x(0) + 3 * s.x(1)) / 4 - (0.125 + 2)) < 100 * eps);
+    // The two against each other: the reduced mass 3/4 on a spring of 2.
+    const double omega = std::sqrt(2 / 0.75);
+    CHECK(std::fabs((s.x(0) - s.x(1)) - 0.5 * std::cos(omega * 2)) < 100 * eps);
+}
+
+TEST_CASE("coupled springs refuse masses and springs that cannot be", "[library]") {
+    using Vector2 = Eigen::Vector2d;
+    CHECK_THROWS_AS(CoupledSprings(Vector2(1, 0), Vector3(1, 1, 1)), std::invalid_argument);
+    CHECK_THROWS_AS(CoupledSprings(Vector2(1, 1), Vector3(1, -1, 1)), std::invalid_argument);
+    CHECK_THROWS_AS(CoupledSprings(Vector2(1, 1), Vector3(1, NAN, 1)), std::invalid_argument);
+    CHECK_THROWS_AS(CoupledSprings(Vector2(1e-300, 1), Vector3(1e300, 1, 1)),
+                    std::invalid_argument);
+    CHECK(CoupledSprings(Vector2(1, 2), Vector3(3, 4, 5)).acceleration(Vector2(1, 10)) ==
+          Vector2(-3 + 4 * 9, (-4 * 9 - 5 * 10) / 2.0));
+}

@@ -1,0 +1,134 @@
+// Scenes: the sum of their parts, of the kind that their parts allow, and nothing more.
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/LU>
+
+#include <timestep/methods/implicit_euler.hpp>
+#include <timestep/models/coupled_springs.hpp>
+#include <timestep/models/damped_spring.hpp>
+#include <timestep/models/drag.hpp>
+#include <timestep/models/projectile.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/models/tether.hpp>
+#include <timestep/run.hpp>
+#include <timestep/scene.hpp>
+
+using namespace timestep;
+using Vector2 = Eigen::Vector2d;
+
+namespace {
+
+const Projectile fall(-9.81);
+const Spring spring(8.0);
+const DampedSpring damped(8.0, 0.1);
+const Drag drag(0.006);
+const Projectile fall2(Vector2(0, -9.81));
+const Tether tether(3.0, 1.0);
+
+struct Noisy {  // depends on the velocity, and has no derivatives
+    double acceleration(double, double v) const { return v > 0 ? -1 : 1; }
+};
+
+}  // namespace
+
+TEST_CASE("a scene takes the arguments that its parts take", "[library]") {
+    STATIC_REQUIRE(ConstantForce<Scene<Projectile<double>>>);
+    STATIC_REQUIRE(ConstantForce<Scene<Projectile<double>, Projectile<double>>>);
+
+    using Position = Scene<Spring<double>, Projectile<double>>;
+    STATIC_REQUIRE(!ConstantForce<Position>);
+    STATIC_REQUIRE(PositionForce<Position, double>);
+
+    using Velocity = Scene<Projectile<double>, Spring<double>, Drag<double>>;
+    STATIC_REQUIRE(!PositionForce<Velocity, double>);
+    STATIC_REQUIRE(VelocityForce<Velocity, double>);
+
+    // Two dimensions of gravity do not fit one of position.
+    STATIC_REQUIRE(PositionForce<Scene<Spring<double>, Projectile<Vector2>>, Vector2>);
+}
+
+TEST_CASE("a scene is linear when all of its parts are, smooth when all of them are", "[library]") {
+    STATIC_REQUIRE(LinearForce<Scene<Spring<double>, Projectile<double>>, double>);
+    STATIC_REQUIRE(LinearForce<Scene<Projectile<double>, DampedSpring<double>>, double>);
+    STATIC_REQUIRE(!LinearForce<Scene<Spring<double>, Drag<double>>, double>);
+    STATIC_REQUIRE(SmoothForce<Scene<Spring<double>, Drag<double>>, double>);
+    STATIC_REQUIRE(SmoothForce<Scene<Tether<double>, Spring<double>>, Vector2>);
+    STATIC_REQUIRE(!SmoothForce<Scene<Spring<double>, Noisy>, double>);
+    STATIC_REQUIRE(VelocityForce<Scene<Spring<double>, Noisy>, double>);
+}
+
+TEST_CASE("the acceleration is the sum in the order of the parts, bit for bit", "[library]") {
+    CHECK(Scene{fall, Projectile(3.1)}.acceleration() == -9.81 + 3.1);
+    const double x = 0.3, v = -2.7;
+    CHECK(Scene{spring, fall}.acceleration(x) == spring.acceleration(x) + fall.acceleration());
+    CHECK(Scene{damped, fall, drag}.acceleration(x, v) ==
+          (damped.acceleration(x, v) + fall.acceleration()) + drag.acceleration(x, v));
+    const Vector2 p(0.3, 1.2), u(4, -5);
+    CHECK(Scene{fall2, drag}.acceleration(p, u) ==
+          Vector2(fall2.acceleration() + drag.acceleration(p, u)));
+    CHECK(Scene{tether, fall2}.acceleration(p) ==
+          Vector2(tether.acceleration(p) + fall2.acceleration()));
+
+    // Two parts of one kind are two forces.
+    CHECK(Scene{spring, Spring(2.0)}.acceleration(x) ==
+          spring.acceleration(x) + Spring(2.0).acceleration(x));
+    // A scene is a model, so it can be a part.
+    CHECK(Scene{Scene{spring, fall}, drag}.acceleration(x, v) ==
+          Scene{spring, fall}.acceleration(x) + drag.acceleration(x, v));
+}
+
+TEST_CASE("the slopes are the sums of the slopes", "[library]") {
+    CHECK(Scene{spring, fall}.slope_x() == -64);
+    CHECK(Scene{fall, damped, Spring(6.0)}.slope_x() == -100);
+    CHECK(Scene{fall, damped, Spring(6.0)}.slope_v() == damped.slope_v());
+    CHECK(Scene{damped, DampedSpring(1.0, 0.5)}.slope_v() == damped.slope_v() - 1);
+
+    // A number among matrices stands for itself times the unit matrix.
+    const CoupledSprings row(Vector2(1, 2), Eigen::Vector3d(1, 2, 3));
+    const Eigen::Matrix2d both = Scene{row, Spring(3.0), fall2}.slope_x();
+    CHECK(both == Eigen::Matrix2d(row.slope_x() - 9 * Eigen::Matrix2d::Identity()));
+
+    const Vector2 p(0.3, 1.2), u(4, -5);
+    CHECK(Scene{tether, drag, fall2}.slope_x(p, u) == tether.slope_x(p));
+    CHECK(Scene{tether, drag, damped}.slope_x(p, u) ==
+          Eigen::Matrix2d(tether.slope_x(p) - 64 * Eigen::Matrix2d::Identity()));
+    CHECK(Scene{tether, drag, damped}.slope_v(p, u) ==
+          Eigen::Matrix2d(drag.slope_v(p, u) + damped.slope_v() * Eigen::Matrix2d::Identity()));
+}
+
+TEST_CASE("implicit methods step linear and nonlinear scenes", "[library]") {
+    // One step solves v₂ = v₁ + h a(x₁ + h v₂, v₂): look whether it does.
+    const double h = 0.1;
+    const auto solves = [&](const auto& scene, const auto& start) {
+        const auto end = implicit_euler.step(scene, start, h);
+        using X = std::remove_cvref_t<decltype(end.x)>;
+        const X off = end.v - start.v - h * acceleration(scene, end.x, end.v);
+        // Newton-Raphson stops at four ε of v, and the force is rounded like v.
+        CHECK(magnitude(off) < 100 * std::numeric_limits<double>::epsilon() * magnitude(end.v));
+    };
+    solves(Scene{damped, fall}, State{0, 0.0, -3.0});
+    solves(Scene{damped, fall, drag}, State{0, 0.0, -3.0});
+    solves(Scene{fall2, drag}, State{0, Vector2(0, 0), Vector2(20, 20)});
+    solves(Scene{tether, fall2}, State{0, Vector2(1.5, 0), Vector2(0, 2)});
+    solves(Scene{tether, fall2, drag}, State{0, Vector2(1.5, 0), Vector2(0, 2)});
+}
+
+TEST_CASE("a scene holds its parts and nothing else", "[library]") {
+    STATIC_REQUIRE(sizeof(Scene<Spring<double>>) == sizeof(Spring<double>));
+    STATIC_REQUIRE(sizeof(Scene<DampedSpring<double>, Projectile<double>>) == 3 * sizeof(double));
+    CHECK(Scene{spring}.acceleration(0.3) == spring.acceleration(0.3));
+}
+
+TEMPLATE_TEST_CASE("scenes in every real number", "[library]", float, double, long double) {
+    using Real = TestType;
+    const Scene scene{DampedSpring<Real>(8, Real(0.1)), Projectile<Real>(Real(-9.81)),
+                      Drag<Real>(Real(0.5))};
+    STATIC_REQUIRE(std::is_same_v<decltype(scene.acceleration(Real(1), Real(1))), Real>);
+    STATIC_REQUIRE(std::is_same_v<decltype(scene.slope_v(Real(1), Real(1))), Real>);
+    const State<Real> end = run(implicit_euler, scene, State<Real>{0, 0, -3}, Real(0.01), 10);
+    CHECK(is_finite(end));
+}
