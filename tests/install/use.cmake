@@ -70,8 +70,9 @@ endforeach()
 file(WRITE "${WORK}/newer/CMakeLists.txt"
   "cmake_minimum_required(VERSION 3.25)\nproject(newer LANGUAGES NONE)\n"
   "find_package(timestep 99 REQUIRED)\n")
-execute_process(COMMAND "${CMAKE_COMMAND}" -S "${WORK}/newer" -B "${WORK}/newer/build"
-    "-DCMAKE_PREFIX_PATH=${WORK}/moved" RESULT_VARIABLE status ERROR_VARIABLE output OUTPUT_QUIET)
+execute_process(COMMAND "${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${WORK}/newer" -B "${WORK}/newer/build"
+    "-DCMAKE_MAKE_PROGRAM=${MAKE}" "-DCMAKE_PREFIX_PATH=${WORK}/moved"
+  RESULT_VARIABLE status ERROR_VARIABLE output OUTPUT_QUIET)
 if(status EQUAL 0 OR NOT output MATCHES "version: ${VERSION}")
   message(FATAL_ERROR "version 99 was asked for, ${VERSION} is installed, and CMake says:\n${output}")
 endif()

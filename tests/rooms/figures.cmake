@@ -14,7 +14,7 @@ endfunction()
 set(good_program "printf 't\\tx\\n0\\t1\\n1\\t2\\n' >\"$2/data.tsv\"; echo 'all is well'")
 
 set(still "call figure 'one.svg' 400 300\nplot 'data.tsv' using 1:2 with lines\n")
-set(film "set terminal gif size 100,100\nset output 'two.gif'\nplot 'data.tsv' using 1:2\nunset output\n")
+set(film "set terminal gif size 300,200\nset output 'two.gif'\nplot 'data.tsv' using 1:2\nunset output\n")
 function(draw)
   string(CONCAT text "load style\n" ${ARGN})
   file(WRITE "${WORK}/figures.gp" "${text}")

@@ -22,7 +22,7 @@ namespace {
 // "100% tests passed, 0 tests failed out of 12" begins ctest's closing summary.
 bool begins_summary(const std::string& line) {
     const auto end = line.find_first_not_of("0123456789");
-    return end != 0 && end != std::string::npos &&
+    return end != std::string::npos &&
            std::string_view(line).substr(end).starts_with("% tests passed");
 }
 
