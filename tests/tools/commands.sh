@@ -112,6 +112,23 @@ all                           3.70        3            3
 The site: file://$folder/build/site/html/index.html"
 }
 
+test_on_a_terminal_tour_shows_that_it_goes_on() {
+    command -v script >/dev/null || exit 77
+    printf '[1/2] Building CXX object a.cpp.o\n[2/2] Running chapter 03_swing\n' >build_says
+    : >build_pauses
+    cat >on_terminal.sh <<END
+. '$here/stage.sh'
+folder=$folder program=$program ctest=$ctest
+course tour
+END
+    script -qec 'sh on_terminal.sh' /dev/null >out </dev/null || fail "exit status $?"
+    tr '\r' '\n' <out >err
+    says err '0 s  [1/2] Building CXX object a.cpp.o'
+    says err '  Running chapter 03_swing'
+    says err '1 s  [2/2]'
+    says err "$(printf '\033[1mchapter')"
+}
+
 test_tour_that_fails_says_why_without_a_table() {
     cat >build_says <<'END'
 [1/4] Building CXX object a.cpp.o

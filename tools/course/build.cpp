@@ -73,10 +73,11 @@ void build(const std::vector<std::string>& targets, Progress& progress) {
         log << line << std::endl;
         Step step;
         if (!read_step(line, step)) return;
-        if (is_routine(step.text))
-            progress.now("[" + step.count + "] " + step.text);
-        else
+        if (!is_routine(step.text)) {
             progress.say("  " + step.text);
+            step.text.clear();
+        }
+        progress.now("[" + step.count + "] " + step.text);
     });
     std::vector<std::string> command{
         places().cmake,
@@ -86,7 +87,7 @@ void build(const std::vector<std::string>& targets, Progress& progress) {
         std::to_string(std::max(1u, std::thread::hardware_concurrency())),
         "--target"};
     command.insert(command.end(), targets.begin(), targets.end());
-    const int status = listen(command, std::ref(lines));
+    const int status = listen(command, std::ref(lines), [&] { progress.tick(); });
     progress.clear();
     if (status == 0) return;
     for (const auto& line : reason(heard)) std::fprintf(stderr, "%s\n", line.c_str());

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstring>
 
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -42,7 +43,8 @@ private:
 }  // namespace
 
 int listen(const std::vector<std::string>& command,
-           const std::function<void(std::string_view)>& heard) {
+           const std::function<void(std::string_view)>& heard,
+           const std::function<void()>& silence) {
     const LeaveInterruptToChild guard;
     int pipe_ends[2];
     if (pipe(pipe_ends) != 0) throw Stop(Status::missing, "no pipe to be had from the system");
@@ -56,6 +58,11 @@ int listen(const std::vector<std::string>& command,
 
     char piece[4096];
     for (;;) {
+        pollfd waiting{pipe_ends[0], POLLIN, 0};
+        if (poll(&waiting, 1, 1000) == 0) {
+            silence();
+            continue;
+        }
         const ssize_t size = read(pipe_ends[0], piece, sizeof piece);
         if (size > 0)
             heard({piece, static_cast<std::size_t>(size)});

@@ -9,10 +9,12 @@
 
 namespace course {
 
-/// Runs `command` and hands on all it prints (standard output and error together) as it comes.
-/// Returns its exit status. Throws Stop where it cannot be started or was ended by a signal.
-int listen(const std::vector<std::string>& command,
-           const std::function<void(std::string_view)>& heard);
+/// Runs `command` and hands on all it prints (standard output and error together) as it comes;
+/// calls `silence` for every second in which nothing comes. Returns its exit status. Throws Stop
+/// where it cannot be started or was ended by a signal.
+int listen(
+    const std::vector<std::string>& command, const std::function<void(std::string_view)>& heard,
+    const std::function<void()>& silence = [] {});
 
 /// Cuts what comes in pieces into whole lines.
 class Lines {

@@ -53,14 +53,21 @@ void Progress::say(const std::string& line) {
 }
 
 void Progress::now(const std::string& line) {
-    if (isatty(STDERR_FILENO) != 1) return;
-    std::fprintf(stderr, "\r\033[K%s", cut(line, columns() - 1).c_str());
-    drawn_ = true;
+    line_ = line;
+    tick();
+}
+
+void Progress::tick() {
+    if (isatty(STDERR_FILENO) != 1 || line_.empty()) return;
+    const auto gone = std::chrono::steady_clock::now() - begin_;
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(gone).count();
+    std::fprintf(stderr, "\r\033[K%s",
+                 cut("  " + std::to_string(seconds) + " s  " + line_, columns() - 1).c_str());
 }
 
 void Progress::clear() {
-    if (drawn_) std::fprintf(stderr, "\r\033[K");
-    drawn_ = false;
+    if (isatty(STDERR_FILENO) == 1 && !line_.empty()) std::fprintf(stderr, "\r\033[K");
+    line_.clear();
 }
 
 }  // namespace course

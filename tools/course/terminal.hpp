@@ -2,6 +2,7 @@
 /// \file
 /// What people see: colours and a line that is rewritten on a terminal, plain lines elsewhere.
 
+#include <chrono>
 #include <string>
 
 namespace course {
@@ -24,12 +25,15 @@ public:
     ~Progress() { clear(); }
     /// Something worth a line of its own, wherever it is read.
     void say(const std::string& line);
-    /// What is done at this moment: rewritten in place on a terminal, left out elsewhere.
+    /// How far it is: rewritten in place on a terminal, left out elsewhere.
     void now(const std::string& line);
+    /// Shows the same line again with the seconds that have gone by.
+    void tick();
     void clear();
 
 private:
-    bool drawn_ = false;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    std::string line_;  // drawn at this moment, if any
 };
 
 }  // namespace course
