@@ -126,6 +126,7 @@ END
     says err '0 s  [1/2] Building CXX object a.cpp.o'
     says err '  Running chapter 03_swing'
     says err '1 s  [2/2]'
+    silent_on err '[2/2] Running'
     says err "$(printf '\033[1mchapter')"
 }
 
