@@ -181,7 +181,7 @@ void film(const Settings& settings, lab::Findings& out) {
     start.v += kick;
     // One round before the film, which the strip shows, and the round of the film.
     auto& table = out.table("damping_film.tsv", {"t", "x", "v_over_omega"});
-    const int rows = 400;
+    const int rows = 240;
     for (int i = -rows; i < rows; ++i) {
         const State s = legs.exact(start, seconds * ((i + rows) % rows) / rows);
         table.row({swings * i / rows, s.x, s.v / legs.omega});

@@ -117,20 +117,20 @@ set label 2 "v / ω" at screen 0.36,0.93 center textcolor rgb "#d55e00"
 set label 3 "the state" at screen 0.79,0.93 center textcolor rgb "#007a59"
 do for [i=0:59] {
     now = i/60.0
-    row = 271 + 3*i
+    row = 91 + i
     set multiplot
     @strip
     set xrange [-1.5:0.07]
     set xtics ("−1" -1, "now" 0)
     plot "portrait_film.tsv" using ($1 > now - 1.5 && $1 <= now + 1e-9 ? $1 - now : 1/0):2 with lines @first, \
          "" using ($1 > now - 1.5 && $1 <= now + 1e-9 ? $1 - now : 1/0):3 with lines @second, \
-         "" every ::row::row using (0):2 with points pt 7 ps 2.4 lc rgb "#0072b2", \
-         "" every ::row::row using (0):3 with points pt 7 ps 2.4 lc rgb "#d55e00"
+         "" every ::row::row using (0):2 with points pt 7 ps 2.4 lw 0.3 lc rgb "#0072b2", \
+         "" every ::row::row using (0):3 with points pt 7 ps 2.4 lw 0.3 lc rgb "#d55e00"
     @plane
-    plot "portrait.tsv" using 2:3 with lines lc rgb "#8a8a8a" lw 2, \
+    plot "portrait.tsv" every 4::1 using 2:3 with lines lc rgb "#8a8a8a" lw 2, \
          "portrait_film.tsv" every ::row::row using (0):3:2:(0) with vectors nohead lc rgb "#0072b2" lw 2.5, \
          "" every ::row::row using 2:(0):(0):3 with vectors nohead lc rgb "#d55e00" lw 2.5, \
-         "" every ::row::row using 2:3 with points pt 7 ps 2.8 lc rgb "#009e73"
+         "" every ::row::row using 2:3 with points pt 7 ps 2.8 lw 0.3 lc rgb "#009e73"
     unset multiplot
 }
 unset label
@@ -178,27 +178,27 @@ set yrange [-0.31:0.31]
 set ytics 0.2
 set bmargin at screen 0.2
 set tmargin at screen 0.85
-call animation "damping_film.gif" 560 340 4
+call animation "damping_film.gif" 560 340 5
 set label 1 "x" at screen 0.22,0.93 center textcolor rgb "#0072b2"
 set label 2 "v / ω" at screen 0.36,0.93 center textcolor rgb "#d55e00"
 set label 3 "the state" at screen 0.79,0.93 center textcolor rgb "#007a59"
-do for [i=0:99] {
-    now = i/20.0
-    row = 401 + 4*i
+do for [i=0:79] {
+    now = i/16.0
+    row = 241 + 3*i
     set multiplot
     @strip
     set xrange [-5:0.23]
     set xtics ("−4" -4, "−2" -2, "now" 0)
     plot "damping_film.tsv" using ($1 >= now - 5 && $1 <= now + 1e-9 ? $1 - now : 1/0):2 with lines @first, \
          "" using ($1 >= now - 5 && $1 <= now + 1e-9 ? $1 - now : 1/0):3 with lines @second, \
-         "" every ::row::row using (0):2 with points pt 7 ps 2.4 lc rgb "#0072b2", \
-         "" every ::row::row using (0):3 with points pt 7 ps 2.4 lc rgb "#d55e00"
+         "" every ::row::row using (0):2 with points pt 7 ps 2.4 lw 0.3 lc rgb "#0072b2", \
+         "" every ::row::row using (0):3 with points pt 7 ps 2.4 lw 0.3 lc rgb "#d55e00"
     @plane
     plot "damping_film.tsv" using 2:3 with lines lc rgb "#cccccc" lw 1.5, \
          "" using ($1 >= now - 1 && $1 <= now + 1e-9 ? $2 : 1/0):3 with lines lc rgb "#666666" lw 2.5, \
          "" every ::row::row using (0):3:2:(0) with vectors nohead lc rgb "#0072b2" lw 2.5, \
          "" every ::row::row using 2:(0):(0):3 with vectors nohead lc rgb "#d55e00" lw 2.5, \
-         "" every ::row::row using 2:3 with points pt 7 ps 2.8 lc rgb "#009e73"
+         "" every ::row::row using 2:3 with points pt 7 ps 2.8 lw 0.3 lc rgb "#009e73"
     unset multiplot
 }
 unset label

@@ -48,7 +48,7 @@ Landing fly(const Method& method, const Model& model, double h, lab::Table* path
 }
 
 // How many steps a second are enough to know where the grenade is after three seconds, to a
-// centimetre. Looks at whole numbers, a fiftieth apart.
+// centimetre. Tries whole numbers from 1 on: the next is larger by one and a fiftieth of itself.
 template <class Method, class Model>
 double rate_needed(const Method& method, const Model& model, const Vector2& mark) {
     for (long a_second = 1; a_second < 100000; a_second += 1 + a_second / 50) {

@@ -85,13 +85,13 @@ double hip(const State<double>& s) {
     return leg + within(s.x, 5);
 }
 
-// How far up and down the last swing goes.
-struct LastSwing {
-    double since;  // s
+// How far up and down one swing goes.
+struct Swing {
+    double since, until = 1e9;  // s
     double low = 1e9, high = -1e9;
 
     void look(const State<double>& s) {
-        if (s.t < since) return;
+        if (s.t < since || s.t > until) return;
         low = std::min(low, within(s.x, 1e9));
         high = std::max(high, within(s.x, 1e9));
     }
@@ -106,6 +106,7 @@ bool same_bits(const std::vector<State<double>>& a, const std::vector<State<doub
 // One landing at one frame rate, stepped both ways.
 struct Landing {
     double variable = 0, fixed = 0;     // m, the last swings
+    double first = 0;                   // m, the first swing with the fixed step
     std::vector<State<double>> states;  // of the fixed step
 };
 
@@ -114,7 +115,7 @@ Landing land(const Method& method, const Settings& settings, const std::string& 
              const Frames& frames, lab::Findings& out) {
     const auto scene = character(settings);
     Landing result;
-    LastSwing variable{seconds - settings.period()}, fixed = variable;
+    Swing variable{seconds - settings.period()}, fixed = variable, first{0, settings.period()};
     auto& by_frames = out.table("variable_" + name + ".tsv", {"t", "height"});
     by_frames.row({0.0, hip(landing)});
     variable_step(method, scene, frames, [&](const State<double>& drawn) {
@@ -130,9 +131,11 @@ Landing land(const Method& method, const Settings& settings, const std::string& 
         [&](const State<double>& s) {
             result.states.push_back(s);
             fixed.look(s);
+            first.look(s);
         });
     result.variable = variable.height();
     result.fixed = fixed.height();
+    result.first = first.height();
     std::printf("  %8s  %14.3g m  %12.3g m  %8zu\n", name.c_str(), result.variable, result.fixed,
                 result.states.size());
     return result;
@@ -152,6 +155,8 @@ void frame_rates(const Method& method, const Settings& settings, lab::Findings& 
                       same_bits(at_144.states, uneven.states);
     std::printf("  with the fixed step all four find the same states%s\n",
                 same ? ", bit for bit" : ": NO, THEY DIFFER");
+    std::printf("  its first swing goes over %.4g m, its last over %.4g m: it %s\n", at_60.first,
+                at_60.fixed, at_60.fixed < at_60.first ? "settles" : "grows");
     out.number("swing_144", at_144.variable, "m", "the last swing at 144 steps a second", 2);
     out.number("swing_30", at_30.variable, "m", "the last swing at 30 steps a second", 2);
     out.check("same_at_every_rate", same,
@@ -160,8 +165,9 @@ void frame_rates(const Method& method, const Settings& settings, lab::Findings& 
     const double first = 2 * std::fabs(landing.v) / settings.omega();
     out.check("frame_rate_matters", at_144.variable < first && at_30.variable > first,
               "with a step as long as the frame the swing shrinks at 144 frames/s and grows at 30");
-    out.check("one_step_short", at_144.states.size() + 1 == at_60.states.size(),
-              "after three seconds 144 frames/s have taken one step fewer than 60");
+    if (settings.step == Settings{}.step)  // the page speaks of this step alone
+        out.check("one_step_short", at_144.states.size() + 1 == at_60.states.size(),
+                  "after three seconds 144 frames/s have taken one step fewer than 60");
 }
 
 // The exact motion, about the height at which the character stands.

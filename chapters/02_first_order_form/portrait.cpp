@@ -97,9 +97,8 @@ void circle(const Spring<double>& spring, const State<double>& start, double per
 void film(const Spring<double>& spring, const State<double>& start, double period,
           lab::Findings& out) {
     auto& table = out.table("portrait_film.tsv", {"t", "x", "v_over_omega"});
-    const int per_frame = 3;
-    for (int i = -3 * frames / 2 * per_frame; i <= frames * per_frame; ++i) {
-        const State s = spring.exact(start, period * i / (frames * per_frame));
+    for (int i = -3 * frames / 2; i <= frames; ++i) {
+        const State s = spring.exact(start, period * i / frames);
         table.row({s.t / period, s.x, s.v / spring.omega});
     }
 }

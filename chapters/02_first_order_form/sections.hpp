@@ -40,19 +40,18 @@ struct Settings {
     }
 };
 
-/// [character]
+/// [scenes]
 // x is the height of the hip above its place at rest length.
 inline auto character(const Settings& settings) {
     return Scene{settings.legs(), Projectile{-gravity}};
 }
-/// [character]
 
-/// [grenade]
 inline auto grenade(const Settings& settings) {
-    const double k = gravity / (settings.terminal_speed * settings.terminal_speed);
+    const double v = settings.terminal_speed;
+    const double k = gravity / (v * v);
     return Scene{Projectile{Vector2(0, -gravity)}, Drag{k}};
 }
-/// [grenade]
+/// [scenes]
 
 inline timestep::State<Vector2> throw_grenade() {
     const double v = throw_speed / std::sqrt(2.0);

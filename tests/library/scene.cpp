@@ -73,6 +73,12 @@ TEST_CASE("the acceleration is the sum in the order of the parts, bit for bit", 
     CHECK(Scene{tether, fall2}.acceleration(p) ==
           Vector2(tether.acceleration(p) + fall2.acceleration()));
 
+    // Added from the right, the one would drown in the large numbers.
+    const Projectile up(1e16), down(-1e16), one(1.0);
+    CHECK(Scene{up, down, one}.acceleration() == 1);
+    CHECK(Scene{Spring(0.0), up, down, one}.acceleration(x) == 1);
+    CHECK(Scene{Drag(0.0), up, down, one}.acceleration(x, v) == 1);
+
     // Two parts of one kind are two forces.
     CHECK(Scene{spring, Spring(2.0)}.acceleration(x) ==
           spring.acceleration(x) + Spring(2.0).acceleration(x));

@@ -67,8 +67,9 @@ private:
         const real_of<X> e = exp(-gamma * t);
         const real_of<X> c = e * cos(beta * t);
         const real_of<X> s = beta > 0 ? e * sin(beta * t) / beta : e * t;
-        return {start.t + t, (c + gamma * s) * start.x + s * start.v,
-                (c - gamma * s) * start.v - omega * omega * s * start.x};
+        const X x = (c + gamma * s) * start.x + s * start.v;
+        const X v = (c - gamma * s) * start.v - omega * omega * s * start.x;
+        return {start.t + t, x, v};
     }
     /// [swinging]
 
@@ -89,8 +90,9 @@ private:
         const real_of<X> e_p = exp(-p * t);
         const real_of<X> e_q = exp(-q * t);
         const real_of<X> s = gap > 0 ? -e_p * expm1(-gap * t) / gap : e_p * t;
-        return {start.t + t, (e_p + p * s) * start.x + s * start.v,
-                (e_q - p * s) * start.v - omega * omega * s * start.x};
+        const X x = (e_p + p * s) * start.x + s * start.v;
+        const X v = (e_q - p * s) * start.v - omega * omega * s * start.x;
+        return {start.t + t, x, v};
     }
     /// [creeping]
 };
