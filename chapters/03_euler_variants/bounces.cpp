@@ -114,6 +114,18 @@ void bounces(const Settings&, lab::Findings& out) {
     const double cheap = compare(semi_implicit_euler, out);
     compare(midpoint, out);
     const double dear = compare(runge_kutta_4, out);
+    // A little sooner the ball is elsewhere in its flight, and the ranking is another.
+    const double sooner = 0.6;
+    const double cheap_sooner = mean_error(semi_implicit_euler, sooner, std::lround(60 * sooner));
+    const double dear_sooner = mean_error(runge_kutta_4, sooner, std::lround(60 * sooner));
+    std::printf("  at 60 Hz, %g s after the drop: semi-implicit %.1f mm off, Runge-Kutta 4 %.1f mm\n", sooner,
+                1000 * cheap_sooner, 1000 * dear_sooner);
+    out.number("bounce_sooner", sooner, "s", "an earlier moment");
+    out.number("bounce_later", after_landing, "s", "the moment of the errors");
+    out.number("bounce_sooner_semi", 1000 * cheap_sooner, "mm", "mean error at the earlier moment", 2);
+    out.number("bounce_sooner_rk4", 1000 * dear_sooner, "mm", "mean error at the earlier moment", 2);
+    out.check("bounce_depends", dear_sooner < cheap_sooner,
+              "at an earlier moment RK4 at 60 Hz is closer than semi-implicit Euler");
     out.check("bounce_rk4_no_better", dear >= cheap,
-              "after the bounce, RK4 at 60 Hz is no closer than semi-implicit Euler");
+              "0.9 s after the drop, RK4 at 60 Hz is no closer than semi-implicit Euler");
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <map>
+#include <random>
 #include <vector>
 
 #include <timestep/methods.hpp>
@@ -63,6 +64,22 @@ struct CountedPendulum : Pendulum<double> {
     double slope_x(double x) const { return ++slopes, Pendulum::slope_x(x); }
 };
 
+// Of many random starts, the percentage for which Newton-Raphson ends on no root of the implicit step.
+double newton_fails(double wh) {
+    const Pendulum pendulum(1.0);
+    std::mt19937 random(1);
+    const auto between = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.0); };
+    int failed = 0;
+    const int starts = 20000;
+    for (int i = 0; i < starts; ++i) {
+        const State start{0, between(-pi, pi), between(-3, 3)};
+        const State end = implicit_euler.step(pendulum, start, wh);
+        const double missing = end.v - start.v - wh * pendulum.acceleration(end.x);
+        if (!(std::fabs(missing) < 1e-9 * (1 + wh))) ++failed;
+    }
+    return 100.0 * failed / starts;
+}
+
 struct Times {
     double one = 1, many = 1, pendulum = 1;  // seconds a step, the least of the repetitions
 };
@@ -109,6 +126,13 @@ void cost_table(const std::map<std::string, Times>& times, lab::Findings& out) {
                    rounded(1e9 * t.one), rounded(1e9 * t.many), rounded(1e9 * t.pendulum), rounded(forces),
                    rounded(solves)});
     });
+    const double gentle = newton_fails(0.5), rough = newton_fails(1.5);
+    std::printf("  Newton-Raphson misses the pendulum's root for %g %% of 20000 starts at\n"
+                "  omega h = 0.5, and for %g %% at 1.5\n", gentle, rough);
+    out.number("newton_fails_gentle", gentle, "%", "Newton-Raphson without a root at omega h = 0.5", 2);
+    out.number("newton_fails_rough", rough, "%", "Newton-Raphson without a root at omega h = 1.5", 2);
+    out.check("newton_may_fail", gentle == 0 && rough > 0,
+              "Newton-Raphson finds every root at omega h = 0.5 and misses some at 1.5");
     const Times &e = times.at("explicit Euler"), &s = times.at("semi-implicit Euler"), &i = times.at("implicit Euler");
     out.number("alone_ratio", s.one / e.one, "", "semi-implicit over explicit, one spring", 2);
     out.number("many_ratio", s.many / e.many, "", "semi-implicit over explicit, each of 1000 springs", 2);

@@ -13,7 +13,9 @@ int main(int argc, char** argv) {
                    "the method in the portraits");
     return program.run(argc, argv, [&](lab::Findings& out) {
         const timestep::Spring spring(settings.omega);  // refuses an ω whose square is not finite
-        timestep::positive("omega * step", settings.wh());
+        // The pictures take 2π/ωh steps a swing, one row of data each.
+        if (!(settings.wh() >= 1e-3 && settings.wh() <= 1e3))
+            timestep::refuse("omega * step", settings.wh(), "from 0.001 to 1000 here");
         portraits(settings, out);
         energies(settings, out);
         eigenvalue_paths(settings, out);

@@ -3,7 +3,7 @@ load style
 # The picture of the chapter: one spring in the phase portrait.
 call figure "portraits.svg" 640 600
 set size ratio -1
-set xlabel "position x (m)" offset 0,0.4
+set xlabel "position x (m)\n " offset 0,0.4
 set ylabel "velocity v / ω (m)"
 set xrange [-4.2:5.2]
 set yrange [-4.5:4.5]
@@ -17,12 +17,12 @@ plot "exact.tsv" using 1:2 with lines @exact title "exact", \
 unset label
 
 # Smaller steps: closer, and dearer.
-call figure "smaller_steps.svg" 640 440
+call figure "smaller_steps.svg" 640 480
 set size noratio
 set autoscale
-set xlabel "time t (s)"
+set xlabel "time t (s)\n "
 set ylabel "position x (m)"
-set key inside top left vertical reverse Left
+set key outside bottom center horizontal reverse Left
 plot "smaller_exact.tsv" using 1:2 with lines @exact title "exact", \
      "smaller_1.tsv" using 1:2 with lines lc rgb "#d55e00" lw 2.5 dt 1 title "h", \
      "smaller_2.tsv" using 1:2 with lines lc rgb "#d55e00" lw 2.5 dt (14,5) title "h/2", \
@@ -32,7 +32,7 @@ plot "smaller_exact.tsv" using 1:2 with lines @exact title "exact", \
 # Implicit Euler there, explicit Euler with −h back.
 call figure "backwards.svg" 640 560
 set size ratio -1
-set xlabel "position x (m)" offset 0,0.4
+set xlabel "position x (m)\n " offset 0,0.4
 set ylabel "velocity v / ω (m)"
 set xrange [-1.15:1.15]
 set yrange [-1.15:1.15]
@@ -82,12 +82,12 @@ plot 1 with lines lc rgb "#8a8a8a" lw 4 dt 1, \
      "growth_semi_implicit_euler.tsv" using 1:2 with points pt 6 ps 0.9 lc rgb "#009e73"
 
 # With damping: the longest stable step.
-call figure "damping.svg" 640 480
-set xlabel "damping ratio ζ"
+call figure "damping.svg" 640 560
+set xlabel "damping ratio ζ\n "
 set ylabel "longest stable ωh (rad)"
 set xrange [0:3]
 set yrange [0:7]
-set key at graph 0.99,0.56 right vertical reverse Left
+set key outside bottom center vertical reverse Left
 plot "damping_lines.tsv" using 1:4 with lines lc rgb "#009e73" lw 2.5 dt (14,5) title "semi-implicit, new velocity damped", \
      "damping_lines.tsv" using 1:3 with lines @semi_implicit_euler title "semi-implicit, old velocity damped", \
      "damping_lines.tsv" using 1:2 with lines @explicit_euler title "explicit", \
@@ -112,7 +112,7 @@ unset logscale
 # A cloud of states, every ninth step.
 call figure "clouds.svg" 640 600
 set size ratio -1
-set xlabel "position x (m)" offset 0,0.4
+set xlabel "position x (m)\n " offset 0,0.4
 set ylabel "velocity v / ω (m)"
 set xrange [-2.1:2.1]
 set yrange [-2.1:2.1]
@@ -132,7 +132,7 @@ unset ylabel
 unset key
 set multiplot layout 4,2 margins 0.08,0.98,0.045,0.97 spacing 0.1,0.075
 wh = "0.10 0.50 1.00 1.50 1.90 1.99 2.00 2.01"  # each with the range of its axes
-range = "1.6 1.6 1.6 1.6 4 12 24 12"
+range = "1.6 1.6 1.6 1.6 4 12 24 24"
 do for [i=1:8] {
     r = real(word(range, i))
     set xrange [-r:r]
@@ -153,13 +153,13 @@ call animation "sweep.gif" 480 480 12
 set size ratio -1
 set xrange [-6:6]
 set yrange [-6:6]
-set xlabel "position x (m)" offset 0,0.4
+set xlabel "position x (m)\n " offset 0,0.4
 set ylabel "velocity v / ω (m)"
 unset key
 do for [i=0:80] {
     plot "exact.tsv" every 5 using 1:2 with lines @exact, \
          "sweep_frames.tsv" index i using 2:3 with points pt 7 ps 3 lw 0.3 lc rgb "#009e73", \
-         "" index i every ::0::0 using (0):(5.2):(sprintf("ωh = %.3f   %.2f steps a swing", $1, 2*pi/$1)) \
+         "" index i every ::1::1 using (0):(5.2):(sprintf("ωh = %.3f   %.2f steps a swing", $1, 2*pi/$1)) \
             with labels textcolor rgb ink
 }
 
@@ -167,7 +167,7 @@ do for [i=0:80] {
 call figure "steps_per_period.svg" 640 440
 set size noratio
 set key bottom right vertical
-set xlabel "steps a period" offset 0,0.4
+set xlabel "steps a period\n " offset 0,0.4
 set ylabel "error of the period (%)"
 set xrange [2:20]
 set yrange [-38:4]
@@ -198,7 +198,7 @@ call figure "orders.svg" 640 560
 set autoscale
 set logscale xy
 set format xy "10^{%T}"
-set xlabel "steps a period" offset 0,0.4
+set xlabel "steps a period\n " offset 0,0.4
 set ylabel "error after the run (m)"
 set key outside bottom center horizontal reverse Left font ",15" width 2
 set yrange [1e-14:1]
@@ -212,7 +212,8 @@ plot "orders_explicit_euler.tsv" using 1:4 with lines @explicit_euler title "exp
      "orders_runge_kutta_4.tsv" using 1:4 with lines @runge_kutta_4 title "RK4"
 
 # The same for a single step.
-call figure "local_orders.svg" 640 560
+call figure "local_orders.svg" 640 600
+set key outside bottom center horizontal reverse Left font ",15" width 2
 set ylabel "error of one step (m)"
 set yrange [1e-17:0.1]
 plot "orders_explicit_euler.tsv" using 1:3 with lines @explicit_euler title "explicit Euler", \
@@ -226,7 +227,7 @@ plot "orders_explicit_euler.tsv" using 1:3 with lines @explicit_euler title "exp
 
 # Error against run time.
 call figure "work.svg" 640 560
-set xlabel "run time (µs for 20 s of one spring)" offset 0,0.4
+set xlabel "run time (µs for 20 s of one spring)\n " offset 0,0.4
 set ylabel "error at the end (m)"
 set xrange [0.02:2000]
 set yrange [1e-10:2]
@@ -241,17 +242,18 @@ plot "work_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "expli
      "work_runge_kutta_4.tsv" using 1:2 with lines @runge_kutta_4 title "RK4"
 
 # Collisions: the order of every method falls to one.
-call figure "bounce.svg" 640 560
-set xlabel "step h (s)" offset 0,0.4
+call figure "bounce.svg" 640 600
+set key outside bottom center horizontal reverse Left font ",15" width 2
+set xlabel "step h (s)\n " offset 0,0.4
 set ylabel "mean error of the height (m)"
 set xrange [3e-4:4e-2]
-set yrange [1e-13:1]
-plot "fall_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit, falling", \
-     "bounce_semi_implicit_euler.tsv" using 1:2 with linespoints @semi_implicit_euler pt 7 ps 0.7 title "bounced", \
-     "fall_midpoint.tsv" using 1:2 with lines @midpoint title "midpoint, falling", \
-     "bounce_midpoint.tsv" using 1:2 with linespoints @midpoint pt 7 ps 0.7 title "bounced", \
-     "fall_runge_kutta_4.tsv" using 1:2 with lines @runge_kutta_4 title "RK4, falling", \
-     "bounce_runge_kutta_4.tsv" using 1:2 with linespoints @runge_kutta_4 pt 7 ps 0.7 title "bounced"
+set yrange [1e-14:1]
+plot "fall_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit, falls", \
+     "bounce_semi_implicit_euler.tsv" using 1:2 with linespoints @semi_implicit_euler pt 7 ps 0.7 title "semi-implicit, bounced", \
+     "fall_midpoint.tsv" using 1:2 with lines @midpoint title "midpoint, falls", \
+     "bounce_midpoint.tsv" using 1:2 with linespoints @midpoint pt 7 ps 0.7 title "midpoint, bounced", \
+     "fall_runge_kutta_4.tsv" using 1:2 with lines @runge_kutta_4 title "RK4, falls", \
+     "bounce_runge_kutta_4.tsv" using 1:2 with linespoints @runge_kutta_4 pt 7 ps 0.7 title "RK4, bounced"
 
 # What a step costs, as bars: each of many springs, and a pendulum.
 call figure "costs.svg" 640 520
@@ -263,7 +265,7 @@ set yrange [8.6:0.4]
 set ytics nomirror scale 0
 unset grid
 set grid xtics lc rgb soft lt 1 lw 0.8
-set xlabel "time of a step (ns)" offset 0,0.4
+set xlabel "time of a step (ns)\n " offset 0,0.4
 unset ylabel
 set boxwidth 0.35
 set style fill solid noborder

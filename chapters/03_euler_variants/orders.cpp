@@ -96,7 +96,7 @@ void orders(const Settings& settings, lab::Findings& out) {
         }
         char text[24];
         std::snprintf(text, sizeof text, "%.3g", longest);
-        const std::string limit = longest > 1e5 ? "none" : longest < 0.01 ? "0: always grows" : text;
+        const std::string limit = longest > 1e5 ? "no limit" : longest < 0.01 ? "0, always grows" : text;
         char whole_text[16], one_text[16];
         std::snprintf(whole_text, sizeof whole_text, "%.2f", whole);
         std::snprintf(one_text, sizeof one_text, "%.2f", one);

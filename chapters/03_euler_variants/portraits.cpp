@@ -28,8 +28,8 @@ double portrait(const Method& method, const Settings& settings, lab::Findings& o
     const double reached = amplitude(end, settings.omega);
     const double growth = std::pow(reached, 1.0 / settings.steps);
     if (settings.wants(Method::name))
-        std::printf("  %-20s amplitude %7.4f m, x %.4f a step, x %.3g a second\n",
-                    Method::name, reached, growth, std::pow(growth, 1 / settings.step));
+        std::printf("  %-20s ends at x = %8.4f m, v = %8.3f m/s, amplitude %.4f m\n", Method::name,
+                    end.x, end.v, reached);
     out.number(id + "_amplitude", reached, "m", "amplitude at the end of the run");
     out.number(id + "_growth", growth, "", "amplitude times this a step", 5);
     out.number(id + "_per_second", std::pow(growth, 1 / settings.step), "",
