@@ -20,13 +20,14 @@ namespace {
 // Errors are the largest over a thousand neighbours of x, from x to x + 0.01: at a single x the
 // rounding may happen to cancel.
 constexpr double reach = 0.01;
+constexpr int neighbours = 1000;
 
 // Negative when the step is too small to move x.
 template <class Real, class Formula, class Function>
 double largest_error(const Formula& formula, const Function& f, double x, double h) {
     double largest = 0;
-    for (int i = 0; i < 1000; ++i) {
-        const Real at = static_cast<Real>(x + i * reach / 1000);
+    for (int i = 0; i < neighbours; ++i) {
+        const Real at = static_cast<Real>(x + i * reach / neighbours);
         const Real step = step_taken(at, static_cast<Real>(h));
         if (step == 0) return -1;
         const long double slope = formula(f, at, step);
@@ -127,6 +128,8 @@ void all(const Function& f, double x, lab::Findings& out) {
     both(forward_difference);
     both(central_difference);
     both(five_point_difference);
+    out.number("neighbours", neighbours, "", "places at which an error is measured");
+    out.number("reach", reach, "", "they lie between x and x + this");
     out.number("epsilon_float", std::numeric_limits<float>::epsilon(), "",
                "from 1 to the next float", 2);
     out.number("epsilon_double", std::numeric_limits<double>::epsilon(), "",

@@ -16,14 +16,16 @@ using namespace timestep;
 namespace {
 
 // The hand moves by half a metre to each side, at up to 1 m/s.
+constexpr double amplitude = 0.5;  // m
+constexpr double omega = 2;        // rad/s
 double position(double t) {
-    return 0.5 * std::sin(2 * t);
+    return amplitude * std::sin(omega * t);
 }
 double velocity(double t) {
-    return std::cos(2 * t);
+    return amplitude * omega * std::cos(omega * t);
 }
-constexpr double most_acceleration = 2;  // m/s²
-constexpr double most_jerk = 4;          // of the acceleration's own slope, m/s³
+constexpr double most_acceleration = amplitude * omega * omega;  // m/s²
+constexpr double most_jerk = most_acceleration * omega;          // the acceleration's slope, m/s³
 
 /// [received]
 // The hand as it arrives: a function of time like any other.
@@ -85,8 +87,9 @@ void dots(double h, lab::Findings& out) {
     out.number("dots_t", t, "s", "a moment of the hand's swing");
     out.number("dots_v", x_dot(t), "m/s", "velocity there, a difference of positions", 4);
     out.number("dots_v_exact", velocity(t), "m/s", "velocity there, exactly", 4);
-    out.number("dots_a", x_dot_dot(t), "m/s^2", "acceleration, a difference of velocities", 4);
-    out.number("dots_a_exact", -4 * position(t), "m/s^2", "acceleration there, exactly", 4);
+    out.number("dots_a", x_dot_dot(t), "m/s²", "acceleration, a difference of velocities", 4);
+    out.number("dots_a_exact", -omega * omega * position(t), "m/s²",
+               "acceleration there, exactly", 4);
 }
 
 }  // namespace
@@ -129,6 +132,10 @@ void frames(const Settings& settings, lab::Findings& out) {
 
     out.number("grid_mm", 1000 * settings.grid, "mm", "the positions are rounded to this");
     out.number("hand_speed", velocity(0), "m/s", "the hand moves at up to this");
+    out.number("hand_amplitude", amplitude, "m", "the hand swings by this to each side");
+    out.number("hand_omega", omega, "rad/s", "angular frequency of its swing");
+    out.number("hand_acceleration", most_acceleration, "m/s²", "the hand's largest acceleration");
+    out.number("hand_jerk", most_jerk, "m/s³", "the largest slope of its acceleration");
     out.number("rate", settings.rate, "", "positions a second");
     out.number("one_frame_error", one_frame.now, "m/s", "largest error, neighbouring frames", 2);
     out.number("now_frames", best_now, "", "best gap for the velocity now, frames");
@@ -149,8 +156,8 @@ void frames(const Settings& settings, lab::Findings& out) {
               at(now_predicted).now <= 1.1 * best.now &&
                   at(between_predicted).between <= 1.1 * best.between,
               "the predicted gaps err at most a tenth more than the best ones");
-    out.check("one_frame_is_worse", one_frame.now > 1.5 * best.now,
-              "neighbouring frames err at least 1.5 times as much as the best gap");
+    out.check("one_frame_is_worse", one_frame.now > 2 * best.now,
+              "neighbouring frames err more than twice as much as the best gap");
     out.check("between_is_better", best.between < best.now / 2,
               "taken for the velocity in between, the best error is less than half as large");
     draw_hand(received, h, best_between, out);
