@@ -55,6 +55,8 @@ void taking_turns(lab::Findings& out) {
     out.number("turns_low", std::sqrt((9 - root) / 8), "",
                "taking turns is fatal from this omega h on");
     out.number("turns_high", std::sqrt((9 + root) / 8), "", "up to this");
+    out.number("steady_most", std::max(most_60, most_30), "",
+               "largest amplitude at a steady rate, of one at the start", 2);
     out.number("turns_omega", omega, "rad/s", "the spring that cannot stand frames taking turns");
     out.number("turns_growth", predicted, "",
                "by this each pair of frames multiplies the amplitude");

@@ -102,9 +102,9 @@ plot "portrait.tsv" using 2:3 with lines @first, \
 
 # N15: graphs and portrait side by side, a swing long. The strip shows the last one and a half swings.
 # Both share the vertical axis: the state stands as high in the portrait as v / ω in the strip.
-strip = 'set lmargin at screen 0.14; set rmargin at screen 0.49; set ylabel "m" offset 1.5,0; set format y "%g"; \
+strip = 'set lmargin at screen 0.14; set rmargin at screen 0.49; unset ylabel; set format y "%g"; \
          set xlabel "time (swings)" offset 0,0.5'
-plane = 'set lmargin at screen 0.59; set rmargin at screen 0.98; set ylabel "v / ω (m)" offset 1.4,0; set format y ""; \
+plane = 'set lmargin at screen 0.59; set rmargin at screen 0.98; set ylabel "v / ω (m)" offset 0.7,0; set format y ""; \
          set xlabel "x (m)" offset 0,0.5; set xrange [-0.31:0.31]; set xtics 0.2'
 set size noratio
 set yrange [-0.31:0.31]
@@ -112,8 +112,8 @@ set ytics 0.2
 set bmargin at screen 0.2
 set tmargin at screen 0.85
 call animation "portrait_film.gif" 560 340 4
-set label 1 "x" at screen 0.22,0.93 center textcolor rgb "#0072b2"
-set label 2 "v / ω" at screen 0.36,0.93 center textcolor rgb "#d55e00"
+set label 1 "x (m)" at screen 0.2,0.93 center textcolor rgb "#0072b2"
+set label 2 "v / ω (m)" at screen 0.38,0.93 center textcolor rgb "#d55e00"
 set label 3 "the state" at screen 0.79,0.93 center textcolor rgb "#007a59"
 do for [i=0:59] {
     now = i/60.0
@@ -179,8 +179,8 @@ set ytics 0.2
 set bmargin at screen 0.2
 set tmargin at screen 0.85
 call animation "damping_film.gif" 560 340 5
-set label 1 "x" at screen 0.22,0.93 center textcolor rgb "#0072b2"
-set label 2 "v / ω" at screen 0.36,0.93 center textcolor rgb "#d55e00"
+set label 1 "x (m)" at screen 0.2,0.93 center textcolor rgb "#0072b2"
+set label 2 "v / ω (m)" at screen 0.38,0.93 center textcolor rgb "#d55e00"
 set label 3 "the state" at screen 0.79,0.93 center textcolor rgb "#007a59"
 do for [i=0:79] {
     now = i/16.0
@@ -275,6 +275,8 @@ call figure "drag.svg" 640 360
 set size ratio -1
 set xlabel "distance (m)" offset 0,0.3
 set ylabel "height (m)"
+set lmargin at screen 0.15
+set rmargin at screen 0.96
 set xrange [0:100]
 set yrange [0:42]
 set ytics 10
@@ -283,6 +285,8 @@ plot "path_vacuum.tsv" using 1:2 with lines @faint title "no air", \
      "path_drag.tsv" using 1:2 with lines @exact title "drag", \
      "path_euler.tsv" using 1:2 with linespoints @explicit_euler pt 7 ps 0.5 title "explicit Euler, 10 Hz"
 set size noratio
+unset lmargin
+unset rmargin
 set ytics autofreq
 
 # I03: a tether in space.
@@ -302,7 +306,7 @@ set label 2 "y (m)" at 2.9,0.2,-1.6 center
 set label 3 "z (m)" at -2,-2,2 center
 set border 31
 set key at screen 0.03,0.97 left vertical maxrows 3 @key
-splot "orbit_tether.tsv" using 1:2:(-1.6) with lines lc rgb soft lw 1, \
+splot "orbit_tether.tsv" using 1:2:(-1.6) with lines lc rgb "#a0a0a0" lw 1.2, \
       "orbit_tether.tsv" using 1:2:3 with lines lc rgb "#0072b2" lw 2 title "tether, 1 m long at rest", \
       "orbit_spring.tsv" using 1:2:3 with lines @second title "spring without rest length"
 set border 3
@@ -340,7 +344,7 @@ call figure "spiral_of_death.svg" 640 420
 set format y "%g"
 set xlabel "frame" offset 0,0.3
 set ylabel "time of the frame (ms)"
-set xrange [0:30]
+set xrange [0:31]
 set yrange [10:10000]
 set key top left @key
 plot "spiral_of_death.tsv" using 1:2 with linespoints @second pt 7 ps 0.7 title "no cap", \

@@ -170,6 +170,13 @@ TEST_CASE("steps dearer than the time they simulate kill a loop without a cap", 
     CHECK(a > 100 * b);
     CHECK(free.dropped() == 0);
     CHECK(capped.dropped() > 0);
+
+    // Once frames are steady the game's speed is five steps in the time of a frame: 1/1.2. What all
+    // frames together have simulated says another thing, as the first ones were shorter.
+    const double before = capped.time(), passed = b;
+    CHECK(capped.frame(b, [](double) {}) == 5);
+    // Two clocks below 4 s, each rounded by half an ε of that: 4 ε over a frame of 0.1 s.
+    CHECK(std::fabs((capped.time() - before) / passed - 1 / 1.2) < 40 * eps<double>);
 }
 
 TEMPLATE_TEST_CASE("what is drawn lies between the last two states, one step behind the clock",
