@@ -1,4 +1,4 @@
-// What a run found, and how it reaches the disk: all of it or nothing.
+// What a run found, and how it reaches the disk: every file whole.
 
 #include <algorithm>
 #include <cctype>
@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <stdexcept>
 
 #include "lab.hpp"
@@ -102,23 +103,35 @@ std::vector<fs::path> make_folder(const fs::path& folder) {
     throw std::runtime_error(folder.string() + ": the folder cannot be made");
 }
 
+// A new folder in `target`, with a name of its own: other runs may be writing beside this one, and
+// what is there already is not ours to touch.
+fs::path make_staging(const fs::path& target) {
+    std::random_device random;
+    std::error_code error;
+    for (int tries = 0; tries < 100; ++tries) {
+        const fs::path staging = target / (".unfinished_" + std::to_string(random()));
+        if (fs::create_directory(staging, error)) return staging;
+        if (error) break;
+    }
+    throw std::runtime_error(target.string() + ": the folder cannot be written to");
+}
+
 }  // namespace
 
-// The files are written into a folder of their own beside the target and moved in when all of
-// them are whole, so a full disk or a kill leaves what was there before.
+// The files are written into a folder of their own inside the target. When all of them are whole
+// they are moved in, one by one. Moving takes no space, so a full disk changes nothing; a kill
+// between two moves can leave old files beside new ones, each of them whole.
 void Findings::save(const std::string& folder) const {
     const fs::path target(folder);
-    const fs::path staging = target / ".unfinished";
     std::vector<std::pair<std::string, const std::string*>> files{{"numbers.tsv", &numbers_},
                                                                   {"checks.tsv", &checks_}};
     for (const auto& table : tables_) files.emplace_back(table.file(), &table.text());
 
     const std::vector<fs::path> made = make_folder(target);
     std::error_code error;
+    fs::path staging;
     try {
-        fs::remove_all(staging, error);
-        if (!fs::create_directory(staging, error))
-            throw std::runtime_error(folder + ": the folder cannot be written to");
+        staging = make_staging(target);
         for (const auto& [name, text] : files) {
             if (fs::is_directory(target / name, error))
                 throw std::runtime_error((target / name).string() + ": must be a file, not a folder");
@@ -132,7 +145,7 @@ void Findings::save(const std::string& folder) const {
         for (const auto& [name, text] : files) fs::rename(staging / name, target / name);
         fs::remove(staging);
     } catch (...) {
-        fs::remove_all(staging, error);
+        if (!staging.empty()) fs::remove_all(staging, error);
         for (const auto& path : made) fs::remove(path, error);
         throw;
     }

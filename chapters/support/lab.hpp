@@ -53,7 +53,8 @@ public:
     Table& table(const std::string& file, std::vector<std::string> columns);
 
     const std::vector<std::string>& failed() const { return failed_; }
-    /// Writes every file into `folder`, all of them or none. Throws `std::runtime_error`.
+    /// Writes every file into `folder`, each of them whole. A disk that is full changes nothing
+    /// there. Throws `std::runtime_error`.
     void save(const std::string& folder) const;
 
 private:
@@ -97,7 +98,7 @@ public:
 private:
     struct Option {
         std::string flag, help, rule, initial;
-        std::function<bool(const std::string&)> set;  // false: the text breaks the rule
+        std::function<std::string(const std::string&)> set;  // what is wrong with the text
     };
     enum class Parsed { go, help };
     Parsed parse(int argc, char** argv);

@@ -30,10 +30,10 @@ std::string one_line(const std::string& text) {
 }
 
 template <class Number>
-bool read(const std::string& text, Number& value) {
+std::errc read(const std::string& text, Number& value) {
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
-    return error == std::errc() && stop == end;
+    return stop == end ? error : std::errc::invalid_argument;
 }
 
 std::string shown(double value) {
@@ -50,35 +50,43 @@ Program::Program(std::string name, std::string summary)
 void Program::option(const std::string& flag, double& value, Rule rule, const std::string& help) {
     const auto set = [&value, rule](const std::string& text) {
         double given = 0;
-        if (!read(text, given) || !std::isfinite(given) || !rule.holds(given)) return false;
+        const std::errc error = read(text, given);
+        if (error == std::errc::invalid_argument)
+            return "is no number (must be " + std::string(rule.words) + ")";
+        if (error != std::errc() || !std::isfinite(given) || !rule.holds(given))
+            return "must be " + std::string(rule.words);
         value = given;
-        return true;
+        return std::string();
     };
     options_.push_back({flag, help, rule.words, shown(value), set});
 }
 
 void Program::option(const std::string& flag, long& value, long least, long most,
                      const std::string& help) {
-    const auto set = [&value, least, most](const std::string& text) {
+    const std::string rule =
+        "a whole number from " + std::to_string(least) + " to " + std::to_string(most);
+    const auto set = [&value, least, most, rule](const std::string& text) {
         long given = 0;
-        if (!read(text, given) || given < least || given > most) return false;
+        if (read(text, given) != std::errc() || given < least || given > most)
+            return "must be " + rule;
         value = given;
-        return true;
+        return std::string();
     };
-    const std::string range = std::to_string(least) + " to " + std::to_string(most);
-    options_.push_back({flag, help, "a whole number from " + range, std::to_string(value), set});
+    options_.push_back({flag, help, rule, std::to_string(value), set});
 }
 
 void Program::option(const std::string& flag, std::string& value, std::vector<std::string> choices,
                      const std::string& help) {
     std::string words;
     for (const auto& choice : choices) words += (words.empty() ? "" : ", ") + choice;
-    const auto set = [&value, choices](const std::string& text) {
-        if (std::find(choices.begin(), choices.end(), text) == choices.end()) return false;
+    const std::string rule = "one of " + words;
+    const auto set = [&value, choices, rule](const std::string& text) {
+        if (std::find(choices.begin(), choices.end(), text) == choices.end())
+            return "must be " + rule;
         value = text;
-        return true;
+        return std::string();
     };
-    options_.push_back({flag, help, "one of " + words, value, set});
+    options_.push_back({flag, help, rule, value, set});
 }
 
 bool Program::set_folder(const std::string& text) {
@@ -91,8 +99,10 @@ bool Program::set_folder(const std::string& text) {
 
 Program::Parsed Program::parse(int argc, char** argv) {
     std::vector<Option> known = options_;
-    known.push_back({"--out", "", "a folder, or the name of a new one", "",
-                     [this](const std::string& text) { return set_folder(text); }});
+    known.push_back({"--out", "", "", "", [this](const std::string& text) {
+                         return std::string(
+                             set_folder(text) ? "" : "must be a folder, or the name of a new one");
+                     }});
 
     std::vector<std::string> given;
     for (int i = 1; i < argc; ++i) {
@@ -111,9 +121,9 @@ Program::Parsed Program::parse(int argc, char** argv) {
         if (equals == std::string::npos && i + 1 == argc)
             throw std::invalid_argument(flag + ": needs a value");
         const std::string text = equals == std::string::npos ? argv[++i] : word.substr(equals + 1);
-        if (!option->set(text))
-            throw std::invalid_argument(flag + " " + (text.empty() ? "\"\"" : text) +
-                                        ": must be " + option->rule);
+        const std::string wrong = option->set(text);
+        if (!wrong.empty())
+            throw std::invalid_argument(flag + " " + (text.empty() ? "\"\"" : text) + ": " + wrong);
         changed_ = changed_ || flag != "--out";
     }
     return Parsed::go;
@@ -141,8 +151,10 @@ int Program::run(int argc, char** argv, const std::function<void(Findings&)>& bo
         const bool failed = !findings.failed().empty() && !changed_;
         if (!failed && !folder_.empty()) findings.save(folder_);
         for (const auto& statement : findings.failed())
-            std::fprintf(stderr, "%s: does not hold%s: %s\n", name_.c_str(),
-                         changed_ ? " with these options" : "", statement.c_str());
+            std::fprintf(stderr, "%s: %s: %s\n", name_.c_str(),
+                         changed_ ? "with these options this sentence of the page no longer holds"
+                                  : "does not hold",
+                         statement.c_str());
         return failed ? 1 : 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s: %s\n", name_.c_str(), one_line(error.what()).c_str());

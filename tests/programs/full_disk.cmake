@@ -1,5 +1,5 @@
 # A run that cannot be written to its end leaves what was there before: nothing, or an older
-# result, whole. A full disk is played by the shell's limit on the size of files, by /dev/full, and
+# result, whole; what is in the folder and not the run's own stays. A full disk is played by the shell's limit on the size of files, by /dev/full, and
 # by a folder where a file should go.
 include("${CMAKE_CURRENT_LIST_DIR}/program.cmake")
 
@@ -87,7 +87,10 @@ if(NOT CMAKE_HOST_WIN32)
   if(status MATCHES "^[0-9]+$" AND status LESS 3)
     wrong("killed as it writes: the exit status is ${status}, the test did not kill it")
   endif()
-  file(REMOVE_RECURSE "${WORK}/older/.unfinished")
+  file(GLOB left "${WORK}/older/.unfinished_*")
+  if(left)
+    file(REMOVE_RECURSE ${left})
+  endif()
   must_be(older "${older}" "killed as it writes")
 
   # A place that is not for us to write to.
@@ -108,14 +111,30 @@ foreach(blocked numbers.tsv checks.tsv ${last})
   must_be(blocked "${before}" "a folder named ${blocked}")
 endforeach()
 
-# What a killed run left does not trouble the next one.
-file(MAKE_DIRECTORY "${WORK}/older/.unfinished/numbers.tsv/deep")
+# What is in the folder already stays, whatever its name.
+file(WRITE "${WORK}/older/.unfinished/mine" "mine")
 run_program(${quick} --out older)
 if(NOT status EQUAL 0)
-  wrong("a run after a killed run: the exit status is ${status}, must be 0: ${err}")
+  wrong("a folder named .unfinished: the exit status is ${status}, must be 0: ${err}")
 endif()
-if(EXISTS "${WORK}/older/.unfinished")
-  wrong("a run after a killed run: .unfinished is still there")
+if(NOT EXISTS "${WORK}/older/.unfinished/mine")
+  wrong("a folder named .unfinished: the run has deleted it")
+endif()
+file(GLOB left "${WORK}/older/.unfinished_*")
+if(left)
+  wrong("a run into a folder with files has left ${left}")
+endif()
+
+# Several runs into one folder at once do not trouble each other.
+if(NOT CMAKE_HOST_WIN32)
+  set(at_once "for i in 1 2 3 4 5 6; do \"$@\" >/dev/null & all=\"$all $!\"; done")
+  execute_process(COMMAND sh -c "${at_once}; for one in $all; do wait $one || exit; done"
+    sh "${PROGRAM}" ${quick} --out together WORKING_DIRECTORY "${WORK}" TIMEOUT 60
+    RESULT_VARIABLE status ERROR_VARIABLE err)
+  file(GLOB left "${WORK}/together/.*")
+  if(NOT status EQUAL 0 OR left)
+    wrong("runs into one folder at once: exit status ${status}, left \"${left}\": ${err}")
+  endif()
 endif()
 
 report()

@@ -16,6 +16,11 @@ test_bad_use_is_one_line_and_status_2() {
     says err '--jsn'
     expect 2 course run
     says err 'CHAPTER is required'
+    expect 2 course run 3 --omega 20
+    is "$(cat err)" "course: run has no option --omega; a chapter's own options go after --: \
+./course run 3 -- --omega 20"
+    expect 2 course run 3 4
+    silent_on err "chapter's own"
     expect 2 course tour -- --step
     says err "course: only run takes options for a chapter's program after --"
 }

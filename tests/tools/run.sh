@@ -19,6 +19,21 @@ test_run_leaves_everything_and_shows_the_account() {
     silent_on made/for/me/motion.tsv old
 }
 
+test_what_is_in_the_readers_folder_stays() {
+    mkdir -p there/.unfinished there/.unfinished_run
+    echo mine >there/.unfinished/mine
+    echo mine >there/.unfinished_run/mine
+    for _ in 1 2; do
+        expect 0 "$real_cmake" -DPROGRAM="$folder/build/chapters/swing" -DOUT="$folder/there" \
+            -DSCRIPT="$folder/source/chapters/03_swing/figures.gp" -DSTYLE=style.gp \
+            -DGNUPLOT="$folder/bin/gnuplot" -DABOUT="$folder/source/chapters/03_swing/about.json" \
+            -P "$folder/source/tools/cmake/run.cmake"
+        expect 0 course run 3 --out there
+    done
+    is "$(cat there/.unfinished/mine there/.unfinished_run/mine)" "$(printf 'mine\nmine')"
+    is "$(echo there/.unfinished*)" 'there/.unfinished there/.unfinished_run'
+}
+
 test_a_chapter_has_four_names() {
     for name in 3 03 swing 03_swing; do
         expect 0 course run $name
@@ -51,6 +66,11 @@ test_what_a_program_refuses_is_one_line_and_status_2() {
     is "$(cat err)" 'course: swing: --bad: must be good'
     [ ! -e new ] || fail 'something was left'
     is "$(lines err)" 1
+    expect 2 course run 3 -- --value
+    is "$(cat err)" 'course: swing: --value: needs a value'
+    expect 2 course run 03_swing -- --odd
+    is "$(cat err)" \
+        'course: swing: --odd: unknown option (./course run 03_swing -- --help lists them)'
     expect 2 course run 3 -- --out there
     is "$(cat err)" 'course: --out belongs before the --: ./course run 3 --out DIR -- OPTIONS'
 }
@@ -63,7 +83,7 @@ test_a_wrong_check_is_status_1() {
 
 test_what_does_not_hold_with_other_options_is_said() {
     expect 0 course run 3 --out new -- --doubt
-    is "$(cat err)" 'swing: does not hold with these options: up is up'
+    is "$(cat err)" 'swing: with these options this sentence of the page no longer holds: up is up'
     [ -e new/motion.tsv ] || fail 'nothing was kept'
 }
 

@@ -45,11 +45,13 @@ while [ $# -gt 0 ]; do
     case $1 in
     --help) echo 'the options of this chapter'; exit ;;
     --bad) echo 'swing: --bad: must be good' >&2; exit 2 ;;
+    --odd) echo 'swing: --odd: unknown option (swing --help lists them)' >&2; exit 2 ;;
+    --value) [ $# -gt 1 ] || { echo 'swing: --value: needs a value' >&2; exit 2; }; shift ;;
     --wrong) echo 'swing: does not hold: up is up' >&2; exit 1 ;;
     --crash) kill -SEGV $$ ;;
     --full) full=yes ;;
     --blocked) blocked=yes ;;
-    --doubt) echo 'swing: does not hold with these options: up is up' >&2 ;;
+    --doubt) echo 'swing: with these options this sentence of the page no longer holds: up is up' >&2 ;;
     --interrupt) kill -INT 0; sleep 5 ;;
     --out) out=$2; shift ;;
     *) options="$options <$1>" ;;

@@ -2,7 +2,8 @@
 #   cmake -DPROGRAM=… -DOUT=… -DSCRIPT=figures.gp -DSTYLE=style.gp -DGNUPLOT=… -DABOUT=about.json
 #         [-DQUIET=ON] [-DARGUMENTS=--omega;2] [-DCOMPLAINT=file] -P run.cmake
 # Leaves in OUT: the data (*.tsv), numbers.tsv, checks.tsv, the account (run.txt), seconds.txt and
-# the figures. All of it is made in a folder of its own and moved in when it is whole.
+# the figures. All of it is made in a folder of its own and moved in, file by file, when it is whole: a
+# full disk changes nothing, a kill during the moves can leave old files beside new ones.
 # COMPLAINT gets an exit status in its first line, and below it what there is to complain of, in the
 # complainer's own words: CMake breaks the lines of its error messages.
 
@@ -21,12 +22,13 @@ function(fail status text)
   message(FATAL_ERROR "${text}")
 endfunction()
 
-set(work "${OUT}/.unfinished_run")
-file(REMOVE_RECURSE "${work}")
+# Another run may be at work in OUT: the folder's name is new.
+string(RANDOM LENGTH 12 word)
+set(work "${OUT}/.unfinished_run_${word}")
 file(MAKE_DIRECTORY "${work}")
 
 string(TIMESTAMP begin "%s%f")
-execute_process(COMMAND "${PROGRAM}" ${ARGUMENTS} --out "${work}"
+execute_process(COMMAND "${PROGRAM}" --out "${work}" ${ARGUMENTS}
   OUTPUT_VARIABLE account ERROR_VARIABLE complaint RESULT_VARIABLE status)
 string(TIMESTAMP end "%s%f")
 if(NOT status MATCHES "^[0-9]+$")  # ended by a signal: CMake gives its name

@@ -45,6 +45,17 @@ void declare(CLI::App& app, Asked& asked) {
         ->add_flag("--open", asked.open, "open it in the browser");
 }
 
+const std::string see_help = " (./course --help)";
+
+// What to type instead of `./course run 3 --omega 20`; nothing when it is something else.
+std::string forgotten_dashes(const CLI::App& app, const Asked& asked) {
+    const std::vector<std::string> words = app.remaining(true);
+    if (asked.chapter.empty() || words.empty() || !words.front().starts_with("--")) return {};
+    std::string line = "./course run " + asked.chapter + " --";
+    for (const auto& word : words) line += " " + word;
+    return "run has no option " + words.front() + "; a chapter's own options go after --: " + line;
+}
+
 }  // namespace
 
 Status answer(int argc, char** argv) {
@@ -57,12 +68,15 @@ Status answer(int argc, char** argv) {
     declare(app, asked);
     try {
         app.parse(static_cast<int>(end - argv), argv);
+    } catch (const CLI::ExtrasError& error) {
+        const std::string hint = app.got_subcommand("run") ? forgotten_dashes(app, asked) : "";
+        throw Stop(Status::bad_use, hint.empty() ? error.what() + see_help : hint);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {  // --help
             app.exit(error);
             return Status::fine;
         }
-        throw Stop(Status::bad_use, error.what() + std::string(" (./course --help)"));
+        throw Stop(Status::bad_use, error.what() + see_help);
     }
 
     if (!app.got_subcommand("run") && !asked.chapter_options.empty())

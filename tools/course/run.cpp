@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <random>
 #include <sstream>
 #include <system_error>
 
@@ -34,8 +35,12 @@ public:
         for (fs::path path = folder_; !fs::exists(path, error) && path.has_relative_path();
              path = path.parent_path())
             made_.push_back(path);
-        work_ = folder_ / (".unfinished_" + std::to_string(getpid()));
-        fs::create_directories(work_, error);
+        fs::create_directories(folder_, error);
+        std::random_device random;
+        while (!error && work_.empty()) {
+            const fs::path work = folder_ / (".unfinished_" + std::to_string(random()));
+            if (fs::create_directory(work, error)) work_ = work;  // else there is one of that name
+        }
         if (error) {
             tidy();
             throw Stop(Status::bad_use, "--out " + folder.string() + ": cannot write there (" +
@@ -48,7 +53,7 @@ public:
 
     const fs::path& work() const { return work_; }
 
-    // Moving within one file system takes no space: a full disk cannot stop it half-way.
+    // File by file. Moving within one file system takes no space: a full disk cannot stop it.
     void keep() {
         fs::remove(work_ / "done");  // the build's mark
         for (const auto& file : fs::directory_iterator(work_))
@@ -57,16 +62,19 @@ public:
 
     // Names the files as the reader knows them, not where they were being made.
     std::string in_readers_words(std::string text) const {
-        const std::string inner = (work_ / ".unfinished_run").string();
-        for (auto at = text.find(inner); at != std::string::npos; at = text.find(inner))
-            text.replace(at, inner.size(), folder_.string());
+        const std::string inner = (work_ / ".unfinished_run_").string();
+        for (auto at = text.find(inner); at != std::string::npos; at = text.find(inner)) {
+            auto end = at + inner.size();  // a random word follows
+            while (end < text.size() && std::isalnum(static_cast<unsigned char>(text[end]))) ++end;
+            text.replace(at, end - at, folder_.string());
+        }
         return text;
     }
 
 private:
     void tidy() {
         std::error_code ignored;
-        fs::remove_all(work_, ignored);
+        if (!work_.empty()) fs::remove_all(work_, ignored);
         for (const auto& path : made_) fs::remove(path, ignored);
     }
 
@@ -77,6 +85,15 @@ private:
 std::string read(const fs::path& path) {
     std::ifstream file(path);
     return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// A program speaks of its own --help, which the reader has through us.
+std::string with_our_help(std::string text, const Chapter& chapter, const std::string& name) {
+    const std::string help = chapter.program + " --help lists";
+    const auto at = text.find(help);
+    if (at != std::string::npos)
+        text.replace(at, help.size(), "./course run " + name + " -- --help lists");
+    return text;
 }
 
 // A list as CMake takes it.
@@ -163,7 +180,8 @@ void run(const std::string& name, const std::optional<std::string>& out,
     Destination destination(folder);
     const Complaint complaint = make_run(chapter, program, destination.work(), options);
     if (complaint.status != Status::fine)
-        throw Stop(complaint.status, destination.in_readers_words(complaint.text));
+        throw Stop(complaint.status,
+                   with_our_help(destination.in_readers_words(complaint.text), chapter, name));
     try {
         destination.keep();
     } catch (const fs::filesystem_error& error) {
