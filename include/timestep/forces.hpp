@@ -71,21 +71,39 @@ Y rate(const System& f, const FirstOrder<Y>& s) {
     return f(s.t, s.y);
 }
 
+/// \cond
+namespace detail {
+// A sum of forces is linear, or smooth, only when all that it adds up are: scene.hpp says so.
+template <class Model, class X>
+inline constexpr bool parts_are_linear = true;
+template <class Model, class X>
+inline constexpr bool parts_are_smooth = true;
+
+template <class Model, class X>
+concept HasSlopeX = requires(const Model& m) { m.slope_x(); } ||
+                    requires(const Model& m, const X& x) { m.slope_x(x); } ||
+                    requires(const Model& m, const X& x, const X& v) { m.slope_x(x, v); };
+template <class Model, class X>
+concept HasSlopeV = requires(const Model& m) { m.slope_v(); } ||
+                    requires(const Model& m, const X& x, const X& v) { m.slope_v(x, v); };
+}  // namespace detail
+/// \endcond
+
 /// A force whose derivatives are constant: a = a₀ + slope_x·x + slope_v·v.
 /// For such models implicit methods need one linear solve and no iteration.
 template <class Model, class X>
 concept LinearForce =
-    ConstantForce<Model> || (requires(const Model& m) { m.slope_x(); } &&
-                             (PositionForce<Model, X> || requires(const Model& m) { m.slope_v(); }));
+    ConstantForce<Model> ||
+    (requires(const Model& m) { m.slope_x(); } &&
+     (PositionForce<Model, X> || requires(const Model& m) { m.slope_v(); }) &&
+     detail::parts_are_linear<Model, X>);
 
 /// A force that carries its derivatives, constant or not.
 template <class Model, class X>
 concept SmoothForce =
-    LinearForce<Model, X> ||
-    (PositionForce<Model, X> && requires(const Model& m, const X& x) { m.slope_x(x); }) ||
-    (requires(const Model& m, const X& x, const X& v) { m.slope_x(x, v); } &&
-     (PositionForce<Model, X> ||
-      requires(const Model& m, const X& x, const X& v) { m.slope_v(x, v); }));
+    ConstantForce<Model> ||
+    (detail::HasSlopeX<Model, X> && (PositionForce<Model, X> || detail::HasSlopeV<Model, X>) &&
+     detail::parts_are_smooth<Model, X>);
 
 /// ∂a/∂x at (x, v), 1/s²: a number or a matrix.
 template <class X, class Model>
@@ -105,10 +123,10 @@ template <class X, class Model>
 auto slope_v(const Model& model, const X& x, const X& v) {
     if constexpr (PositionForce<Model, X>)
         return real_of<X>(0);
-    else if constexpr (requires { model.slope_v(); })
-        return model.slope_v();
-    else
+    else if constexpr (requires { model.slope_v(x, v); })
         return model.slope_v(x, v);
+    else
+        return model.slope_v();
 }
 
 }  // namespace timestep

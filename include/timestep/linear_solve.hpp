@@ -64,6 +64,20 @@ real_of<X> magnitude(const X& x) {
         return x.norm();
 }
 
+/// x / |x|, the direction of x: for a number its sign. Zero has none and stays zero. Right for short
+/// vectors too: divided by their largest part first, as their squares would underflow.
+template <class X>
+X direction(const X& x) {
+    if constexpr (std::is_floating_point_v<X>)
+        return x == 0 ? x : x / magnitude(x);
+    else {
+        const real_of<X> largest = x.cwiseAbs().maxCoeff();
+        if (largest == real_of<X>(0)) return x;
+        const X scaled = x / largest;
+        return scaled / scaled.norm();
+    }
+}
+
 /// x yᵀ: the product of two numbers, or of two vectors the matrix of all products.
 template <class X>
 auto outer(const X& x, const X& y) {

@@ -12,16 +12,21 @@ namespace timestep {
 /// When error = C hᵖ, log(error) against log(h) is a line of slope p. This is that slope, by least
 /// squares over all pairs (`steps[i]`, `errors[i]`).
 ///
-/// NaN when there are fewer than two different steps, or a step or an error that is not above zero.
+/// NaN when there are fewer than two steps with different logarithms, or a step or an error that is
+/// not above zero.
 /// [fit]
 inline double measured_order(const std::vector<double>& steps, const std::vector<double>& errors) {
-    if (steps.size() != errors.size()) return std::numeric_limits<double>::quiet_NaN();
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    if (steps.size() != errors.size()) return nan;
     const double n = static_cast<double>(steps.size());
     double mean_x = 0, mean_y = 0;
+    bool differ = false;  // asked of the logarithms: their rounded mean may differ from equal ones
     for (std::size_t i = 0; i < steps.size(); ++i) {
         mean_x += std::log(steps[i]) / n;
         mean_y += std::log(errors[i]) / n;
+        if (std::log(steps[i]) != std::log(steps[0])) differ = true;
     }
+    if (!differ) return nan;
     double xx = 0, xy = 0;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const double x = std::log(steps[i]) - mean_x;

@@ -56,7 +56,11 @@ class Scene {
     template <class X>
     static constexpr bool position_only = (PositionForce<Parts, X> && ...);
     static constexpr bool constant = (ConstantForce<Parts> && ...);
-    static constexpr bool linear =
+    template <class X>
+    static constexpr bool linear = (LinearForce<Parts, X> && ...);
+    template <class X>
+    static constexpr bool smooth = (SmoothForce<Parts, X> && ...);
+    static constexpr bool constant_slope_x =
         ((ConstantForce<Parts> || detail::ConstantSlopeX<Parts>) && ...);
 
 public:
@@ -93,13 +97,13 @@ public:
 
     /// ∂a/∂x, 1/s², where it is the same everywhere.
     auto slope_x() const
-        requires(linear && !constant)
+        requires(constant_slope_x && !constant)
     {
         return of_parts([](const auto&... part) { return detail::sum(part_slope_x(part)...); });
     }
-    /// ∂a/∂v, 1/s, where it is the same everywhere.
+    /// ∂a/∂v, 1/s, of a scene that is a LinearForce.
     auto slope_v() const
-        requires(linear && (detail::ConstantSlopeV<Parts> || ...))
+        requires(constant_slope_x && (detail::ConstantSlopeV<Parts> || ...))
     {
         return of_parts([](const auto&... part) { return detail::sum(part_slope_v(part)...); });
     }
@@ -107,7 +111,7 @@ public:
     /// ∂a/∂x at (x, v), 1/s².
     template <class X>
     auto slope_x(const X& x, const X& v) const
-        requires(!linear && (SmoothForce<Parts, X> && ...))
+        requires(!linear<X> && smooth<X>)
     {
         return of_parts([&](const auto&... part) {
             return detail::sum(part_slope_x(part, x, v)...);
@@ -116,7 +120,7 @@ public:
     /// ∂a/∂v at (x, v), 1/s.
     template <class X>
     auto slope_v(const X& x, const X& v) const
-        requires(!linear && (SmoothForce<Parts, X> && ...) && !position_only<X>)
+        requires(!linear<X> && smooth<X> && !position_only<X>)
     {
         return of_parts([&](const auto&... part) {
             return detail::sum(part_slope_v(part, x, v)...);
@@ -148,15 +152,24 @@ private:
     }
     template <class Part, class... XV>
     static auto part_slope_v(const Part& part, const XV&... xv) {
-        if constexpr (detail::ConstantSlopeV<Part>)
-            return part.slope_v();
-        else if constexpr (requires { part.slope_v(xv...); })
+        if constexpr (requires { part.slope_v(xv...); })
             return part.slope_v(xv...);
+        else if constexpr (detail::ConstantSlopeV<Part>)
+            return part.slope_v();
         else
             return detail::Absent{};
     }
 
     std::tuple<Parts...> parts_;
 };
+
+/// \cond
+namespace detail {
+template <class... Parts, class X>
+inline constexpr bool parts_are_linear<Scene<Parts...>, X> = (LinearForce<Parts, X> && ...);
+template <class... Parts, class X>
+inline constexpr bool parts_are_smooth<Scene<Parts...>, X> = (SmoothForce<Parts, X> && ...);
+}  // namespace detail
+/// \endcond
 
 }  // namespace timestep

@@ -7,10 +7,14 @@
 
 #include <Eigen/Core>
 
+#include <timestep/methods/implicit_euler.hpp>
 #include <timestep/models/coupled_springs.hpp>
+#include <timestep/models/damped_spring.hpp>
 #include <timestep/models/decay.hpp>
 #include <timestep/models/drag.hpp>
 #include <timestep/models/tether.hpp>
+#include <timestep/run.hpp>
+#include <timestep/scene.hpp>
 
 #include "dual.hpp"
 
@@ -66,6 +70,29 @@ TEST_CASE("the slopes of drag are its derivatives", "[library]") {
     CHECK(drag.slope_v(x, Vector3(0, 0, 0)) == Eigen::Matrix3d::Zero());
 }
 
+TEMPLATE_TEST_CASE("drag has a slope at every speed, however small", "[library]", float, double,
+                   long double) {
+    using Real = TestType;
+    using Vector = Eigen::Matrix<Real, 2, 1>;
+    using Matrix = Eigen::Matrix<Real, 2, 2>;
+    const Drag<Real> drag(1);
+    for (Real v = 1; v > 0; v /= 2) {  // powers of two: every product is exact
+        REQUIRE(drag.slope_v(Real(0), v) == -2 * v);
+        REQUIRE(drag.slope_v(Real(0), -v) == -2 * v);
+        REQUIRE(is_finite(drag.slope_v(Vector(0, 0), Vector(v, v))));
+    }
+    // Twice as strong along the motion as across it.
+    const Matrix slope = drag.slope_v(Vector(0, 0), Vector(0, 2));
+    CHECK(slope == Matrix(Eigen::DiagonalMatrix<Real, 2>(-2, -4)));
+
+    // A swing that dies away comes to rest, through the smallest numbers there are.
+    const Scene scene{DampedSpring<Real>(10, 1), Drag<Real>(Real(0.1))};
+    const State<Real> end =
+        run(implicit_euler, scene, State<Real>{0, 1, 0}, Real(1) / 60, sizeof(Real) > 8 ? 80000 : 6000);
+    CHECK(std::fabs(end.x) < std::numeric_limits<Real>::min());
+    CHECK(std::fabs(end.v) < std::numeric_limits<Real>::min());
+}
+
 TEST_CASE("a tether pulls and pushes along itself", "[library]") {
     const Tether rope(2.0, 5.0);
     CHECK(rope.acceleration(Vector3(3, 4, 0)) == Vector3(0, 0, 0));     // at rest length
@@ -77,6 +104,26 @@ TEST_CASE("a tether pulls and pushes along itself", "[library]") {
     const auto force = [&](const auto& x) { return rope.acceleration(x); };
     const Vector3 x(2, -1, 2.5);
     CHECK((rope.slope_x(x) - derivative(force, x)).norm() < 20 * eps * 4 * 5);
+
+    // Short tethers push all the same: at |x| = 1e-310 and 1e-170 by L, as their stretch is −L. The
+    // direction is right to some ε.
+    const Tether rod(1.0, 1.0);
+    for (const double r : {1e-100, 1e-170, 1e-300, 1e-310}) {
+        CHECK(rod.acceleration(r) == 1);
+        CHECK(rod.acceleration(-r) == -1);
+        CHECK(rod.slope_x(r) == -1);
+        const Vector3 push = rod.acceleration(Vector3(r, -r, 0));
+        CHECK((push - Vector3(1, -1, 0) / std::sqrt(2)).norm() < 4 * eps);
+    }
+    CHECK(rod.acceleration(0.0) == 0);
+    CHECK(rod.slope_x(0.0) == -1);
+    // Across the tether (1 − L/r) is lost in −1/r; along it the slope is −1.
+    for (const double r : {1e-120, 1e-170, 1e-300}) {
+        const Eigen::Matrix3d slope = rod.slope_x(Vector3(0, r, 0));
+        CHECK(slope(1, 1) == -1);
+        CHECK(std::fabs(slope(0, 0) * r - 1) < 4 * eps);
+        CHECK((slope(0, 1) == 0 && slope(1, 2) == 0));
+    }
 
     CHECK_THROWS_AS(Tether(-1.0, 1.0), std::invalid_argument);
     CHECK_THROWS_AS(Tether(1.0, -1.0), std::invalid_argument);
@@ -113,21 +160,36 @@ TEMPLATE_TEST_CASE("equal masses and springs swing in sines", "[library]", float
 TEST_CASE("a row with free ends drifts, and keeps its momentum", "[library]") {
     using Vector2 = Eigen::Vector2d;
     const CoupledSprings pair(Vector2(1, 3), Vector3(0, 2, 0));
-    CHECK(pair.frequencies()(0) < 1e-7);  // the root of roundoff: it is zero
+    CHECK(pair.frequencies()(0) == 0);
     const State start{0, Vector2(0.5, 0), Vector2(1, 1)};
     const State<Vector2> s = pair.exact(start, 2.0);
     CHECK(std::fabs((s.v(0) + 3 * s.v(1)) - 4) < 100 * eps);
-    // The middle of mass goes on at 1 m/s; with ω = 1e-8 in place of 0 it would be 1e-16 late.
+    // The middle of mass goes on at 1 m/s.
     CHECK(std::fabs((s.x(0) + 3 * s.x(1)) / 4 - (0.125 + 2)) < 100 * eps);
     // The two against each other: the reduced mass 3/4 on a spring of 2.
     const double omega = std::sqrt(2 / 0.75);
     CHECK(std::fabs((s.x(0) - s.x(1)) - 0.5 * std::cos(omega * 2)) < 100 * eps);
 
-    // Roundoff makes the eigenvalue zero a little positive or a little negative: never a NaN.
+    // Roundoff makes the eigenvalue zero a little positive or a little negative; it is zero.
     for (int i = 1; i <= 50; ++i) {
         const CoupledSprings row(Vector3(i, 1, 3), Eigen::Vector4d(0, 1.0 / i, 7, 0));
-        CHECK((row.frequencies()(0) >= 0 && row.frequencies()(0) < 1e-6));
+        CHECK(row.frequencies()(0) == 0);
+        CHECK(row.frequencies()(1) > 0);
     }
+
+    // A long drift on stiff springs: with the root of roundoff, 5e-6 1/s, in place of 0 the row
+    // would have turned back. Right to some ε of each of the products of two 3 × 3 matrices.
+    const CoupledSprings stiff(Vector3(1, 2, 3), Eigen::Vector4d(0, 1e6, 2e6, 0));
+    const State<Vector3> far = stiff.exact(State{0, Vector3(0, 0, 0), Vector3(1, 1, 1)}, 1e6);
+    for (int i = 0; i < 3; ++i) CHECK(std::fabs(far.x(i) - 1e6) < 1e6 * 100 * eps);
+
+    // Two free pieces drift in two modes; with one wall, or a spring to each, none is free.
+    const CoupledSprings apart(Vector3(1, 2, 3), Eigen::Vector4d(0, 5, 0, 0));
+    CHECK((apart.frequencies()(1) == 0 && apart.frequencies()(2) > 0));
+    const CoupledSprings hung(Vector3(1, 2, 3), Eigen::Vector4d(0, 5, 5, 1e-3));
+    CHECK(hung.frequencies()(0) > 0);
+    const CoupledSprings cut(Vector3(1, 2, 3), Eigen::Vector4d(5, 0, 5, 5));
+    CHECK(cut.frequencies()(0) > 0);
 }
 
 TEST_CASE("coupled springs refuse masses and springs that cannot be", "[library]") {

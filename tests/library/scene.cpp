@@ -33,6 +33,17 @@ struct Noisy {  // depends on the velocity, and has no derivatives
     double acceleration(double, double v) const { return v > 0 ? -1 : 1; }
 };
 
+struct Brake {  // a = −k v³: the slope along x is a constant, that along v is not
+    double acceleration(double, double v) const { return -5 * v * v * v; }
+    double slope_x() const { return 0; }
+    double slope_v(double, double v) const { return -15 * v * v; }
+};
+
+struct HalfNoisy {  // depends on the velocity, and has no derivative by it
+    double acceleration(double x, double v) const { return v > 0 ? -x : x; }
+    double slope_x() const { return 0; }
+};
+
 }  // namespace
 
 TEST_CASE("a scene takes the arguments that its parts take", "[library]") {
@@ -59,6 +70,15 @@ TEST_CASE("a scene is linear when all of its parts are, smooth when all of them 
     STATIC_REQUIRE(SmoothForce<Scene<Tether<double>, Spring<double>>, Vector2>);
     STATIC_REQUIRE(!SmoothForce<Scene<Spring<double>, Noisy>, double>);
     STATIC_REQUIRE(VelocityForce<Scene<Spring<double>, Noisy>, double>);
+
+    // Both slopes count, also of a scene within a scene.
+    STATIC_REQUIRE((!LinearForce<Brake, double> && SmoothForce<Brake, double>));
+    using Braked = Scene<DampedSpring<double>, Brake>;
+    STATIC_REQUIRE((!LinearForce<Braked, double> && SmoothForce<Braked, double>));
+    using Nested = Scene<Projectile<double>, Braked>;
+    STATIC_REQUIRE((!LinearForce<Nested, double> && SmoothForce<Nested, double>));
+    STATIC_REQUIRE(!SmoothForce<HalfNoisy, double>);
+    STATIC_REQUIRE(!SmoothForce<Scene<DampedSpring<double>, HalfNoisy>, double>);
 }
 
 TEST_CASE("the acceleration is the sum in the order of the parts, bit for bit", "[library]") {
@@ -102,6 +122,8 @@ TEST_CASE("the slopes are the sums of the slopes", "[library]") {
     CHECK(Scene{tether, drag, fall2}.slope_x(p, u) == tether.slope_x(p));
     CHECK(Scene{tether, drag, damped}.slope_x(p, u) ==
           Eigen::Matrix2d(tether.slope_x(p) - 64 * Eigen::Matrix2d::Identity()));
+    CHECK(slope_v(Scene{damped, Brake()}, 1.0, 2.0) == damped.slope_v() - 60);
+    CHECK(slope_v(Scene{fall, Scene{damped, Brake()}}, 1.0, 2.0) == damped.slope_v() - 60);
     CHECK(Scene{tether, drag, damped}.slope_v(p, u) ==
           Eigen::Matrix2d(drag.slope_v(p, u) + damped.slope_v() * Eigen::Matrix2d::Identity()));
 }
@@ -118,6 +140,9 @@ TEST_CASE("implicit methods step linear and nonlinear scenes", "[library]") {
     };
     solves(Scene{damped, fall}, State{0, 0.0, -3.0});
     solves(Scene{damped, fall, drag}, State{0, 0.0, -3.0});
+    solves(Brake(), State{0, 0.0, 10.0});
+    solves(Scene{damped, Brake()}, State{0, 0.0, 10.0});
+    solves(Scene{fall, Scene{damped, Brake()}}, State{0, 0.0, 10.0});
     solves(Scene{fall2, drag}, State{0, Vector2(0, 0), Vector2(20, 20)});
     solves(Scene{tether, fall2}, State{0, Vector2(1.5, 0), Vector2(0, 2)});
     solves(Scene{tether, fall2, drag}, State{0, Vector2(1.5, 0), Vector2(0, 2)});

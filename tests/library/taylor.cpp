@@ -50,6 +50,11 @@ TEST_CASE("an order that cannot be measured is not a number", "[measured_order]"
     CHECK(std::isnan(measured_order({}, {})));
     CHECK(std::isnan(measured_order({0.1}, {0.2})));
     CHECK(std::isnan(measured_order({0.1, 0.1}, {0.2, 0.3})));
+    for (std::size_t n = 3; n <= 10; ++n) {
+        std::vector<double> errors(n, 0.2);
+        errors[0] = 0.3;
+        CHECK(std::isnan(measured_order(std::vector<double>(n, 0.7), errors)));
+    }
     CHECK(std::isnan(measured_order({0.1, 0.2}, {0.2, 0.0})));
     CHECK(std::isnan(measured_order({0.1, 0.2}, {0.2, 0.3, 0.4})));
 }

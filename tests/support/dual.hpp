@@ -37,6 +37,7 @@ struct Dual {
     friend bool operator<(Dual a, Dual b) { return a.value < b.value; }
     friend bool operator>(Dual a, Dual b) { return a.value > b.value; }
 
+    friend Dual abs(Dual a) { return a < 0 ? -a : a; }
     friend Dual sqrt(Dual a) {
         const double root = std::sqrt(a.value);
         return {root, a.slope / (2 * root)};

@@ -43,7 +43,7 @@ public:
         slope_x_ = -(masses.cwiseInverse().asDiagonal() * stiffness);
         if (!slope_x_.allFinite())
             throw std::invalid_argument("stiffness / mass: must be finite for every mass");
-        find_modes(masses, stiffness);
+        find_modes(masses, stiffness, free_pieces(stiffnesses));
     }
 
     /// −M⁻¹ K x, m/s².
@@ -84,17 +84,32 @@ private:
     // With y = M^½ x the equation becomes ÿ = −S y, where S = M^−½ K M^−½ is symmetric: it has N
     // eigenvectors at right angles to each other, the columns of Q, and its eigenvalues are ω² ≥ 0.
     // So Qᵀ M^½ takes x to its modes and M^−½ Q takes it back.
+    //
+    // Roundoff leaves some ε of the largest ω² where ω² is zero. A row swings at frequency zero in
+    // as many modes as it has pieces that no spring ties to a wall; so many are zero exactly.
     /// [modes]
-    void find_modes(const Vector& masses, const Matrix& stiffness) {
+    void find_modes(const Vector& masses, const Matrix& stiffness, int zeros) {
+        // The size is not told to the compiler: one solver for all rows, compiled once.
+        using AnySize = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
         const Vector root = masses.cwiseSqrt();
         const Vector over_root = root.cwiseInverse();
-        const Matrix s = over_root.asDiagonal() * stiffness * over_root.asDiagonal();
-        const Eigen::SelfAdjointEigenSolver<Matrix> solver(s);
-        frequencies_ = solver.eigenvalues().cwiseMax(Real(0)).cwiseSqrt();
-        to_modes_ = solver.eigenvectors().transpose() * root.asDiagonal();
-        from_modes_ = over_root.asDiagonal() * solver.eigenvectors();
+        const AnySize s = over_root.asDiagonal() * stiffness * over_root.asDiagonal();
+        const Eigen::SelfAdjointEigenSolver<AnySize> solver(s);
+        const Vector omega_squared = solver.eigenvalues();
+        const Matrix q = solver.eigenvectors();
+        frequencies_ = omega_squared.cwiseMax(Real(0)).cwiseSqrt();
+        frequencies_.head(zeros).setZero();
+        to_modes_ = q.transpose() * root.asDiagonal();
+        from_modes_ = over_root.asDiagonal() * q;
     }
     /// [modes]
+
+    // A piece goes from one spring of stiffness zero to the next.
+    static int free_pieces(const Eigen::Matrix<Real, N + 1, 1>& stiffnesses) {
+        int ends = 0;
+        for (const Real k : stiffnesses) ends += k == 0;
+        return ends > 0 ? ends - 1 : 0;
+    }
 
     Matrix slope_x_, to_modes_, from_modes_;
     Vector frequencies_;

@@ -38,13 +38,13 @@ struct Drag {
         return 0;
     }
 
-    /// ∂a/∂v = −k (|v| 1 + v vᵀ / |v|), which is 0 at rest.
+    /// ∂a/∂v = −k |v| (1 + u uᵀ) with the direction u = v / |v|; 0 at rest. By u, not by v vᵀ / |v|:
+    /// near rest v vᵀ underflows and 1 / |v| overflows.
     template <class X>
     auto slope_v(const X& /* x */, const X& v) const {
         using Slope = decltype(outer(v, v));
-        const real_of<X> speed = magnitude(v);
-        const real_of<X> over_speed = speed > 0 ? 1 / speed : real_of<X>(0);
-        return Slope(-k * (speed * identity<Slope>() + over_speed * outer(v, v)));
+        const X u = direction(v);
+        return Slope(-k * magnitude(v) * (identity<Slope>() + outer(u, u)));
     }
 };
 

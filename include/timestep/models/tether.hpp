@@ -24,24 +24,31 @@ struct Tether {
             refuse("omega", omega, "small enough that its square is finite");
     }
 
-    // The share of x that is stretch, (|x| − L) / |x| = 1 − L / |x|. At the origin the tether has
-    // no direction, and we let it exert no force.
-    /// −ω² (1 − L/|x|) x, m/s².
+    // With the direction u = x / |x| of the tether, (|x| − L) u = x − L u is the stretch. At the
+    // origin the tether has no direction, and we let it exert no force.
+    /// −ω² (x − L u), m/s².
     /// [model]
     template <class X>
     X acceleration(const X& x) const {
-        return -omega * omega * (1 - length * inverse(magnitude(x))) * x;
+        return -omega * omega * (x - length * direction(x));
     }
     /// [model]
 
-    /// ∂a/∂x = −ω² ((1 − L/|x|) 1 + L x xᵀ / |x|³).
+    /// ∂a/∂x = −ω² (1 − L/|x| (1 − u uᵀ)): along the tether that of a spring. Across it L/|x| grows
+    /// without limit towards the origin; at the origin, where there is no direction, it counts as 0.
     template <class X>
     auto slope_x(const X& x) const {
-        using Slope = decltype(outer(x, x));
-        const real_of<X> over_r = inverse(magnitude(x));
-        return Slope(-omega * omega *
-                     ((1 - length * over_r) * identity<Slope>() +
-                      length * over_r * over_r * over_r * outer(x, x)));
+        using Number = real_of<X>;
+        if constexpr (std::is_floating_point_v<X>) {
+            return Number(-omega * omega);  // on a line nothing is across
+        } else {
+            using Slope = decltype(outer(x, x));
+            const X u = direction(x);
+            const Number r = u.dot(x);  // |x|, without squares that underflow
+            const Number share = r > Number(0) ? Number(length) / r : Number(0);
+            return Slope(-omega * omega *
+                         (identity<Slope>() - share * (identity<Slope>() - outer(u, u))));
+        }
     }
 
     /// Energy per unit of mass, m²/s²: kinetic ½|v|² and stored ½ω²(|x| − L)².
@@ -50,12 +57,6 @@ struct Tether {
         const real_of<X> stretch = magnitude(s.x) - length;
         const real_of<X> speed = magnitude(s.v);
         return (speed * speed + omega * omega * stretch * stretch) / 2;
-    }
-
-private:
-    template <class R>
-    static R inverse(R r) {
-        return r > 0 ? 1 / r : R(0);
     }
 };
 
