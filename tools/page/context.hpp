@@ -48,6 +48,7 @@ public:
 
     std::vector<IndexEntry> index;                         ///< rows taught and drawn here
     std::map<std::string, std::filesystem::path> figures;  ///< shown here: `chapter/file`, drawn at
+    std::set<std::string> anchors;                         ///< ids of those figures
     std::set<std::filesystem::path> inputs;                ///< files read besides the runs'
     std::filesystem::path indexes, tests;                  ///< for the page of the talks
 

@@ -25,6 +25,13 @@ std::string alternative(const std::string& caption) {
     return std::string{trim(end == std::string::npos ? plain : plain.substr(0, end + 1))};
 }
 
+/// A film may say in its file's name that it is one; its id and its title say so anyway.
+std::string figure_name(const std::filesystem::path& drawn, bool moves) {
+    const std::string stem = drawn.stem().string();
+    const bool says_so = moves && stem.size() > 5 && stem.ends_with("_film");
+    return says_so ? stem.substr(0, stem.size() - 5) : stem;
+}
+
 }  // namespace
 
 std::string figure_markdown(Context& context, const Directive& directive,
@@ -47,7 +54,12 @@ std::string figure_markdown(Context& context, const Directive& directive,
         throw std::out_of_range{file + " is shown twice on this page"};
     }
 
-    const std::string anchor = "fig-" + drawn.stem().string();
+    const bool moves = drawn.extension() == ".gif";
+    const std::string name = figure_name(drawn, moves);
+    const std::string anchor = "fig-" + name + (moves ? "-film" : "");
+    if (!context.anchors.insert(anchor).second) {
+        throw std::out_of_range{file + ": another figure on this page has the id " + anchor};
+    }
     for (std::size_t i = 1; i < directive.arguments.size(); ++i) {
         const std::string& row = directive.arguments[i];
         const Chapter* chapter = context.chapter();
@@ -56,12 +68,11 @@ std::string figure_markdown(Context& context, const Directive& directive,
             throw std::out_of_range{"\"" + row + "\" is none of this chapter's ledger rows"};
         }
         context.index.push_back({row, "figure", chapter->id() + ".html", anchor,
-                                 replace_all(drawn.stem().string(), "_", " ")});
+                                 replace_all(name, "_", " ") + (moves ? ", film" : "")});
     }
 
     const ImageSize size = image_size(drawn);
     const std::string source = "figures/" + folder + "/" + file;
-    const bool moves = drawn.extension() == ".gif";
     std::string image = "<img src=\"" + source + "\" alt=\"" + escape_html(alternative(caption)) +
                         "\" width=\"" + std::to_string(size.width) + "\" height=\"" +
                         std::to_string(size.height) + "\" loading=\"lazy\">";

@@ -114,9 +114,12 @@ int main(int argc, char** argv) {
         return 0;
     } catch (const std::exception& wrong) {
         // A page of an earlier build must not pass for this one's.
-        std::error_code ignored;
-        fs::remove(options["--output"], ignored);
-        fs::remove(options["--index"], ignored);
+        for (const char* written : {"--output", "--index"}) {
+            std::error_code ignored;
+            if (page::may_be_replaced(options[written])) {
+                fs::remove(options[written], ignored);
+            }
+        }
         std::cerr << wrong.what() << "\n";
         return 2;
     }

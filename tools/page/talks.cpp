@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 namespace page {
@@ -100,6 +101,9 @@ std::string row_markdown(const Sources& sources, const std::string& row, const C
 }  // namespace
 
 std::string talks_markdown(Context& context) {
+    if (context.tests.empty() || context.indexes.empty()) {
+        throw std::invalid_argument{"{{talks}} needs the options --indexes and --tests"};
+    }
     const std::filesystem::path file = context.root() / "docs/talks.tsv";
     const Sources sources{load_talks(file), load_indexes(context.indexes),
                           load_tests(context.tests, context.root())};

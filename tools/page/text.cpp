@@ -19,7 +19,16 @@ std::string read_file(const std::filesystem::path& path) {
     return content.str();
 }
 
+bool may_be_replaced(const std::filesystem::path& path) {
+    std::error_code unknown;
+    const std::filesystem::file_status there = std::filesystem::status(path, unknown);
+    return !std::filesystem::exists(there) || std::filesystem::is_regular_file(there);
+}
+
 void write_file(const std::filesystem::path& path, std::string_view content) {
+    if (!may_be_replaced(path)) {
+        throw Error{path.string(), 1, "is there already and is no plain file: it stays"};
+    }
     std::error_code failed;
     if (path.has_parent_path()) {
         std::filesystem::create_directories(path.parent_path(), failed);

@@ -10,7 +10,11 @@ namespace page {
 /// The whole file. Throws Error (line 1) when it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
-/// Writes the file whole or not at all: beside its place first, then moved there.
+/// Nothing is there, or a plain file; not a folder, a pipe or a device.
+bool may_be_replaced(const std::filesystem::path& path);
+
+/// Writes the file whole or not at all: beside its place first, then moved there. Throws Error,
+/// also when what is there may not be replaced.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
 std::vector<std::string> split(std::string_view text, char separator);

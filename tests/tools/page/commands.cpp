@@ -66,6 +66,28 @@ TEST_CASE("page refuses wrong options, unreadable sources and unwritable places 
     CHECK_THAT(unreadable.words, EndsWith("chapter.md:1: cannot be read\n"));
 }
 
+TEST_CASE("page neither replaces nor removes what is no plain file") {
+    const Course course;
+    const std::string out = (course / "out").string();
+    REQUIRE(run_command("mkdir " + out + " && mkfifo " + out + "/page.md " + out + "/index.tsv " +
+                        out + "/page.d").status == 0);
+    for (const std::string file : {"index.tsv", "page.d", "page.md"}) {
+        const Outcome outcome = make_page(course);
+        CHECK(outcome.status == 2);
+        CHECK_THAT(outcome.words, EndsWith(file + ":1: is there already and is no plain file: "
+                                                  "it stays\n"));
+        REQUIRE(fs::is_fifo(course / ("out/" + file)));
+        course.remove("out/" + file);
+    }
+    // A page that cannot be filled: an older one goes, but nothing else does.
+    REQUIRE(run_command("mkfifo " + out + "/page.md").status == 0);
+    fs::create_directory(course / "out/index.tsv");
+    course.replace("chapters/03_springs/chapter.md", "{{amplitude}}", "{{amplitud}}");
+    CHECK(make_page(course).status == 2);
+    CHECK(fs::is_fifo(course / "out/page.md"));
+    CHECK(fs::is_directory(course / "out/index.tsv"));
+}
+
 TEST_CASE("page on a full disk leaves nothing") {
     const Course course;
     if (!fs::exists("/dev/full")) {

@@ -73,6 +73,18 @@ TEST_CASE("a claimed row without its text, section or test is an error") {
     CHECK_THAT(talks(course), ContainsSubstring("N22 is claimed, but no section teaches it"));
 }
 
+TEST_CASE("the page of the talks without the options it needs says which") {
+    const Course course;
+    page::Context context{course / "", course / "runs"};
+    try {
+        page::fill(context, "First.\n\n{{talks}}\n", "talks.md");
+        FAIL("it was filled");
+    } catch (const page::Error& wrong) {
+        CHECK(std::string{wrong.what()} ==
+              "talks.md:3: {{talks}} needs the options --indexes and --tests");
+    }
+}
+
 TEST_CASE("faulty texts of the talks are refused, at their line") {
     const Course course;
     const auto message = [&](const std::string& content) -> std::string {
