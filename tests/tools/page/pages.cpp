@@ -48,6 +48,21 @@ TEST_CASE("a figure has a size, words for those who cannot see it, and a caption
     CHECK_THAT(page, ContainsSubstring("srcset=\"figures/03_springs/sweep.still.gif\""));
 }
 
+TEST_CASE("a picture and a film of one name have ids and titles of their own") {
+    const Course course;
+    const std::string run = "runs/03_springs/run/";
+    course.write(run + "sweep.svg", course.read(run + "spiral.svg"));
+    course.write(run + "sweep_film.gif", course.read(run + "sweep.gif"));
+    course.replace("chapters/03_springs/about.json", "\"sweep.gif\"",
+                   "\"sweep.gif\", \"sweep.svg\"");
+    const std::string page = course.fill_paragraph("{{figure sweep.svg: Still.}}");
+    CHECK_THAT(page, ContainsSubstring("<figure id=\"fig-sweep\""));
+    CHECK_THAT(page, ContainsSubstring("<figure id=\"fig-sweep-film\""));
+    course.replace("chapters/03_springs/about.json", "\"sweep.svg\"", "\"sweep_film.gif\"");
+    CHECK_THAT(course.paragraph_error("{{figure sweep_film.gif: A film.}}"),
+               ContainsSubstring("another figure on this page has the id fig-sweep-film"));
+}
+
 TEST_CASE("code, the run and tables are quoted") {
     const Course course;
     const std::string page = course.fill_paragraph("{{run: Order}}\n\n{{table costs.tsv}}");
