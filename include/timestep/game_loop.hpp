@@ -52,7 +52,8 @@ public:
     /// Steps taken since the start.
     long steps() const { return steps_; }
 
-    /// The simulated time, s. Counted, not added up: `steps() * step` is rounded once, while adding
+    /// The simulated time, s. Counted, not added up: `steps() * step` is rounded once (twice when
+    /// the type cannot hold the count, in `float` from 2²⁴ steps on), while adding
     /// a step to a clock rounds every time, and in `float` the errors show within the hour.
     Real time() const { return static_cast<Real>(steps_) * step_; }
 

@@ -78,7 +78,8 @@ private:
     //     s = (e^(−pt) − e^(−qt)) / (q − p) = e^(−pt) (1 − e^(−(q − p)t)) / (q − p)
     // is what a push of v₀ = 1 does. By expm1 it keeps its digits as q − p → 0, where it tends to
     // t e^(−pt), the answer at ζ = 1. No cosh, which overflows long before its e^(−γt) makes up for
-    // it. The start weighs in as x = (e^(−pt) + p s) x₀ + s v₀, a sum of terms above zero.
+    // it. The start weighs in as x = (e^(−pt) + p s) x₀ + s v₀; no term is below zero when
+    // x₀ and v₀ are not.
     /// [creeping]
     template <class X>
     State<X> creeping(const State<X>& start, real_of<X> t) const {
