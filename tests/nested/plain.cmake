@@ -8,7 +8,7 @@ find_program(MAKE_PROGRAM NAMES make gmake)
 if(MAKE_PROGRAM)
   set(generator -G "Unix Makefiles" "-DCMAKE_MAKE_PROGRAM=${MAKE_PROGRAM}")
 endif()
-configure(strict ${generator} -DCMAKE_CXX_FLAGS_RELEASE=-O0
+configure(strict ${generator} -DCMAKE_CXX_FLAGS_RELEASE=-O1\ -DNDEBUG
   -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON
   -DKATEX= -DAWESOME=)
 foreach(sentence
