@@ -31,8 +31,9 @@ std::string one_line(const std::string& text) {
 
 template <class Number>
 std::errc read(const std::string& text, Number& value) {
+    const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';  // from_chars knows none
     const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const auto [stop, error] = std::from_chars(text.data() + plus, end, value);
     return stop == end ? error : std::errc::invalid_argument;
 }
 

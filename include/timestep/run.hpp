@@ -27,7 +27,7 @@ struct RunTypes {
                       },
                   "timestep: in run(method, model, start, h, steps) this method does not step this "
                   "kind of state");
-    static_assert(std::is_integral_v<Count>,
+    static_assert(std::is_integral_v<Count> && !std::is_same_v<Count, bool>,
                   "timestep: in run(method, model, start, h, steps) steps is a whole number");
     static_assert(std::is_invocable_v<Observe&, const S&>,
                   "timestep: observe is called with each state, as in [](const auto& state) { }");

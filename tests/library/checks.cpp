@@ -63,6 +63,9 @@ TEMPLATE_TEST_CASE("models refuse parameters with which they could not compute",
     CHECK_THROWS_AS(Projectile(nan), std::invalid_argument);
     CHECK_THROWS_AS(Projectile(inf), std::invalid_argument);
     CHECK_THROWS_AS(Spring<TestType>::from_stiffness(one, TestType(0)), std::invalid_argument);
+    // k/m underflows, ω = √(k/m) does not.
+    const TestType tiny = 1 / std::sqrt(large);
+    CHECK(Spring<TestType>::from_stiffness(tiny * tiny, large).omega > 0);
     // ω² and 2ζω would be infinite, though ω and ζ are not.
     CHECK_THROWS_AS(Spring(large), std::invalid_argument);
     CHECK_THROWS_AS(DampedSpring(large, one), std::invalid_argument);

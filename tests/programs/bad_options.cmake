@@ -7,7 +7,7 @@ read_options()
 
 foreach(flag IN LISTS flags)
   set(rule "${rule_${flag}}")
-  set(words abc 1x "1 2" 0x10 "1,5" -- --help= " 1" "1 " "1\n" "nan\n")
+  set(words abc 1x +-1 ++1 + "1 2" 0x10 "1,5" -- --help= " 1" "1 " "1\n" "nan\n")
   set(bad ${words})
   if(NOT rule MATCHES "^one of ")
     list(APPEND bad nan -nan inf -inf 1e999 -1e999 infinity)

@@ -22,10 +22,11 @@ struct Spring {
         if (!std::isfinite(omega * omega)) refuse("omega", omega, "small enough that its square is finite");
     }
 
-    /// From stiffness k in N/m and mass m in kg: ω = √(k/m).
+    /// From stiffness k in N/m and mass m in kg: ω = √(k/m), the roots first, as k/m may overflow
+    /// where ω does not.
     static Spring from_stiffness(Real k, Real m) {
         using std::sqrt;
-        return Spring(sqrt(not_negative("stiffness", k) / positive("mass", m)));
+        return Spring(sqrt(not_negative("stiffness", k)) / sqrt(positive("mass", m)));
     }
 
     /// −ω² x, m/s²
