@@ -2,11 +2,13 @@
 # what only the course program and the looks of the site need. Warnings are errors.
 include("${CMAKE_CURRENT_LIST_DIR}/nested.cmake")
 
-# The reader's CMake takes make where Ninja is not asked for, and so does this build.
-set(generator "")
+# The reader's CMake takes make where Ninja is not asked for, and so does this build. A machine that
+# was set up by `./course` may have Ninja only.
 find_program(MAKE_PROGRAM NAMES make gmake)
 if(MAKE_PROGRAM)
   set(generator -G "Unix Makefiles" "-DCMAKE_MAKE_PROGRAM=${MAKE_PROGRAM}")
+else()
+  set(generator -G Ninja)
 endif()
 configure(strict ${generator} -DCMAKE_CXX_FLAGS_RELEASE=-O1\ -DNDEBUG
   -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON
