@@ -21,9 +21,8 @@ double portrait(const Method& method, const Settings& settings, lab::Findings& o
     const Spring spring(settings.omega);
     const State start{0, 1.0, 0.0};  // pulled out by one metre and let go
     auto& table = out.table(id + ".tsv", {"t", "x", "v_over_omega"});
-    const State end = run(method, spring, start, settings.step, settings.steps, [&](const auto& s) {
-        table.row({s.t, s.x, s.v / settings.omega});
-    });
+    const auto row = [&](const auto& s) { table.row({s.t, s.x, s.v / settings.omega}); };
+    const State end = run(method, spring, start, settings.step, settings.steps, row);
     /// [portrait]
     const double reached = amplitude(end, settings.omega);
     const double growth = std::pow(reached, 1.0 / settings.steps);

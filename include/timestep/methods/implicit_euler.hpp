@@ -52,7 +52,8 @@ private:
     template <class Model, class X>
         requires LinearForce<Model, X>
     X new_velocity(const Model& model, const X& x1, const X& v1, real_of<X> h) const {
-        const auto matrix = implicit_matrix(h, slope_v(model, x1, v1), slope_x(model, x1, v1));
+        const auto matrix =
+            implicit_matrix(h, slope_v(model, x1, v1), slope_x(model, x1, v1));
         return solve(matrix, X(v1 + h * acceleration(model, x1, zero<X>())));
     }
     /// [linear]
@@ -64,7 +65,8 @@ private:
     X new_velocity(const Model& model, const X& x1, const X& v1, real_of<X> h) const {
         static_assert(
             SmoothForce<Model, X>,
-            "timestep: implicit methods need the force's derivatives slope_x and slope_v");
+            "timestep: implicit methods need the force's derivatives slope_x and "
+            "slope_v");
         const auto missing = [&](const X& v2) -> X {
             const X x2 = x1 + h * v2;
             return v2 - v1 - h * acceleration(model, x2, v2);

@@ -24,7 +24,8 @@ struct SemiImplicitEulerNewDamping {
     template <class Model, class X>
     State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
         static_assert(LinearForce<Model, X>,
-                      "timestep: damping at the new velocity needs a linear force with slope_v()");
+                      "timestep: damping at the new velocity needs a linear force with "
+                      "slope_v()");
         const auto& [t1, x1, v1] = state1;
         const X v2 = solve(implicit_matrix(h, slope_v(model, x1, v1), real_of<X>(0)),
                            X(v1 + h * acceleration(model, x1, zero<X>())));
