@@ -303,9 +303,9 @@ unset xlabel
 unset ylabel
 set label 1 "x (m)" at -0.4,-2.9,-1.6 center
 set label 2 "y (m)" at 2.9,0.2,-1.6 center
-set label 3 "z (m)" at -2,-2,2 center
+set label 3 "z (m)" at -2,-2,1.9 center
 set border 31
-set key at screen 0.03,0.97 left vertical maxrows 3 @key
+set key at screen 0.97,0.97 right vertical maxrows 3 @key
 splot "orbit_tether.tsv" using 1:2:(-1.6) with lines lc rgb "#a0a0a0" lw 1.2, \
       "orbit_tether.tsv" using 1:2:3 with lines lc rgb "#0072b2" lw 2 title "tether, 1 m long at rest", \
       "orbit_spring.tsv" using 1:2:3 with lines @second title "spring without rest length"

@@ -117,12 +117,17 @@ set ylabel "velocity v / ω (m)"
 set xrange [-2.1:2.1]
 set yrange [-2.1:2.1]
 set key bottom left reverse Left
+set label 1 "start" at 1.0,0 center textcolor rgb ink front
+set label 2 "9" at 0.5,-1.2 center textcolor rgb ink front
+set label 3 "18" at -1.0,-0.6 center textcolor rgb ink front
+set label 4 "27" at 0.25,1.35 center textcolor rgb ink front
+set label 5 "36" at 1.55,0.0 center textcolor rgb ink front
 plot "cloud_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "explicit", \
      "cloud_implicit_euler.tsv" using 1:2 with lines @implicit_euler title "implicit", \
      "cloud_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit", \
      "cloud_explicit_euler.tsv" every :::0::0 using 1:2 with filledcurves fc rgb "#dddddd" fs solid notitle, \
      "" every :::0::0 using 1:2 with lines lc rgb ink lw 2
-set label 1 "start" at 1.0,0 center textcolor rgb ink front
+unset label
 
 # Semi-implicit Euler towards its limit: a strip of portraits.
 call figure "sweep.svg" 640 1180
@@ -242,18 +247,38 @@ plot "work_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "expli
      "work_runge_kutta_4.tsv" using 1:2 with lines @runge_kutta_4 title "RK4"
 
 # Collisions: the order of every method falls to one.
-call figure "bounce.svg" 640 600
-set key outside bottom center horizontal reverse Left font ",15" width 2
-set xlabel "step h (s)\n " offset 0,0.4
-set ylabel "mean error of the height (m)"
-set xrange [3e-4:4e-2]
+call figure "bounce.svg" 640 460
+set multiplot
+set xrange [2e-4:6e-2]
 set yrange [1e-14:1]
-plot "fall_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit, falls", \
-     "bounce_semi_implicit_euler.tsv" using 1:2 with linespoints @semi_implicit_euler pt 7 ps 0.7 title "semi-implicit, bounced", \
-     "fall_midpoint.tsv" using 1:2 with lines @midpoint title "midpoint, falls", \
-     "bounce_midpoint.tsv" using 1:2 with linespoints @midpoint pt 7 ps 0.7 title "midpoint, bounced", \
-     "fall_runge_kutta_4.tsv" using 1:2 with lines @runge_kutta_4 title "RK4, falls", \
-     "bounce_runge_kutta_4.tsv" using 1:2 with linespoints @runge_kutta_4 pt 7 ps 0.7 title "RK4, bounced"
+set xlabel "step h (s)"
+set format x "10^{%T}"
+set lmargin at screen 0.19
+set rmargin at screen 0.56
+set bmargin at screen 0.17
+set tmargin at screen 0.88
+set title "while it falls" textcolor rgb ink
+set ylabel "mean error of the height (m)" offset 0.5,0
+set label 1 "semi-implicit" at 2.4e-4,5e-4 left textcolor rgb "#007a59"
+set label 2 "midpoint" at 2.4e-4,4e-7 left textcolor rgb "#9a6a00"
+set label 3 "RK4" at 5e-4,3e-13 left textcolor rgb "#7a4a1e"
+plot "fall_semi_implicit_euler.tsv" using 1:2 with linespoints @semi_implicit_euler pt 7 ps 0.6, \
+     "fall_midpoint.tsv" using 1:2 with linespoints @midpoint pt 7 ps 0.6, \
+     "fall_runge_kutta_4.tsv" using 1:2 with linespoints @runge_kutta_4 pt 7 ps 0.6
+set lmargin at screen 0.59
+set rmargin at screen 0.96
+set title "once it has bounced"
+unset ylabel
+set format y ""
+unset label
+plot "bounce_semi_implicit_euler.tsv" using 1:2 with linespoints @semi_implicit_euler pt 7 ps 0.6, \
+     "bounce_midpoint.tsv" using 1:2 with linespoints @midpoint pt 7 ps 1, \
+     "bounce_runge_kutta_4.tsv" using 1:2 with linespoints @runge_kutta_4 pt 7 ps 0.5
+unset multiplot
+unset title
+set lmargin; set rmargin; set tmargin; set bmargin
+set format x "10^{%T}"
+set format y "10^{%T}"
 
 # What a step costs, as bars: each of many springs, and a pendulum.
 call figure "costs.svg" 640 520

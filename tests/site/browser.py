@@ -64,6 +64,8 @@ function look() {
     const brightness = colour.match(/[0-9.]+/g).slice(0, 3).reduce((sum, c) => sum + Number(c) / 3, 0);
     const transparent = /, 0\\)$/.test(colour);
     if (boxes.some(box => box && box.scrollWidth > box.clientWidth + 1)) faults.push("scrolls sideways");
+    // The content scrolls in its own box; beside it the window must not, or the page can be scrolled away.
+    if (boxes[1] && boxes[0].scrollHeight > innerHeight + 1) faults.push("the window scrolls beside the content");
     if (dark && (transparent || brightness > 80)) faults.push("is light");
     if (!dark && !transparent && brightness < 200) faults.push("is dark");
     done(faults);
