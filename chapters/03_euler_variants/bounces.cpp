@@ -24,8 +24,8 @@ constexpr double in_the_air = 0.4, after_landing = 0.9;  // s; the ball lands af
 const Scene ball{Projectile(-9.81), Drag<double>::from_terminal_speed(4.0, 9.81)};
 
 /// [bounce]
-// As games do it: step, and when the ball has sunk into the ground, put it back and turn
-// it round.
+// As games do it: step, and when the ball has sunk into the ground, put it back and
+// turn it round.
 template <class Method>
 State<double> step_and_bounce(const Method& method, State<double> state1, double h) {
     State state2 = method.step(ball, state1, h);
