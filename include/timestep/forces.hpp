@@ -57,6 +57,16 @@ X acceleration(const Model& model, const X& x, const X& v) {
     }
 }
 
+/// The acceleration of `model` at position `x`, m/s²: for methods of Verlet's kind, which need the force
+/// where they do not know the velocity yet, or never (I08).
+template <class X, class Model>
+X acceleration(const Model& model, const X& x) {
+    static_assert(PositionForce<Model, X>,
+                  "timestep: Verlet has no velocity to hand to a force: it needs acceleration() or "
+                  "acceleration(x)");
+    if constexpr (PositionForce<Model, X>) return acceleration(model, x, x);  // no force reads the third
+}
+
 /// The rate of change of a body's state, Newton's law in first-order form (N16, I04):
 /// ẋ = v and v̇ = a(x, v).
 template <class Model, class X>

@@ -9,9 +9,13 @@
 #include <timestep/methods/heun.hpp>
 #include <timestep/methods/implicit_euler.hpp>
 #include <timestep/methods/implicit_midpoint.hpp>
+#include <timestep/methods/leapfrog.hpp>
 #include <timestep/methods/midpoint.hpp>
+#include <timestep/methods/newton.hpp>
 #include <timestep/methods/runge_kutta_4.hpp>
 #include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/methods/velocity_verlet.hpp>
+#include <timestep/methods/verlet.hpp>
 
 namespace timestep {
 
@@ -23,6 +27,15 @@ inline constexpr std::tuple all_methods{explicit_euler, implicit_euler,    semi_
 template <class Visit>
 void for_each_method(const Visit& visit) {
     std::apply([&](const auto&... method) { (visit(method), ...); }, all_methods);
+}
+
+/// The methods of chapter 4. All but `newton` step a PositionForce only.
+inline constexpr std::tuple verlet_methods{verlet, velocity_verlet, leapfrog, newton};
+
+/// Calls `visit(method)` for each of those.
+template <class Visit>
+void for_each_verlet_method(const Visit& visit) {
+    std::apply([&](const auto&... method) { (visit(method), ...); }, verlet_methods);
 }
 
 }  // namespace timestep

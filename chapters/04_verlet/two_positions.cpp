@@ -1,0 +1,108 @@
+// Plain Verlet is semi-implicit Euler without the velocity: the same positions, but for rounding.
+
+#include <algorithm>
+#include <cstdio>
+
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/methods/velocity_verlet.hpp>
+#include <timestep/methods/verlet.hpp>
+#include <timestep/run.hpp>
+
+#include "sections.hpp"
+
+using namespace timestep;
+
+namespace {
+
+const State<double> start{0, 1.0, 0.0};
+
+// Calls look(n, exact, semi-implicit position, Verlet position) for each step.
+template <class Look>
+void side_by_side(const Spring<double>& spring, double h, long steps, const Look& look) {
+    /// [side by side]
+    State semi = semi_implicit_euler.step(spring, start, h);
+    State before = start, now = semi;  // Verlet begins with the same two positions
+    for (long n = 1; n <= steps; ++n) {
+        look(n, spring.exact(start, n * h).x, semi.x, now.x);
+        semi = semi_implicit_euler.step(spring, semi, h);
+        const State next = verlet.step(spring, before, now, h);
+        before = now;
+        now = next;
+    }
+    /// [side by side]
+}
+
+// In float: the error after two seconds against the step, for plain Verlet and velocity Verlet.
+template <class Method>
+double float_error(const Method& method, long steps) {
+    const float h = 2.0f / float(steps);
+    const State end = run(method, Spring(1.0f), State<float>{0, 1, 0}, h, steps);
+    return std::fabs(end.x - std::cos(double(h) * double(steps)));
+}
+
+void rounding_in_float(lab::Findings& out) {
+    auto& table = out.table("floats.tsv", {"step", "verlet", "velocity_verlet"});
+    double plain = 0, with_velocity = 0, best = 1, best_step = 1;
+    long steps = 0;
+    for (int i = 0; i <= 32; ++i) {
+        steps = std::lround(8 * std::pow(2.0, i / 2.0));
+        plain = float_error(verlet, steps);
+        with_velocity = float_error(velocity_verlet, steps);
+        table.row({2.0 / steps, plain, with_velocity});
+        if (plain < best) best = plain, best_step = 2.0 / steps;
+    }
+    std::printf("  in float, %ld steps of %.1e s: Verlet is %.1e m off, velocity Verlet %.1e m\n", steps,
+                2.0 / steps, plain, with_velocity);
+    out.number("float_steps", double(steps), "", "steps of the shortest length in float");
+    out.number("float_step", 2.0 / steps, "s", "the shortest step in float", 2);
+    out.number("float_plain", plain, "m", "Verlet's error in float with the shortest step", 2);
+    out.number("float_velocity", with_velocity, "m", "velocity Verlet's error there", 2);
+    out.number("float_best_step", best_step, "s", "step with Verlet's least error in float", 2);
+    out.check("float_worse", plain > 10 * with_velocity && plain > 10 * best,
+              "in float and with very short steps plain Verlet is over ten times worse than velocity Verlet, "
+              "and than itself with longer steps");
+}
+
+}  // namespace
+
+void two_positions(const Settings& settings, lab::Findings& out) {
+    out.section("Two positions instead of a velocity");
+    const Spring spring(settings.omega);
+    const double h = settings.step, wh = settings.wh();
+    auto& overlay = out.table("overlay.tsv", {"t", "exact", "semi_implicit", "verlet"});
+    overlay.row({0.0, 1.0, 1.0, 1.0});
+    side_by_side(spring, h, settings.steps, [&](long n, double exact, double semi, double plain) {
+        overlay.row({n * h, exact, semi, plain});
+    });
+
+    // Roundoff enters x₂ = 2x₁ − x₀ + h²a with at most 2εA + 3ε(ωh)²A a step, A the largest |x|, and grows
+    // from there like sin(nθ)/sin θ, a solution of the same formula. Semi-implicit Euler's own roundoff,
+    // εA/2 in x and ε h|v| ≤ ε ωh A in the velocity, adds less than as much again. No n of them add up to more than
+    const double theta = wh < 2 ? std::acos(1 - wh * wh / 2) : pi / 2;
+    const double amplitude = wh < 2 ? 1 / std::sqrt(1 - wh * wh / 4) : 1;
+    const double a_step = 2 * (2 + 3 * wh * wh) * eps * amplitude / std::sin(theta);
+
+    const long steps = 100000;
+    auto& roundoff = out.table("roundoff.tsv", {"n", "difference", "bound"});
+    double worst = 0, shown = 1;
+    side_by_side(spring, h, steps, [&](long n, double, double semi, double plain) {
+        worst = std::max(worst, std::fabs(plain - semi));
+        if (double(n) >= shown && worst > 0) {
+            roundoff.row({double(n), worst, a_step * n});
+            shown *= 1.1;
+        }
+    });
+    std::printf("  omega = %g rad/s, h = %.5g s (omega h = %.4g)\n", settings.omega, h, wh);
+    std::printf("  Verlet and semi-implicit Euler, %ld steps: positions differ by %.1e m at most\n", steps,
+                worst);
+    out.number("omega", settings.omega, "rad/s", "angular frequency of the spring");
+    out.number("rate", 1 / h, "Hz", "steps a second");
+    out.number("wh", wh, "", "angular frequency times step");
+    out.number("steps", double(settings.steps), "", "steps in the first picture");
+    out.number("identity_steps", double(steps), "", "steps compared");
+    out.number("identity_worst", worst, "m", "Verlet against semi-implicit Euler, worst", 2);
+    out.number("identity_bound", a_step * steps, "m", "what rounding may make of it", 2);
+    out.check("identity", worst < a_step * steps,
+              "plain Verlet steps through the positions of semi-implicit Euler, to the growth of roundoff");
+    rounding_in_float(out);
+}

@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// "Newton": the force is taken as constant over the step.
+
+#include <timestep/forces.hpp>
+#include <timestep/methods/cost.hpp>
+
+namespace timestep {
+
+/// The constant-force method, which the talk calls Newton (I09). Each step is a piece of a parabola, so
+/// projectiles are stepped exactly, with any h.
+///
+/// On an undamped spring the step has determinant 1 + (ωh)²/2 and trace 2 − (ωh)²/2. Up to ωh = 4 its
+/// eigenvalues are a pair with |λ| = √(1 + (ωh)²/2); beyond they are real and the larger grows faster
+/// still. It blows up for every ω > 0 and every h.
+struct Newton {
+    static constexpr const char* name = "Newton";   ///< for tables and keys
+    static constexpr int order = 1;                 ///< of the error after a whole run
+    static constexpr Cost cost{.evaluations = 1};   ///< of one step
+
+    /// One step of length h.
+    /// [step]
+    template <class Model, class X>
+    State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
+        const auto& [t1, x1, v1] = state1;
+        const X a1 = acceleration(model, x1, v1);
+        const X x2 = x1 + h * v1 + h * h / 2 * a1;
+        const X v2 = v1 + h * a1;
+        return {t1 + h, x2, v2};
+    }
+    /// [step]
+};
+
+inline constexpr Newton newton;  ///< the method as a value
+
+}  // namespace timestep

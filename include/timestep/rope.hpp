@@ -1,0 +1,78 @@
+#pragma once
+/// \file
+/// A rope: points stepped by Verlet and pulled back to their distances.
+
+#include <cstddef>
+#include <vector>
+
+#include <timestep/checks.hpp>
+#include <timestep/methods/verlet.hpp>
+#include <timestep/models/projectile.hpp>
+
+namespace timestep {
+
+/// A chain of points of equal mass, each at the distance `link` from the next; the first one is held.
+/// As in Jakobsen's *Advanced Character Physics* (2001), Verlet moves every point as if it were alone, and
+/// then the links are put right one after the other, a few times over. A point that is moved has its
+/// velocity changed with it: that is what two positions are good for.
+///
+/// `X` is a fixed-size Eigen vector.
+template <class X>
+class Rope {
+public:
+    using Real = real_of<X>;  ///< the real number type
+
+    /// A straight rope at rest, from `top` in the direction of the unit vector `along`. Throws
+    /// `std::invalid_argument`.
+    Rope(const X& top, const X& along, std::size_t links, Real link, const Projectile<X>& gravity)
+        : gravity_(gravity), link_(positive("link", link)) {
+        if (links == 0) throw std::invalid_argument("links: must be one or more");
+        for (std::size_t i = 0; i <= links; ++i) now_.push_back({0, top + Real(i) * link * along, X::Zero()});
+        before_ = now_;
+    }
+
+    /// One step of length h, the same in every step: Verlet, and `sweeps` times all links.
+    /// [step]
+    void step(Real h, int sweeps) {
+        for (std::size_t i = 1; i < now_.size(); ++i) {
+            const State<X> next = verlet.step(gravity_, before_[i], now_[i], h);
+            before_[i] = now_[i];
+            now_[i] = next;
+        }
+        for (int n = 0; n < sweeps; ++n)
+            for (std::size_t i = 1; i < now_.size(); ++i) put_right(i);
+    }
+    /// [step]
+
+    /// The points, from the one that is held; their `v` means nothing.
+    const std::vector<State<X>>& points() const { return now_; }
+
+    /// The velocity of point i in the middle of the last step of length h, m/s.
+    X velocity(std::size_t i, Real h) const { return (now_[i].x - before_[i].x) / h; }
+
+    /// How much longer than its links the rope is: 0 is right, 0.1 is a tenth too long.
+    Real stretch() const {
+        Real length = 0;
+        for (std::size_t i = 1; i < now_.size(); ++i) length += (now_[i].x - now_[i - 1].x).norm();
+        return length / (link_ * Real(now_.size() - 1)) - 1;
+    }
+
+private:
+    // The two ends of a link share what is too long or too short; the point that is held does not move.
+    /// [link]
+    void put_right(std::size_t i) {
+        X& a = now_[i - 1].x;
+        X& b = now_[i].x;
+        const X apart = b - a;
+        const X excess = (1 - link_ / apart.norm()) * apart;
+        if (i > 1) a += excess / 2;
+        b -= i > 1 ? X(excess / 2) : excess;
+    }
+    /// [link]
+
+    Projectile<X> gravity_;
+    Real link_;
+    std::vector<State<X>> before_, now_;
+};
+
+}  // namespace timestep
