@@ -49,11 +49,11 @@ template <class Error>
 double order(const std::string& file, const Error& error_with, lab::Findings& out) {
     auto& table = out.table(file, {"step", "error"});
     std::vector<double> h, error;
-    for (int i = 0; i <= 16; ++i) {
+    for (int i = 0; i <= 20; ++i) {
         const int count = 2 * int(std::lround(10 * std::pow(2.0, i / 2.0)));
         const double off = error_with(count);
         table.row({seconds / count, off});
-        if (i >= 8) h.push_back(seconds / count), error.push_back(off);
+        if (i >= 12) h.push_back(seconds / count), error.push_back(off);
     }
     return measured_order(h, error);
 }
@@ -88,8 +88,8 @@ void changing_steps(const Settings&, lab::Findings& out) {
                     turn, chance);
         out.number("turn_" + name, turn, "", "order, steps long and short in turn", 2);
         out.number("chance_" + name, chance, "", "order, steps by chance", 2);
-        // The mean of 200 errors scatters by some 1/√200 = 7 %: over four octaves less than 0.07/ln 16 = 0.03 in the
-        // slope. The next term of each error is ωh ≤ 0.03 of it at the longest step of the fit: another 0.02.
+        // The mean of 200 errors scatters by 1/√200 = 7 %: over the nine points of the fit, four octaves, some 0.03 in
+        // the slope. The draws are the same on every machine.
         out.check("changing_" + name, std::fabs(turn - wanted) < 0.05 && std::fabs(chance - wanted) < 0.05, says);
     };
     both("plain", plain, 0, "with a changing step plain Verlet does not converge");

@@ -51,7 +51,9 @@ void stretch_table(const Settings& settings, lab::Findings& out) {
         if (sweeps == 8) at_8 = found[0];
         summary.row({double(sweeps), cell(found[0]), cell(found[1]), cell(found[2]), cell(found[3])});
     }
+    auto& equal = out.table("stretch_budget.tsv", {"sweeps", "percent"});  // of 480 sweeps a second
     for (std::size_t i = 0; i < 4; ++i) {
+        equal.row({480 / rates[i], 100 * budget[i]});
         auto& table = out.table("stretch_" + std::to_string(int(rates[i])) + ".tsv", {"sweeps", "percent"});
         for (std::size_t k = 0; k < by_rate[i].size(); ++k)
             table.row({double(1 << k), 100 * by_rate[i][k]});
@@ -138,7 +140,6 @@ void swing(lab::Findings& out) {
     const auto energy = [&](double steps_a_second, int n_sweeps, const std::string& file, double& at_end) {
         auto& table = out.table(file, {"t", "energy"});
         Rope rope = level();
-        std::vector<State<double>> unused;
         double most = 0;
         for (long n = 1; n <= std::lround(20 * steps_a_second); ++n) {
             std::vector<Vector2d> before;
@@ -163,6 +164,8 @@ void swing(lab::Findings& out) {
     out.number("rope_energy_4", end_4, "", "rope's energy after 20 s at 60 Hz, 4 sweeps", 2);
     out.number("rope_energy_32", end_32, "", "the same with 32 sweeps", 2);
     out.number("rope_energy_fast", end_fast, "", "at 480 Hz with 4 sweeps", 2);
+    out.check("rope_loses", most < 1.001 && end_4 < 0.1 && end_32 < 0.1 && end_fast > 0.2,
+              "no rope gains energy; at 60 Hz the swing is gone after 20 s, at 480 Hz part of it is left");
     out.number("rope_energy_most", most, "", "the most that any of them had", 3);
 }
 

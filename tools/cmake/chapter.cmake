@@ -1,7 +1,8 @@
 # A chapter is a folder chapters/NN_name with
 #   chapter.md  the page          name.cpp    the program
 #   figures.gp  the pictures      about.json  title, question, ledger rows, figures
-# and the test tests/chapters/NN_name.cpp. One that lacks any of them is a configure error.
+# and the test tests/chapters/NN_name.cpp. One that lacks any of them is a configure error. It may have
+# a folder does_not_compile: what the compiler says of the sources there, the page can show.
 
 find_program(GNUPLOT gnuplot)
 
@@ -88,15 +89,20 @@ function(timestep_chapter chapter)
   endif()
 
   set(run "${PROJECT_BINARY_DIR}/chapters/${chapter}/run")
+  file(GLOB misuses CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" "${folder}/does_not_compile/*.cpp")
+  set(misuse_paths ${misuses})
+  list(TRANSFORM misuse_paths PREPEND "${PROJECT_SOURCE_DIR}/")
   if(TIMESTEP_DOCS AND GNUPLOT)
     add_custom_command(OUTPUT "${run}/done"
       COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:${name}>" "-DOUT=${run}"
               "-DSCRIPT=${folder}/figures.gp" "-DSTYLE=${PROJECT_SOURCE_DIR}/tools/figures/style.gp"
               "-DGNUPLOT=${GNUPLOT}" "-DABOUT=${folder}/about.json" -DQUIET=ON
+              "-DMISUSES=${misuses}" "-DROOT=${PROJECT_SOURCE_DIR}" "-DCOMPILER=${CMAKE_CXX_COMPILER}"
               -P "${PROJECT_SOURCE_DIR}/tools/cmake/run.cmake"
       DEPENDS ${name} "${folder}/figures.gp" "${folder}/about.json"
               "${PROJECT_SOURCE_DIR}/tools/figures/style.gp"
               "${PROJECT_SOURCE_DIR}/tools/cmake/run.cmake"
+              "${PROJECT_SOURCE_DIR}/tools/cmake/misuse.cmake" ${misuse_paths}
       COMMENT "Running chapter ${chapter}" VERBATIM)
     add_custom_target(run_${name} DEPENDS "${run}/done")
     set_property(GLOBAL APPEND PROPERTY TIMESTEP_RUNS run_${name})

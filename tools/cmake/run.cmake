@@ -1,14 +1,17 @@
 # Runs one chapter: its program, then gnuplot on what the program left. Called as
 #   cmake -DPROGRAM=… -DOUT=… -DSCRIPT=figures.gp -DSTYLE=style.gp -DGNUPLOT=… -DABOUT=about.json
-#         [-DQUIET=ON] [-DARGUMENTS=--omega;2] [-DCOMPLAINT=file] -P run.cmake
+#         [-DQUIET=ON] [-DARGUMENTS=--omega;2] [-DCOMPLAINT=file]
+#         [-DMISUSES=chapters/…/x.cpp;… -DROOT=… -DCOMPILER=c++] -P run.cmake
 # Leaves in OUT: the data (*.tsv), numbers.tsv, checks.tsv, the account (run.txt), seconds.txt and
 # the figures. All of it is made in a folder of its own and moved in, file by file, when it is whole: a
 # full disk changes nothing, a kill during the moves can leave old files beside new ones.
+# MISUSES are sources that must not compile: what the compiler says of x.cpp becomes x.txt.
 # COMPLAINT gets an exit status in its first line, and below it what there is to complain of, in the
 # complainer's own words: CMake breaks the lines of its error messages.
 
 cmake_minimum_required(VERSION 3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/chapter_figures.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/misuse.cmake")
 
 function(complain status text)
   if(DEFINED COMPLAINT)
@@ -56,6 +59,13 @@ check_figures("${work}" "${ABOUT}" problem)
 if(problem)
   fail(2 "${problem}")
 endif()
+
+foreach(source IN LISTS MISUSES)
+  compile_misuse("${source}" "${work}" problem)
+  if(problem)
+    fail(2 "${problem}")
+  endif()
+endforeach()
 
 file(GLOB old "${OUT}/*.tsv" "${OUT}/*.svg" "${OUT}/*.gif")
 if(old)

@@ -34,6 +34,8 @@ std::string figure_markdown(Context& context, const Directive& directive,
 std::string code_markdown(Context& context, const Directive& directive);
 /// `{{run}}`, `{{run: Heading}}`
 std::string run_markdown(Context& context, const Directive& directive);
+/// `{{said file.txt}}`
+std::string said_markdown(Context& context, const Directive& directive);
 /// `{{table file.tsv}}`; cells are filled by the caller, for they may hold formulas.
 std::string table_markdown(Context& context, const Directive& directive);
 /// `{{rows N22 N24}}` below `heading`

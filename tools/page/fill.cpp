@@ -105,7 +105,7 @@ private:
             return check_markdown(context_, directive);
         }
         static const std::set<std::string> blocks{"figure", "code",  "run",     "table",
-                                                  "rows",   "talks", "chapters"};
+                                                  "rows",   "talks", "chapters", "said"};
         if (blocks.count(name) == 0) {
             if (!directive.arguments.empty() || !directive.text.empty()) {
                 throw std::invalid_argument{"there is no {{" + name + " …}}"};
@@ -129,6 +129,9 @@ private:
         }
         if (name == "run") {
             return run_markdown(context_, directive);
+        }
+        if (name == "said") {
+            return said_markdown(context_, directive);
         }
         if (name == "table") {
             return fill_generated(table_markdown(context_, directive), piece);

@@ -74,6 +74,20 @@ std::string run_markdown(Context& context, const Directive& directive) {
            prompt + "</span>\n" + escape_html(account.substr(first)) + "</pre>\\endhtmlonly\n";
 }
 
+std::string said_markdown(Context& context, const Directive& directive) {
+    if (directive.arguments.size() != 1) {
+        throw std::invalid_argument{"what a program said is {{said file.txt}}"};
+    }
+    std::string file;
+    RunData& run = context.run_of(directive.arguments.front(), file);
+    const std::string words = run.text(file);
+    if (trim(words).empty()) {
+        throw std::out_of_range{file + " holds no word"};
+    }
+    return "\n\\htmlonly[block]<pre class=\"run\" tabindex=\"0\">" + escape_html(words) +
+           "</pre>\\endhtmlonly\n";
+}
+
 std::string table_markdown(Context& context, const Directive& directive) {
     if (directive.arguments.size() != 1) {
         throw std::invalid_argument{"a table is {{table file.tsv}}"};

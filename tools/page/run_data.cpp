@@ -116,6 +116,10 @@ std::string RunData::account(const std::string& heading) const {
     return part;
 }
 
+std::string RunData::text(const std::string& file) const {
+    return read_file(existing(file));
+}
+
 std::filesystem::path RunData::figure(const std::string& file) const {
     return existing(file);
 }

@@ -30,6 +30,8 @@ public:
     Table table(const std::string& file) const;
     /// The whole account, or (with a heading) what stands below that heading, heading included.
     std::string account(const std::string& heading = "") const;
+    /// A text file as it stands.
+    std::string text(const std::string& file) const;
     /// A figure's path; it exists.
     std::filesystem::path figure(const std::string& file) const;
     /// Milliseconds that the program took.
