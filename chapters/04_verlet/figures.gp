@@ -9,7 +9,7 @@ set yrange [-1.25:1.25]
 set key outside bottom center horizontal reverse Left
 plot "overlay.tsv" using 1:2 with lines @exact title "exact", \
      "" using 1:3 with lines @semi_implicit_euler title "semi-implicit Euler", \
-     "" using 1:4 with points pt 7 ps 0.6 lc rgb "#b15a98" title "Verlet"
+     "" every 2 using 1:4 with points pt 7 ps 0.55 lc rgb "#b15a98" title "Verlet, every other"
 
 # How far rounding drives the two apart.
 call figure "roundoff.svg" 640 440
@@ -74,6 +74,14 @@ set format xy "%g"
 
 # Both demos as a film, a step a frame.
 call animation "demos.gif" 640 400 16
+unset xlabel
+unset ylabel
+# The key, in words of the curves' colours.
+set label 11 "exact" at screen 0.10,0.08 center textcolor rgb "#777777"
+set label 12 "explicit" at screen 0.27,0.08 center textcolor rgb "#b34e00"
+set label 13 "semi-implicit" at screen 0.48,0.08 center textcolor rgb "#007a59"
+set label 14 "Verlet" at screen 0.70,0.08 center textcolor rgb "#8f4379"
+set label 15 "Newton" at screen 0.88,0.08 center textcolor rgb "#9a7400"
 inside(x, y) = sqrt(x**2 + y**2) < 2.35 ? x : NaN  # a curve ends where it would leave the frame
 do for [i=0:23] {
     n = i + 2  # the file's line; the first holds names, and a curve has two points
@@ -101,15 +109,15 @@ do for [i=0:23] {
     set xtics 1
     set ytics 1
     set title "a spring: x and v/ω (m)"
-    set key at screen 0.5,0.08 center horizontal reverse Left maxrows 1 width -1 font ",24"
-    plot "circle.tsv" using 1:2 with lines @exact title "exact", \
-         "spring_explicit_euler.tsv" every ::1::n using (inside($2,$3)):3 with linespoints @explicit_euler pt 7 ps 0.8 title "explicit", \
-         "spring_semi_implicit_euler.tsv" every ::1::n using 2:3 with linespoints @semi_implicit_euler pt 7 ps 0.8 title "semi-implicit", \
-         "spring_verlet.tsv" every ::1::n using 2:3 with linespoints @velocity_verlet pt 7 ps 0.8 title "Verlet", \
-         "spring_newton.tsv" every ::1::n using (inside($2,$3)):3 with linespoints lc rgb "#e0a800" lw 2.5 dt 1 pt 6 ps 1.6 title "Newton"
+    plot "circle.tsv" using 1:2 with lines @exact, \
+         "spring_explicit_euler.tsv" every ::1::n using (inside($2,$3)):3 with linespoints @explicit_euler pt 7 ps 0.8, \
+         "spring_semi_implicit_euler.tsv" every ::1::n using 2:3 with linespoints @semi_implicit_euler pt 7 ps 0.8, \
+         "spring_verlet.tsv" every ::1::n using 2:3 with linespoints @velocity_verlet pt 7 ps 0.8, \
+         "spring_newton.tsv" every ::1::n using (inside($2,$3)):3 with linespoints lc rgb "#e0a800" lw 2.5 dt 1 pt 6 ps 1.6
     unset multiplot
 }
 unset title
+unset label
 set lmargin; set rmargin; set tmargin; set bmargin
 set xtics autofreq
 set ytics autofreq
@@ -122,8 +130,8 @@ set format xy "10^{%T}"
 set xlabel "step h (s)"
 set ylabel "error at the end (m)"
 set key bottom right vertical reverse Left
-plot "start_careless.tsv" using 1:2 with lines @second title "x + hv", \
-     "start_euler.tsv" using 1:2 with lines @semi_implicit_euler title "x + hv + h²a", \
+plot "start_euler.tsv" using 1:2 with lines lc rgb "#009e73" lw 5 dt 1 title "x + hv + h²a", \
+     "start_careless.tsv" using 1:2 with lines @second title "x + hv", \
      "start_taylor.tsv" using 1:2 with lines @verlet title "x + hv + h²a/2"
 
 # A step that changes.
@@ -157,6 +165,7 @@ plot "rope_frames.tsv" index 0 using 2:3 with lines @faint title "at the start",
 call animation "rope.gif" 480 480 7
 set xrange [-2.4:2.4]
 set yrange [-3.6:0.6]
+set tics 1
 set xlabel "x (m)\n " offset 0,0.4
 set ylabel "y (m)"
 set key outside bottom center horizontal reverse Left
@@ -165,6 +174,8 @@ do for [i=0:60] {
          "" index i using 4:5 with lines lc rgb "#009e73" lw 2.5 dt 1 title "4 sweeps", \
          "" index i using 6:7 with lines lc rgb "#0072b2" lw 2.5 dt 1 title "32 sweeps"
 }
+
+set tics autofreq
 
 # Stretch at rest.
 call figure "stretch.svg" 640 480
@@ -202,7 +213,7 @@ set logscale xy
 set format xy "10^{%T}"
 set xlabel "step h (s)\n " offset 0,0.4
 set ylabel "error after 2 s (m)"
-set key bottom right vertical reverse Left
+set key top right vertical reverse Left
 plot "floats.tsv" using 1:2 with lines @verlet title "Verlet", \
      "" using 1:3 with lines @velocity_verlet title "velocity Verlet"
 

@@ -122,12 +122,14 @@ void same_as_coordinates(const Method& method) {
 
 TEST_CASE("every method steps a vector as it steps its coordinates", "[library]") {
     for_each_method([](const auto& method) { same_as_coordinates<double>(method); });
+    for_each_verlet_method([](const auto& method) { same_as_coordinates<double>(method); });
 }
 
 TEMPLATE_TEST_CASE("vectors of every real type are stepped", "[library]", float, long double) {
     same_as_coordinates<TestType>(semi_implicit_euler);
     same_as_coordinates<TestType>(implicit_euler);
     same_as_coordinates<TestType>(runge_kutta_4);
+    for_each_verlet_method([](const auto& method) { same_as_coordinates<TestType>(method); });
 }
 
 // A force without position or velocity: methods of order two and more are exact but for rounding.

@@ -1,0 +1,60 @@
+// A rope of links: what it refuses, how it hangs, how stiff it is.
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+#include <timestep/rope.hpp>
+
+using namespace timestep;
+using Catch::Matchers::Message;
+using Eigen::Vector2d;
+
+namespace {
+
+const Projectile gravity(Vector2d(0, -9.81));
+
+double stretch_at_rest(double rate, int sweeps, std::size_t links) {
+    Rope rope(Vector2d(0, 0), Vector2d(0, -1), links, 0.1, gravity);
+    for (long n = 0; n < std::lround(60 * rate); ++n) rope.step(1 / rate, sweeps);
+    return rope.stretch();
+}
+
+}  // namespace
+
+TEST_CASE("a rope refuses links that make no sense", "[library]") {
+    CHECK_THROWS_MATCHES(Rope(Vector2d(0, 0), Vector2d(0, -1), 0, 0.1, gravity), std::invalid_argument,
+                         Message("links: must be one or more"));
+    CHECK_THROWS_MATCHES(Rope(Vector2d(0, 0), Vector2d(0, -1), 3, -0.1, gravity), std::invalid_argument,
+                         Message("link = -0.1: must be finite and greater than zero"));
+}
+
+TEST_CASE("a rope of one link is a pendulum that keeps its length", "[library]") {
+    Rope rope(Vector2d(1, 2), Vector2d(1, 0), 1, 0.5, gravity);
+    for (int i = 0; i < 1000; ++i) {
+        rope.step(0.01, 1);
+        CHECK(rope.points()[0].x == Vector2d(1, 2));
+        CHECK(std::fabs(rope.stretch()) < 8 * 2.2e-16 * 4);  // positions below 4 links, a few roundings
+    }
+}
+
+// With one sweep a step the links take away what gravity adds, h² g at each point: link i hands down half of its
+// excess e_i, and at rest e_n/2 = h² g below the last, and so on upwards.
+TEST_CASE("one sweep a step hangs (n - 1) h² g / 2 too long a link, on the mean", "[library][I08][ch4]") {
+    for (const std::size_t links : {5u, 10u, 20u}) {
+        const double h = 1.0 / 120;
+        const double expected = double(links - 1) / 2 * h * h * 9.81 / 0.1;
+        // The slowest motion dies like e^{−t g'…}: after 60 s less than 1e-4 of the whole is left.
+        CHECK(std::fabs(stretch_at_rest(120, 1, links) / expected - 1) < 1e-4);
+    }
+}
+
+TEST_CASE("half the step is a quarter of the stretch", "[library][ch4]") {
+    for (const int sweeps : {2, 8}) {
+        const double ratio = stretch_at_rest(60, sweeps, 20) / stretch_at_rest(120, sweeps, 20);
+        CHECK(std::fabs(ratio - 4) < 1e-4);
+    }
+}
