@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 
 #include <timestep/methods/semi_implicit_euler.hpp>
 #include <timestep/methods/velocity_verlet.hpp>
@@ -51,6 +52,12 @@ void rounding_in_float(lab::Findings& out) {
         table.row({2.0 / steps, plain, with_velocity});
         if (plain < best) best = plain, best_step = 2.0 / steps;
     }
+    // 2·1 − 1 − h² rounds back to 1 in float once h² is below half of the distance ε/2 to the next number below.
+    const double freezes = std::sqrt(std::numeric_limits<float>::epsilon() / 4);
+    const auto moves = [](float h) { return verlet.step(Spring(1.0f), State{0, 1.0f, 0.0f}, State{h, 1.0f, 0.0f}, h).x != 1; };
+    out.number("float_freezes", freezes, "s", "step below which Verlet in float stands still", 2);
+    out.check("float_frozen", !moves(float(freezes * 0.99)) && moves(float(freezes * 1.01)),
+              "in float, with shorter steps than this, Verlet's mass does not leave its start at all");
     std::printf("  in float, %ld steps of %.1e s: Verlet is %.1e m off, velocity Verlet %.1e m\n", steps,
                 2.0 / steps, plain, with_velocity);
     out.number("float_steps", double(steps), "", "steps of the shortest length in float");
