@@ -86,8 +86,9 @@ void changing_steps(const Settings&, lab::Findings& out) {
         }, out);
         std::printf("  %-16s order %5.2f with steps long and short in turn, %5.2f by chance\n", name.c_str(),
                     turn, chance);
-        out.number("turn_" + name, turn, "", "order, steps long and short in turn", 2);
-        out.number("chance_" + name, chance, "", "order, steps by chance", 2);
+        const auto hundredths = [](double value) { return std::round(100 * value) / 100 + 0.0; };
+        out.number("turn_" + name, hundredths(turn), "", "order, steps long and short in turn");
+        out.number("chance_" + name, hundredths(chance), "", "order, steps by chance");
         // The mean of 200 errors scatters by 1/√200 = 7 %: over the nine points of the fit, four octaves, some 0.03 in
         // the slope. The draws are the same on every machine.
         out.check("changing_" + name, std::fabs(turn - wanted) < 0.05 && std::fabs(chance - wanted) < 0.05, says);

@@ -61,7 +61,7 @@ void stretch_table(const Settings& settings, lab::Findings& out) {
     const double own = stretch_at_rest(60, int(settings.sweeps));
     std::printf("  %zu links of %g m, at rest, 60 steps a second: %.3g %% too long with 1 sweep a step,\n"
                 "  %.3g %% with %ld\n", links, link, 100 * first, 100 * own, settings.sweeps);
-    std::printf("  480 sweeps a second: 60 Hz %.3g %%, 120 Hz %.3g %%, 240 Hz %.3g %%, 480 Hz %.3g %%\n",
+    std::printf("  480 sweeps a second: 60 Hz %.3g %%, 120 Hz %.3g %%, 240 Hz %.3g %%,\n  480 Hz %.3g %%\n",
                 100 * budget[0], 100 * budget[1], 100 * budget[2], 100 * budget[3]);
     out.number("links", double(links), "", "links of the rope");
     out.number("stretch_one", 100 * first, "%", "stretch at 60 Hz with one sweep", 2);
@@ -75,7 +75,7 @@ void stretch_table(const Settings& settings, lab::Findings& out) {
               "for the same number of sweeps a second, more steps with fewer sweeps stretch less");
 
     // The stiffest springs that Verlet can carry have ωh = 1 (see below): they hang g (n + 1) h²/2L too long on the
-    // mean, and one sweep (n − 1) where they have (n + 1), as measured.
+    // mean, and one sweep (n − 1) where they have (n + 1): the derivation stands in tests/library/rope.cpp.
     const double stiffest = 100 * g * (double(links) + 1) / (2 * link * 480 * 480);
     out.number("stretch_springs", stiffest, "%", "stretch of the stiffest springs that hold at 480 Hz", 2);
     const double one_sweep = g * (double(links) - 1) / (2 * link * 480 * 480);
@@ -131,7 +131,8 @@ void swing(lab::Findings& out) {
             longest[k] = std::max(longest[k], ropes[k].stretch());
         }
     }
-    std::printf("  let go from the level, at its longest: +%.3g %% with 1 sweep, +%.3g %% with 4, +%.2g %% with 32\n",
+    std::printf("  let go from the level, at its longest: +%.3g %% with 1 sweep,\n"
+                "  +%.3g %% with 4, +%.2g %% with 32\n",
                 100 * longest[0], 100 * longest[1], 100 * longest[2]);
     for (std::size_t k = 0; k < 3; ++k)
         out.number("longest_" + std::to_string(sweeps[k]), 100 * longest[k], "%", "longest stretch in the swing", 2);
@@ -159,8 +160,8 @@ void swing(lab::Findings& out) {
     double end_4 = 0, end_32 = 0, end_fast = 0;
     const double most = std::max({energy(60, 4, "rope_energy_4.tsv", end_4), energy(60, 32, "rope_energy_32.tsv", end_32),
                                   energy(480, 4, "rope_energy_fast.tsv", end_fast)});
-    std::printf("  energy after 20 s, of 1 at the start: 60 Hz 4 sweeps %.3f, 32 sweeps %.3f; 480 Hz 4 sweeps %.3f\n"
-                "  and at the most %.4f\n", end_4, end_32, end_fast, most);
+    std::printf("  energy after 20 s, of 1 at the start: 60 Hz 4 sweeps %.3f, 32 sweeps %.3f;\n"
+                "  480 Hz 4 sweeps %.3f; and at the most %.4f\n", end_4, end_32, end_fast, most);
     out.number("rope_energy_4", end_4, "", "rope's energy after 20 s at 60 Hz, 4 sweeps", 2);
     out.number("rope_energy_32", end_32, "", "the same with 32 sweeps", 2);
     out.number("rope_energy_fast", end_fast, "", "at 480 Hz with 4 sweeps", 2);

@@ -58,7 +58,7 @@ void rounding_in_float(lab::Findings& out) {
     out.number("float_freezes", freezes, "s", "step below which Verlet in float stands still", 2);
     out.check("float_frozen", !moves(float(freezes * 0.99)) && moves(float(freezes * 1.01)),
               "in float, with shorter steps than this, Verlet's mass does not leave its start at all");
-    std::printf("  in float, %ld steps of %.1e s: Verlet is %.1e m off, velocity Verlet %.1e m\n", steps,
+    std::printf("  in float, %ld steps of %.1e s: Verlet is %.1e m off,\n  velocity Verlet %.1e m\n", steps,
                 2.0 / steps, plain, with_velocity);
     out.number("float_steps", double(steps), "", "steps of the shortest length in float");
     out.number("float_step", 2.0 / steps, "s", "the shortest step in float", 2);

@@ -31,9 +31,9 @@ double global_order(const Method& method, const Model& model) {
 }
 
 template <class Step>
-double order_of_positions(const Step& error_with) {
+double order_of_positions(const Step& error_with, int fewest = 1000) {
     std::vector<double> h, error;
-    for (const int steps : {1000, 2000, 4000}) h.push_back(1.0 / steps), error.push_back(error_with(steps));
+    for (const int steps : {fewest, 2 * fewest, 4 * fewest}) h.push_back(1.0 / steps), error.push_back(error_with(steps));
     return measured_order(h, error);
 }
 
@@ -55,7 +55,7 @@ double order_from(const First& first) {
 
 // Steps of 4/3 and 2/3 of the mean in turn, over 3 s.
 template <class Step>
-double order_with_changing_steps(const Step& step) {
+double order_with_changing_steps(const Step& step, int fewest = 1000) {
     const Spring spring(2.0);
     return order_of_positions([&](int steps) {
         const double length[2] = {4.0 / steps, 2.0 / steps};
@@ -66,7 +66,7 @@ double order_with_changing_steps(const Step& step) {
             now = next;
         }
         return std::fabs(now.x - spring.exact(start, 3.0).x);
-    });
+    }, fewest);
 }
 
 }  // namespace
@@ -117,11 +117,13 @@ TEST_CASE("a careless first step takes the order of Verlet's whole run down to o
 
 TEST_CASE("plain Verlet does not converge when the step changes, and two repairs have orders one and two",
           "[I10][ch4]") {
-    // Mean steps of 3/1000 s and less: the next term of an error is ωh = 0.006 of it, or less.
+    // Mean steps of 3/1000 s and less: the next term of an error is ωh = 0.006 of it, or less. That of the scaled
+    // step is larger: the two cancel near a step of 0.08 s, where its curve in the chapter dips. At 3/8000 s
+    // the second is 0.5 % of the first.
     CHECK(std::fabs(order_with_changing_steps([](const auto& model, const auto& s0, const auto& s1, double,
                                                  double h2) { return verlet.step(model, s0, s1, h2); })) < 0.02);
     CHECK(std::fabs(order_with_changing_steps([](const auto& model, const auto& s0, const auto& s1, double h1,
-                                                 double h2) { return verlet.scaled_step(model, s0, s1, h1, h2); }) -
+                                                 double h2) { return verlet.scaled_step(model, s0, s1, h1, h2); }, 8000) -
                     1) < 0.02);
     CHECK(std::fabs(order_with_changing_steps([](const auto& model, const auto& s0, const auto& s1, double h1,
                                                  double h2) { return verlet.corrected_step(model, s0, s1, h1, h2); }) -

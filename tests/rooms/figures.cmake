@@ -24,7 +24,7 @@ macro(run_chapter)
   execute_process(
     COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=${WORK}/program" "-DOUT=${WORK}/run" -DQUIET=ON
             "-DSCRIPT=${WORK}/figures.gp" "-DSTYLE=${ROOT}/tools/figures/style.gp"
-            "-DGNUPLOT=${GNUPLOT}" "-DABOUT=${WORK}/about.json" -P "${ROOT}/tools/cmake/run.cmake"
+            "-DGNUPLOT=${GNUPLOT}" "-DABOUT=${WORK}/about.json" ${misuse} -P "${ROOT}/tools/cmake/run.cmake"
     RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   string(REGEX REPLACE "[ \n]+" " " output "${output}")
 endmacro()
@@ -91,3 +91,26 @@ program("${good_program}\necho 'small: does not hold: it grows' >&2\nexit 1")
 must_fail("a check that fails" "small: does not hold: it grows")
 program("${good_program}\nkill -9 $$")
 must_fail("a program that is killed" "program: ")
+
+# What the compiler says of a source that must not compile; the compiler is played by a script.
+program("${good_program}")
+function(compiler body)
+  file(WRITE "${WORK}/cxx" "#!/bin/sh\n${body}\n")
+  file(CHMOD "${WORK}/cxx" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+endfunction()
+set(misuse -DMISUSES=rooms/wrong.cpp "-DROOT=${WORK}" "-DCOMPILER=${WORK}/cxx")
+compiler("exit 0")
+must_fail("a misuse that compiles" "rooms/wrong.cpp: compiles, and must not")
+compiler("echo 'rooms/wrong.cpp:1: error: no such file' >&2; exit 1")
+must_fail("a misuse with another mistake" "rooms/wrong.cpp: does not compile, but for another reason: ")
+set(command "$ cxx -std=c++20 -fsyntax-only -Iinclude rooms/wrong.cpp")
+set(gnu "rooms/wrong.cpp:9:18:   required from here\na.hpp:6:19: error: static assertion failed: timestep: no")
+set(clang "a.hpp:6:5: error: static_assert failed \"timestep: no\"\nrooms/wrong.cpp:9:15: note: f requested here")
+foreach(said IN ITEMS "${gnu}" "${clang}")
+  compiler("cat >&2 <<'END'\nIn file included from rooms/wrong.cpp:2:\n${said}\nmore\nEND\nexit 1")
+  run_chapter()
+  file(READ "${WORK}/run/wrong.txt" written)
+  if(NOT status EQUAL 0 OR NOT written STREQUAL "${command}\n${said}\n")
+    message(SEND_ERROR "a misuse: the page would show\n${written}\nand must show\n${command}\n${said}\n${output}")
+  endif()
+endforeach()

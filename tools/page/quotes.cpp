@@ -84,7 +84,7 @@ std::string said_markdown(Context& context, const Directive& directive) {
     if (trim(words).empty()) {
         throw std::out_of_range{file + " holds no word"};
     }
-    return "\n\\htmlonly[block]<pre class=\"run\" tabindex=\"0\">" + escape_html(words) +
+    return "\n\\htmlonly[block]<pre class=\"run said\">" + escape_html(words) +
            "</pre>\\endhtmlonly\n";
 }
 

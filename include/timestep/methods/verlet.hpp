@@ -48,11 +48,13 @@ struct Verlet {
     /// the new step. Order one when the step keeps changing (I10).
     /// [scaled]
     template <class Model, class X>
-    State<X> scaled_step(const Model& model, const State<X>& state0, const State<X>& state1,
-                         real_of<X> h1, real_of<X> h2) const {
+    State<X> scaled_step(const Model& model, const State<X>& state0,
+                        const State<X>& state1, real_of<X> h1,
+                        real_of<X> h2) const {
         const X& x1 = state1.x;
         const X a1 = acceleration(model, x1);
-        const X x2 = x1 + (x1 - state0.x) * (h2 / h1) + h2 * h2 * a1;
+        const X drift = (x1 - state0.x) * (h2 / h1);
+        const X x2 = x1 + drift + h2 * h2 * a1;
         return {state1.t + h2, x2, (x2 - x1) / h2 + h2 / 2 * a1};
     }
     /// [scaled]
@@ -63,11 +65,13 @@ struct Verlet {
     /// whatever the steps (I10).
     /// [corrected]
     template <class Model, class X>
-    State<X> corrected_step(const Model& model, const State<X>& state0, const State<X>& state1,
-                            real_of<X> h1, real_of<X> h2) const {
+    State<X> corrected_step(const Model& model, const State<X>& state0,
+                            const State<X>& state1, real_of<X> h1,
+                            real_of<X> h2) const {
         const X& x1 = state1.x;
         const X a1 = acceleration(model, x1);
-        const X x2 = x1 + (x1 - state0.x) * (h2 / h1) + h2 * (h1 + h2) / 2 * a1;
+        const X drift = (x1 - state0.x) * (h2 / h1);
+        const X x2 = x1 + drift + h2 * (h1 + h2) / 2 * a1;
         return {state1.t + h2, x2, (x2 - x1) / h2 + h2 / 2 * a1};
     }
     /// [corrected]

@@ -177,3 +177,19 @@ TEST_CASE("a chapter shows all its figures and teaches all its rows") {
           "chapters/03_springs/about.json:1: N22 is claimed, but no section of "
           "the page teaches it ({{rows N22}})");
 }
+
+TEST_CASE("words that a run left stand on the page as they are") {
+    const Course course;
+    course.write("runs/03_springs/run/wrong.txt", "$ c++ wrong.cpp\nwrong.cpp:1: error: a < b {{x}}\n");
+    const std::string page = course.fill_paragraph("{{said wrong.txt}}");
+    CHECK(page.find("<pre class=\"run said\">$ c++ wrong.cpp\nwrong.cpp:1: error: a &lt; b {{x}}\n</pre>") !=
+          std::string::npos);
+    CHECK(course.paragraph_error("{{said none.txt}}") ==
+          "chapter.md:5: the run of 03_springs left no none.txt");
+    CHECK(course.paragraph_error("{{said}}") ==
+          "chapter.md:5: what a program said is {{said file.txt}}");
+    CHECK(course.paragraph_error("a {{said wrong.txt}}") ==
+          "chapter.md:5: {{said …}} must stand on a line of its own");
+    course.write("runs/03_springs/run/empty.txt", "\n");
+    CHECK(course.paragraph_error("{{said empty.txt}}") == "chapter.md:5: empty.txt holds no word");
+}
