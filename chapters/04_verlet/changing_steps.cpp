@@ -65,36 +65,41 @@ void changing_steps(const Settings&, lab::Findings& out) {
     const auto plain = [](const auto& model, const auto& s0, const auto& s1, double, double h2) {
         return verlet.step(model, s0, s1, h2);
     };
-    const auto scaled = [](const auto& model, const auto& s0, const auto& s1, double h1, double h2) {
-        return verlet.scaled_step(model, s0, s1, h1, h2);
-    };
-    const auto corrected = [](const auto& model, const auto& s0, const auto& s1, double h1, double h2) {
-        return verlet.corrected_step(model, s0, s1, h1, h2);
-    };
-    const auto with_velocity = [](const auto& model, const auto&, const auto& s1, double, double h2) {
-        return velocity_verlet.step(model, s1, h2);
-    };
-    const auto both = [&](const std::string& name, const auto& step, double wanted, const char* says) {
-        const double turn = order("turn_" + name + ".tsv", [&](int count) {
-            return position_error(steps_in_turn(count), step);
-        }, out);
+    const auto scaled = [](const auto& model, const auto& s0, const auto& s1, double h1,
+                           double h2) { return verlet.scaled_step(model, s0, s1, h1, h2); };
+    const auto corrected = [](const auto& model, const auto& s0, const auto& s1, double h1,
+                              double h2) { return verlet.corrected_step(model, s0, s1, h1, h2); };
+    const auto with_velocity = [](const auto& model, const auto&, const auto& s1, double,
+                                  double h2) { return velocity_verlet.step(model, s1, h2); };
+    const auto both = [&](const std::string& name, const auto& step, double wanted,
+                          const char* says) {
+        const double turn = order(
+            "turn_" + name + ".tsv",
+            [&](int count) { return position_error(steps_in_turn(count), step); }, out);
         std::mt19937 random(1);
-        const double chance = order("chance_" + name + ".tsv", [&](int count) {
-            double sum = 0;
-            for (int i = 0; i < draws; ++i) sum += position_error(steps_by_chance(count, random), step);
-            return sum / draws;
-        }, out);
-        std::printf("  %-16s order %5.2f with steps long and short in turn, %5.2f by chance\n", name.c_str(),
-                    turn, chance);
+        const double chance = order(
+            "chance_" + name + ".tsv",
+            [&](int count) {
+                double sum = 0;
+                for (int i = 0; i < draws; ++i)
+                    sum += position_error(steps_by_chance(count, random), step);
+                return sum / draws;
+            },
+            out);
+        std::printf("  %-16s order %5.2f with steps long and short in turn, %5.2f by chance\n",
+                    name.c_str(), turn, chance);
         const auto hundredths = [](double value) { return std::round(100 * value) / 100 + 0.0; };
         out.number("turn_" + name, hundredths(turn), "", "order, steps long and short in turn");
         out.number("chance_" + name, hundredths(chance), "", "order, steps by chance");
-        // The mean of 200 errors scatters by 1/√200 = 7 %: over the nine points of the fit, four octaves, some 0.03 in
-        // the slope. The draws are the same on every machine.
-        out.check("changing_" + name, std::fabs(turn - wanted) < 0.05 && std::fabs(chance - wanted) < 0.05, says);
+        // The mean of 200 errors scatters by 1/√200 = 7 %: over the nine points of the fit, four
+        // octaves, some 0.03 in the slope. The draws are the same on every machine.
+        out.check("changing_" + name,
+                  std::fabs(turn - wanted) < 0.05 && std::fabs(chance - wanted) < 0.05, says);
     };
     both("plain", plain, 0, "with a changing step plain Verlet does not converge");
     both("scaled", scaled, 1, "with a changing step the usual repair is of order one");
-    both("corrected", corrected, 2, "with a changing step the time-corrected repair is of order two");
-    both("velocity", with_velocity, 2, "with a changing step velocity Verlet is of order two, as it stands");
+    both("corrected", corrected, 2,
+         "with a changing step the time-corrected repair is of order two");
+    both("velocity", with_velocity, 2,
+         "with a changing step velocity Verlet is of order two, as it stands");
 }

@@ -15,8 +15,9 @@ using namespace timestep;
 
 namespace {
 
-// What a step multiplies by in the long run, by stepping: normed in between, so that nothing overflows. The first
-// steps turn the state into the direction that grows fastest, where there is one.
+// What a step multiplies by in the long run, by stepping: normed in between, so that nothing
+// overflows. The first steps turn the state into the direction that grows fastest, where there is
+// one.
 double measured_growth(double wh) {
     const Spring spring(1.0);
     State s{0, 1.0, 0.3};
@@ -51,13 +52,14 @@ void constant_force(const Settings& settings, lab::Findings& out) {
         const State end = run(newton, gravity, thrown, 2.8 / steps, steps);
         const State exact = gravity.exact(thrown, 2.8);
         worst = std::max(worst, distance(end, exact));
-        // A step rounds x, below 12 m, and v, 14 m/s or less, by an ε of them or two; what v lost moves x
-        // for the rest of the 2.8 s. And 2.8/steps is rounded itself.
+        // A step rounds x, below 12 m, and v, 14 m/s or less, by an ε of them or two; what v lost
+        // moves x for the rest of the 2.8 s. And 2.8/steps is rounded itself.
         within = within && distance(end, exact) < (steps + 2.0) * 2 * eps * (12 + 14 * 2.8);
     }
     std::printf("  a ball, 2.8 s in 1 to 2800 steps: Newton is off by %.1e at most\n", worst);
     out.number("ball_worst", worst, "m", "Newton's error on a projectile, any step", 2);
-    out.check("ball_exact", within, "the constant-force method is exact on a projectile but for rounding");
+    out.check("ball_exact", within,
+              "the constant-force method is exact on a projectile but for rounding");
 
     const Spring spring(1.0);
     auto& lines = out.table("newton_line.tsv", {"wh", "newton", "root"});
@@ -76,15 +78,20 @@ void constant_force(const Settings& settings, lab::Findings& out) {
         off = std::max(off, std::fabs(radius / formula(wh) - 1));
     }
     const double wh = settings.wh(), a_second = std::pow(formula(wh), 1 / settings.step);
-    std::printf("  an undamped spring grows by sqrt(1 + (omega h)^2/2) a step: %.5f at omega h = %.3g,\n"
-                "  %.3g in a second; measured within %.1e up to omega h = 4\n", formula(wh), wh, a_second, off);
+    std::printf(
+        "  an undamped spring grows by sqrt(1 + (omega h)^2/2) a step: %.5f at omega h = %.3g,\n"
+        "  %.3g in a second; measured within %.1e up to omega h = 4\n",
+        formula(wh), wh, a_second, off);
     out.number("newton_growth", formula(wh), "", "Newton's growth a step", 5);
     out.number("newton_per_second", a_second, "", "Newton's growth a second");
     out.number("newton_at_5", beyond, "", "Newton's growth a step at omega h = 5");
-    out.number("newton_at_5_root", std::sqrt(1 + 12.5), "", "what the root would say at omega h = 5");
-    // The direction of the amplitude wanders with each turn: over 20000 steps its logarithm by no more than ln 4, say.
+    out.number("newton_at_5_root", std::sqrt(1 + 12.5), "",
+               "what the root would say at omega h = 5");
+    // The direction of the amplitude wanders with each turn: over 20000 steps its logarithm by no
+    // more than ln 4, say.
     out.check("newton_grows", off < std::log(4.0) / 20000 * 1.5,
-              "Newton multiplies an undamped spring's amplitude by sqrt(1 + (omega h)^2/2) a step, up to omega h = 4");
+              "Newton multiplies an undamped spring's amplitude by sqrt(1 + (omega h)^2/2) a step, "
+              "up to omega h = 4");
     out.check("newton_beyond", beyond > 1.05 * std::sqrt(1 + 12.5),
               "beyond omega h = 4 Newton grows faster than by the root");
 }

@@ -26,8 +26,10 @@ double many_bodies(const Method& method, const Spring<double>& spring, double h)
     const auto begin = std::chrono::steady_clock::now();
     for (int n = 0; n < steps; ++n)
         for (std::size_t i = 0; i < bodies; ++i) {
-            if constexpr (TwoStepMethod<Method, Spring<double>, State<double>>) {  // two positions, no v
-                const double x2 = method.step(spring, State{0, x0[i], 0.0}, State{0, x[i], 0.0}, h).x;
+            if constexpr (TwoStepMethod<Method, Spring<double>,
+                                        State<double>>) {  // two positions, no v
+                const double x2 =
+                    method.step(spring, State{0, x0[i], 0.0}, State{0, x[i], 0.0}, h).x;
                 x0[i] = x[i], x[i] = x2;
             } else {
                 const State next = method.step(spring, State{0, x[i], v[i]}, h);
@@ -59,7 +61,8 @@ void costs(const Settings&, lab::Findings& out) {
     out.section("What it costs");
     const Spring spring(1.0);
     std::map<std::string, double> time;
-    for (int repetition = 0; repetition < 25; ++repetition)  // interleaved, so that all meet the same machine
+    for (int repetition = 0; repetition < 25;
+         ++repetition)  // interleaved, so that all meet the same machine
         for_each_compared([&](const auto& method) {
             const double t = many_bodies(method, spring, 0.01);
             const auto [entry, added] = time.try_emplace(method.name, t);
@@ -69,7 +72,8 @@ void costs(const Settings&, lab::Findings& out) {
     const State start{0, 1.0, 0.0};
     const double seconds = 20;
     const double semi = time.at(semi_implicit_euler.name);
-    auto& table = out.table("costs.tsv", {"method", "order", "forces a step", "time of a step", "evaluations for 0.1 %"});
+    auto& table = out.table("costs.tsv", {"method", "order", "forces a step", "time of a step",
+                                          "evaluations for 0.1 %"});
     std::printf("  %-20s %8s %8s %22s\n", "", "forces", "time", "forces for 0.1 %");
     long fewest = 0, of_euler = 0, of_velocity = 0;
     bool counted_right = true;
@@ -94,16 +98,20 @@ void costs(const Settings&, lab::Findings& out) {
         char ratio[16];
         std::snprintf(ratio, sizeof ratio, "%.2f", time.at(method.name) / semi);
         const std::string for_it = needed > 0 ? std::to_string(needed) : "more than tried";
-        std::printf("  %-20s %8d %8s %22s\n", method.name, method.cost.evaluations, ratio, for_it.c_str());
-        table.row({std::string(method.name), double(method.order), double(method.cost.evaluations), std::string(ratio),
-                   for_it});
+        std::printf("  %-20s %8d %8s %22s\n", method.name, method.cost.evaluations, ratio,
+                    for_it.c_str());
+        table.row({std::string(method.name), double(method.order), double(method.cost.evaluations),
+                   std::string(ratio), for_it});
     });
-    out.number("time_verlet", time.at(verlet.name) / semi, "", "Verlet's time over semi-implicit Euler's", 2);
-    out.number("time_velocity", time.at(velocity_verlet.name) / semi, "", "velocity Verlet's time over it", 2);
+    out.number("time_verlet", time.at(verlet.name) / semi, "",
+               "Verlet's time over semi-implicit Euler's", 2);
+    out.number("time_velocity", time.at(velocity_verlet.name) / semi, "",
+               "velocity Verlet's time over it", 2);
     out.number("work_euler", double(of_euler), "", "semi-implicit Euler's evaluations for 0.1 %");
     out.number("work_verlet", double(fewest), "", "Verlet's evaluations for 0.1 %");
     out.number("work_ratio", double(of_euler) / double(fewest), "", "one over the other", 2);
     out.check("counted", counted_right, "every method asks for the force as often as it says");
-    out.check("verlet_cheaper", fewest > 0 && fewest < of_euler && of_velocity < of_euler,
-              "for an error of 0.1 % Verlet asks for the force less often than semi-implicit Euler");
+    out.check(
+        "verlet_cheaper", fewest > 0 && fewest < of_euler && of_velocity < of_euler,
+        "for an error of 0.1 % Verlet asks for the force less often than semi-implicit Euler");
 }

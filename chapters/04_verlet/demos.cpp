@@ -23,9 +23,9 @@ void for_each_demo_method(const Visit& visit) {
     for_each_verlet_method(visit);
 }
 
-const double step = 0.1;   // s
-const long steps = 24;     // a ball's flight, and a swing and a half of the spring
-const double omega = 4;    // rad/s
+const double step = 0.1;  // s
+const long steps = 24;    // a ball's flight, and a swing and a half of the spring
+const double omega = 4;   // rad/s
 
 }  // namespace
 
@@ -38,18 +38,21 @@ void demos(const Settings&, lab::Findings& out) {
     out.number("demo_step", step, "s", "step of both demos");
     out.number("demo_wh", omega * step, "", "angular frequency times step in the demo");
 
-    auto& summary = out.table("demos.tsv", {"method", "ball: off at the end (m)", "spring: amplitude after 1000 steps"});
+    auto& summary = out.table(
+        "demos.tsv", {"method", "ball: off at the end (m)", "spring: amplitude after 1000 steps"});
     std::printf("  %-20s %22s %24s\n", "", "ball: off at the end", "spring: after 1000 steps");
     double exact_on_ball = 0, off_on_ball = 1e9, least = 1e9, most = 0;
     for_each_demo_method([&](const auto& method) {
         const std::string id = lab::id(method.name);
         auto& ball = out.table("ball_" + id + ".tsv", {"t", "x", "y"});
-        const State end = run(method, gravity, thrown, step, steps,
-                              [&](const auto& s) { ball.row({s.t, s.x(0), s.x(1)}); });
+        const State end = run(method, gravity, thrown, step, steps, [&](const auto& s) {
+            ball.row({s.t, s.x(0), s.x(1)});
+        });
         const double off = (end.x - gravity.exact(thrown, steps * step).x).norm();
         auto& portrait = out.table("spring_" + id + ".tsv", {"t", "x", "v_over_omega"});
-        run(method, spring, let_go, step, steps,
-            [&](const auto& s) { portrait.row({s.t, s.x, s.v / omega}); });
+        run(method, spring, let_go, step, steps, [&](const auto& s) {
+            portrait.row({s.t, s.x, s.v / omega});
+        });
 
         auto& long_run = out.table("amplitude_" + id + ".tsv", {"t", "amplitude"});
         const auto amplitude = [&](const auto& s) { return std::hypot(s.x, s.v / omega); };
@@ -64,8 +67,10 @@ void demos(const Settings&, lab::Findings& out) {
         std::printf("  %-20s %20s m %22s m\n", method.name, off_text, reached_text);
         summary.row({std::string(method.name), std::string(off_text), std::string(reached_text)});
 
-        // With a constant force these four are pieces of the parabola itself; the Eulers miss it by h g t/2.
-        const bool parabola = id == "verlet" || id == "velocity_verlet" || id == "leapfrog" || id == "newton";
+        // With a constant force these four are pieces of the parabola itself; the Eulers miss it by
+        // h g t/2.
+        const bool parabola =
+            id == "verlet" || id == "velocity_verlet" || id == "leapfrog" || id == "newton";
         if (parabola)
             exact_on_ball = std::max(exact_on_ball, off);
         else
@@ -85,10 +90,13 @@ void demos(const Settings&, lab::Findings& out) {
         circle.row({std::cos(i * pi / 60), -std::sin(i * pi / 60)});
     }
     out.number("ball_parabolas", exact_on_ball, "m", "worst of the four that fly parabolas", 2);
-    // 24 steps, each rounding positions below 20 m and velocities that act for 2.4 s; see constant_force.cpp.
-    out.check("parabolas", exact_on_ball < steps * 4 * eps * (20 + 12 * 2.4) && off_on_ball > 1,
-              "Verlet in all its forms and Newton fly the parabola itself, and every Euler misses it");
-    // Their ellipse leans by half of ωh at the most: amplitudes between √(1 − ωh/2) and 1/√(1 − ωh/2).
+    // 24 steps, each rounding positions below 20 m and velocities that act for 2.4 s; see
+    // constant_force.cpp.
+    out.check(
+        "parabolas", exact_on_ball < steps * 4 * eps * (20 + 12 * 2.4) && off_on_ball > 1,
+        "Verlet in all its forms and Newton fly the parabola itself, and every Euler misses it");
+    // Their ellipse leans by half of ωh at the most: amplitudes between √(1 − ωh/2) and 1/√(1 −
+    // ωh/2).
     const double lean = 1 / (1 - omega * step / 2);
     out.check("verlets_stay", least > 1 / lean && most < lean,
               "semi-implicit Euler and Verlet in all its forms keep the swing");

@@ -16,7 +16,7 @@ struct Settings {
     double omega = 10;       // rad/s, the spring of the first picture
     double step = 1.0 / 60;  // s
     long steps = 120;
-    long sweeps = 8;         // over the rope's links, in its first line of print
+    long sweeps = 8;  // over the rope's links, in its first line of print
 
     double wh() const { return omega * step; }
 };

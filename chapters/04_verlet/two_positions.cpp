@@ -52,21 +52,27 @@ void rounding_in_float(lab::Findings& out) {
         table.row({2.0 / steps, plain, with_velocity});
         if (plain < best) best = plain, best_step = 2.0 / steps;
     }
-    // 2·1 − 1 − h² rounds back to 1 in float once h² is below half of the distance ε/2 to the next number below.
+    // 2·1 − 1 − h² rounds back to 1 in float once h² is below half of the distance ε/2 to the next
+    // number below.
     const double freezes = std::sqrt(std::numeric_limits<float>::epsilon() / 4);
-    const auto moves = [](float h) { return verlet.step(Spring(1.0f), State{0, 1.0f, 0.0f}, State{h, 1.0f, 0.0f}, h).x != 1; };
+    const auto moves = [](float h) {
+        return verlet.step(Spring(1.0f), State{0, 1.0f, 0.0f}, State{h, 1.0f, 0.0f}, h).x != 1;
+    };
     out.number("float_freezes", freezes, "s", "step below which Verlet in float stands still", 2);
-    out.check("float_frozen", !moves(float(freezes * 0.99)) && moves(float(freezes * 1.01)),
-              "in float, with shorter steps than this, Verlet's mass does not leave its start at all");
-    std::printf("  in float, %ld steps of %.1e s: Verlet is %.1e m off,\n  velocity Verlet %.1e m\n", steps,
-                2.0 / steps, plain, with_velocity);
+    out.check(
+        "float_frozen", !moves(float(freezes * 0.99)) && moves(float(freezes * 1.01)),
+        "in float, with shorter steps than this, Verlet's mass does not leave its start at all");
+    std::printf(
+        "  in float, %ld steps of %.1e s: Verlet is %.1e m off,\n  velocity Verlet %.1e m\n", steps,
+        2.0 / steps, plain, with_velocity);
     out.number("float_steps", double(steps), "", "steps of the shortest length in float");
     out.number("float_step", 2.0 / steps, "s", "the shortest step in float", 2);
     out.number("float_plain", plain, "m", "Verlet's error in float with the shortest step", 2);
     out.number("float_velocity", with_velocity, "m", "velocity Verlet's error there", 2);
     out.number("float_best_step", best_step, "s", "step with Verlet's least error in float", 2);
     out.check("float_worse", plain > 10 * with_velocity && plain > 10 * best,
-              "in float and with very short steps plain Verlet is over ten times worse than velocity Verlet, "
+              "in float and with very short steps plain Verlet is over ten times worse than "
+              "velocity Verlet, "
               "and than itself with longer steps");
 }
 
@@ -82,9 +88,10 @@ void two_positions(const Settings& settings, lab::Findings& out) {
         overlay.row({n * h, exact, semi, plain});
     });
 
-    // Roundoff enters x₂ = 2x₁ − x₀ + h²a with at most 2εA + 3ε(ωh)²A a step, A the largest |x|, and grows
-    // from there like sin(nθ)/sin θ, a solution of the same formula. Semi-implicit Euler's own roundoff,
-    // εA/2 in x and ε h|v| ≤ ε ωh A in the velocity, adds less than as much again. No n of them add up to more than
+    // Roundoff enters x₂ = 2x₁ − x₀ + h²a with at most 2εA + 3ε(ωh)²A a step, A the largest |x|,
+    // and grows from there like sin(nθ)/sin θ, a solution of the same formula. Semi-implicit
+    // Euler's own roundoff, εA/2 in x and ε h|v| ≤ ε ωh A in the velocity, adds less than as much
+    // again. No n of them add up to more than
     const double theta = wh < 2 ? std::acos(1 - wh * wh / 2) : pi / 2;
     const double amplitude = wh < 2 ? 1 / std::sqrt(1 - wh * wh / 4) : 1;
     const double a_step = 2 * (2 + 3 * wh * wh) * eps * amplitude / std::sin(theta);
@@ -100,8 +107,8 @@ void two_positions(const Settings& settings, lab::Findings& out) {
         }
     });
     std::printf("  omega = %g rad/s, h = %.5g s (omega h = %.4g)\n", settings.omega, h, wh);
-    std::printf("  Verlet and semi-implicit Euler, %ld steps: positions differ by %.1e m at most\n", steps,
-                worst);
+    std::printf("  Verlet and semi-implicit Euler, %ld steps: positions differ by %.1e m at most\n",
+                steps, worst);
     out.number("omega", settings.omega, "rad/s", "angular frequency of the spring");
     out.number("rate", 1 / h, "Hz", "steps a second");
     out.number("wh", wh, "", "angular frequency times step");
@@ -110,6 +117,7 @@ void two_positions(const Settings& settings, lab::Findings& out) {
     out.number("identity_worst", worst, "m", "Verlet against semi-implicit Euler, worst", 2);
     out.number("identity_bound", a_step * steps, "m", "what rounding may make of it", 2);
     out.check("identity", worst < a_step * steps,
-              "plain Verlet steps through the positions of semi-implicit Euler, to the growth of roundoff");
+              "plain Verlet steps through the positions of semi-implicit Euler, to the growth of "
+              "roundoff");
     rounding_in_float(out);
 }

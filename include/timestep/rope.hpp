@@ -11,10 +11,10 @@
 
 namespace timestep {
 
-/// A chain of points of equal mass, each at the distance `link` from the next; the first one is held.
-/// As in Jakobsen's *Advanced Character Physics* (2001), Verlet moves every point as if it were alone, and
-/// then the links are put right one after the other, a few times over. A point that is moved has its
-/// velocity changed with it: that is what two positions are good for.
+/// A chain of points of equal mass, each at the distance `link` from the next; the first one is
+/// held. As in Jakobsen's *Advanced Character Physics* (2001), Verlet moves every point as if it
+/// were alone, and then the links are put right one after the other, a few times over. A point that
+/// is moved has its velocity changed with it: that is what two positions are good for.
 ///
 /// `X` is a fixed-size Eigen vector.
 template <class X>
@@ -27,7 +27,8 @@ public:
     Rope(const X& top, const X& along, std::size_t links, Real link, const Projectile<X>& gravity)
         : gravity_(gravity), link_(positive("link", link)) {
         if (links == 0) throw std::invalid_argument("links: must be one or more");
-        for (std::size_t i = 0; i <= links; ++i) now_.push_back({0, top + Real(i) * link * along, X::Zero()});
+        for (std::size_t i = 0; i <= links; ++i)
+            now_.push_back({0, top + Real(i) * link * along, X::Zero()});
         before_ = now_;
     }
 
@@ -58,7 +59,8 @@ public:
     }
 
 private:
-    // The two ends of a link share what is too long or too short; the point that is held does not move.
+    // The two ends of a link share what is too long or too short; the point that is held does not
+    // move.
     /// [link]
     void put_right(std::size_t i) {
         X& a = now_[i - 1].x;

@@ -17,7 +17,9 @@ namespace {
 
 const State<double> start{0, 1.0, 0.5};
 
-double distance(const State<double>& a, const State<double>& b) { return std::hypot(a.x - b.x, a.v - b.v); }
+double distance(const State<double>& a, const State<double>& b) {
+    return std::hypot(a.x - b.x, a.v - b.v);
+}
 
 // 400, 800 and 1600 steps over 1.5 s: the next term of each error is below a percent of it.
 template <class Method, class Model>
@@ -25,7 +27,8 @@ double global_order(const Method& method, const Model& model) {
     std::vector<double> h, error;
     for (const long steps : {400L, 800L, 1600L}) {
         h.push_back(1.5 / double(steps));
-        error.push_back(distance(run(method, model, start, h.back(), steps), model.exact(start, 1.5)));
+        error.push_back(
+            distance(run(method, model, start, h.back(), steps), model.exact(start, 1.5)));
     }
     return measured_order(h, error);
 }
@@ -33,7 +36,8 @@ double global_order(const Method& method, const Model& model) {
 template <class Step>
 double order_of_positions(const Step& error_with, int fewest = 1000) {
     std::vector<double> h, error;
-    for (const int steps : {fewest, 2 * fewest, 4 * fewest}) h.push_back(1.0 / steps), error.push_back(error_with(steps));
+    for (const int steps : {fewest, 2 * fewest, 4 * fewest})
+        h.push_back(1.0 / steps), error.push_back(error_with(steps));
     return measured_order(h, error);
 }
 
@@ -57,21 +61,24 @@ double order_from(const First& first) {
 template <class Step>
 double order_with_changing_steps(const Step& step, int fewest = 1000) {
     const Spring spring(2.0);
-    return order_of_positions([&](int steps) {
-        const double length[2] = {4.0 / steps, 2.0 / steps};
-        State before = start, now = verlet.start(spring, start, length[0]);
-        for (int i = 1; i < steps; ++i) {
-            const State next = step(spring, before, now, length[(i - 1) % 2], length[i % 2]);
-            before = now;
-            now = next;
-        }
-        return std::fabs(now.x - spring.exact(start, 3.0).x);
-    }, fewest);
+    return order_of_positions(
+        [&](int steps) {
+            const double length[2] = {4.0 / steps, 2.0 / steps};
+            State before = start, now = verlet.start(spring, start, length[0]);
+            for (int i = 1; i < steps; ++i) {
+                const State next = step(spring, before, now, length[(i - 1) % 2], length[i % 2]);
+                before = now;
+                now = next;
+            }
+            return std::fabs(now.x - spring.exact(start, 3.0).x);
+        },
+        fewest);
 }
 
 }  // namespace
 
-TEST_CASE("Verlet in all its forms and the constant-force method have the order they declare", "[I10][I09][ch4]") {
+TEST_CASE("Verlet in all its forms and the constant-force method have the order they declare",
+          "[I10][I09][ch4]") {
     for_each_verlet_method([](const auto& method) {
         INFO(method.name);
         CHECK(std::fabs(global_order(method, Spring(1.3)) - method.order) < 0.05);
@@ -79,7 +86,8 @@ TEST_CASE("Verlet in all its forms and the constant-force method have the order 
     CHECK(std::fabs(global_order(newton, DampedSpring(1.3, 0.2)) - newton.order) < 0.05);
 }
 
-TEST_CASE("a single step of velocity Verlet, leapfrog and Newton errs by one order more", "[I10][ch4]") {
+TEST_CASE("a single step of velocity Verlet, leapfrog and Newton errs by one order more",
+          "[I10][ch4]") {
     const Spring spring(1.3);
     const auto local = [&](const auto& method) {
         std::vector<double> h, error;
@@ -94,7 +102,8 @@ TEST_CASE("a single step of velocity Verlet, leapfrog and Newton errs by one ord
     CHECK(std::fabs(local(newton) - 2) < 0.05);
 }
 
-TEST_CASE("a single step of plain Verlet errs by two orders more: its errors add up twice", "[I10][ch4]") {
+TEST_CASE("a single step of plain Verlet errs by two orders more: its errors add up twice",
+          "[I10][ch4]") {
     const Spring spring(1.3);
     std::vector<double> h, error;
     for (const double step : {0.04, 0.02, 0.01}) {  // h⁴ω⁴/12 from 6e-7 to 2e-9, far above rounding
@@ -106,27 +115,38 @@ TEST_CASE("a single step of plain Verlet errs by two orders more: its errors add
 }
 
 TEST_CASE("a careless first step takes the order of Verlet's whole run down to one", "[I10][ch4]") {
-    CHECK(std::fabs(order_from([](const auto& model, const auto& s, double h) { return verlet.start(model, s, h); }) -
+    CHECK(std::fabs(order_from([](const auto& model, const auto& s, double h) {
+                        return verlet.start(model, s, h);
+                    }) -
                     2) < 0.02);
-    CHECK(std::fabs(order_from([](const auto&, const auto& s, double h) { return State{s.t + h, s.x + h * s.v, s.v}; }) -
+    CHECK(std::fabs(order_from([](const auto&, const auto& s, double h) {
+                        return State{s.t + h, s.x + h * s.v, s.v};
+                    }) -
                     1) < 0.02);
     CHECK(std::fabs(order_from([](const auto& model, const auto& s, double h) {
-              return semi_implicit_euler.step(model, s, h);
-          }) - 1) < 0.02);
+                        return semi_implicit_euler.step(model, s, h);
+                    }) -
+                    1) < 0.02);
 }
 
-TEST_CASE("plain Verlet does not converge when the step changes, and two repairs have orders one and two",
-          "[I10][ch4]") {
-    // Mean steps of 3/1000 s and less: the next term of an error is ωh = 0.006 of it, or less. That of the scaled
-    // step is larger: the two cancel near a step of 0.08 s, where its curve in the chapter dips. At 3/8000 s
-    // the second is 0.5 % of the first.
-    CHECK(std::fabs(order_with_changing_steps([](const auto& model, const auto& s0, const auto& s1, double,
-                                                 double h2) { return verlet.step(model, s0, s1, h2); })) < 0.02);
-    CHECK(std::fabs(order_with_changing_steps([](const auto& model, const auto& s0, const auto& s1, double h1,
-                                                 double h2) { return verlet.scaled_step(model, s0, s1, h1, h2); }, 8000) -
+TEST_CASE(
+    "plain Verlet does not converge when the step changes, and two repairs have orders one and two",
+    "[I10][ch4]") {
+    // Mean steps of 3/1000 s and less: the next term of an error is ωh = 0.006 of it, or less. That
+    // of the scaled step is larger: the two cancel near a step of 0.08 s, where its curve in the
+    // chapter dips. At 3/8000 s the second is 0.5 % of the first.
+    CHECK(std::fabs(order_with_changing_steps(
+              [](const auto& model, const auto& s0, const auto& s1, double, double h2) {
+                  return verlet.step(model, s0, s1, h2);
+              })) < 0.02);
+    CHECK(std::fabs(order_with_changing_steps(
+                        [](const auto& model, const auto& s0, const auto& s1, double h1,
+                           double h2) { return verlet.scaled_step(model, s0, s1, h1, h2); },
+                        8000) -
                     1) < 0.02);
-    CHECK(std::fabs(order_with_changing_steps([](const auto& model, const auto& s0, const auto& s1, double h1,
-                                                 double h2) { return verlet.corrected_step(model, s0, s1, h1, h2); }) -
+    CHECK(std::fabs(order_with_changing_steps(
+                        [](const auto& model, const auto& s0, const auto& s1, double h1,
+                           double h2) { return verlet.corrected_step(model, s0, s1, h1, h2); }) -
                     2) < 0.02);
 }
 

@@ -25,7 +25,8 @@ namespace {
 template <class Real>
 constexpr Real eps = std::numeric_limits<Real>::epsilon();
 
-// The largest difference of the positions of Verlet and semi-implicit Euler, from the same first two.
+// The largest difference of the positions of Verlet and semi-implicit Euler, from the same first
+// two.
 double apart(double wh, long steps) {
     const Spring spring(1.0);
     State before{0, 1.0, 0.0};
@@ -44,9 +45,10 @@ double apart(double wh, long steps) {
 
 }  // namespace
 
-TEST_CASE("the position equation holds for any velocity that is constant over the step", "[I06][ch4]") {
-    // x(t + h) = x + h v is exact where v is constant: linear in v, so that two velocities give the mean of
-    // their positions. Fractions of powers of two: no rounding.
+TEST_CASE("the position equation holds for any velocity that is constant over the step",
+          "[I06][ch4]") {
+    // x(t + h) = x + h v is exact where v is constant: linear in v, so that two velocities give the
+    // mean of their positions. Fractions of powers of two: no rounding.
     const Projectile still(0.0);
     const double h = 0.125;
     for (const double x : {0.0, 1.0, -3.5})
@@ -70,8 +72,9 @@ TEST_CASE("symplectic Euler moves the position with the velocity of the same ste
 }
 
 TEST_CASE("Verlet steps through the positions of semi-implicit Euler", "[I07][ch4]") {
-    // Roundoff enters Verlet's x₂ with at most (2 + 3(ωh)²) ε A a step and grows from there like sin nθ / sin θ;
-    // that of semi-implicit Euler adds less than as much again. A = 1/√(1 − (ωh)²/4) is the largest |x|.
+    // Roundoff enters Verlet's x₂ with at most (2 + 3(ωh)²) ε A a step and grows from there like
+    // sin nθ / sin θ; that of semi-implicit Euler adds less than as much again. A = 1/√(1 −
+    // (ωh)²/4) is the largest |x|.
     for (const double wh : {0.01, 0.1, 1.0, 1.9}) {
         const double theta = std::acos(1 - wh * wh / 2), amplitude = 1 / std::sqrt(1 - wh * wh / 4);
         const double a_step = 2 * (2 + 3 * wh * wh) * eps<double> * amplitude / std::sin(theta);
@@ -103,17 +106,19 @@ TEST_CASE("Verlet never looks at the velocity", "[I08][ch4]") {
     CHECK_FALSE(PositionForce<DampedSpring<double>, double>);
 }
 
-TEMPLATE_TEST_CASE("the constant-force method is exact on a projectile, for any step", "[I09][ch4]", float,
-                   double, long double) {
+TEMPLATE_TEST_CASE("the constant-force method is exact on a projectile, for any step", "[I09][ch4]",
+                   float, double, long double) {
     const Projectile<TestType> gravity(TestType(-9.81));
     const State<TestType> thrown{0, 2, 14};
     for (const long steps : {1L, 2L, 7L, 100L, 2800L}) {
         const TestType h = TestType(2.8) / steps;
         const State<TestType> end = run(newton, gravity, thrown, h, steps);
         const State<TestType> exact = gravity.exact(thrown, h * steps);
-        // A step rounds v, 14 or less, and x, 12 or less, by no more than two ε of each; what v lost moves x for
-        // the rest of the 2.8 s. h·steps is rounded too, by an ε of 2.8 s at speeds of 14 or less.
-        const TestType bound = (TestType(steps) + 2) * 2 * eps<TestType> * (12 + 14 * TestType(2.8));
+        // A step rounds v, 14 or less, and x, 12 or less, by no more than two ε of each; what v
+        // lost moves x for the rest of the 2.8 s. h·steps is rounded too, by an ε of 2.8 s at
+        // speeds of 14 or less.
+        const TestType bound =
+            (TestType(steps) + 2) * 2 * eps<TestType> * (12 + 14 * TestType(2.8));
         CHECK(std::fabs(end.x - exact.x) < bound);
         CHECK(std::fabs(end.v - exact.v) < bound);
     }
@@ -127,11 +132,14 @@ TEST_CASE("the constant-force method blows up on every undamped spring", "[I09][
         CHECK(std::fabs(radius - std::sqrt(1 + wh * wh / 2)) < 40 * eps<double>);
         CHECK(radius > 1);
     }
-    // Past ωh = 4 the pair of roots is real, and the root of the determinant only their geometric mean.
+    // Past ωh = 4 the pair of roots is real, and the root of the determinant only their geometric
+    // mean.
     for (const double wh : {4.5, 6.0, 20.0}) {
         const double radius = spectral_radius(step_matrix(newton, spring, wh));
         const double half_trace = 1 - wh * wh / 4, det = 1 + wh * wh / 2;
-        CHECK(std::fabs(radius / (std::fabs(half_trace) + std::sqrt(half_trace * half_trace - det)) - 1) < 1e-12);
+        CHECK(std::fabs(
+                  radius / (std::fabs(half_trace) + std::sqrt(half_trace * half_trace - det)) - 1) <
+              1e-12);
         CHECK(radius > std::sqrt(det));
     }
 }
@@ -141,22 +149,26 @@ TEST_CASE("stepping shows the constant-force method's growth", "[I09][ch4]") {
         const long steps = std::lround(60 / std::log1p(wh * wh / 2));  // to some e³⁰
         const State end = run(newton, Spring(1.0), State{0, 1.0, 0.0}, wh, steps);
         const double growth = std::log(std::hypot(end.x, end.v)) / double(steps);
-        // In the step's own ellipse every step multiplies by the same; an ellipse of axes q : 1 makes at most ln q of
-        // the distance. q is that of the matrix (1 − w²/2, w; −w, 1), below 2 up to w = 1.5 and below 4 at 3.
+        // In the step's own ellipse every step multiplies by the same; an ellipse of axes q : 1
+        // makes at most ln q of the distance. q is that of the matrix (1 − w²/2, w; −w, 1), below 2
+        // up to w = 1.5 and below 4 at 3.
         CHECK(std::fabs(growth - std::log1p(wh * wh / 2) / 2) < std::log(4.0) / double(steps));
     }
 }
 
-TEST_CASE("plain Verlet, velocity Verlet and leapfrog step through the same positions", "[I10][ch4]") {
+TEST_CASE("plain Verlet, velocity Verlet and leapfrog step through the same positions",
+          "[I10][ch4]") {
     const double h = 0.05;
     const long steps = 2000;
     const State start{0, 1.0, 0.5};
     const Spring spring(1.0);
     std::vector<State<double>> plain, with_velocity, leaping;
     run(verlet, spring, start, h, steps, [&](const auto& s) { plain.push_back(s); });
-    run(velocity_verlet, spring, start, h, steps, [&](const auto& s) { with_velocity.push_back(s); });
+    run(velocity_verlet, spring, start, h, steps,
+        [&](const auto& s) { with_velocity.push_back(s); });
     run(leapfrog, spring, start, h, steps, [&](const auto& s) { leaping.push_back(s); });
-    // As above: a step of plain Verlet rounds by 3 ε A, A = 1.2, which grows by 1/sin θ = 1/h; 2000 of them.
+    // As above: a step of plain Verlet rounds by 3 ε A, A = 1.2, which grows by 1/sin θ = 1/h; 2000
+    // of them.
     const double bound = 2 * 3 * 1.2 * eps<double> / h * steps;
     for (std::size_t i = 1; i + 1 < plain.size(); ++i) {
         REQUIRE(std::fabs(plain[i].x - with_velocity[i].x) < bound);
@@ -171,7 +183,9 @@ TEST_CASE("both demos of the talk run with every method", "[I11][ch4]") {
     const Projectile gravity(Eigen::Vector2d(0, -9.81));
     const State<Eigen::Vector2d> thrown{0, {0, 0}, {8, 12}};
     const Eigen::Vector2d lands = gravity.exact(thrown, 2.4).x;
-    const auto off = [&](const auto& method) { return (run(method, gravity, thrown, 0.1, 24).x - lands).norm(); };
+    const auto off = [&](const auto& method) {
+        return (run(method, gravity, thrown, 0.1, 24).x - lands).norm();
+    };
     // Any Euler misses by h g t/2, and by nothing else: 24 steps round below 1e-12.
     for (const double miss : {off(explicit_euler), off(implicit_euler), off(semi_implicit_euler)})
         CHECK(std::fabs(miss - 0.1 * 9.81 * 2.4 / 2) < 1e-12);
@@ -185,9 +199,10 @@ TEST_CASE("both demos of the talk run with every method", "[I11][ch4]") {
         const State end = run(method, spring, State{0, 1.0, 0.0}, 0.1, 1000);
         return std::hypot(end.x, end.v / 4);
     };
-    // ωh = 0.4. Symplectic: an ellipse between √(1 − ωh/2) and 1/√(1 − ωh/2), measured along its axes.
-    for (const double stays : {amplitude(semi_implicit_euler), amplitude(verlet), amplitude(velocity_verlet),
-                               amplitude(leapfrog)}) {
+    // ωh = 0.4. Symplectic: an ellipse between √(1 − ωh/2) and 1/√(1 − ωh/2), measured along its
+    // axes.
+    for (const double stays : {amplitude(semi_implicit_euler), amplitude(verlet),
+                               amplitude(velocity_verlet), amplitude(leapfrog)}) {
         CHECK(stays > std::sqrt(1 - 0.2));
         CHECK(stays < 1 / std::sqrt(1 - 0.2));
     }

@@ -26,9 +26,10 @@ double stretch_at_rest(double rate, int sweeps, std::size_t links) {
 }  // namespace
 
 TEST_CASE("a rope refuses links that make no sense", "[library]") {
-    CHECK_THROWS_MATCHES(Rope(Vector2d(0, 0), Vector2d(0, -1), 0, 0.1, gravity), std::invalid_argument,
-                         Message("links: must be one or more"));
-    CHECK_THROWS_MATCHES(Rope(Vector2d(0, 0), Vector2d(0, -1), 3, -0.1, gravity), std::invalid_argument,
+    CHECK_THROWS_MATCHES(Rope(Vector2d(0, 0), Vector2d(0, -1), 0, 0.1, gravity),
+                         std::invalid_argument, Message("links: must be one or more"));
+    CHECK_THROWS_MATCHES(Rope(Vector2d(0, 0), Vector2d(0, -1), 3, -0.1, gravity),
+                         std::invalid_argument,
                          Message("link = -0.1: must be finite and greater than zero"));
 }
 
@@ -37,18 +38,22 @@ TEST_CASE("a rope of one link is a pendulum that keeps its length", "[library]")
     for (int i = 0; i < 1000; ++i) {
         rope.step(0.01, 1);
         CHECK(rope.points()[0].x == Vector2d(1, 2));
-        CHECK(std::fabs(rope.stretch()) < 8 * 2.2e-16 * 4);  // positions below 4 links, a few roundings
+        CHECK(std::fabs(rope.stretch()) <
+              8 * 2.2e-16 * 4);  // positions below 4 links, a few roundings
     }
 }
 
-// A step lowers every point by d = h²g, and the sweep, from the top, must lift it by as much. Link i meets an excess
-// E_i and moves its ends by E_i/2 each. Point n is lifted by E_n/2 = d; point i by (E_i − E_{i+1})/2 = d: so
-// E_i = 2d (n − i + 1). What the next link's turn leaves of link i is E_{i+1}/2 = d (n − i): on the mean d (n − 1)/2.
-TEST_CASE("one sweep a step hangs (n - 1) h² g / 2 too long a link, on the mean", "[library][ch4]") {
+// A step lowers every point by d = h²g, and the sweep, from the top, must lift it by as much. Link
+// i meets an excess E_i and moves its ends by E_i/2 each. Point n is lifted by E_n/2 = d; point i
+// by (E_i − E_{i+1})/2 = d: so E_i = 2d (n − i + 1). What the next link's turn leaves of link i is
+// E_{i+1}/2 = d (n − i): on the mean d (n − 1)/2.
+TEST_CASE("one sweep a step hangs (n - 1) h² g / 2 too long a link, on the mean",
+          "[library][ch4]") {
     for (const std::size_t links : {5u, 10u, 20u}) {
         const double h = 1.0 / 120;
         const double expected = double(links - 1) / 2 * h * h * 9.81 / 0.1;
-        // The slowest motion of 20 links has less than 1e-4 of the whole left after 30 s, measured; this is after 60 s.
+        // The slowest motion of 20 links has less than 1e-4 of the whole left after 30 s, measured;
+        // this is after 60 s.
         CHECK(std::fabs(stretch_at_rest(120, 1, links) / expected - 1) < 1e-4);
     }
 }

@@ -7,10 +7,10 @@
 
 namespace timestep {
 
-/// Leapfrog (I10). Half a step for the velocity, a whole one for the position, the other half for the
-/// velocity. Two half kicks of neighbouring steps make one whole: velocities in the middle of the steps,
-/// positions at their ends, each leaping over the other. That is semi-implicit Euler with a velocity half
-/// a step late, and it is velocity Verlet written in another order.
+/// Leapfrog (I10). Half a step for the velocity, a whole one for the position, the other half for
+/// the velocity. Two half kicks of neighbouring steps make one whole: velocities in the middle of
+/// the steps, positions at their ends, each leaping over the other. That is semi-implicit Euler
+/// with a velocity half a step late, and it is velocity Verlet written in another order.
 struct Leapfrog {
     static constexpr const char* name = "leapfrog";  ///< for tables and keys
     static constexpr int order = 2;                  ///< of the error after a whole run

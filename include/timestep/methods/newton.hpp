@@ -7,16 +7,16 @@
 
 namespace timestep {
 
-/// The constant-force method, which the talk calls Newton (I09). Each step is a piece of a parabola, so
-/// projectiles are stepped exactly, with any h.
+/// The constant-force method, which the talk calls Newton (I09). Each step is a piece of a
+/// parabola, so projectiles are stepped exactly, with any h.
 ///
-/// On an undamped spring the step has determinant 1 + (ωh)²/2 and trace 2 − (ωh)²/2. Up to ωh = 4 its
-/// eigenvalues are a pair with |λ| = √(1 + (ωh)²/2); beyond they are real and the larger grows faster
-/// still. It blows up for every ω > 0 and every h.
+/// On an undamped spring the step has determinant 1 + (ωh)²/2 and trace 2 − (ωh)²/2. Up to ωh = 4
+/// its eigenvalues are a pair with |λ| = √(1 + (ωh)²/2); beyond they are real and the larger grows
+/// faster still. It blows up for every ω > 0 and every h.
 struct Newton {
-    static constexpr const char* name = "Newton";   ///< for tables and keys
-    static constexpr int order = 1;                 ///< of the error after a whole run
-    static constexpr Cost cost{.evaluations = 1};   ///< of one step
+    static constexpr const char* name = "Newton";  ///< for tables and keys
+    static constexpr int order = 1;                ///< of the error after a whole run
+    static constexpr Cost cost{.evaluations = 1};  ///< of one step
 
     /// One step of length h.
     /// [step]

@@ -7,12 +7,13 @@
 
 namespace timestep {
 
-/// Velocity Verlet (I10). The position moves as under a constant force, the velocity with the mean of
-/// the forces at both ends. A one-step method: it starts by itself, and the step may change.
+/// Velocity Verlet (I10). The position moves as under a constant force, the velocity with the mean
+/// of the forces at both ends. A one-step method: it starts by itself, and the step may change.
 struct VelocityVerlet {
     static constexpr const char* name = "velocity Verlet";  ///< for tables and keys
     static constexpr int order = 2;                         ///< of the error after a whole run
-    /// Of one step. The force at the end is the next step's force at the start: who keeps it pays one.
+    /// Of one step. The force at the end is the next step's force at the start: who keeps it pays
+    /// one.
     static constexpr Cost cost{.evaluations = 2};
 
     /// One step of length h.

@@ -9,18 +9,19 @@ namespace timestep {
 
 /// Plain Verlet (I07, I08). Semi-implicit Euler over two steps,
 ///     x₁ = x₀ + h v₁,   v₂ = v₁ + h a(x₁),   x₂ = x₁ + h v₂,
-/// with the velocities eliminated: x₂ − x₁ = h v₂ = (x₁ − x₀) + h² a(x₁). What is left steps from two
-/// positions, so the force may depend on the position alone.
+/// with the velocities eliminated: x₂ − x₁ = h v₂ = (x₁ − x₀) + h² a(x₁). What is left steps from
+/// two positions, so the force may depend on the position alone.
 ///
 /// No step reads the `v` of the states. It is written for whoever looks at them: (x₂ − x₁)/h is the
-/// velocity in the middle of the step, and half a step at a(x₁) carries it to the end, within O(h²).
+/// velocity in the middle of the step, and half a step at a(x₁) carries it to the end, within
+/// O(h²).
 struct Verlet {
-    static constexpr const char* name = "Verlet";   ///< for tables and keys
-    static constexpr int order = 2;                 ///< of the error after a whole run
-    static constexpr Cost cost{.evaluations = 1};   ///< of one step
+    static constexpr const char* name = "Verlet";  ///< for tables and keys
+    static constexpr int order = 2;                ///< of the error after a whole run
+    static constexpr Cost cost{.evaluations = 1};  ///< of one step
 
-    /// The first step, from one state alone: the Taylor series as far as the force is known. Without its
-    /// last term the whole run is of order one (I10).
+    /// The first step, from one state alone: the Taylor series as far as the force is known.
+    /// Without its last term the whole run is of order one (I10).
     /// [start]
     template <class Model, class X>
     State<X> start(const Model& model, const State<X>& state0, real_of<X> h) const {
@@ -34,8 +35,8 @@ struct Verlet {
     /// One step of length h on from `state1`; `state0` is h before it.
     /// [step]
     template <class Model, class X>
-    State<X> step(const Model& model, const State<X>& state0, const State<X>& state1,
-                  real_of<X> h) const {
+    State<X> step(const Model& model, const State<X>& state0,
+                  const State<X>& state1, real_of<X> h) const {
         const X& x0 = state0.x;
         const X& x1 = state1.x;
         const X a1 = acceleration(model, x1);
@@ -44,13 +45,13 @@ struct Verlet {
     }
     /// [step]
 
-    /// A step of length `h2` after one of `h1`, by the usual repair: the last displacement is scaled to
-    /// the new step. Order one when the step keeps changing (I10).
+    /// A step of length `h2` after one of `h1`, by the usual repair: the last displacement is
+    /// scaled to the new step. Order one when the step keeps changing (I10).
     /// [scaled]
     template <class Model, class X>
     State<X> scaled_step(const Model& model, const State<X>& state0,
-                        const State<X>& state1, real_of<X> h1,
-                        real_of<X> h2) const {
+                         const State<X>& state1, real_of<X> h1,
+                         real_of<X> h2) const {
         const X& x1 = state1.x;
         const X a1 = acceleration(model, x1);
         const X drift = (x1 - state0.x) * (h2 / h1);
@@ -59,10 +60,10 @@ struct Verlet {
     }
     /// [scaled]
 
-    // (x₁ − x₀)/h₁ is the velocity h₁/2 before x₁, and (x₂ − x₁)/h₂ that h₂/2 after it. The time from one
-    // to the other is (h₁ + h₂)/2: that long the force acts.
-    /// A step of length `h2` after one of `h1`, corrected for the time that the force acts. Order two
-    /// whatever the steps (I10).
+    // (x₁ − x₀)/h₁ is the velocity h₁/2 before x₁, and (x₂ − x₁)/h₂ that h₂/2 after it. The time
+    // from one to the other is (h₁ + h₂)/2: that long the force acts.
+    /// A step of length `h2` after one of `h1`, corrected for the time that the force acts. Order
+    /// two whatever the steps (I10).
     /// [corrected]
     template <class Model, class X>
     State<X> corrected_step(const Model& model, const State<X>& state0,
