@@ -152,7 +152,7 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
     };
     if (kind == "check") {
         in_run(words.at(1), "checks.tsv", false);
-    } else if (kind == "figure" || kind == "table") {
+    } else if (kind == "figure" || kind == "table" || kind == "said") {
         in_run(words.at(1), "", true);
     } else if (kind == "run") {
         const std::string heading{colon == std::string::npos
