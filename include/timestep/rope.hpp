@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <timestep/checks.hpp>
+#include <timestep/linear_solve.hpp>
 #include <timestep/methods/verlet.hpp>
 #include <timestep/models/projectile.hpp>
 
@@ -22,13 +23,15 @@ class Rope {
 public:
     using Real = real_of<X>;  ///< the real number type
 
-    /// A straight rope at rest, from `top` in the direction of the unit vector `along`. Throws
+    /// A straight rope at rest, from `top` in the direction `along`. Throws
     /// `std::invalid_argument`.
     Rope(const X& top, const X& along, std::size_t links, Real link, const Projectile<X>& gravity)
         : gravity_(gravity), link_(positive("link", link)) {
         if (links == 0) throw std::invalid_argument("links: must be one or more");
+        if (!is_finite(top)) throw std::invalid_argument("top: must be a finite place");
+        positive("length of the direction", Real(along.norm()));
         for (std::size_t i = 0; i <= links; ++i)
-            now_.push_back({0, top + Real(i) * link * along, X::Zero()});
+            now_.push_back({0, top + Real(i) * link * direction(along), X::Zero()});
         before_ = now_;
     }
 
@@ -60,13 +63,13 @@ public:
 
 private:
     // The two ends of a link share what is too long or too short; the point that is held does not
-    // move.
+    // move. Two points in one place have no direction and stay.
     /// [link]
     void put_right(std::size_t i) {
         X& a = now_[i - 1].x;
         X& b = now_[i].x;
         const X apart = b - a;
-        const X excess = (1 - link_ / apart.norm()) * apart;
+        const X excess = apart - link_ * direction(apart);
         if (i > 1) a += excess / 2;
         b -= i > 1 ? X(excess / 2) : excess;
     }
