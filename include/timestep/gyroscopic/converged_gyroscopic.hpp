@@ -1,0 +1,97 @@
+#pragma once
+/// \file
+/// Implicit Euler on the gyroscopic torque, solved to the end.
+
+#include <algorithm>
+#include <limits>
+
+#include <timestep/rigid/inertia.hpp>
+#include <timestep/rigid/solve3.hpp>
+
+namespace timestep {
+
+/// The ω₂ with I(ω₂ − ω₁) + h ω₂ × Iω₂ = 0, to the last digit (N48). Never adds energy (N51), damps
+/// as much as the talk's single iteration does where that one is stable, and costs several times as
+/// much. The course has it to tell what is Newton-Raphson's fault and what is implicit Euler's.
+struct ConvergedGyroscopic {
+    static constexpr const char* name = "implicit, converged";  ///< for tables and keys
+    static constexpr int order = 1;                             ///< of the error after a whole run
+
+    // In y = √I ω (energy ½|y|²) the equation is y₂ + h g∘(y₂y₃, y₃y₁, y₁y₂) = y₁ with
+    // g = (I₃ − I₂, I₁ − I₃, I₂ − I₁)/√(I₁I₂I₃). No energy is added: g sums to zero, so the middle term
+    // is at right angles to y₂, and |y₂|² = y₂·y₁ ≤ |y₂| |y₁|.
+    /// One step of `h` seconds; `omega` in body coordinates, rad/s.
+    template <class Real>
+    Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
+                       Real h) const {
+        const Vector3<Real>& r = inertia.root;
+        const Vector3<Real> g(inertia.ratio.x() * r.x() / (r.y() * r.z()),
+                              inertia.ratio.y() * r.y() / (r.z() * r.x()),
+                              inertia.ratio.z() * r.z() / (r.x() * r.y()));
+        const Vector3<Real> y1 = r.cwiseProduct(omega);
+        return follow(Vector3<Real>(h * g), y1).cwiseQuotient(r);
+    }
+
+    /// The same where two moments are equal: linear, so one iteration is the solution.
+    template <class Real>
+    Vector3<Real> step(const SymmetricInertia<Real>& inertia, const Vector3<Real>& omega,
+                       Real h) const {
+        const Real angle = h * inertia.wobble * omega.z();
+        const Real share = 1 / (1 + angle * angle);
+        return {share * (omega.x() - angle * omega.y()), share * (omega.y() + angle * omega.x()),
+                omega.z()};
+    }
+
+    /// The same in any axes: there and back by way of the principal ones.
+    template <class Real>
+    Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega, Real h) const {
+        const Vector3<Real> turned = inertia.axes.transpose() * omega;
+        return inertia.axes * step(inertia.principal, turned, h);
+    }
+
+private:
+    // For long steps Newton-Raphson may miss the root from y₁. So we follow the root from h = 0, where
+    // it is y₁, as h grows: each stretch starts from the root of the one before, is halved when it
+    // fails, and doubled when it does not.
+    /// [continuation]
+    template <class Real>
+    static Vector3<Real> follow(const Vector3<Real>& hg, const Vector3<Real>& y1) {
+        Vector3<Real> y = y1;
+        Real done = 0, stretch = 1;
+        while (done < 1 && stretch > 0) {
+            const Real next = std::min(Real(1), done + stretch);
+            if (Vector3<Real> root = y; newton(Vector3<Real>(next * hg), y1, root)) {
+                y = root;
+                done = next;
+                stretch *= 2;
+            } else {
+                stretch /= 2;
+            }
+        }
+        return y;
+    }
+    /// [continuation]
+
+    // Newton-Raphson from `y`; has it found the root? One more iteration after the residual is down
+    // to roundoff takes what is left of it.
+    template <class Real>
+    static bool newton(const Vector3<Real>& hg, const Vector3<Real>& y1, Vector3<Real>& y) {
+        const Real roundoff = 8 * std::numeric_limits<Real>::epsilon() * y1.cwiseAbs().maxCoeff();
+        bool found = false;
+        for (int iteration = 0; iteration < 12; ++iteration) {
+            const Vector3<Real> pairs(y.y() * y.z(), y.z() * y.x(), y.x() * y.y());
+            const Vector3<Real> residual = y - y1 + hg.cwiseProduct(pairs);
+            if (found) return residual.cwiseAbs().maxCoeff() <= roundoff;
+            found = residual.cwiseAbs().maxCoeff() <= roundoff;
+            const Vector3<Real> column1(1, hg.y() * y.z(), hg.z() * y.y());
+            const Vector3<Real> column2(hg.x() * y.z(), 1, hg.z() * y.x());
+            const Vector3<Real> column3(hg.x() * y.y(), hg.y() * y.x(), 1);
+            y -= solve3(column1, column2, column3, residual);
+        }
+        return false;
+    }
+};
+
+inline constexpr ConvergedGyroscopic converged_gyroscopic;  ///< the method as a value
+
+}  // namespace timestep

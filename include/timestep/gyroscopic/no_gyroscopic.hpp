@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// The gyroscopic torque, dropped.
+
+#include <timestep/rigid/inertia.hpp>
+
+namespace timestep {
+
+/// ω₂ = ω₁: most engines drop the term, or have it off by default (N44). Nothing can blow up, and
+/// nothing tumbles: ω stands still in the world, and the angular momentum, which should, does not.
+struct NoGyroscopic {
+    static constexpr const char* name = "dropped";  ///< for tables and keys
+    static constexpr int order = 0;                 ///< it does not converge to the motion at all
+
+    /// `omega` in body coordinates, rad/s, as it came.
+    template <class Inertia, class Real>
+    Vector3<Real> step(const Inertia&, const Vector3<Real>& omega, Real) const {
+        return omega;
+    }
+};
+
+inline constexpr NoGyroscopic no_gyroscopic;  ///< the method as a value
+
+}  // namespace timestep

@@ -1,0 +1,183 @@
+#pragma once
+/// \file
+/// Inertia is a type: it says what the gyroscopic torque ω × Iω of a body needs, and nothing more is
+/// compiled.
+///
+///     UniformInertia     sphere, cube          no gyroscopic torque
+///     RodInertia         a line of mass        none either, and no spin about the line
+///     SymmetricInertia   capsule, cylinder     two equal moments: closed forms
+///     PrincipalInertia   box                   three moments along the axes of the body
+///     FullInertia        any body, any axes    a symmetric matrix
+///
+/// All are in body coordinates, about the centre of mass, in kg m². They are checked here, once.
+
+#include <algorithm>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
+
+#include <timestep/checks.hpp>
+#include <timestep/rigid/rotation.hpp>
+
+namespace timestep {
+
+/// The same moment about every axis: Iω points along ω, and the gyroscopic torque vanishes (N41).
+template <class Real>
+struct UniformInertia {
+    using Scalar = Real;                        ///< the real number type
+    static constexpr bool gyroscopic = false;  ///< has the body a gyroscopic torque at all?
+    Real moment;                               ///< about any axis, kg m²
+
+    /// `moment` in kg m², above zero. Throws `std::invalid_argument`.
+    explicit UniformInertia(Real moment_) : moment(positive("moment of inertia", moment_)) {}
+
+    /// Angular momentum Iω, kg m²/s.
+    Vector3<Real> momentum(const Vector3<Real>& omega) const { return moment * omega; }
+    /// The angular velocity of the angular momentum L, I⁻¹L, rad/s.
+    Vector3<Real> velocity(const Vector3<Real>& L) const { return L / moment; }
+};
+
+/// A line of mass along the body's z axis. It has no moment about that axis and cannot be said to
+/// spin about it: that component of ω is always zero, and with it the gyroscopic torque.
+template <class Real>
+struct RodInertia {
+    using Scalar = Real;                        ///< the real number type
+    static constexpr bool gyroscopic = false;  ///< ω × Iω = 0 while ω_z = 0
+    Real moment;                               ///< about any axis across the rod, kg m²
+
+    /// `moment` in kg m², above zero. Throws `std::invalid_argument`.
+    explicit RodInertia(Real moment_) : moment(positive("moment of inertia", moment_)) {}
+
+    /// Angular momentum Iω, kg m²/s.
+    Vector3<Real> momentum(const Vector3<Real>& omega) const {
+        return {moment * omega.x(), moment * omega.y(), Real(0)};
+    }
+    /// The angular velocity of the angular momentum L, rad/s; what L has along the rod is dropped.
+    Vector3<Real> velocity(const Vector3<Real>& L) const {
+        return {L.x() / moment, L.y() / moment, Real(0)};
+    }
+};
+
+/// \cond
+namespace detail {
+// Mass is never negative, so no moment exceeds the sum of the other two: with moments
+// ∫(y² + z²), ∫(z² + x²), ∫(x² + y²) the difference is twice ∫x², ∫y² or ∫z². An exact plate has
+// equality, so roundoff is allowed for.
+template <class Real>
+void triangle_rule(Real a, Real b, Real c) {
+    const Real allowance = 1 + 8 * std::numeric_limits<Real>::epsilon();
+    const Real largest = std::max({a, b, c});
+    const Real others = largest == a ? b + c : largest == b ? c + a : a + b;
+    if (!(largest <= others * allowance))
+        refuse("moment of inertia", largest, "at most the sum of the other two moments");
+}
+}  // namespace detail
+/// \endcond
+
+/// Two equal moments: a body of revolution about its z axis, or any rod with a square profile.
+template <class Real>
+struct SymmetricInertia {
+    using Scalar = Real;                       ///< the real number type
+    static constexpr bool gyroscopic = true;  ///< has the body a gyroscopic torque at all?
+    Real across;                              ///< about x, y and every axis between, kg m²
+    Real along;                               ///< about z, kg m²
+    Real wobble;                              ///< (along − across) / across: see rate()
+
+    /// Moments in kg m², above zero, `along` at most 2 `across`. Throws `std::invalid_argument`.
+    SymmetricInertia(Real across_, Real along_)
+        : across(positive("moment of inertia", across_)),
+          along(positive("moment of inertia", along_)),
+          wobble((along - across) / across) {
+        detail::triangle_rule(across, across, along);
+    }
+
+    /// Angular momentum Iω, kg m²/s.
+    Vector3<Real> momentum(const Vector3<Real>& omega) const {
+        return {across * omega.x(), across * omega.y(), along * omega.z()};
+    }
+    /// The angular velocity of the angular momentum L, I⁻¹L, rad/s.
+    Vector3<Real> velocity(const Vector3<Real>& L) const {
+        return {L.x() / across, L.y() / across, L.z() / along};
+    }
+};
+
+/// Three moments along the body's axes x, y and z.
+///
+/// Only their ratios move a free body, so those are what the solvers use; they are made here, once,
+/// and a body of a milligram is as good as one of a ton, in `float` too.
+template <class Real>
+struct PrincipalInertia {
+    using Scalar = Real;                       ///< the real number type
+    static constexpr bool gyroscopic = true;  ///< has the body a gyroscopic torque at all?
+    Vector3<Real> moments;                    ///< I₁, I₂, I₃, kg m²
+    Vector3<Real> ratio;   ///< a₁ = (I₃ − I₂)/I₁ and so on round: ω̇₁ = −a₁ ω₂ ω₃
+    Vector3<Real> root;    ///< √I₁, √I₂, √I₃, over the largest of them
+    Vector3<Real> passive; ///< I₁/√(I₂I₃) and so on round
+
+    /// Moments in kg m², above zero, none larger than the sum of the others.
+    /// Throws `std::invalid_argument`.
+    PrincipalInertia(Real I1, Real I2, Real I3) : moments(I1, I2, I3) {
+        using std::sqrt;
+        for (const Real I : {I1, I2, I3}) positive("moment of inertia", I);
+        detail::triangle_rule(I1, I2, I3);
+        ratio = {(I3 - I2) / I1, (I1 - I3) / I2, (I2 - I1) / I3};
+        root = (moments / moments.maxCoeff()).cwiseSqrt();
+        passive = {root.x() * root.x() / (root.y() * root.z()),
+                   root.y() * root.y() / (root.z() * root.x()),
+                   root.z() * root.z() / (root.x() * root.y())};
+    }
+
+    /// Angular momentum Iω, kg m²/s.
+    Vector3<Real> momentum(const Vector3<Real>& omega) const { return moments.cwiseProduct(omega); }
+    /// The angular velocity of the angular momentum L, I⁻¹L, rad/s.
+    Vector3<Real> velocity(const Vector3<Real>& L) const { return L.cwiseQuotient(moments); }
+};
+
+/// A symmetric matrix: the inertia in whatever axes the modeller has used. It knows its principal
+/// axes. A game turns the body's frame into them once, when it loads the body, and uses
+/// PrincipalInertia from then on; the full matrix is dearer in every step.
+template <class Real>
+struct FullInertia {
+    using Scalar = Real;                       ///< the real number type
+    static constexpr bool gyroscopic = true;  ///< has the body a gyroscopic torque at all?
+    Matrix3<Real> matrix;                     ///< kg m²
+    Matrix3<Real> inverse;                    ///< its inverse
+    Matrix3<Real> axes;                       ///< the principal axes, in its columns
+    PrincipalInertia<Real> principal;         ///< the moments about those axes
+
+    /// A symmetric matrix in kg m² whose eigenvalues are what PrincipalInertia asks for.
+    /// Throws `std::invalid_argument`.
+    explicit FullInertia(const Matrix3<Real>& I)
+        : matrix(checked(I)), axes(eigen(I).eigenvectors()), principal(of(eigen(I).eigenvalues())) {
+        if (axes.determinant() < 0) axes.col(0) = -axes.col(0);  // a rotation, no reflection
+        inverse = axes * principal.moments.cwiseInverse().asDiagonal() * axes.transpose();
+    }
+
+    /// Angular momentum Iω, kg m²/s.
+    Vector3<Real> momentum(const Vector3<Real>& omega) const { return matrix * omega; }
+    /// The angular velocity of the angular momentum L, I⁻¹L, rad/s.
+    Vector3<Real> velocity(const Vector3<Real>& L) const { return inverse * L; }
+
+private:
+    static const Matrix3<Real>& checked(const Matrix3<Real>& I) {
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) finite("inertia", I(i, j));
+        const Real unlike = (I - I.transpose()).cwiseAbs().maxCoeff();
+        if (unlike > 8 * std::numeric_limits<Real>::epsilon() * I.cwiseAbs().maxCoeff())
+            refuse("inertia's asymmetry", unlike, "zero: the matrix equals its transpose");
+        return I;
+    }
+    static Eigen::SelfAdjointEigenSolver<Matrix3<Real>> eigen(const Matrix3<Real>& I) {
+        return Eigen::SelfAdjointEigenSolver<Matrix3<Real>>(I);
+    }
+    static PrincipalInertia<Real> of(const Vector3<Real>& I) { return {I.x(), I.y(), I.z()}; }
+};
+
+/// The kinetic energy ½ ω·Iω, J; `omega` in body coordinates, rad/s.
+template <class Inertia>
+typename Inertia::Scalar kinetic_energy(const Inertia& inertia,
+                                        const Vector3<typename Inertia::Scalar>& omega) {
+    return omega.dot(inertia.momentum(omega)) / 2;
+}
+
+}  // namespace timestep

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// Three equations in three unknowns, by hand.
+
+#include <timestep/rigid/rotation.hpp>
+
+namespace timestep {
+
+/// The x with A x = b, where `a`, `b` and `c` are the columns of A (Cramer's rule). Each unknown is
+/// a volume over the volume of the three columns, their determinant; 0/0 where that vanishes.
+/// [solve]
+template <class Real>
+Vector3<Real> solve3(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c,
+                     const Vector3<Real>& right) {
+    const Vector3<Real> b_c = b.cross(c), c_a = c.cross(a), a_b = a.cross(b);
+    const Real volume = a.dot(b_c);
+    return Vector3<Real>(right.dot(b_c), right.dot(c_a), right.dot(a_b)) / volume;
+}
+/// [solve]
+
+/// The x with A x = b.
+template <class Real>
+Vector3<Real> solve3(const Matrix3<Real>& A, const Vector3<Real>& right) {
+    return solve3<Real>(A.col(0), A.col(1), A.col(2), right);
+}
+
+}  // namespace timestep
