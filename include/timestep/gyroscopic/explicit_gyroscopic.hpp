@@ -2,6 +2,7 @@
 /// \file
 /// The gyroscopic torque, taken explicitly.
 
+#include <timestep/inline.hpp>
 #include <timestep/rigid/inertia.hpp>
 
 namespace timestep {
@@ -15,6 +16,7 @@ struct ExplicitGyroscopic {
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     /// [step]
     template <class Inertia, class Real>
+    TIMESTEP_INLINE
     Vector3<Real> step(const Inertia& inertia, const Vector3<Real>& omega, Real h) const {
         const Vector3<Real> torque = -omega.cross(inertia.momentum(omega));
         return omega + h * inertia.velocity(torque);

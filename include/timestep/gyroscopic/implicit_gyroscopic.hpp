@@ -2,6 +2,7 @@
 /// \file
 /// The talk's solver: implicit Euler on the gyroscopic torque, one Newton-Raphson iteration.
 
+#include <timestep/inline.hpp>
 #include <timestep/rigid/inertia.hpp>
 #include <timestep/rigid/solve3.hpp>
 
@@ -20,6 +21,7 @@ struct ImplicitGyroscopic {
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     /// [step]
     template <class Real>
+    TIMESTEP_INLINE
     Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega, Real h) const {
         const Matrix3<Real>& I = inertia.matrix;
         const Vector3<Real> L = I * omega;
@@ -37,6 +39,7 @@ struct ImplicitGyroscopic {
     /// The same where I has three moments.
     /// [principal]
     template <class Real>
+    TIMESTEP_INLINE
     Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
                        Real h) const {
         const Vector3<Real> a = h * inertia.ratio;
@@ -55,6 +58,7 @@ struct ImplicitGyroscopic {
     /// The same where two moments are equal.
     /// [symmetric]
     template <class Real>
+    TIMESTEP_INLINE
     Vector3<Real> step(const SymmetricInertia<Real>& inertia, const Vector3<Real>& omega,
                        Real h) const {
         const Real angle = h * inertia.wobble * omega.z();

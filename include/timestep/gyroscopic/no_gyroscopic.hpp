@@ -2,6 +2,7 @@
 /// \file
 /// The gyroscopic torque, dropped.
 
+#include <timestep/inline.hpp>
 #include <timestep/rigid/inertia.hpp>
 
 namespace timestep {
@@ -14,6 +15,7 @@ struct NoGyroscopic {
 
     /// `omega` in body coordinates, rad/s, as it came.
     template <class Inertia, class Real>
+    TIMESTEP_INLINE
     Vector3<Real> step(const Inertia&, const Vector3<Real>& omega, Real) const {
         return omega;
     }

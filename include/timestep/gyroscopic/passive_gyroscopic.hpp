@@ -2,14 +2,15 @@
 /// \file
 /// A gyroscopic step that never adds energy: the default for games.
 
+#include <timestep/inline.hpp>
 #include <timestep/rigid/inertia.hpp>
 
 namespace timestep {
 
 /// The passive step. It takes the angular momentum L from the old state and the angular velocity
 /// from the new one, I(ω₂ − ω₁) = h L₁ × ω₂ (as the engine ODE does), so that the equation is linear
-/// and the torque does no work. In energy coordinates its solution is four lines without a branch, and
-/// without a determinant that could vanish.
+/// and the torque does no work. Its solution is explicit Euler's, and a little more, over a number: a
+/// few lines without a branch, and without a determinant that could vanish.
 ///
 /// Order one, as the talk's solver; the energy never grows, for any inertia, spin and step (N51). The
 /// angular momentum is kept to order one only.
@@ -19,18 +20,27 @@ struct PassiveGyroscopic {
 
     // In y = √I ω the energy is ½|y|², and with k₁ = h L₁/√(I₂I₃) and so on round the equation is
     //     y₂ − k × y₂ = y₁.
-    // Solved: dot with k gives k·y₂ = k·y₁, cross with k gives k × y₂, and
-    //     y₂ = (y₁ + k × y₁ + (k·y₁) k) / (1 + k·k).
     // No energy is added: k × y₂ is at right angles to y₂, so |y₁|² = |y₂|² + |k × y₂|².
+    // Solved, by a dot and a cross product with k: y₂ = (y₁ + k × y₁ + (k·y₁) k) / (1 + k·k). Back in ω,
+    // with the moments J whose product is one, l = h J ω₁, and explicit Euler's ratios a, that is
+    //     ω₂ = (ω₁ − h a∘(ω₂ω₃, ω₃ω₁, ω₁ω₂) + (l·l) J ω₁) / (1 + l·J l).
+    // We divide first, so that no product overflows that the division would tame.
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     /// [step]
     template <class Real>
+    TIMESTEP_INLINE
     Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
                        Real h) const {
-        const Vector3<Real> k = h * inertia.passive.cwiseProduct(omega);
-        const Vector3<Real> y = inertia.root.cwiseProduct(omega) / (1 + k.dot(k));
-        const Vector3<Real> y2 = y + k.cross(y) + k.dot(y) * k;
-        return y2.cwiseQuotient(inertia.root);
+        const Vector3<Real>& J = inertia.unit;
+        const Vector3<Real> a = h * inertia.ratio;
+        const Vector3<Real> l = h * J.cwiseProduct(omega);
+        const Real x = omega.x(), y = omega.y(), z = omega.z();
+        const Real share =
+            1 / (1 + (J.x() * l.x() * l.x() + J.y() * l.y() * l.y() + J.z() * l.z() * l.z()));
+        const Real l_l = l.dot(l);
+        return Vector3<Real>(share * x - a.x() * y * (share * z) + l_l * J.x() * (share * x),
+                             share * y - a.y() * z * (share * x) + l_l * J.y() * (share * y),
+                             share * z - a.z() * x * (share * y) + l_l * J.z() * (share * z));
     }
     /// [step]
 
@@ -40,6 +50,7 @@ struct PassiveGyroscopic {
     /// The same where two moments are equal: nothing is lost either.
     /// [symmetric]
     template <class Real>
+    TIMESTEP_INLINE
     Vector3<Real> step(const SymmetricInertia<Real>& inertia, const Vector3<Real>& omega,
                        Real h) const {
         const Real half = h / 2 * inertia.wobble * omega.z();  // tan(θ/2)
@@ -52,6 +63,7 @@ struct PassiveGyroscopic {
 
     /// The same in any axes: there and back by way of the principal ones.
     template <class Real>
+    TIMESTEP_INLINE
     Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega, Real h) const {
         const Vector3<Real> turned = inertia.axes.transpose() * omega;
         return inertia.axes * step(inertia.principal, turned, h);

@@ -2,6 +2,7 @@
 /// \file
 /// A body that turns: its state, and one step of it with any way to treat the gyroscopic torque.
 
+#include <timestep/inline.hpp>
 #include <timestep/rigid/inertia.hpp>
 
 namespace timestep {
@@ -34,21 +35,35 @@ Real kinetic_energy(const Inertia& inertia, const RigidState<Real>& s) {
 }
 
 /// The angular velocity after the gyroscopic torque has acted for `h` seconds, world coordinates in
-/// and out. `Gyroscopic` solves in body coordinates, where the inertia does not change (N47). A body
-/// without a gyroscopic torque does not even change coordinates: nothing is compiled (N41).
+/// and out, with the attitude as the rotation matrix `R` that engines keep beside the quaternion.
+/// `Gyroscopic` solves in body coordinates, where the inertia does not change (N47). A body without a
+/// gyroscopic torque does not even change coordinates: nothing is compiled (N41).
 /// [gyroscopic]
 template <class Gyroscopic, class Inertia, class Real>
+TIMESTEP_INLINE
 Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver, const Inertia& inertia,
-                                      const Quaternion<Real>& q, const Vector3<Real>& omega, Real h) {
+                                      const Matrix3<Real>& R, const Vector3<Real>& omega,
+                                      Real h) {
     if constexpr (!Inertia::gyroscopic) {
         return omega;
     } else {
-        const Matrix3<Real> R = q.toRotationMatrix();
         const Vector3<Real> body = R.transpose() * omega;
         return R * solver.step(inertia, body, h);
     }
 }
 /// [gyroscopic]
+
+/// The same with the attitude as a quaternion.
+template <class Gyroscopic, class Inertia, class Real>
+TIMESTEP_INLINE
+Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver, const Inertia& inertia,
+                                      const Quaternion<Real>& q, const Vector3<Real>& omega,
+                                      Real h) {
+    if constexpr (!Inertia::gyroscopic)
+        return omega;
+    else
+        return after_gyroscopic_torque(solver, inertia, Matrix3<Real>(q.toRotationMatrix()), omega, h);
+}
 
 /// One step of `h` seconds without a torque from outside.
 /// [free]

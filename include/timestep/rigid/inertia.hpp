@@ -103,28 +103,25 @@ struct SymmetricInertia {
 
 /// Three moments along the body's axes x, y and z.
 ///
-/// Only their ratios move a free body, so those are what the solvers use; they are made here, once,
-/// and a body of a milligram is as good as one of a ton, in `float` too.
+/// Only their ratios move a free body, so the solvers use the moments over their geometric mean: three
+/// numbers whose product is one. They are made here, once, and a body of a milligram is as good as one
+/// of a ton, in `float` too.
 template <class Real>
 struct PrincipalInertia {
     using Scalar = Real;                       ///< the real number type
     static constexpr bool gyroscopic = true;  ///< has the body a gyroscopic torque at all?
     Vector3<Real> moments;                    ///< I₁, I₂, I₃, kg m²
-    Vector3<Real> ratio;   ///< a₁ = (I₃ − I₂)/I₁ and so on round: ω̇₁ = −a₁ ω₂ ω₃
-    Vector3<Real> root;    ///< √I₁, √I₂, √I₃, over the largest of them
-    Vector3<Real> passive; ///< I₁/√(I₂I₃) and so on round
+    Vector3<Real> unit;                       ///< J₁, J₂, J₃ = I₁, I₂, I₃ over ∛(I₁I₂I₃)
+    Vector3<Real> ratio;  ///< a₁ = (I₃ − I₂)/I₁ and so on round: ω̇₁ = −a₁ ω₂ ω₃
 
     /// Moments in kg m², above zero, none larger than the sum of the others.
     /// Throws `std::invalid_argument`.
     PrincipalInertia(Real I1, Real I2, Real I3) : moments(I1, I2, I3) {
-        using std::sqrt;
+        using std::cbrt;
         for (const Real I : {I1, I2, I3}) positive("moment of inertia", I);
         detail::triangle_rule(I1, I2, I3);
         ratio = {(I3 - I2) / I1, (I1 - I3) / I2, (I2 - I1) / I3};
-        root = (moments / moments.maxCoeff()).cwiseSqrt();
-        passive = {root.x() * root.x() / (root.y() * root.z()),
-                   root.y() * root.y() / (root.z() * root.x()),
-                   root.z() * root.z() / (root.x() * root.y())};
+        unit = moments / (cbrt(I1) * cbrt(I2) * cbrt(I3));
     }
 
     /// Angular momentum Iω, kg m²/s.

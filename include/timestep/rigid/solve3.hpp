@@ -2,6 +2,7 @@
 /// \file
 /// Three equations in three unknowns, by hand.
 
+#include <timestep/inline.hpp>
 #include <timestep/rigid/rotation.hpp>
 
 namespace timestep {
@@ -10,6 +11,7 @@ namespace timestep {
 /// a volume over the volume of the three columns, their determinant; 0/0 where that vanishes.
 /// [solve]
 template <class Real>
+TIMESTEP_INLINE
 Vector3<Real> solve3(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c,
                      const Vector3<Real>& right) {
     const Vector3<Real> b_c = b.cross(c), c_a = c.cross(a), a_b = a.cross(b);
@@ -20,6 +22,7 @@ Vector3<Real> solve3(const Vector3<Real>& a, const Vector3<Real>& b, const Vecto
 
 /// The x with A x = b.
 template <class Real>
+TIMESTEP_INLINE
 Vector3<Real> solve3(const Matrix3<Real>& A, const Vector3<Real>& right) {
     return solve3<Real>(A.col(0), A.col(1), A.col(2), right);
 }
