@@ -81,6 +81,9 @@ void tumbling(lab::Findings& out) {
                    kinetic_energy(inertia, now[i]) / kinetic_energy(inertia, start), "",
                    name + ": energy at the end of the film over that at its start", 2);
     }
+    out.number("tumbling_passive_momentum",
+               angular_momentum(inertia, now[3]).norm() / angular_momentum(inertia, start).norm(), "",
+               "passive: |L| at the end of the film over that at its start", 3);
     const V last = now[3].q.conjugate() * now[3].omega;
     out.check(
         "tumbling_film",

@@ -1,8 +1,9 @@
-# The capsule on the plane, the box with a motor, and the two films; loaded from figures.gp.
+# The capsule on the plane, the box with a motor, and the two films. figures.gp ends with
+#   load folder."../../chapters/05_gyroscopic/films.gp"
 
 # How fast it spins, without rolling resistance and with it.
 call figure "plane_spin.svg" 640 760
-reset_axes = "unset logscale; unset label; unset arrow; unset object; unset title; set autoscale; set tics autofreq; set format '%g'; set size noratio"
+reset_axes = "unset logscale; unset label; unset arrow; unset object; unset title; unset xlabel; unset ylabel; set autoscale; set xtics autofreq; set ytics autofreq; set format '%g'; set size noratio; set border 3; set grid lc rgb soft lt 1 lw 0.8"
 @reset_axes
 set multiplot layout 2,1 margins 0.15,0.97,0.235,0.95 spacing 0.02,0.1
 set xrange [0:20]
