@@ -92,6 +92,7 @@ function(timestep_chapter chapter)
   file(GLOB misuses CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" "${folder}/does_not_compile/*.cpp")
   set(misuse_paths ${misuses})
   list(TRANSFORM misuse_paths PREPEND "${PROJECT_SOURCE_DIR}/")
+  file(GLOB scripts CONFIGURE_DEPENDS "${folder}/*.gp")  # figures.gp and what it loads
   if(TIMESTEP_DOCS AND GNUPLOT)
     add_custom_command(OUTPUT "${run}/done"
       COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:${name}>" "-DOUT=${run}"
@@ -99,7 +100,7 @@ function(timestep_chapter chapter)
               "-DGNUPLOT=${GNUPLOT}" "-DABOUT=${folder}/about.json" -DQUIET=ON
               "-DMISUSES=${misuses}" "-DROOT=${PROJECT_SOURCE_DIR}" "-DCOMPILER=${CMAKE_CXX_COMPILER}"
               -P "${PROJECT_SOURCE_DIR}/tools/cmake/run.cmake"
-      DEPENDS ${name} "${folder}/figures.gp" "${folder}/about.json"
+      DEPENDS ${name} ${scripts} "${folder}/about.json"
               "${PROJECT_SOURCE_DIR}/tools/figures/style.gp"
               "${PROJECT_SOURCE_DIR}/tools/cmake/run.cmake"
               "${PROJECT_SOURCE_DIR}/tools/cmake/misuse.cmake" ${misuse_paths}
