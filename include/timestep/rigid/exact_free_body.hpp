@@ -25,6 +25,9 @@ public:
 
     /// The state `t` seconds after the start.
     RigidState<Real> operator()(Real t) const;
+    /// ω̇ in body coordinates at that time, rad/s²: the derivative of the formulas, which knows nothing of
+    /// Euler's equations.
+    Vector3<Real> acceleration(Real t) const;
 
 private:
     using V = Vector3<Real>;
@@ -115,6 +118,15 @@ RigidState<Real> ExactFreeBody<Real>::operator()(Real t) const {
     const Quaternion<Real> q =
         start_.q * frame * before_.conjugate() * about_z(w, precession) * frame.conjugate();
     return {start_.t + t, q.normalized(), q.normalized() * (axes_ * w)};
+}
+
+// The derivatives by u are cn′ = −sn dn, sn′ = cn dn and dn′ = −m sn cn.
+template <class Real>
+Vector3<Real> ExactFreeBody<Real>::acceleration(Real t) const {
+    if (steady_) return V::Zero();
+    const Elliptic<Real> f = jacobi(u0_ + rate_ * t, m1_);
+    const V slope(-f.sn * f.dn, f.cn * f.dn, -(1 - m1_) * f.sn * f.cn);
+    return axes_ * V(rate_ * amplitude_.cwiseProduct(slope));
 }
 
 template <class Real>

@@ -1,0 +1,111 @@
+// The gyroscopic torque of a box, a cube and a ball; and the attitude that follows from a spin.
+
+#include <cmath>
+#include <cstdio>
+
+#include <timestep/measured_order.hpp>
+
+#include "sections.hpp"
+
+using namespace timestep;
+
+namespace {
+
+using V = Vector3<double>;
+
+double degrees_between(const V& a, const V& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / pi;
+}
+
+// The angle between two attitudes, rad.
+double angle_between(const Quaternion<double>& a, const Quaternion<double>& b) {
+    return 2 * std::asin(std::min(1.0, (a.conjugate() * b).vec().norm()));
+}
+
+}  // namespace
+
+void torque(const Settings&, lab::Findings& out) {
+    out.section("The gyroscopic torque");
+    const auto brick = box(12.0, 1.0, 2.0, 3.0);
+    const auto dice = cube(12.0, 2.0);
+    const V omega(1, 2, 2);
+    const V L = brick.momentum(omega);
+    std::printf("  a box of 12 kg, 1 x 2 x 3 m: I = (%g, %g, %g) kg m^2\n", brick.moments.x(),
+                brick.moments.y(), brick.moments.z());
+    std::printf("  omega = (1, 2, 2) rad/s: L = (%g, %g, %g), %.1f degrees off omega\n", L.x(), L.y(),
+                L.z(), degrees_between(omega, L));
+    std::printf("  torque -omega x L = (%g, %g, %g) N m\n", -omega.cross(L).x(), -omega.cross(L).y(),
+                -omega.cross(L).z());
+    const V cube_L = dice.momentum(omega);
+    std::printf("  a cube of 12 kg, 2 m: L is %.1f degrees off omega, the torque %g N m\n",
+                degrees_between(omega, cube_L), omega.cross(cube_L).norm());
+    out.number("box_angle", degrees_between(omega, L), "°", "between angular velocity and momentum of the box");
+    out.number("box_torque", omega.cross(L).norm(), "N m", "gyroscopic torque on the box");
+    out.check("cube_no_torque", omega.cross(cube_L).norm() == 0, "a cube has no gyroscopic torque");
+
+    // A ball passes through a solver that has no step at all: nothing gyroscopic is compiled for it.
+    struct Nothing {};
+    const auto ball = sphere(12.0, 1.0);
+    const auto rolled = turn(Nothing{}, ball, spinning(1, 2, 2), 0.1);
+    out.check("sphere_compiles_nothing", !decltype(ball)::gyroscopic && rolled.omega == omega,
+              "a ball is stepped by a solver without any code, and keeps its spin bit for bit");
+
+    // ω in the plane of the box's first and last axis, all round.
+    auto& table = out.table("torque.tsv", {"direction", "box", "cube"});
+    double largest = 0;
+    for (int i = 0; i <= 180; ++i) {
+        const double angle = i * pi / 180;
+        const V w(3 * std::cos(angle), 0, 3 * std::sin(angle));
+        const double of_box = w.cross(brick.momentum(w)).norm();
+        largest = std::max(largest, of_box);
+        table.row({double(i), of_box, w.cross(dice.momentum(w)).norm()});
+    }
+    out.check("box_torque_off_axis", largest > 1, "the box has a torque where it spins between its axes");
+
+    // The exact solution, put into the equation it claims to solve.
+    const auto exact = ExactFreeBody<double>(brick, spinning(1, 2, 2));
+    double worst = 0;
+    for (int i = 0; i <= 1000; ++i) {
+        const auto s = exact(i * 0.01);
+        const V w = s.q.conjugate() * s.omega, Lb = brick.momentum(w);
+        const V rest = brick.momentum(exact.acceleration(i * 0.01)) + w.cross(Lb);
+        worst = std::max(worst, rest.norm() / (w.norm() * Lb.norm()));
+    }
+    std::printf("  the exact motion leaves %.1e of Euler's equations\n", worst);
+    out.number("exact_residual", worst, "", "what the exact motion leaves of Euler's equations, relative", 1);
+    out.check("exact_solves", worst < 1e-12, "the exact motion obeys Euler's equations");
+}
+
+void attitude(const Settings&, lab::Findings& out) {
+    out.section("From the spin to the attitude");
+    const auto brick = box(12.0, 1.0, 2.0, 3.0);
+    const auto start = spinning(1, 2, 2);
+    const ExactFreeBody<double> exact(brick, start);
+    auto& table = out.table("attitude.tsv", {"step", "explicit", "implicit", "passive"});
+    std::vector<double> h, error;
+    double norm_off = 0, price = 0;
+    for (long steps = 64; steps <= 4096; steps *= 2) {
+        const double step = 1.0 / double(steps);
+        const auto miss = [&](const auto& solver) {
+            RigidState<double> end = start;
+            spin_on(solver, brick, start, step, steps, [&](const RigidState<double>& s) {
+                norm_off = std::max(norm_off, std::fabs(s.q.norm() - 1));
+                end = s;
+                return true;
+            });
+            return angle_between(end.q, exact(1).q);
+        };
+        const double passive = miss(passive_gyroscopic);
+        const double implicit = miss(implicit_gyroscopic);
+        table.row({step, miss(explicit_gyroscopic), implicit, passive});
+        price = passive / implicit;
+        h.push_back(step), error.push_back(passive);
+    }
+    const double order = measured_order(h, error);
+    std::printf("  after a second the attitude is off with order %.2f in the step\n", order);
+    out.number("attitude_price", price, "", "error of the passive step over that of one iteration", 2);
+    out.number("attitude_order", order, "", "measured order of the attitude");
+    out.check("attitude_order", std::fabs(order - 1) < 0.1, "the attitude is of order one");
+    // Scaling rounds four squares, a sum, a root and a quotient: a few ε.
+    out.check("attitude_norm", norm_off < 8 * 2.3e-16, "the quaternion's length stays one, to roundoff");
+}
