@@ -1,0 +1,116 @@
+// N51: which gyroscopic step can add energy, over random bodies that could exist.
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include <timestep/gyroscopic.hpp>
+
+#include "random_inertia.hpp"
+
+using namespace timestep;
+
+namespace {
+
+// The energy, twice, reckoned in double whatever the body's numbers.
+template <class Real>
+double energy(const PrincipalInertia<Real>& I, const Vector3<Real>& omega) {
+    return omega.template cast<double>().cwiseAbs2().dot(I.moments.template cast<double>());
+}
+
+// In y = √I ω the implicit equation is y₂ + h g∘(y₂y₃, y₃y₁, y₁y₂) = y₁: what is missing, over |y₁|.
+template <class Real>
+double missing(const PrincipalInertia<Real>& I, const Vector3<Real>& omega1, const Vector3<Real>& omega2, double h) {
+    using V = Vector3<double>;
+    const V m = I.moments.template cast<double>();
+    const double mean = std::cbrt(m.prod());
+    const V r = (m / mean).cwiseSqrt();
+    const V y1 = r.cwiseProduct(omega1.template cast<double>()), y = r.cwiseProduct(omega2.template cast<double>());
+    const V g = V(m.z() - m.y(), m.x() - m.z(), m.y() - m.x()) / mean;
+    const V pairs(y.y() * y.z(), y.z() * y.x(), y.x() * y.y());
+    return (y - y1 + h * g.cwiseProduct(pairs)).norm() / y1.norm();
+}
+
+constexpr double sizes[] = {1e-3, 1e-2, 0.1, 0.3, 1, 2, 10, 100, 1e3, 1e4, 1e5, 1e6};
+
+}  // namespace
+
+// The exact step does not gain. Rounding: some ten operations a component, each of relative size ε/2,
+// added to |y₂| ≤ |y₁|; the energy is its square. 8 ε is what is promised.
+TEMPLATE_TEST_CASE("the passive step never adds energy", "[library][N51]", float, double) {
+    const double epsilon = std::numeric_limits<TestType>::epsilon();
+    RandomInertia random(2015);
+    double worst = 0;
+    long strange = 0;
+    for (const double size : sizes)
+        for (int i = 0; i < 90000; ++i) {
+            const auto I = random.inertia<TestType>(1e6);
+            const Vector3<TestType> omega = random.direction<TestType>();
+            const Vector3<TestType> after = passive_gyroscopic.step(I, omega, TestType(size));
+            worst = std::max(worst, energy(I, after) / energy(I, omega));
+            strange += !after.allFinite();
+        }
+    CHECK(strange == 0);
+    CHECK(worst <= 1 + 8 * epsilon);
+}
+
+TEMPLATE_TEST_CASE("implicit Euler solved to the end never adds energy, and is solved for every body",
+                   "[library][N51][N48]", float, double) {
+    const double epsilon = std::numeric_limits<TestType>::epsilon();
+    RandomInertia random(1859);
+    double worst = 0, left = 0;
+    for (const double size : sizes)
+        for (int i = 0; i < 90000; ++i) {
+            const auto I = random.inertia<TestType>(1e6);
+            const Vector3<TestType> omega = random.direction<TestType>();
+            const Vector3<TestType> after = converged_gyroscopic.step(I, omega, TestType(size));
+            worst = std::max(worst, energy(I, after) / energy(I, omega));
+            left = std::max(left, missing(I, omega, after, size));
+        }
+    CHECK(worst <= 1 + 8 * epsilon);
+    // Each component of y₂ is rounded in its last digit, and with it the products: no more than
+    // y₁ + 2 (y₁ + y₂) in size. Ratios and roots are rounded, too: a few dozen ε in all. A wrong root
+    // would leave something of the size of y₁.
+    CHECK(left < 50 * epsilon);
+}
+
+TEST_CASE("the talk's single iteration adds energy: 0.1 % and more of the bodies from h|omega| = 0.3",
+          "[library][N51]") {
+    RandomInertia random(51);
+    const auto gains = [&](double size, double& most) {
+        int count = 0;
+        for (int i = 0; i < 20000; ++i) {
+            const auto I = random.inertia<double>(1000);
+            const Vector3<double> omega = random.direction<double>();
+            const double factor = energy(I, implicit_gyroscopic.step(I, omega, size)) / energy(I, omega);
+            count += factor > 1 + 1e-9;
+            if (std::isfinite(factor)) most = std::max(most, factor);
+        }
+        return count / 200.0;  // per cent
+    };
+    double most_03 = 0, most_1 = 0, most_10 = 0;
+    CHECK(gains(0.3, most_03) > 0.1);
+    CHECK(gains(1, most_1) > 4);
+    CHECK(gains(10, most_10) > 10);
+    CHECK(most_1 > 1.5);
+    CHECK(most_10 > 1e5);
+    // The body of the erratum, by its numbers.
+    const PrincipalInertia<double> I(0.758, 0.787, 0.0313);
+    const Vector3<double> omega(-0.973, -0.137, -0.184);
+    CHECK(std::fabs(energy(I, implicit_gyroscopic.step(I, omega, 1.0)) / energy(I, omega) - 1.77) < 0.005);
+}
+
+TEST_CASE("a symmetric body neither gains nor loses by the passive step", "[library][N51]") {
+    RandomInertia random(3);
+    double worst = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const double along = std::pow(1e-6, 0.00001 * i);  // of across 1
+        const SymmetricInertia<double> I(1, along);
+        const Vector3<double> omega = random.direction<double>();
+        const Vector3<double> after = passive_gyroscopic.step(I, omega, 1e-3 * std::pow(10, i % 10));
+        worst = std::max({worst, std::fabs(kinetic_energy(I, after) / kinetic_energy(I, omega) - 1),
+                          std::fabs(I.momentum(after).norm() / I.momentum(omega).norm() - 1)});
+    }
+    CHECK(worst < 8 * std::numeric_limits<double>::epsilon());
+}

@@ -1,0 +1,203 @@
+// The exact free body: elliptic functions, and the motion against an independent integration.
+#include <catch2/catch_test_macros.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <timestep/rigid/exact_free_body.hpp>
+#include <timestep/rigid/shapes.hpp>
+
+#include "random_inertia.hpp"
+
+using namespace timestep;
+using V = Vector3<double>;
+using Long = long double;
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+const Quaternion<double> identity = Quaternion<double>::Identity();
+
+// The independent reference: attitude and spin in long double by Gauss-Legendre of order six, three
+// stages solved by iteration. It sums few terms, so that its own rounding stays near 1e-19 a step.
+struct Reference {
+    Vector3<Long> I, w;
+    Eigen::Matrix<Long, 4, 1> q;  // x, y, z, w
+
+    using Y = Eigen::Matrix<Long, 7, 1>;
+    Y rate(const Y& y) const {
+        const Vector3<Long> omega = y.tail<3>(), L = I.cwiseProduct(omega);
+        const Quaternion<Long> at(y[3], y[0], y[1], y[2]);
+        const Quaternion<Long> spin(0, omega.x() / 2, omega.y() / 2, omega.z() / 2);
+        Y d;
+        d.head<4>() = (at * spin).coeffs();
+        d.tail<3>() = L.cross(omega).cwiseQuotient(I);
+        return d;
+    }
+    void step(Long h) {
+        const Long r = std::sqrt(15.0L);
+        const Long A[3][3] = {{5 / 36.0L, 2 / 9.0L - r / 15, 5 / 36.0L - r / 30},
+                              {5 / 36.0L + r / 24, 2 / 9.0L, 5 / 36.0L - r / 24},
+                              {5 / 36.0L + r / 30, 2 / 9.0L + r / 15, 5 / 36.0L}};
+        Y y;
+        y << q, w;
+        Y k[3] = {rate(y), rate(y), rate(y)};
+        for (int round = 0; round < 14; ++round) {
+            Y next[3];
+            for (int i = 0; i < 3; ++i) next[i] = rate(y + h * (A[i][0] * k[0] + A[i][1] * k[1] + A[i][2] * k[2]));
+            for (int i = 0; i < 3; ++i) k[i] = next[i];
+        }
+        y += h * (5 * k[0] + 8 * k[1] + 5 * k[2]) / 18;
+        q = y.head<4>(), w = y.tail<3>();
+    }
+};
+
+struct Off {
+    double spin, attitude;
+};
+
+// How far the formulas are off the reference, at worst over `seconds`.
+Off against_reference(const PrincipalInertia<double>& I, const V& omega, double seconds, int steps = 4000) {
+    const ExactFreeBody<double> exact(I, {0, identity, omega});
+    Reference reference{I.moments.cast<Long>(), omega.cast<Long>(), identity.coeffs().cast<Long>()};
+    Off worst{0, 0};
+    const int checks = 40;
+    for (int n = 1; n <= steps; ++n) {
+        reference.step(Long(seconds) / steps);
+        if (n % (steps / checks) != 0) continue;
+        const auto s = exact(seconds * n / steps);
+        const V w = s.q.conjugate() * s.omega;
+        worst.spin = std::max(worst.spin, double((w.cast<Long>() - reference.w).norm() / reference.w.norm()));
+        const auto a = s.q.coeffs().cast<Long>().eval(), b = reference.q;
+        worst.attitude = std::max(worst.attitude, double(std::min((a - b).norm(), (a + b).norm())));
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("sn, cn and dn: their identities, their limits and their derivatives", "[library][N40]") {
+    for (const double m1 : {1.0, 0.7, 0.1, 1e-3, 1e-8, 1e-15, 1e-300, 0.0})
+        for (double u = -12; u <= 12; u += 0.37) {
+            const auto f = jacobi(u, m1);
+            CHECK(std::fabs(f.sn * f.sn + f.cn * f.cn - 1) < 8 * epsilon);
+            CHECK(std::fabs(f.dn * f.dn + (1 - m1) * f.sn * f.sn - 1) < 8 * epsilon);
+            // A central difference of step d is off by d²/6 times a third derivative of at most 5.
+            const double d = 1e-5;
+            const auto after = jacobi(u + d, m1), before = jacobi(u - d, m1);
+            CHECK(std::fabs((after.sn - before.sn) / (2 * d) - f.cn * f.dn) < 1e-10 + 64 * epsilon / d);
+        }
+    CHECK(std::fabs(jacobi(0.5, 1.0).sn - std::sin(0.5)) < 4 * epsilon);
+    CHECK(std::fabs(jacobi(2.0, 0.0).cn - 1 / std::cosh(2.0)) < 4 * epsilon);
+    CHECK(std::fabs(jacobi(1e-300, 0.5).sn - 1e-300) < 1e-315);
+}
+
+// The standard library of g++ knows Legendre's integrals; in Carlson's form, with s = sin φ,
+//     F = s R_F(c², 1 − k²s², 1),  Π = F + n/3 s³ R_J(c², 1 − k²s², 1, 1 − n s²).
+TEST_CASE("Carlson's integrals are Legendre's", "[library][N40]") {
+    for (const double k : {0.0, 0.3, 0.9, 0.999})
+        for (const double phi : {0.1, 0.7, 1.3}) {
+            const double s = std::sin(phi), c2 = std::cos(phi) * std::cos(phi), d2 = 1 - k * k * s * s;
+            const double F = s * carlson_rf(c2, d2, 1.0);
+#if defined(__cpp_lib_math_special_functions) || defined(__STDCPP_MATH_SPEC_FUNCS__)
+            CHECK(std::fabs(F / std::ellint_1(k, phi) - 1) < 64 * epsilon);
+            for (const double n : {-5.0, -0.5, 0.4})
+                CHECK(std::fabs((F + n / 3 * s * s * s * carlson_rj(c2, d2, 1.0, 1 - n * s * s)) / std::ellint_3(k, n, phi) - 1) < 1e-13);
+#endif
+            // F is the inverse of sn.
+            CHECK(std::fabs(jacobi(F, 1 - k * k).sn - s) < 64 * epsilon);
+        }
+    // Scaling: R_F(ax, ay, az) = R_F/√a, R_J(ax, …) = R_J/(a√a).
+    CHECK(std::fabs(carlson_rf(4.0, 8.0, 12.0) * 2 / carlson_rf(1.0, 2.0, 3.0) - 1) < 8 * epsilon);
+    CHECK(std::fabs(carlson_rj(4.0, 8.0, 12.0, 16.0) * 8 / carlson_rj(1.0, 2.0, 3.0, 4.0) - 1) < 16 * epsilon);
+}
+
+TEST_CASE("the exact motion obeys Euler's equations, by its own derivative", "[library][N40]") {
+    RandomInertia random(40);
+    for (int i = 0; i < 100; ++i) {
+        const auto I = random.inertia<double>(30);
+        const ExactFreeBody<double> exact(I, {0, identity, random.direction<double>()});
+        for (double t = 0; t < 20; t += 0.7) {
+            const auto s = exact(t);
+            const V w = s.q.conjugate() * s.omega, L = I.momentum(w);
+            // The terms are of the size |ω| |L|; the moments differ by up to 60, and so do the digits.
+            CHECK((I.momentum(exact.acceleration(t)) + w.cross(L)).norm() < 1e-12 * w.norm() * L.norm());
+        }
+    }
+}
+
+TEST_CASE("the exact motion keeps energy and momentum, starts right and runs back", "[library][N40]") {
+    RandomInertia random(41);
+    for (int i = 0; i < 200; ++i) {
+        const auto I = random.inertia<double>(100);
+        const RigidState<double> start{3, Quaternion<double>(1, 0.5, -0.2, i * 0.1).normalized(), random.direction<double>()};
+        const ExactFreeBody<double> exact(I, start);
+        const V L = angular_momentum(I, start);
+        const double E = kinetic_energy(I, start);
+        CHECK((exact(0).q.coeffs() - start.q.coeffs()).norm() < 64 * epsilon);
+        CHECK((exact(0).omega - start.omega).norm() < 1e-12);
+        for (const double t : {-30.0, 0.5, 10.0, 100.0}) {
+            const auto s = exact(t);
+            CHECK(s.t == 3 + t);
+            CHECK(std::fabs(kinetic_energy(I, s) / E - 1) < 1e-11);
+            CHECK((angular_momentum(I, s) - L).norm() < 1e-11 * L.norm());
+        }
+    }
+}
+
+// Every order of the axes, and spins near each of them; a second integration that shares nothing
+// with the formulas.
+TEST_CASE("the exact motion agrees with an independent integration to 1e-11", "[library][N40][N42]") {
+    const double moments[3] = {1, 2, 2.8};
+    int order[3] = {0, 1, 2};
+    do {
+        const PrincipalInertia<double> I(moments[order[0]], moments[order[1]], moments[order[2]]);
+        for (const V& omega : {V(1, 0.6, -0.4), V(-0.2, 1, 0.3), V(0.3, -0.2, -1), V(0, 1, 0.5), V(0.5, 0, 1), V(1, -1, 0)}) {
+            INFO(I.moments.transpose() << " spun at " << omega.transpose());
+            const Off off = against_reference(I, omega, 10);
+            CHECK(off.spin < 1e-11);
+            CHECK(off.attitude < 1e-11);
+        }
+    } while (std::next_permutation(order, order + 3));
+}
+
+TEST_CASE("two or three equal moments, and spins about one axis", "[library][N40]") {
+    for (const auto& I : {PrincipalInertia(1.0, 1.0, 1.7), PrincipalInertia(2.0, 1.2, 2.0), PrincipalInertia(0.5, 1.5, 1.5), PrincipalInertia(1.0, 1.0, 1.0)})
+        for (const V& omega : {V(1, 0.6, -0.4), V(1, 0, 0), V(0, -1, 0), V(0, 0, 2), V(0, 0, 0), V(0.3, 0, 1)}) {
+            INFO(I.moments.transpose() << " spun at " << omega.transpose());
+            if (omega.norm() == 0) {
+                CHECK(ExactFreeBody<double>(I, {0, identity, omega})(5).q.coeffs() == identity.coeffs());
+                continue;
+            }
+            const Off off = against_reference(I, omega, 6, 2000);
+            CHECK(off.spin < 1e-11);
+            CHECK(off.attitude < 1e-11);
+        }
+}
+
+// On the separatrix 2EI₂ = L² the body turns over once and never again. With I = (1, 2, 3) and equal
+// spins about the first and the last axis, I₁(I₂ − I₁)ω₁² = 1 ω₁² and I₃(I₃ − I₂)ω₃² = 3 ω₃², so
+// ω₁ = √3 ω₃ is on it. In double √3 is not, by a digit: m₁ is near 1e-16, and its period some 40 radians.
+// A motion from there departs from its neighbours by a factor e^(λt), λ = ω₂ √((I₂−I₁)(I₃−I₂)/(I₁I₃)):
+// over 4 s of λ = 0.58 by some 10, so 1e-11 still stands.
+TEST_CASE("the separatrix is as exact as the rest", "[library][N40]") {
+    const PrincipalInertia<double> I(1, 2, 3);
+    for (const double side : {1.0, -1.0}) {
+        const Off off = against_reference(I, V(std::sqrt(3.0), 0.2 * side, 1), 4);
+        CHECK(off.spin < 1e-11);
+        CHECK(off.attitude < 1e-11);
+    }
+    const Off near = against_reference(PrincipalInertia<double>(2, 3, 4), V(std::sqrt(2.0), 0, 1), 4);
+    CHECK(near.spin < 1e-11);
+    CHECK(near.attitude < 1e-11);
+    // I = (3, 4, 6): 3·1 ω₁² = 6·2 ω₃² at ω₁ = 2 ω₃, without rounding: m₁ = 0.
+    const ExactFreeBody<double> once(PrincipalInertia<double>(3, 4, 6), {0, identity, {2, 0.25, 1}});
+    const Off off = against_reference(PrincipalInertia<double>(3, 4, 6), V(2, 0.25, 1), 4);
+    CHECK(off.spin < 1e-11);
+    CHECK(off.attitude < 1e-11);
+    // For ever about the middle axis, in the end.
+    const V late = once(100).q.conjugate() * once(100).omega;
+    CHECK(std::fabs(std::fabs(late.y()) / late.norm() - 1) < 1e-12);
+}

@@ -1,0 +1,173 @@
+// Inertia as a type: what it refuses, what shapes it knows, and how attitudes turn.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include <timestep/rigid/body.hpp>
+#include <timestep/rigid/shapes.hpp>
+#include <timestep/rigid/solve3.hpp>
+
+using namespace timestep;
+using Catch::Matchers::Message;
+using V = Vector3<double>;
+using M = Matrix3<double>;
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+const double infinite = std::numeric_limits<double>::infinity(), nothing = std::nan("");
+
+// The moments of a solid of density one by summing small cells: ∫(y² + z²) and so on.
+template <class Inside>
+M summed(double reach, int cells, const Inside& inside) {
+    M I = M::Zero();
+    double mass = 0;
+    const double d = 2 * reach / cells;
+    for (int i = 0; i < cells; ++i)
+        for (int j = 0; j < cells; ++j)
+            for (int k = 0; k < cells; ++k) {
+                const V r(-reach + (i + 0.5) * d, -reach + (j + 0.5) * d, -reach + (k + 0.5) * d);
+                if (!inside(r)) continue;
+                mass += 1;
+                I += r.squaredNorm() * M::Identity() - r * r.transpose();
+            }
+    return I / mass;
+}
+
+}  // namespace
+
+TEST_CASE("an inertia that no body has is refused, with the rule it breaks", "[library][N41]") {
+    const auto refused = [](const auto& make, const char* message) {
+        CHECK_THROWS_MATCHES(make(), std::invalid_argument, Message(message));
+    };
+    const char* positive = "moment of inertia = 0: must be finite and greater than zero";
+    refused([] { return UniformInertia(0.0); }, positive);
+    refused([] { return RodInertia(0.0); }, positive);
+    refused([] { return SymmetricInertia(1.0, 0.0); }, positive);
+    refused([] { return PrincipalInertia(1.0, 0.5, 0.0); }, positive);
+    refused([] { return PrincipalInertia(1.0, -0.5, 1.0); },
+            "moment of inertia = -0.5: must be finite and greater than zero");
+    refused([] { return PrincipalInertia(1.0, nothing, 1.0); },
+            "moment of inertia = nan: must be finite and greater than zero");
+    refused([] { return PrincipalInertia(1.0, infinite, 1.0); },
+            "moment of inertia = inf: must be finite and greater than zero");
+    const char* triangle = "moment of inertia = 3: must be at most the sum of the other two moments";
+    refused([] { return PrincipalInertia(1.0, 3.0, 1.0); }, triangle);
+    refused([] { return PrincipalInertia(3.0, 1.0, 1.0); }, triangle);
+    refused([] { return PrincipalInertia(1.0, 1.0, 3.0); }, triangle);
+    refused([] { return SymmetricInertia(1.0, 3.0); }, triangle);
+    refused([] { return FullInertia<double>(M(V(1, 3, 1).asDiagonal())); }, triangle);
+    refused([] { return FullInertia<double>(M(V(1, -1, 1).asDiagonal())); },
+            "moment of inertia = -1: must be finite and greater than zero");
+    refused([] {
+        M lopsided = M::Identity();
+        lopsided(0, 1) = 0.25;
+        return FullInertia<double>(lopsided);
+    }, "inertia's asymmetry = 0.25: must be zero: the matrix equals its transpose");
+    refused([] {
+        M hole = M::Identity();
+        hole(2, 2) = nothing;
+        return FullInertia<double>(hole);
+    }, "inertia = nan: must be a finite number");
+    refused([] { return box(1.0, 1.0, 0.0, 1.0); }, "side = 0: must be finite and greater than zero");
+    refused([] { return capsule(-1.0, 1.0, 1.0); }, "mass = -1: must be finite and greater than zero");
+    refused([] { return sphere(1.0, -1.0); }, "radius = -1: must be finite and greater than zero");
+    refused([] { return cylinder(1.0, 1.0, nothing); }, "length = nan: must be finite and greater than zero");
+}
+
+TEST_CASE("an exact plate is a body, and one that is thinner than nothing is not", "[library]") {
+    CHECK_NOTHROW(PrincipalInertia(0.1, 0.2, 0.1 + 0.2));
+    CHECK_NOTHROW(PrincipalInertia(0.1f, 0.7f, 0.1f + 0.7f));
+    CHECK_NOTHROW(SymmetricInertia(0.1, 0.2));
+    CHECK_NOTHROW(PrincipalInertia(1.0, 1.0, 2 * (1 + 4 * epsilon)));
+    CHECK_THROWS_AS(PrincipalInertia(1.0, 1.0, 2 * (1 + 20 * epsilon)), std::invalid_argument);
+}
+
+// Cells on the surface are in or out as a whole: a layer of half a cell is in doubt, which changes a
+// moment by less than its area times half a cell, some 5 cells of 60: we allow 3 %.
+TEST_CASE("shapes have the moments of their mass, summed up cell by cell", "[library]") {
+    const auto agree = [](const M& sum, const V& moments) {
+        CHECK((sum.diagonal() - moments).norm() < 0.03 * moments.norm());
+        CHECK((sum - M(sum.diagonal().asDiagonal())).norm() < 1e-9);
+    };
+    agree(summed(1.0, 60, [](const V& r) { return r.norm() < 1; }), V::Constant(sphere(1.0, 1.0).moment));
+    agree(summed(1.0, 60, [](const V& r) { return r.cwiseAbs().maxCoeff() < 0.8; }), V::Constant(cube(1.0, 1.6).moment));
+    agree(summed(1.5, 60, [](const V& r) { return std::fabs(r.x()) < 0.5 && std::fabs(r.y()) < 1 && std::fabs(r.z()) < 1.5; }),
+          box(1.0, 1.0, 2.0, 3.0).moments);
+    const auto round = [](const SymmetricInertia<double>& I) { return V(I.across, I.across, I.along); };
+    agree(summed(1.0, 60, [](const V& r) { return r.head<2>().norm() < 0.5 && std::fabs(r.z()) < 1; }), round(cylinder(1.0, 0.5, 2.0)));
+    agree(summed(1.0, 60, [](const V& r) {
+              const V inside(0, 0, std::clamp(r.z(), -0.6, 0.6));
+              return (r - inside).norm() < 0.4;
+          }), round(capsule(1.0, 0.4, 1.2)));
+    agree(summed(1.0, 80, [](const V& r) { return std::fabs(r.x()) < 0.1 && std::fabs(r.y()) < 0.1 && std::fabs(r.z()) < 1; }), round(staff(1.0, 2.0, 0.2)));
+    // A rod is the limit of a thin staff.
+    CHECK(std::fabs(rod(3.0, 2.0).moment - staff(3.0, 2.0, 1e-6).across) < 1e-11);
+}
+
+TEST_CASE("momentum and velocity undo each other", "[library]") {
+    const V w(1, -2, 3);
+    const auto back = [&](const auto& inertia) { return V(inertia.velocity(inertia.momentum(w)) - w).norm(); };
+    M I = V(2, 3, 4).asDiagonal();
+    I(0, 1) = I(1, 0) = 0.5;
+    CHECK(back(UniformInertia(3.0)) < 8 * epsilon);
+    CHECK(back(SymmetricInertia(3.0, 1.0)) < 8 * epsilon);
+    CHECK(back(PrincipalInertia(3.0, 2.0, 4.0)) < 8 * epsilon);
+    CHECK(back(FullInertia<double>(I)) < 64 * epsilon);
+    const RodInertia<double> rod(2.0);
+    CHECK(V(rod.velocity(rod.momentum(w))) == V(1, -2, 0));  // nothing about its own axis
+}
+
+TEST_CASE("only the ratios of the moments count, and they survive a milligram in float", "[library]") {
+    const PrincipalInertia<float> crumb(3e-13f, 4e-13f, 5e-13f), ton(3e9f, 4e9f, 5e9f);
+    CHECK((crumb.unit - ton.unit).norm() < 8 * std::numeric_limits<float>::epsilon());
+    CHECK((crumb.ratio - ton.ratio).norm() < 8 * std::numeric_limits<float>::epsilon());
+    CHECK(std::fabs(crumb.unit.prod() - 1) < 8 * std::numeric_limits<float>::epsilon());
+}
+
+TEST_CASE("skew(a) b is a cross b", "[library][N47]") {
+    const V a(1, -2, 3), b(0.5, 4, -1);
+    CHECK((skew(a) * b - a.cross(b)).norm() == 0);
+}
+
+TEST_CASE("three equations by hand agree with the general solve", "[library][N48]") {
+    M A;
+    A << 4, 1, -2, 0.5, 3, 1, -1, 2, 5;
+    const V b(1, 2, 3);
+    CHECK((solve3(A, b) - V(A.partialPivLu().solve(b))).norm() < 16 * epsilon);
+    CHECK((A * solve3(A, b) - b).norm() < 32 * epsilon);
+}
+
+TEST_CASE("the attitude turns by nearly h omega, keeps its length and undoes itself", "[library][N42]") {
+    const Quaternion<double> q = Quaternion<double>(1, 2, 3, 4).normalized();
+    const V omega(0.3, -0.2, 0.6);
+    for (const double h : {0.01, 0.1, 1.0, 100.0}) {
+        const Quaternion<double> q2 = turned(q, omega, h);
+        CHECK(std::fabs(q2.norm() - 1) < 4 * epsilon);
+        const Quaternion<double> step = q2 * q.conjugate();
+        const double angle = 2 * std::atan2(step.vec().norm(), std::fabs(step.w()));
+        CHECK(std::fabs(angle - 2 * std::atan(h * omega.norm() / 2)) < 16 * epsilon);
+        CHECK((turned(q2, omega, -h).coeffs() - q.coeffs()).norm() < 16 * epsilon);
+    }
+    CHECK((turned(q, omega, 0.0).coeffs() - q.coeffs()).norm() < 2 * epsilon);
+}
+
+TEST_CASE("a body's momentum and energy do not depend on the axes they are reckoned in", "[library]") {
+    const auto brick = box(12.0, 1.0, 2.0, 3.0);
+    const Quaternion<double> r = Quaternion<double>(4, -3, 2, 1).normalized();
+    const M R = r.toRotationMatrix();
+    const M turned_matrix = R * brick.moments.asDiagonal() * R.transpose();
+    const FullInertia<double> full((turned_matrix + turned_matrix.transpose()) / 2);
+    const RigidState<double> in_principal{0, Quaternion<double>(1, 2, 3, 4).normalized(), {1, 2, 3}};
+    const RigidState<double> in_any{0, in_principal.q * r.conjugate(), in_principal.omega};
+    CHECK((angular_momentum(brick, in_principal) - angular_momentum(full, in_any)).norm() < 1e-12);
+    CHECK(std::fabs(kinetic_energy(brick, in_principal) - kinetic_energy(full, in_any)) < 1e-12);
+}
+
+TEST_CASE("a locked axis stays still", "[library]") {
+    const LockedAxes<double> upright{{0, 0, 1}};
+    CHECK(upright(V(1, 2, 3)) == V(0, 0, 3));
+    CHECK(LockedAxes<double>{}(V(1, 2, 3)) == V(1, 2, 3));
+}
