@@ -12,7 +12,9 @@ namespace {
 using V = Vector3<double>;
 
 // The body's long axis in the world.
-V axis(const RigidState<double>& s) { return s.q * V(V::UnitZ()); }
+V axis(const RigidState<double>& s) {
+    return s.q * V(V::UnitZ());
+}
 
 double turn_rate(const RigidState<double>& a, const RigidState<double>& b, const V& about) {
     const V u = axis(a) - about * about.dot(axis(a)), v = axis(b) - about * about.dot(axis(b));
@@ -32,7 +34,8 @@ void free_capsule(const Settings& settings, lab::Findings& out) {
                 pill.along, seconds);
     std::printf("                               energy     |L|   L turned by   E > 1000 E0 at\n");
     for_each_gyroscopic([&](const auto& solver) {
-        auto& table = out.table(std::string("capsule_") + key(solver) + ".tsv", {"t", "energy", "momentum", "turned"});
+        auto& table = out.table(std::string("capsule_") + key(solver) + ".tsv",
+                                {"t", "energy", "momentum", "turned"});
         double most = 0, least = 1, off = 0, late = -1, energy = 1, length = 1;
         double moved = 0;
         spin_on(solver, pill, start, h, std::lround(seconds / h), [&](const RigidState<double>& s) {
@@ -48,24 +51,33 @@ void free_capsule(const Settings& settings, lab::Findings& out) {
         });
         char when[24] = "never";
         if (late > 0) std::snprintf(when, sizeof when, "%.2f s", late);
-        std::printf("  %-25s %10.4g %7.4g %9.1f deg   %s\n", solver.name, energy, length, off, when);
+        std::printf("  %-25s %10.4g %7.4g %9.1f deg   %s\n", solver.name, energy, length, off,
+                    when);
         const std::string id = std::string("capsule_") + key(solver);
         out.number(id + "_energy", energy, "", "kinetic energy at the end over that at the start");
         out.number(id + "_most", most, "", "its largest energy over that at the start");
         out.number(id + "_turned", off, "°", "the farthest that its angular momentum turned");
         if (std::string(key(solver)) == "explicit") {
-            out.number("capsule_blow_up", late, "s", "until explicit has a thousand times the energy");
-            out.check("capsule_explicit_blows_up", late > 0, "with the explicit term the capsule's energy passes a thousandfold");
+            out.number("capsule_blow_up", late, "s",
+                       "until explicit has a thousand times the energy");
+            out.check("capsule_explicit_blows_up", late > 0,
+                      "with the explicit term the capsule's energy passes a thousandfold");
         } else if (std::string(key(solver)) == "dropped") {
-            // Into the body's axes and back: two products with a matrix a step, each good to some 4 ε.
+            // Into the body's axes and back: two products with a matrix a step, each good to some 4
+            // ε.
             const double roundoff = 8 * 2.2e-16 * seconds / h;
-            out.check("capsule_dropped_still", moved < roundoff, "without the term ω stands still in the world, to roundoff");
-            out.check("capsule_dropped_momentum", off > 30, "without the term the angular momentum swings by more than 30 degrees");
+            out.check("capsule_dropped_still", moved < roundoff,
+                      "without the term ω stands still in the world, to roundoff");
+            out.check("capsule_dropped_momentum", off > 30,
+                      "without the term the angular momentum swings by more than 30 degrees");
         } else if (std::string(key(solver)) == "old_inertia") {
             // L is rotated there and back each step: some ε of it a step.
-            out.check("capsule_old_momentum", off < 1e-6, "with the old inertia the angular momentum stays");
-            out.number("capsule_old_least", least, "", "least energy of the old inertia over that at the start");
-            out.check("capsule_old_energy", most - least > 0.05, "with the old inertia the energy is off by more than a twentieth");
+            out.check("capsule_old_momentum", off < 1e-6,
+                      "with the old inertia the angular momentum stays");
+            out.number("capsule_old_least", least, "",
+                       "least energy of the old inertia over that at the start");
+            out.check("capsule_old_energy", most - least > 0.05,
+                      "with the old inertia the energy is off by more than a twentieth");
         } else {
             out.check(id + "_no_gain", most < 1 + 1e-9, "no energy is added");
         }
@@ -78,7 +90,8 @@ void staff(const Settings& settings, lab::Findings& out) {
     out.section("A thrown staff");
     const auto stick = staff(1.0, 2.0, 0.06);
     const auto start = spinning(2, 0, 10);
-    const ExactFreeBody<double> exact(PrincipalInertia<double>(stick.across, stick.across, stick.along), start);
+    const ExactFreeBody<double> exact(
+        PrincipalInertia<double>(stick.across, stick.across, stick.along), start);
     const double h = settings.step;
     const long steps = std::lround(4 / h);
     const V L0 = angular_momentum(stick, start);
@@ -87,7 +100,8 @@ void staff(const Settings& settings, lab::Findings& out) {
         const V tip = axis(exact(i * 0.01));
         table.row({i * 0.01, tip.x(), tip.y(), tip.z()});
     }
-    // How fast the staff points elsewhere: its axis goes round L in truth, round ω without the term.
+    // How fast the staff points elsewhere: its axis goes round L in truth, round ω without the
+    // term.
     const double truth = turn_rate(exact(0), exact(0.01), L0.normalized());
     const auto path = [&](const auto& solver) {
         auto& of = out.table(std::string("staff_") + key(solver) + ".tsv", {"t", "x", "y", "z"});
@@ -99,17 +113,24 @@ void staff(const Settings& settings, lab::Findings& out) {
             of.row({s.t, tip.x(), tip.y(), tip.z()});
             return true;
         });
-        std::printf("  %-25s L turns by up to %6.2f deg, the tip is off by up to %.3f m\n", solver.name, off, miss);
-        out.number(std::string("staff_") + key(solver) + "_turned", off, "°", "the farthest that L turned");
-        out.number(std::string("staff_") + key(solver) + "_miss", miss, "m", "the farthest that the tip was off");
+        std::printf("  %-25s L turns by up to %6.2f deg, the tip is off by up to %.3f m\n",
+                    solver.name, off, miss);
+        out.number(std::string("staff_") + key(solver) + "_turned", off, "°",
+                   "the farthest that L turned");
+        out.number(std::string("staff_") + key(solver) + "_miss", miss, "m",
+                   "the farthest that the tip was off");
         return miss;
     };
     const double dropped = path(no_gyroscopic), passive = path(passive_gyroscopic);
     const auto after = turn(no_gyroscopic, stick, start, h);
     const double without = turn_rate(start, after, start.omega.normalized());
-    std::printf("  its axis turns with %.2f rad/s in truth, with %.2f rad/s without the term\n", truth, without);
+    std::printf("  its axis turns with %.2f rad/s in truth, with %.2f rad/s without the term\n",
+                truth, without);
     out.number("staff_rate", truth, "rad/s", "how fast the staff's axis goes round, exactly");
-    out.number("staff_rate_dropped", without, "rad/s", "how fast the staff's axis goes round without the term");
-    out.check("staff_spins_too_much", without > 2 * truth, "without the term the staff's axis goes round more than twice too fast");
-    out.check("staff_passive_close", passive < dropped / 2, "with the passive step the tip stays nearer to the exact path");
+    out.number("staff_rate_dropped", without, "rad/s",
+               "how fast the staff's axis goes round without the term");
+    out.check("staff_spins_too_much", without > 2 * truth,
+              "without the term the staff's axis goes round more than twice too fast");
+    out.check("staff_passive_close", passive < dropped / 2,
+              "with the passive step the tip stays nearer to the exact path");
 }

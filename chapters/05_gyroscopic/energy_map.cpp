@@ -24,8 +24,8 @@ double gain(const Solver& solver, const Body& inertia, const V& direction, doubl
 }
 /// [gain]
 
-// A body whose largest moment is 1 and whose smallest is 1/ratio. The triangle rule leaves the middle
-// one between 1 − 1/ratio and 1, at the place `middle` (0 to 1).
+// A body whose largest moment is 1 and whose smallest is 1/ratio. The triangle rule leaves the
+// middle one between 1 − 1/ratio and 1, at the place `middle` (0 to 1).
 Body with_ratio(double ratio, double middle) {
     const double low = std::max(1 / ratio, 1 - 1 / ratio);
     return {1, low + (1 - low) * middle, 1 / ratio};
@@ -42,7 +42,8 @@ double worst_gain(double size, double ratio, std::mt19937_64& random) {
         const double reach = 0.3 * std::pow(0.01, (i - 400) / 300.0);
         const V noise(normal(random), normal(random), normal(random));
         const V d = dart ? V(noise.normalized()) : V((best_direction + reach * noise).normalized());
-        const double m = dart ? even(random) : std::clamp(best_middle + reach * normal(random), 0.0, 1.0);
+        const double m =
+            dart ? even(random) : std::clamp(best_middle + reach * normal(random), 0.0, 1.0);
         const double g = gain(implicit_gyroscopic, with_ratio(ratio, m), d, size);
         if (g > best) best = g, best_middle = m, best_direction = d;
     }
@@ -63,18 +64,23 @@ void energy_map(const Settings& settings, lab::Findings& out) {
     // One body, one step.
     const Body plank(0.758, 0.787, 0.0313);
     const V spin(-0.973, -0.137, -0.184);
-    const double one = gain(implicit_gyroscopic, plank, spin, 1), passive = gain(passive_gyroscopic, plank, spin, 1),
+    const double one = gain(implicit_gyroscopic, plank, spin, 1),
+                 passive = gain(passive_gyroscopic, plank, spin, 1),
                  all = gain(converged_gyroscopic, plank, spin, 1);
     std::printf("  I = (0.758, 0.787, 0.0313), omega = (-0.973, -0.137, -0.184), h = 1 s:\n");
-    std::printf("  energy x %.3f by one iteration, x %.3f converged, x %.3f passive\n", one, all, passive);
+    std::printf("  energy x %.3f by one iteration, x %.3f converged, x %.3f passive\n", one, all,
+                passive);
     out.number("example_gain", one, "", "what one iteration multiplies the energy by");
     out.number("example_passive", passive, "", "what the passive step multiplies it by");
     out.number("example_converged", all, "", "what the converged step multiplies it by");
-    out.check("example", one > 1.7 && passive <= 1 && all <= 1, "one iteration adds energy to this body, the other two add none");
+    out.check("example", one > 1.7 && passive <= 1 && all <= 1,
+              "one iteration adds energy to this body, the other two add none");
 
     // Random bodies, ratio of moments up to 1000.
-    auto& gains = out.table("gains.tsv", {"h |ω|", "bodies that gain", "worst, one iteration", "worst, converged", "worst, passive"});
-    auto& curve = out.table("gain_curve.tsv", {"size", "share", "implicit", "converged", "passive"});
+    auto& gains = out.table("gains.tsv", {"hω", "bodies that gain", "worst, one iteration",
+                                          "worst, converged", "worst, passive"});
+    auto& curve =
+        out.table("gain_curve.tsv", {"size", "share", "implicit", "converged", "passive"});
     RandomBody bodies(2);
     for (int i = -8; i <= 8; ++i) {
         const double size = std::pow(10.0, i / 8.0);
@@ -87,21 +93,28 @@ void energy_map(const Settings& settings, lab::Findings& out) {
             gained += g > 1 + 1e-12;
             implicit_worst = std::max(implicit_worst, g);
             passive_worst = std::max(passive_worst, gain(passive_gyroscopic, inertia, d, size));
-            if (n % 8 == 0) converged_worst = std::max(converged_worst, gain(converged_gyroscopic, inertia, d, size));
+            if (n % 8 == 0)
+                converged_worst =
+                    std::max(converged_worst, gain(converged_gyroscopic, inertia, d, size));
         }
         curve.row({size, gained / many, implicit_worst, converged_worst, passive_worst});
         if (i % 4 == 0)
-            gains.row({words("%.2g", size), words("%.2g %%", 100 * gained / many), words("%.3g", implicit_worst),
-                       words("%.3f", converged_worst), words("%.3f", passive_worst)});
+            gains.row({words("%.2g", size), words("%.2g %%", 100 * gained / many),
+                       words("%.3g", implicit_worst), words("%.3f", converged_worst),
+                       words("%.3f", passive_worst)});
         if (i == 0) {
-            out.number("share_at_1", 100 * gained / many, "%", "random bodies that gain in a step with h|omega| = 1", 2);
+            out.number("share_at_1", 100 * gained / many, "%",
+                       "random bodies that gain in a step with h|omega| = 1", 2);
             out.number("worst_at_1", implicit_worst, "", "the worst gain among them");
-            std::printf("  at h|omega| = 1, of %d random bodies %.1f %% gain, up to x %.3g\n", many, 100 * gained / many, implicit_worst);
+            std::printf("  at h|omega| = 1, of %d random bodies %.1f %% gain, up to x %.3g\n", many,
+                        100 * gained / many, implicit_worst);
         }
         if (i == 8) {
-            out.number("worst_at_10", implicit_worst, "", "the worst gain among random bodies at h|omega| = 10", 2);
+            out.number("worst_at_10", implicit_worst, "",
+                       "the worst gain among random bodies at h|omega| = 10", 2);
             std::printf("  at h|omega| = 10 up to x %.2g\n", implicit_worst);
-            out.check("worst_at_10", implicit_worst > 100, "at h|ω| = 10 one step multiplies the energy by more than a hundred");
+            out.check("worst_at_10", implicit_worst > 100,
+                      "at h|ω| = 10 one step multiplies the energy by more than a hundred");
         }
     }
 
@@ -121,16 +134,23 @@ void energy_map(const Settings& settings, lab::Findings& out) {
         }
         map.gap();
     }
-    std::printf("  worst found up to h|omega| = 1: x %.3g, at h|omega| = %.2g and a ratio of %.0f\n", top, top_size, top_ratio);
-    std::printf("  a gain of 1 %% begins at h|omega| = %.2g (ratio %.0f): %.1f rad/s at this step\n", first, first_ratio, first / settings.step);
+    std::printf(
+        "  worst found up to h|omega| = 1: x %.3g, at h|omega| = %.2g and a ratio of %.0f\n", top,
+        top_size, top_ratio);
+    std::printf(
+        "  a gain of 1 %% begins at h|omega| = %.2g (ratio %.0f): %.1f rad/s at this step\n", first,
+        first_ratio, first / settings.step);
     std::printf("  with a ratio up to a thousand: x %.3g\n", top_1000);
-    out.number("map_worst_1000", top_1000, "", "the worst gain found up to h|omega| = 1 and a ratio of some thousand");
-    out.check("map_worse_than_random", top_1000 > 2, "the search finds worse than random bodies do: more than twice the energy");
+    out.number("map_worst_1000", top_1000, "",
+               "the worst gain found up to h|omega| = 1 and a ratio of some thousand");
+    out.check("map_worse_than_random", top_1000 > 2,
+              "the search finds worse than random bodies do: more than twice the energy");
     out.number("map_worst", top, "", "the worst gain found up to h|omega| = 1");
     out.number("map_worst_ratio", top_ratio, "", "the ratio of its moments");
     out.number("map_first", first, "", "least h|omega| on the map with a gain of a hundredth", 2);
     out.number("map_first_spin", first / settings.step, "rad/s", "the spin that this is", 2);
-    out.number("map_first_turns", first / settings.step / (2 * pi), "turns/s", "the same in turns a second", 2);
+    out.number("map_first_turns", first / settings.step / (2 * pi), "turns/s",
+               "the same in turns a second", 2);
     out.number("map_first_ratio", first_ratio, "", "ratio of the moments there", 2);
     out.check("map_begins_below_one", first < 1, "a gain of a hundredth is met below h|ω| = 1");
 
@@ -145,16 +165,23 @@ void energy_map(const Settings& settings, lab::Findings& out) {
         V w = d, p = d;
         double most = 0, most_passive = 0;
         for (int i = 0; i < 600; ++i) {
-            w = implicit_gyroscopic.step(inertia, w, 1.0), p = passive_gyroscopic.step(inertia, p, 1.0);
-            most = std::max(most, kinetic_energy(inertia, w)), most_passive = std::max(most_passive, kinetic_energy(inertia, p));
+            w = implicit_gyroscopic.step(inertia, w, 1.0),
+            p = passive_gyroscopic.step(inertia, p, 1.0);
+            most = std::max(most, kinetic_energy(inertia, w)),
+            most_passive = std::max(most_passive, kinetic_energy(inertia, p));
         }
         const double E0 = kinetic_energy(inertia, d);
-        above += most > 1.01 * E0, above_passive += most_passive > 1.01 * E0, highest = std::max(highest, most / E0);
+        above += most > 1.01 * E0, above_passive += most_passive > 1.01 * E0,
+            highest = std::max(highest, most / E0);
     }
-    std::printf("  of %d pieces of debris at h|omega| = 1, %d ever gain a hundredth (passive: %d)\n", pieces, above, above_passive);
-    out.number("debris_share", 100.0 * above / pieces, "%", "pieces of debris that ever gain a hundredth by one iteration", 2);
+    std::printf(
+        "  of %d pieces of debris at h|omega| = 1, %d ever gain a hundredth (passive: %d)\n",
+        pieces, above, above_passive);
+    out.number("debris_share", 100.0 * above / pieces, "%",
+               "pieces of debris that ever gain a hundredth by one iteration", 2);
     out.number("debris_highest", highest, "", "the most that any of them gained");
-    out.check("debris", above > 0 && above_passive == 0, "some pieces gain with one iteration, none with the passive step");
+    out.check("debris", above > 0 && above_passive == 0,
+              "some pieces gain with one iteration, none with the passive step");
 
     // The remedy, in float and double, over all sizes; the energy in double.
     double over = 0, least_momentum = 1;
@@ -163,19 +190,30 @@ void energy_map(const Settings& settings, lab::Findings& out) {
         const Body inertia = anything.inertia(1e6);
         const V d = anything.direction();
         const double size = std::pow(10.0, -3 + 9.0 * (n % 1000) / 999);
-        over = std::max(over, (gain(passive_gyroscopic, inertia, d, size) - 1) / 2.220446049250313e-16);
+        over = std::max(over,
+                        (gain(passive_gyroscopic, inertia, d, size) - 1) / 2.220446049250313e-16);
         const V next = passive_gyroscopic.step(inertia, d, size);
-        least_momentum = std::min(least_momentum, inertia.momentum(next).norm() / inertia.momentum(d).norm());
-        const PrincipalInertia<float> rough(float(inertia.moments.x()), float(inertia.moments.y()), float(inertia.moments.z()));
+        least_momentum =
+            std::min(least_momentum, inertia.momentum(next).norm() / inertia.momentum(d).norm());
+        const PrincipalInertia<float> rough(float(inertia.moments.x()), float(inertia.moments.y()),
+                                            float(inertia.moments.z()));
         const Body same(rough.moments.x(), rough.moments.y(), rough.moments.z());
         const Vector3<float> f = d.cast<float>();
-        const V before = f.cast<double>(), after = passive_gyroscopic.step(rough, f, float(size)).cast<double>();
-        over = std::max(over, (kinetic_energy(same, after) / kinetic_energy(same, before) - 1) / 1.1920928955078125e-7);
+        const V before = f.cast<double>(),
+                after = passive_gyroscopic.step(rough, f, float(size)).cast<double>();
+        over = std::max(over, (kinetic_energy(same, after) / kinetic_energy(same, before) - 1) /
+                                  1.1920928955078125e-7);
     }
-    std::printf("  passive, 60000 bodies, h|omega| from 1e-3 to 1e6, float and double: E' < E (1 + %.1f eps)\n", std::max(over, 0.0));
-    // L₂ = L₁ + h L₁ × ω₂: the second part is at right angles to the first. Of its rounding, some ε of
-    // h|ω₂||L₁|, little is along L₁; for long steps a part in a million is a generous bound.
-    out.check("passive_momentum", least_momentum > 1 - 1e-6, "the passive step never takes from the angular momentum's length");
-    out.number("passive_over", std::max(over, 0.0), "ε", "the most that a passive step added, in units of roundoff", 2);
-    out.check("passive_never_gains", over <= 8, "the passive step adds no energy, to eight units of roundoff");
+    std::printf(
+        "  passive, 60000 bodies, h|omega| from 1e-3 to 1e6, float and double: E' < E (1 + %.1f "
+        "eps)\n",
+        std::max(over, 0.0));
+    // L₂ = L₁ + h L₁ × ω₂: the second part is at right angles to the first. Of its rounding, some ε
+    // of h|ω₂||L₁|, little is along L₁; for long steps a part in a million is a generous bound.
+    out.check("passive_momentum", least_momentum > 1 - 1e-6,
+              "the passive step never takes from the angular momentum's length");
+    out.number("passive_over", std::max(over, 0.0), "ε",
+               "the most that a passive step added, in units of roundoff", 2);
+    out.check("passive_never_gains", over <= 8,
+              "the passive step adds no energy, to eight units of roundoff");
 }

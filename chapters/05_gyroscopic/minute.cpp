@@ -10,36 +10,48 @@ using namespace timestep;
 void minute(const Settings& settings, lab::Findings& out) {
     out.section("A minute");
     const auto start = spinning(1, 10, 0.1);
-    auto& table = out.table("minute.tsv", {"solver", "box 1:2:3, energy", "momentum", "moments 1:2:3, energy", "momentum"});
+    auto& table = out.table("minute.tsv", {"solver", "box 1:2:3, energy", "momentum",
+                                           "moments 1:2:3, energy", "momentum"});
     const PrincipalInertia<double> brick = box(1.0, 1.0, 2.0, 3.0), other{1, 2, 3};
     for_each_gyroscopic([&](const auto& solver) {
         std::vector<lab::Cell> cells{std::string(solver.name)};
         for (const auto* inertia : {&brick, &other}) {
-            double E0 = kinetic_energy(*inertia, start), L0 = angular_momentum(*inertia, start).norm();
+            double E0 = kinetic_energy(*inertia, start),
+                   L0 = angular_momentum(*inertia, start).norm();
             RigidState<double> end = start;
-            spin_on(solver, *inertia, start, settings.step, std::lround(60 / settings.step), [&](const RigidState<double>& s) {
-                end = s;
-                return is_finite(s) && kinetic_energy(*inertia, s) < 1e6 * E0;
-            });
-            const double E = kinetic_energy(*inertia, end) / E0, L = angular_momentum(*inertia, end).norm() / L0;
+            spin_on(solver, *inertia, start, settings.step, std::lround(60 / settings.step),
+                    [&](const RigidState<double>& s) {
+                        end = s;
+                        return is_finite(s) && kinetic_energy(*inertia, s) < 1e6 * E0;
+                    });
+            const double E = kinetic_energy(*inertia, end) / E0,
+                         L = angular_momentum(*inertia, end).norm() / L0;
             const bool burst = !(E < 1e6);
             char energy[40], momentum[40];
-            std::snprintf(energy, sizeof energy, burst ? "blown up after %.2f s" : "%.3f", burst ? end.t : E);
+            std::snprintf(energy, sizeof energy, burst ? "blown up after %.2f s" : "%.3f",
+                          burst ? end.t : E);
             std::snprintf(momentum, sizeof momentum, burst ? "–" : "%.3f", L);
             cells.push_back(std::string(energy)), cells.push_back(std::string(momentum));
-            const std::string id = std::string(inertia == &brick ? "minute_" : "minute_other_") + key(solver);
+            const std::string id =
+                std::string(inertia == &brick ? "minute_" : "minute_other_") + key(solver);
             if (!burst) {
                 out.number(id + "_energy", E, "", "energy after a minute over that at the start");
-                out.number(id + "_momentum", L, "", "angular momentum after a minute over that at the start");
+                out.number(id + "_momentum", L, "",
+                           "angular momentum after a minute over that at the start");
             }
-            std::printf("  %-25s %-14s energy %s, momentum %s\n", solver.name, inertia == &brick ? "box 1:2:3" : "moments 1:2:3", energy, momentum);
+            std::printf("  %-25s %-14s energy %s, momentum %s\n", solver.name,
+                        inertia == &brick ? "box 1:2:3" : "moments 1:2:3", energy, momentum);
             const std::string k = key(solver);
             if (k == "explicit") out.check(id, burst, "explicit blows up within the minute");
             if (k == "implicit" || k == "converged" || k == "passive")
-                out.check(id, E < (k == "passive" ? 1 : 0.5), k == "passive" ? "after a minute no energy is gained"
-                                                                            : "after a minute more than half of the energy is lost");
-            if (k == "implicit" || k == "converged") out.check(id + "_momentum", L < 0.9, "after a minute more than a tenth of the angular momentum is lost");
-            if (k == "old_inertia") out.check(id + "_momentum", std::fabs(L - 1) < 1e-9, "the angular momentum stays");
+                out.check(id, E < (k == "passive" ? 1 : 0.5),
+                          k == "passive" ? "after a minute no energy is gained"
+                                         : "after a minute more than half of the energy is lost");
+            if (k == "implicit" || k == "converged")
+                out.check(id + "_momentum", L < 0.9,
+                          "after a minute more than a tenth of the angular momentum is lost");
+            if (k == "old_inertia")
+                out.check(id + "_momentum", std::fabs(L - 1) < 1e-9, "the angular momentum stays");
         }
         table.row(cells);
     });

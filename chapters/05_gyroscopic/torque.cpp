@@ -32,18 +32,20 @@ void torque(const Settings&, lab::Findings& out) {
     const V L = brick.momentum(omega);
     std::printf("  a box of 12 kg, 1 x 2 x 3 m: I = (%g, %g, %g) kg m^2\n", brick.moments.x(),
                 brick.moments.y(), brick.moments.z());
-    std::printf("  omega = (1, 2, 2) rad/s: L = (%g, %g, %g), %.1f degrees off omega\n", L.x(), L.y(),
-                L.z(), degrees_between(omega, L));
-    std::printf("  torque -omega x L = (%g, %g, %g) N m\n", -omega.cross(L).x(), -omega.cross(L).y(),
-                -omega.cross(L).z());
+    std::printf("  omega = (1, 2, 2) rad/s: L = (%g, %g, %g), %.1f degrees off omega\n", L.x(),
+                L.y(), L.z(), degrees_between(omega, L));
+    std::printf("  torque -omega x L = (%g, %g, %g) N m\n", -omega.cross(L).x(),
+                -omega.cross(L).y(), -omega.cross(L).z());
     const V cube_L = dice.momentum(omega);
     std::printf("  a cube of 12 kg, 2 m: L is %.1f degrees off omega, the torque %g N m\n",
                 degrees_between(omega, cube_L), omega.cross(cube_L).norm());
-    out.number("box_angle", degrees_between(omega, L), "°", "between angular velocity and momentum of the box");
+    out.number("box_angle", degrees_between(omega, L), "°",
+               "between angular velocity and momentum of the box");
     out.number("box_torque", omega.cross(L).norm(), "N m", "gyroscopic torque on the box");
     out.check("cube_no_torque", omega.cross(cube_L).norm() == 0, "a cube has no gyroscopic torque");
 
-    // A ball passes through a solver that has no step at all: nothing gyroscopic is compiled for it.
+    // A ball passes through a solver that has no step at all: nothing gyroscopic is compiled for
+    // it.
     struct Nothing {};
     const auto ball = sphere(12.0, 1.0);
     const auto rolled = turn(Nothing{}, ball, spinning(1, 2, 2), 0.1);
@@ -60,7 +62,8 @@ void torque(const Settings&, lab::Findings& out) {
         largest = std::max(largest, of_box);
         table.row({double(i), of_box, w.cross(dice.momentum(w)).norm()});
     }
-    out.check("box_torque_off_axis", largest > 1, "the box has a torque where it spins between its axes");
+    out.check("box_torque_off_axis", largest > 1,
+              "the box has a torque where it spins between its axes");
 
     // The exact solution, put into the equation it claims to solve.
     const auto exact = ExactFreeBody<double>(brick, spinning(1, 2, 2));
@@ -72,7 +75,8 @@ void torque(const Settings&, lab::Findings& out) {
         worst = std::max(worst, rest.norm() / (w.norm() * Lb.norm()));
     }
     std::printf("  the exact motion leaves %.1e of Euler's equations\n", worst);
-    out.number("exact_residual", worst, "", "what the exact motion leaves of Euler's equations, relative", 1);
+    out.number("exact_residual", worst, "",
+               "what the exact motion leaves of Euler's equations, relative", 1);
     out.check("exact_solves", worst < 1e-12, "the exact motion obeys Euler's equations");
 }
 
@@ -103,9 +107,11 @@ void attitude(const Settings&, lab::Findings& out) {
     }
     const double order = measured_order(h, error);
     std::printf("  after a second the attitude is off with order %.2f in the step\n", order);
-    out.number("attitude_price", price, "", "error of the passive step over that of one iteration", 2);
+    out.number("attitude_price", price, "", "error of the passive step over that of one iteration",
+               2);
     out.number("attitude_order", order, "", "measured order of the attitude");
     out.check("attitude_order", std::fabs(order - 1) < 0.1, "the attitude is of order one");
     // Scaling rounds four squares, a sum, a root and a quotient: a few ε.
-    out.check("attitude_norm", norm_off < 8 * 2.3e-16, "the quaternion's length stays one, to roundoff");
+    out.check("attitude_norm", norm_off < 8 * 2.3e-16,
+              "the quaternion's length stays one, to roundoff");
 }

@@ -11,7 +11,9 @@ namespace {
 
 using V = Vector3<double>;
 
-V in_body(const RigidState<double>& s) { return s.q.conjugate() * s.omega; }
+V in_body(const RigidState<double>& s) {
+    return s.q.conjugate() * s.omega;
+}
 
 // The times at which the spin about the middle axis changes its sign.
 struct Flips {
@@ -30,7 +32,8 @@ std::string words(const char* format, double value) {
 }
 std::string words(const std::vector<double>& at) {
     std::string list;
-    for (std::size_t i = 0; i < at.size() && i < 4; ++i) list += (i ? ", " : "") + words("%.2f", at[i]);
+    for (std::size_t i = 0; i < at.size() && i < 4; ++i)
+        list += (i ? ", " : "") + words("%.2f", at[i]);
     return at.empty() ? "none" : list + (at.size() > 4 ? ", …" : "");
 }
 
@@ -51,12 +54,15 @@ void tumble(const Settings& settings, lab::Findings& out) {
         truth.see(i * 0.005, w.y());
         table.row({i * 0.005, w.x(), w.y(), w.z(), 1.0, 1.0});
     }
-    auto& flips = out.table("flips.tsv", {"solver", "turns over at (s)", "energy left", "momentum left"});
+    auto& flips =
+        out.table("flips.tsv", {"solver", "turns over at (s)", "energy left", "momentum left"});
     flips.row({std::string("exact"), words(truth.at), std::string("1"), std::string("1")});
     std::printf("  %-25s turns over at %s s\n", "exact", words(truth.at).c_str());
     const bool turns = !truth.at.empty();
-    out.number("tumble_first", turns ? truth.at[0] : 0, "s", "when the box first turns over, exactly");
-    out.number("tumble_between", truth.at.size() > 1 ? truth.at[1] - truth.at[0] : 0, "s", "from flip to flip, exactly");
+    out.number("tumble_first", turns ? truth.at[0] : 0, "s",
+               "when the box first turns over, exactly");
+    out.number("tumble_between", truth.at.size() > 1 ? truth.at[1] - truth.at[0] : 0, "s",
+               "from flip to flip, exactly");
     out.number("tumble_seconds", seconds, "s", "length of the run");
     out.number("tumble_spin", settings.spin, "rad/s", "spin about the middle axis");
     out.number("tumble_tilt", settings.tilt, "rad/s", "spin about the other two");
@@ -70,55 +76,76 @@ void tumble(const Settings& settings, lab::Findings& out) {
         auto& run = out.table(id + ".tsv", {"t", "x", "y", "z", "energy", "momentum"});
         Flips seen;
         double energy = 1, momentum = 1, most = 1, last = 0;
-        spin_on(solver, brick, start, h, std::lround(seconds / h), [&](const RigidState<double>& s) {
-            const V w = in_body(s);
-            energy = kinetic_energy(brick, s) / E0, momentum = angular_momentum(brick, s).norm() / L0;
-            if (!is_finite(s) || !(energy < 1e6)) return false;
-            most = std::max(most, energy), last = s.t;
-            seen.see(s.t, w.y());
-            run.row({s.t, w.x(), w.y(), w.z(), energy, momentum});
-            return true;
-        });
+        spin_on(solver, brick, start, h, std::lround(seconds / h),
+                [&](const RigidState<double>& s) {
+                    const V w = in_body(s);
+                    energy = kinetic_energy(brick, s) / E0,
+                    momentum = angular_momentum(brick, s).norm() / L0;
+                    if (!is_finite(s) || !(energy < 1e6)) return false;
+                    most = std::max(most, energy), last = s.t;
+                    seen.see(s.t, w.y());
+                    run.row({s.t, w.x(), w.y(), w.z(), energy, momentum});
+                    return true;
+                });
         const double about = momentum * momentum / energy * (L0 * L0 / E0 / 2);  // L²/2E, a moment
         const bool burst = last < seconds - h;
-        std::printf("  %-25s turns over at %s s; energy left %s\n", solver.name, words(seen.at).c_str(),
-                    burst ? words("more than a million, after %.2f s", last + h).c_str() : words("%.4g", energy).c_str());
+        std::printf("  %-25s turns over at %s s; energy left %s\n", solver.name,
+                    words(seen.at).c_str(),
+                    burst ? words("more than a million, after %.2f s", last + h).c_str()
+                          : words("%.4g", energy).c_str());
         flips.row({std::string(solver.name), words(seen.at),
                    burst ? words("blown up after %.2f s", last + h) : words("%.3g", energy),
                    burst ? std::string("–") : words("%.3g", momentum)});
         if (!burst) {
             out.number(id + "_energy", energy, "", "energy left over that at the start");
-            out.number(id + "_momentum", momentum, "", "angular momentum left over that at the start");
+            out.number(id + "_momentum", momentum, "",
+                       "angular momentum left over that at the start");
         }
-        out.number(id + "_moment", about, "kg m²", "L²/2E at the end: the moment about which it turns");
-        if (!seen.at.empty()) out.number(id + "_first", seen.at[0], "s", "when the box first turns over");
+        out.number(id + "_moment", about, "kg m²",
+                   "L²/2E at the end: the moment about which it turns");
+        if (!seen.at.empty())
+            out.number(id + "_first", seen.at[0], "s", "when the box first turns over");
         const std::string k = key(solver);
         if (k == "explicit") {
             double burst_at = -1;
-            spin_on(solver, brick, start, h, std::lround(120 / h), [&](const RigidState<double>& s) {
-                if (!(kinetic_energy(brick, s) < 1e6 * E0)) burst_at = s.t;
-                return burst_at < 0;
-            });
-            out.number("tumble_blow_up", burst_at, "s", "until explicit has a million times the energy");
-            out.check("tumble_explicit", energy > 1.2 && burst_at > 0, "explicit gains a fifth and more within the run, and a millionfold later");
+            spin_on(solver, brick, start, h, std::lround(120 / h),
+                    [&](const RigidState<double>& s) {
+                        if (!(kinetic_energy(brick, s) < 1e6 * E0)) burst_at = s.t;
+                        return burst_at < 0;
+                    });
+            out.number("tumble_blow_up", burst_at, "s",
+                       "until explicit has a million times the energy");
+            out.check("tumble_explicit", energy > 1.2 && burst_at > 0,
+                      "explicit gains a fifth and more within the run, and a millionfold later");
         } else if (k == "dropped") {
-            out.check("tumble_dropped", seen.at.empty(), "without the term the box never turns over");
+            out.check("tumble_dropped", seen.at.empty(),
+                      "without the term the box never turns over");
         } else if (k == "implicit" || k == "passive" || k == "converged") {
-            out.check(id, turns && !seen.at.empty() && energy < 1 && most < 1 + 1e-9, "the box turns over, and its energy sinks");
-            // The first flip comes when the tilt has grown to the spin: order one, so some h|ω| off.
-            out.check(id + "_time", turns && std::fabs(seen.at[0] / truth.at[0] - 1) < h * settings.spin,
+            out.check(id, turns && !seen.at.empty() && energy < 1 && most < 1 + 1e-9,
+                      "the box turns over, and its energy sinks");
+            // The first flip comes when the tilt has grown to the spin: order one, so some h|ω|
+            // off.
+            out.check(id + "_time",
+                      turns && std::fabs(seen.at[0] / truth.at[0] - 1) < h * settings.spin,
                       "the first flip is off by no more than the share h|ω|");
             const bool all = truth.at.size() > 1 && seen.at.size() == truth.at.size();
             double off = 0;
-            for (std::size_t i = 0; all && i < seen.at.size(); ++i) off = std::max(off, std::fabs(seen.at[i] - truth.at[i]));
+            for (std::size_t i = 0; all && i < seen.at.size(); ++i)
+                off = std::max(off, std::fabs(seen.at[i] - truth.at[i]));
             if (k == "implicit") {
                 out.number("tumble_implicit_off", off, "s", "the largest error of its flips", 2);
-                out.check("tumble_implicit_keeps_time", all && off < 0.05 * truth.at[1], "one iteration has all flips, each within a twentieth of the time between");
+                out.check(
+                    "tumble_implicit_keeps_time", all && off < 0.05 * truth.at[1],
+                    "one iteration has all flips, each within a twentieth of the time between");
             }
             if (k == "passive") {
-                out.number("tumble_passive_flips", double(seen.at.size()), "", "how often the passive step turns over");
-                out.number("tumble_exact_flips", double(truth.at.size()), "", "how often the box turns over, exactly");
-                out.check("tumble_passive_hurries", seen.at.size() > 2 * truth.at.size(), "with the passive step the box turns over more than twice as often as it should");
+                out.number("tumble_passive_flips", double(seen.at.size()), "",
+                           "how often the passive step turns over");
+                out.number("tumble_exact_flips", double(truth.at.size()), "",
+                           "how often the box turns over, exactly");
+                out.check("tumble_passive_hurries", seen.at.size() > 2 * truth.at.size(),
+                          "with the passive step the box turns over more than twice as often as it "
+                          "should");
             }
         }
     });
