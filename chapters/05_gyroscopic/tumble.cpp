@@ -34,7 +34,7 @@ std::string words(const std::vector<double>& at) {
     std::string list;
     for (std::size_t i = 0; i < at.size() && i < 4; ++i)
         list += (i ? ", " : "") + words("%.2f", at[i]);
-    return at.empty() ? "none" : list + (at.size() > 4 ? ", …" : "");
+    return at.empty() ? "no time" : list + (at.size() > 4 ? ", …" : "");
 }
 
 }  // namespace
@@ -54,10 +54,10 @@ void tumble(const Settings& settings, lab::Findings& out) {
         truth.see(i * 0.005, w.y());
         table.row({i * 0.005, w.x(), w.y(), w.z(), 1.0, 1.0});
     }
-    auto& flips =
-        out.table("flips.tsv", {"solver", "turns over at (s)", "energy left", "momentum left"});
+    auto& flips = out.table("flips.tsv", {"solver", "middle component changes sign at (s)",
+                                          "energy left", "momentum left"});
     flips.row({std::string("exact"), words(truth.at), std::string("1"), std::string("1")});
-    std::printf("  %-25s turns over at %s s\n", "exact", words(truth.at).c_str());
+    std::printf("  %-25s middle spin turns round at %s (s)\n", "exact", words(truth.at).c_str());
     const bool turns = !truth.at.empty();
     out.number("tumble_first", turns ? truth.at[0] : 0, "s",
                "when the box first turns over, exactly");
@@ -89,7 +89,7 @@ void tumble(const Settings& settings, lab::Findings& out) {
                 });
         const double about = momentum * momentum / energy * (L0 * L0 / E0 / 2);  // L²/2E, a moment
         const bool burst = last < seconds - h;
-        std::printf("  %-25s turns over at %s s; energy left %s\n", solver.name,
+        std::printf("  %-25s middle spin turns round at %s (s); energy left %s\n", solver.name,
                     words(seen.at).c_str(),
                     burst ? words("more than a million, after %.2f s", last + h).c_str()
                           : words("%.4g", energy).c_str());
