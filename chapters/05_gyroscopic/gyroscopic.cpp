@@ -5,7 +5,7 @@
 int main(int argc, char** argv) {
     Settings settings;
     lab::Program program("gyroscopic", "bodies spin and tumble; which solver tells the truth?");
-    const lab::Rule step{[](double h) { return h > 0 && h <= 0.1; }, "above zero and at most 0.1"};
+    const lab::Rule step{[](double h) { return h >= 0.004 && h <= 0.1; }, "from 0.004 to 0.1"};
     const lab::Rule spin{[](double w) { return w >= 1 && w <= 100; }, "from 1 to 100"};
     const lab::Rule tilt{[](double w) { return w > 0 && w <= 1; }, "above zero and at most 1"};
     program.option("--step", settings.step, step, "time step, s");
