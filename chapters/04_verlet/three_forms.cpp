@@ -73,8 +73,8 @@ void three_forms(const Settings&, lab::Findings& out) {
         "  leapfrog and velocity Verlet by %.1e m\n",
         steps, a, b);
     out.number("forms_steps", double(steps), "", "steps of the three forms");
-    out.number("forms_plain", a, "m", "plain against velocity Verlet", 2);
-    out.number("forms_leapfrog", b, "m", "leapfrog against velocity Verlet", 2);
+    out.number("forms_plain", a, "rad", "plain against velocity Verlet", 2);
+    out.number("forms_leapfrog", b, "rad", "leapfrog against velocity Verlet", 2);
     // An error δ of the phase of a pendulum grows like n, since its period depends on its swing:
     // δ/sin θ in the amplitude changes θ by at most as much, in each of the steps that follow: n²/2
     // δ in all, here with δ = 4ε.

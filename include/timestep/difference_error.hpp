@@ -23,7 +23,8 @@ double error_bound(const Formula&, double h, double noise, double next) {
 /// [bound]
 
 /// The step at which `error_bound` is smallest. Its two parts are C hᵖ and G δ/h; the derivative
-/// p C hᵖ⁻¹ − G δ/h² vanishes at hᵖ⁺¹ = G δ/(p C). Infinite where `next` is zero.
+/// p C hᵖ⁻¹ − G δ/h² vanishes at hᵖ⁺¹ = G δ/(p C). Infinite where `next` is zero and
+/// the noise is not.
 /// [best_step]
 template <class Formula>
 double best_step(const Formula&, double noise, double next) {

@@ -39,9 +39,9 @@ public:
         for (; owed_ >= step_ && count < most_steps_; ++count) {
             simulate(step_);
             owed_ -= step_;
+            ++steps_;  // each step sees its own number, whatever the frame
         }
         if (owed_ >= step_) drop_whole_steps();
-        steps_ += count;
         return count;
     }
     /// [frame]
@@ -49,7 +49,7 @@ public:
     /// How far the player's clock is past the last step, as a part of a step: from 0, below 1.
     Real alpha() const { return owed_ / step_; }
 
-    /// Steps taken since the start.
+    /// Steps taken since the start; inside `simulate`, those before this one.
     long steps() const { return steps_; }
 
     /// The simulated time, s. Counted, not added up: `steps() * step` is rounded once (twice when

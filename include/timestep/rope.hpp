@@ -35,9 +35,11 @@ public:
         before_ = now_;
     }
 
-    /// One step of length h, the same in every step: Verlet, and `sweeps` times all links.
+    /// One step of length h, the same in every step: Verlet, and `sweeps` times all links. Throws
+    /// `std::invalid_argument`.
     /// [step]
     void step(Real h, int sweeps) {
+        positive("step", h), not_negative("sweeps", Real(sweeps));
         for (std::size_t i = 1; i < now_.size(); ++i) {
             const State<X> next = verlet.step(gravity_, before_[i], now_[i], h);
             before_[i] = now_[i];

@@ -228,3 +228,19 @@ TEST_CASE("a game loop refuses what cannot be", "[I02][ch2]") {
     CHECK(loop.frame(0.25, nothing) == 2);  // a refused frame has left no trace
     CHECK(loop.frame(0, nothing) == 0);
 }
+
+// A replay asks the loop for the number of the step that it is about to take.
+TEST_CASE("each step sees its own number and time, whatever the frames", "[I02][ch2]") {
+    for (const auto& frames : frame_rates<double>()) {
+        GameLoop loop(1.0 / 120, 1000);
+        long wanted = 0;
+        bool own = true;
+        for (const double frame : frames)
+            loop.frame(frame, [&](double h) {
+                own = own && loop.steps() == wanted && loop.time() == double(wanted) * h;
+                ++wanted;
+            });
+        CHECK(own);
+        CHECK(loop.steps() == wanted);
+    }
+}

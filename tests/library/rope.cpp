@@ -36,6 +36,11 @@ TEST_CASE("a rope refuses links that make no sense", "[library]") {
         Message("length of the direction = 0: must be finite and greater than zero"));
     CHECK_THROWS_MATCHES(Rope(Vector2d(NAN, 0), Vector2d(0, -1), 3, 0.1, gravity),
                          std::invalid_argument, Message("top: must be a finite place"));
+    Rope rope(Vector2d(0, 0), Vector2d(0, -1), 3, 0.1, gravity);
+    CHECK_THROWS_MATCHES(rope.step(-1, 1), std::invalid_argument,
+                         Message("step = -1: must be finite and greater than zero"));
+    CHECK_THROWS_MATCHES(rope.step(0.1, -3), std::invalid_argument,
+                         Message("sweeps = -3: must be finite and zero or more"));
 }
 
 TEST_CASE("a rope pointed by any vector has links of its length", "[library]") {

@@ -108,6 +108,8 @@ struct SymmetricInertia {
 /// of a ton, in `float` too.
 template <class Real>
 struct PrincipalInertia {
+    static_assert(!std::is_integral_v<Real>,
+                  "timestep: parameters are real numbers: write 1.0 instead of 1");
     using Scalar = Real;                       ///< the real number type
     static constexpr bool gyroscopic = true;  ///< has the body a gyroscopic torque at all?
     Vector3<Real> moments;                    ///< I₁, I₂, I₃, kg m²
