@@ -29,18 +29,19 @@ struct PassiveGyroscopic {
     /// [step]
     template <class Real>
     TIMESTEP_INLINE
-    Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const {
+    Vector3<Real> step(const PrincipalInertia<Real>& inertia,
+                       const Vector3<Real>& omega, Real h) const {
         const Vector3<Real>& J = inertia.unit;
         const Vector3<Real> a = h * inertia.ratio;
         const Vector3<Real> l = h * J.cwiseProduct(omega);
         const Real x = omega.x(), y = omega.y(), z = omega.z();
-        const Real share =
-            1 / (1 + (J.x() * l.x() * l.x() + J.y() * l.y() * l.y() + J.z() * l.z() * l.z()));
+        const Real share = 1 / (1 + (J.x() * l.x() * l.x() + J.y() * l.y() * l.y() +
+                                     J.z() * l.z() * l.z()));
         const Real l_l = l.dot(l);
-        return Vector3<Real>(share * x - a.x() * y * (share * z) + l_l * J.x() * (share * x),
-                             share * y - a.y() * z * (share * x) + l_l * J.y() * (share * y),
-                             share * z - a.z() * x * (share * y) + l_l * J.z() * (share * z));
+        return Vector3<Real>(
+            share * x - a.x() * y * (share * z) + l_l * J.x() * (share * x),
+            share * y - a.y() * z * (share * x) + l_l * J.y() * (share * y),
+            share * z - a.z() * x * (share * y) + l_l * J.z() * (share * z));
     }
     /// [step]
 

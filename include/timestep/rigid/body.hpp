@@ -41,9 +41,9 @@ Real kinetic_energy(const Inertia& inertia, const RigidState<Real>& s) {
 /// [gyroscopic]
 template <class Gyroscopic, class Inertia, class Real>
 TIMESTEP_INLINE
-Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver, const Inertia& inertia,
-                                      const Matrix3<Real>& R, const Vector3<Real>& omega,
-                                      Real h) {
+Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
+                                      const Inertia& inertia, const Matrix3<Real>& R,
+                                      const Vector3<Real>& omega, Real h) {
     if constexpr (!Inertia::gyroscopic) {
         return omega;
     } else {
@@ -82,8 +82,8 @@ RigidState<Real> turn(const Gyroscopic& solver, const Inertia& inertia, const Ri
 /// One step of `h` seconds under a torque in world coordinates, N m.
 /// [driven]
 template <class Gyroscopic, class Inertia, class Real>
-RigidState<Real> turn(const Gyroscopic& solver, const Inertia& inertia, const RigidState<Real>& s1,
-                      const Vector3<Real>& torque, Real h) {
+RigidState<Real> turn(const Gyroscopic& solver, const Inertia& inertia,
+                      const RigidState<Real>& s1, const Vector3<Real>& torque, Real h) {
     const Vector3<Real> push = s1.q * inertia.velocity(s1.q.conjugate() * torque);
     const Vector3<Real> driven = s1.omega + h * push;
     return turn(solver, inertia, RigidState<Real>{s1.t, s1.q, driven}, h);
