@@ -64,7 +64,10 @@ void newton(const Settings&, lab::Findings& out) {
         rounds(I, omega, sizes[k], [&](int n, double r) {
             if (n < 7) left[k][n] = std::max(r, 1e-17);
         });
-    for (int n = 0; n < 7; ++n) table.row({double(n), left[0][n], left[1][n], left[2][n]});
+    // A search that is over leaves "-", which gnuplot does not draw.
+    const auto cell = [](double r) { return std::isnan(r) ? lab::Cell("-") : lab::Cell(r); };
+    for (int n = 0; n < 7; ++n)
+        table.row({double(n), cell(left[0][n]), cell(left[1][n]), cell(left[2][n])});
     std::printf("  residual after rounds 0 to 3 at h|omega| = 0.1: %.1e %.1e %.1e %.1e\n",
                 left[0][0], left[0][1], left[0][2], left[0][3]);
     for (int n = 0; n < 3; ++n)
