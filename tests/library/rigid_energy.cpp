@@ -38,7 +38,7 @@ constexpr double sizes[] = {1e-3, 1e-2, 0.1, 0.3, 1, 2, 10, 100, 1e3, 1e4, 1e5, 
 
 // The exact step does not gain. Rounding: some ten operations a component, each of relative size ε/2,
 // added to |y₂| ≤ |y₁|; the energy is its square. 8 ε is what is promised.
-TEMPLATE_TEST_CASE("the passive step never adds energy", "[library][N51]", float, double) {
+TEMPLATE_TEST_CASE("the passive step never adds energy", "[library][N51][long]", float, double) {
     const double epsilon = std::numeric_limits<TestType>::epsilon();
     RandomInertia random(2015);
     double worst = 0;
@@ -56,7 +56,7 @@ TEMPLATE_TEST_CASE("the passive step never adds energy", "[library][N51]", float
 }
 
 TEMPLATE_TEST_CASE("implicit Euler solved to the end never adds energy, and is solved for every body",
-                   "[library][N51][N48]", float, double) {
+                   "[library][N51][N48][long]", float, double) {
     const double epsilon = std::numeric_limits<TestType>::epsilon();
     RandomInertia random(1859);
     double worst = 0, left = 0;

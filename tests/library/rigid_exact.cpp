@@ -149,7 +149,7 @@ TEST_CASE("the exact motion keeps energy and momentum, starts right and runs bac
 
 // Every order of the axes, and spins near each of them; a second integration that shares nothing
 // with the formulas.
-TEST_CASE("the exact motion agrees with an independent integration to 1e-11", "[library][N40][N42]") {
+TEST_CASE("the exact motion agrees with an independent integration to 1e-11", "[library][N40][N42][long]") {
     const double moments[3] = {1, 2, 2.8};
     int order[3] = {0, 1, 2};
     do {

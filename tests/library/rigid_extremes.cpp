@@ -66,7 +66,7 @@ TEST_CASE("a locked axis is a mask after the step, and nothing becomes strange",
 // Two million steps lose energy all the while, and two components of ω tend to zero. They must not crawl
 // along in subnormal numbers, which cost many times as much. They do not, since the state holds ω in the
 // world: back in the body its components carry the rounding of the large one. Counted, not timed.
-TEST_CASE("a spin that dies does not end in subnormal numbers", "[library]") {
+TEST_CASE("a spin that dies does not end in subnormal numbers", "[library][long]") {
     const auto I = box(1.0f, 1.0f, 2.0f, 3.0f);
     RigidState<float> s{0, Quaternion<float>(4, 3, 2, 1).normalized(), {1, 10, 0.1f}};
     long subnormal = 0;

@@ -25,7 +25,8 @@ foreach(mistake 1 2 3 4)
   endif()
 endforeach()
 
-step("tests" "${WORK}/tests/timestep_tests")
+# Those tagged [long] go over millions of bodies or steps; what they run is run by others, too.
+step("tests" "${WORK}/tests/timestep_tests" "~[long]")
 foreach(program IN LISTS programs)
   step("${program}" "${WORK}/chapters/${program}" --out "${WORK}/runs/${program}")
 endforeach()
