@@ -45,6 +45,12 @@ TEST_CASE("a spin of 1e20 or 1e-25 in float is neither lost nor infinite", "[lib
     const F after = passive_gyroscopic.step(I, huge, 1 / 60.0f);
     CHECK(after.allFinite());
     CHECK(after.norm() > 1e17f);
+    const auto pill = capsule(1.0f, 0.15f, 0.6f);
+    for (const float size : {1e14f, 1e17f, 1e20f}) {
+        const F turned = passive_gyroscopic.step(pill, F(size * F(0.3f, 0.6f, 0.7f)), 1 / 60.0f);
+        // In double, as the squares do not fit in float.
+        CHECK(std::fabs(turned.cast<double>().norm() / size / V(0.3, 0.6, 0.7).norm() - 1) < 1e-6);
+    }
     const V w = huge.cast<double>(), a = after.cast<double>();
     const V moments = I.moments.cast<double>();
     CHECK(a.cwiseAbs2().dot(moments) <= w.cwiseAbs2().dot(moments) * (1 + 8 * 1.2e-7));

@@ -55,10 +55,10 @@ struct PassiveGyroscopic {
     Vector3<Real> step(const SymmetricInertia<Real>& inertia, const Vector3<Real>& omega,
                        Real h) const {
         const Real half = h / 2 * inertia.wobble * omega.z();  // tan(θ/2)
-        const Real x = omega.x() - half * omega.y();
-        const Real y = omega.y() + half * omega.x();
         const Real share = 1 / (1 + half * half);
-        return {share * (x - half * y), share * (y + half * x), omega.z()};
+        const Real cosine = 2 * share - 1, sine = 2 * (share * half);
+        return {cosine * omega.x() - sine * omega.y(), sine * omega.x() + cosine * omega.y(),
+                omega.z()};
     }
     /// [symmetric]
 

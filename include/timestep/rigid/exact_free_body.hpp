@@ -149,6 +149,9 @@ Quaternion<Real> ExactFreeBody<Real>::about_z(const V& w, Real precession) const
 // ∫ du/(1 + ν sn²u) from 0, Legendre's third kind. Over half a period, 2K, it grows by the same.
 template <class Real>
 Real ExactFreeBody<Real>::third_integral(const Elliptic<Real>& f, Real u) const {
+    // On the separatrix itself sn is tanh u and the integral elementary.
+    if (m1_ == 0)
+        return (u + std::sqrt(nu_) * std::atan(std::sqrt(nu_) * f.sn)) / (1 + nu_);
     const Real halves = m1_ > 0 ? std::round(u / (2 * quarter_period_)) : Real(0);
     const Real sn = std::fmod(halves, Real(2)) == 0 ? f.sn : -f.sn;
     const Real c = f.cn * f.cn, d = f.dn * f.dn;
