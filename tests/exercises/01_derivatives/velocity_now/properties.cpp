@@ -1,0 +1,47 @@
+#include "velocity_now.hpp"
+
+#include "property.hpp"
+
+EXERCISE(velocity_now);
+
+PROPERTY("a body at rest has velocity zero, wherever it is") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double x = draw.real(-10, 10), h = draw.log(1e-3, 1);
+        REQUIRE(close(learner(x, x, x, h), 0, 0, 1e-14 / h));
+    }
+}
+
+// Roundoff: weights 3, 4 and 1 over 2h, each position rounded by half an epsilon of its size.
+PROPERTY("a constant velocity comes out exactly, for any step") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double x = draw.real(-10, 10), v = draw.real(-10, 10), h = draw.log(1e-3, 1);
+        REQUIRE(close(learner(x - 2 * v * h, x - v * h, x, h), v, 0, 1e-14 * (10 + 20 * h) / h));
+    }
+}
+
+PROPERTY("a constant acceleration gives exactly the velocity at the newest frame") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double x = draw.real(-5, 5), v = draw.real(-5, 5), a = draw.real(-9, 9);
+        const double h = draw.log(1e-2, 1);
+        const auto at = [&](double t) { return x + v * t + a * t * t / 2; };
+        REQUIRE(close(learner(at(-2 * h), at(-h), x, h), v, 0, 1e-14 * 40 / h));
+    }
+}
+
+PROPERTY("the error on a smooth motion falls as the square of the step") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        // The error begins with h² x‴/3; at these phases the third derivative is not small.
+        const double omega = draw.real(1, 3), phase = draw.real(-0.5, 0.5);
+        const auto error = [&](double h) {
+            const auto at = [&](double t) { return std::sin(omega * t + phase); };
+            return std::fabs(learner(at(-2 * h), at(-h), at(0), h) - omega * std::cos(phase));
+        };
+        const double measured = order(error(0.01 / omega), error(0.005 / omega));
+        REQUIRE(measured > 1.9);
+        REQUIRE(measured < 2.1);
+    }
+}

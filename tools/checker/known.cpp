@@ -1,0 +1,39 @@
+// What is known of the exercises: filled by sources that the build writes, before main.
+
+#include <map>
+
+#include "self_test.hpp"
+
+namespace checker {
+
+namespace {
+
+std::map<std::string, std::vector<Mistake>>& mistakes() {
+    static std::map<std::string, std::vector<Mistake>> known;
+    return known;
+}
+
+std::map<std::string, Variants>& variants() {
+    static std::map<std::string, Variants> known;
+    return known;
+}
+
+}  // namespace
+
+bool know(const std::string& exercise, std::vector<Mistake> list) {
+    return mistakes().emplace(exercise, std::move(list)).second;
+}
+
+const std::vector<Mistake>& mistakes_of(const std::string& exercise) {
+    return mistakes()[exercise];
+}
+
+bool know_variants(const std::string& exercise, Variants list) {
+    return variants().emplace(exercise, std::move(list)).second;
+}
+
+const Variants& variants_of(const std::string& exercise) {
+    return variants()[exercise];
+}
+
+}  // namespace checker

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// Fixed-size vectors, matrices (column by column) and quaternions (x, y, z, w) as rows of numbers.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "numbers.hpp"
+
+namespace checker {
+
+template <class T, int rows, int columns, int... rest>
+    requires(rows > 0 && columns > 0)
+struct Wire<Eigen::Matrix<T, rows, columns, rest...>> {
+    using Matrix = Eigen::Matrix<T, rows, columns, rest...>;
+    static void put(Numbers& numbers, const Matrix& values) {
+        for (int j = 0; j < columns; ++j)
+            for (int i = 0; i < rows; ++i) Wire<T>::put(numbers, values(i, j));
+    }
+    static Matrix take(Reader& reader) {
+        Matrix values;
+        for (int j = 0; j < columns; ++j)
+            for (int i = 0; i < rows; ++i) values(i, j) = Wire<T>::take(reader);
+        return values;
+    }
+};
+
+template <class T>
+struct Wire<Eigen::Quaternion<T>> {
+    using Coefficients = Eigen::Matrix<T, 4, 1>;
+    static void put(Numbers& numbers, const Eigen::Quaternion<T>& q) {
+        Wire<Coefficients>::put(numbers, q.coeffs());
+    }
+    static Eigen::Quaternion<T> take(Reader& reader) {
+        return Eigen::Quaternion<T>(Wire<Coefficients>::take(reader));
+    }
+};
+
+}  // namespace checker

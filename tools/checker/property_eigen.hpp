@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// Properties of vectors, matrices and rotations.
+
+#include <Eigen/Geometry>
+
+#include "numbers_eigen.hpp"
+#include "property.hpp"
+
+namespace checker {
+
+/// Components uniform in [low, high).
+inline Eigen::Vector3d draw_vector(Draw& draw, double low, double high) {
+    const double x = draw.real(low, high), y = draw.real(low, high), z = draw.real(low, high);
+    return {x, y, z};
+}
+
+/// A unit vector.
+Eigen::Vector3d draw_direction(Draw& draw);
+
+/// A rotation, about any axis by any angle.
+Eigen::Quaterniond draw_rotation(Draw& draw);
+
+/// Principal moments of inertia that a body can have (none exceeds the sum of the others), the
+/// largest at most `ratio` times the least, kg m².
+Eigen::Vector3d draw_moments(Draw& draw, double ratio);
+
+/// Do two vectors, matrices or the like agree to `relative` of the larger, or to `absolute`?
+template <class A, class B>
+bool close(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b, double relative,
+           double absolute = 0) {
+    return (a - b).norm() <= std::max(relative * std::max(a.norm(), b.norm()), absolute);
+}
+
+}  // namespace checker
+
+using checker::draw_direction, checker::draw_moments, checker::draw_rotation, checker::draw_vector;

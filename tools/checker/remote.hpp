@@ -1,0 +1,49 @@
+#pragma once
+/// \file
+/// The tests' end of the pipes.
+
+#include <cstdint>
+#include <string>
+
+#include <sys/types.h>
+
+#include "ended.hpp"
+#include "numbers.hpp"
+
+namespace checker {
+
+/// How much a worker may take.
+struct Limits {
+    double call_seconds = 2;    ///< for one answer
+    double total_seconds = 10;  ///< for all of them
+    std::size_t megabytes = 1024;
+    std::size_t printed_bytes = 1 << 20;
+};
+
+/// A worker with the learner's code, in a process and a process group of its own. What it prints goes to
+/// a file.
+class Remote {
+public:
+    /// Starts `program`; the file `printed` gets what it prints.
+    Remote(const std::string& program, const std::string& printed, const Limits& limits = {});
+    ~Remote();
+    Remote(const Remote&) = delete;
+    Remote& operator=(const Remote&) = delete;
+
+    /// What the learner's code answers. Throws Ended where it does not.
+    Numbers operator()(const Numbers& arguments);
+
+private:
+    void receive(void* to, std::size_t size, double deadline);
+    [[noreturn]] void gone();
+    void end();
+
+    Limits limits_;
+    std::string program_;
+    pid_t process_ = -1;
+    int calls_ = -1, answers_ = -1;
+    std::uint64_t number_;  // of the last call
+    double begin_;
+};
+
+}  // namespace checker

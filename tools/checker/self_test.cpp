@@ -1,0 +1,61 @@
+// Tests the tests of one exercise: what is not started, what is right and what is wrong must be told
+// apart, whatever the seed.
+//
+//     self_test EXERCISE
+
+#include <cstdio>
+#include <string>
+
+#include "self_test.hpp"
+#include "session.hpp"
+
+namespace checker {
+
+namespace {
+
+int failures = 0;
+
+void expect(const std::string& variant, std::uint64_t seed, const Verdict& verdict, Kind kind,
+            const std::string& misconception) {
+    const bool as_expected = misconception.empty()
+                                 ? verdict.kind == kind
+                                 : (verdict.kind == Kind::wrong || verdict.kind == Kind::not_finite) &&
+                                       verdict.misconception == misconception;
+    if (as_expected) return;
+    ++failures;
+    std::printf("%s, seed %llu: must be %s %s, but is %s %s\n", variant.c_str(),
+                static_cast<unsigned long long>(seed),
+                misconception.empty() ? name_of(kind) : "wrong:", misconception.c_str(),
+                name_of(verdict.kind), verdict.misconception.c_str());
+    if (!verdict.property.empty()) std::printf("  the property: %s\n", verdict.property.c_str());
+    for (const double x : verdict.last.arguments) std::printf("  %.17g", x);
+    std::printf("  gives");
+    for (const double x : verdict.last.result) std::printf("  %.17g", x);
+    std::printf("\n  %s\n", verdict.detail.c_str());
+}
+
+void test(const std::string& exercise) {
+    const Variants& all = variants_of(exercise);
+    expect("the stub", 1, session().check(exercise, all.stub, 1), Kind::not_started, "");
+    for (const auto& [name, answer] : all.correct)
+        for (std::uint64_t seed = 1; seed <= 200; ++seed)
+            expect(name, seed, session().check(exercise, answer, seed), Kind::pass, "");
+    for (const auto& [name, answer] : mistakes_of(exercise))
+        for (std::uint64_t seed = 1; seed <= 20; ++seed)
+            expect(name, seed, session().check(exercise, answer, seed), Kind::wrong, name);
+    std::printf("%s: %zu right answers, 200 seeds each; %zu mistakes, 20 seeds each\n", exercise.c_str(),
+                all.correct.size(), mistakes_of(exercise).size());
+}
+
+}  // namespace
+
+}  // namespace checker
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "self_test: takes EXERCISE\n");
+        return 2;
+    }
+    checker::test(argv[1]);
+    return checker::failures == 0 ? 0 : 1;
+}

@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// The answers that the tests of an exercise are tested with.
+
+#include <string>
+#include <vector>
+
+#include "session.hpp"
+
+namespace checker {
+
+/// Beside the mistakes, which the learner's tests know too.
+struct Variants {
+    Answer stub;
+    std::vector<Mistake> correct;  ///< the solution, and others written differently
+};
+
+/// Filled before main.
+bool know_variants(const std::string& exercise, Variants variants);
+const Variants& variants_of(const std::string& exercise);
+
+}  // namespace checker
