@@ -3,6 +3,7 @@
 /// An answer to an exercise, seen from outside: numbers in, numbers out, wherever it runs.
 
 #include <functional>
+#include <string>
 #include <tuple>
 #include <type_traits>
 
@@ -26,25 +27,64 @@ Answer answer_of(R (*function)(Args...)) {
     };
 }
 
-/// An Answer as an ordinary typed function: `Typed<double(double, double)> f; f(1, 2)`.
+/// Calls as people write them, of functions of one type: "(1, 2)" and "3".
+struct Spoken {
+    std::string (*arguments)(const Numbers&);
+    std::string (*result)(const Numbers&);
+    bool (*is_result)(const Numbers&);  ///< has it as many numbers as its type demands?
+};
+
+template <class Signature>
+struct SpokenOf;
+
+template <class R, class... Args>
+struct SpokenOf<R(Args...)> {
+    static std::string arguments(const Numbers& numbers) {
+        Reader reader(numbers);
+        std::string row;
+        const auto add = [&](const std::string& argument) {
+            if (!row.empty()) row += ", ";
+            row += argument;
+        };
+        (add(Wire<std::decay_t<Args>>::show(reader)), ...);
+        return "(" + row + ")";
+    }
+    static std::string result(const Numbers& numbers) {
+        Reader reader(numbers);
+        return Wire<std::decay_t<R>>::show(reader);
+    }
+    static bool is_result(const Numbers& numbers) {
+        try {
+            Reader reader(numbers);
+            Wire<std::decay_t<R>>::take(reader);
+            return reader.left() == 0;
+        } catch (const Malformed&) {
+            return false;
+        }
+    }
+    static constexpr Spoken spoken{arguments, result, is_result};
+};
+
+/// A function of numbers as an ordinary typed function: `Typed<double(double, double)> f(g); f(1, 2)`.
 template <class Signature>
 class Typed;
 
 template <class R, class... Args>
 class Typed<R(Args...)> {
 public:
-    explicit Typed(Answer answer) : answer_(std::move(answer)) {}
+    using Call = Numbers (*)(const Numbers&, const Spoken&);
+    explicit Typed(Call call) : call_(call) {}
 
     std::decay_t<R> operator()(const std::decay_t<Args>&... arguments) const {
         Numbers numbers;
         (Wire<std::decay_t<Args>>::put(numbers, arguments), ...);
-        const Numbers result = answer_(numbers);
+        const Numbers result = call_(numbers, SpokenOf<R(Args...)>::spoken);
         Reader reader(result);
         return Wire<std::decay_t<R>>::take(reader);
     }
 
 private:
-    Answer answer_;
+    Call call_;
 };
 
 }  // namespace checker

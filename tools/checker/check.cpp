@@ -1,13 +1,14 @@
 // The hidden tests' program: checks a worker with a learner's code.
 //
-//     check EXERCISE WORKER SEED PRINTED
+//     check EXERCISE WORKER [SEED [PRINTED]]
 //
+// with inputs drawn from SEED (none given: anew), what the learner's code prints left in the file PRINTED. It
 // prints lines  key<TAB>value, which ./course check puts into words. Exit status 0 when the answer is
 // right, 1 when it is not, 2 for wrong use.
 
 #include <charconv>
 #include <cstdio>
-#include <cstring>
+#include <random>
 #include <string>
 
 #include "remote.hpp"
@@ -16,29 +17,34 @@
 int main(int argc, char** argv) {
     using namespace checker;
     std::uint64_t seed = 0;
-    if (argc != 5) {
-        std::fprintf(stderr, "check: takes EXERCISE WORKER SEED PRINTED\n");
+    if (argc < 3 || argc > 5) {
+        std::fprintf(stderr, "check: takes EXERCISE WORKER [SEED [PRINTED]]\n");
         return 2;
     }
-    const char* const end = argv[3] + std::strlen(argv[3]);
-    if (const auto read = std::from_chars(argv[3], end, seed); read.ec != std::errc() || read.ptr != end) {
-        std::fprintf(stderr, "check: the seed '%s' is no whole number from 0\n", argv[3]);
+    const std::string word = argc > 3 ? argv[3] : std::to_string(std::random_device{}());
+    const char* const end = word.data() + word.size();
+    if (const auto read = std::from_chars(word.data(), end, seed);
+        read.ec != std::errc() || read.ptr != end) {
+        std::fprintf(stderr, "check: the seed '%s' is no whole number from 0\n", word.c_str());
         return 2;
     }
     Verdict verdict;
     try {
-        Remote remote(argv[2], argv[4]);
+        Remote remote(argv[2], argc > 4 ? argv[4] : "/dev/null");
         verdict = session().check(argv[1], std::ref(remote), seed);
     } catch (const Ended& ended) {
         verdict.kind = ended.kind;
         verdict.detail = ended.what();
     }
-    std::printf("verdict\t%s\nproperty\t%s\nmisconception\t%s\ndetail\t%s\n", name_of(verdict.kind),
-                verdict.property.c_str(), verdict.misconception.c_str(), verdict.detail.c_str());
-    std::printf("arguments\t");
-    for (const double x : verdict.last.arguments) std::printf(" %.6g", x);
-    std::printf("\nresult\t");
-    for (const double x : verdict.last.result) std::printf(" %.10g", x);
-    std::printf("\n");
+    const auto say = [](const char* key, const std::string& value) {
+        std::printf("%s\t%s\n", key, value.c_str());
+    };
+    say("seed", word);
+    say("verdict", name_of(verdict.kind));
+    say("property", verdict.property);
+    say("misconception", verdict.misconception);
+    say("detail", verdict.detail);
+    say("arguments", verdict.arguments);
+    say("result", verdict.result);
     return verdict.kind == Kind::pass ? 0 : 1;
 }

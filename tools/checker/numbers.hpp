@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <concepts>
+#include <cstdio>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -38,7 +40,8 @@ private:
     std::size_t at_ = 0;
 };
 
-/// How a type becomes numbers and how it is made of them again: `put` and `take`.
+/// How a type becomes numbers, how it is made of them again, and how people read it: `put`, `take` and
+/// `show`.
 template <class T>
 struct Wire;
 
@@ -47,7 +50,24 @@ template <class T>
 struct Wire<T> {
     static void put(Numbers& numbers, T value) { numbers.push_back(static_cast<double>(value)); }
     static T take(Reader& reader) { return static_cast<T>(reader.next()); }
+    static std::string show(Reader& reader) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.10g", reader.next());
+        if constexpr (std::same_as<T, bool>) return text[0] == '0' ? "false" : "true";
+        return text;
+    }
 };
+
+/// "a, b, c" of so many values.
+template <class T>
+std::string show_row(Reader& reader, std::size_t size) {
+    std::string row;
+    for (std::size_t i = 0; i < size; ++i) {
+        if (i > 0) row += ", ";
+        row += Wire<T>::show(reader);
+    }
+    return row;
+}
 
 template <class T, std::size_t n>
 struct Wire<std::array<T, n>> {
@@ -59,6 +79,7 @@ struct Wire<std::array<T, n>> {
         for (T& value : values) value = Wire<T>::take(reader);
         return values;
     }
+    static std::string show(Reader& reader) { return "{" + show_row<T>(reader, n) + "}"; }
 };
 
 /// Its size first.
@@ -76,6 +97,9 @@ struct Wire<std::vector<T>> {
         for (double i = 0; i < size; ++i) values.push_back(Wire<T>::take(reader));
         return values;
     }
+    static std::string show(Reader& reader) {
+        return "{" + show_row<T>(reader, static_cast<std::size_t>(reader.next())) + "}";
+    }
 };
 
 template <class X>
@@ -90,6 +114,12 @@ struct Wire<timestep::State<X>> {
         const X x = Wire<X>::take(reader);
         const X v = Wire<X>::take(reader);
         return {t, x, v};
+    }
+    static std::string show(Reader& reader) {
+        std::string state = "{t " + Wire<timestep::real_of<X>>::show(reader);
+        state += ", x " + Wire<X>::show(reader);
+        state += ", v " + Wire<X>::show(reader);
+        return state + "}";
     }
 };
 

@@ -23,6 +23,15 @@ struct Wire<Eigen::Matrix<T, rows, columns, rest...>> {
             for (int i = 0; i < rows; ++i) values(i, j) = Wire<T>::take(reader);
         return values;
     }
+    /// A vector as (x, y, z); a matrix column by column, as the vectors that they are.
+    static std::string show(Reader& reader) {
+        std::string columns_shown;
+        for (int j = 0; j < columns; ++j) {
+            if (j > 0) columns_shown += ", ";
+            columns_shown += "(" + show_row<T>(reader, rows) + ")";
+        }
+        return columns == 1 ? columns_shown : "{columns " + columns_shown + "}";
+    }
 };
 
 template <class T>
@@ -33,6 +42,9 @@ struct Wire<Eigen::Quaternion<T>> {
     }
     static Eigen::Quaternion<T> take(Reader& reader) {
         return Eigen::Quaternion<T>(Wire<Coefficients>::take(reader));
+    }
+    static std::string show(Reader& reader) {
+        return "{x, y, z, w " + show_row<T>(reader, 4) + "}";
     }
 };
 

@@ -26,7 +26,9 @@
 #define EXERCISE(name)                                                                        \
     static constexpr const char* exercise_tag = "[" #name "]";                                \
     static const checker::Typed<decltype(::name)> learner(                                    \
-        [](const checker::Numbers& arguments) { return checker::session().call(arguments); })
+        [](const checker::Numbers& arguments, const checker::Spoken& spoken) {                \
+            return checker::session().call(arguments, spoken);                                \
+        })
 
 /// A property that every right answer has. They are looked at from top to bottom; the learner is
 /// told the first that does not hold.

@@ -28,10 +28,8 @@ void expect(const std::string& variant, std::uint64_t seed, const Verdict& verdi
                 misconception.empty() ? name_of(kind) : "wrong:", misconception.c_str(),
                 name_of(verdict.kind), verdict.misconception.c_str());
     if (!verdict.property.empty()) std::printf("  the property: %s\n", verdict.property.c_str());
-    for (const double x : verdict.last.arguments) std::printf("  %.17g", x);
-    std::printf("  gives");
-    for (const double x : verdict.last.result) std::printf("  %.17g", x);
-    std::printf("\n  %s\n", verdict.detail.c_str());
+    std::printf("  %s gives %s  %s\n", verdict.arguments.c_str(), verdict.result.c_str(),
+                verdict.detail.c_str());
 }
 
 void test(const std::string& exercise) {

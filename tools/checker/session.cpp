@@ -53,6 +53,8 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
     calls_.clear();
     ended_.reset();
     verdict_ = {};
+    last_ = {};
+    spoken_ = nullptr;
 
     Catch::ConfigData config;
     config.testsOrTags = {"[" + exercise + "]"};
@@ -70,15 +72,20 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
     }
     if (verdict_.kind == Kind::wrong || verdict_.kind == Kind::not_finite)
         verdict_.misconception = diagnose(exercise);
+    if (spoken_) {
+        verdict_.arguments = spoken_->arguments(last_.arguments);
+        if (!last_.result.empty()) verdict_.result = spoken_->result(last_.result);
+    }
     return verdict_;
 }
 
-Numbers Session::call(const Numbers& arguments) {
+Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
     if (ended_ && ended_->kind != Kind::not_finite) throw *ended_;
+    spoken_ = &spoken;
     Numbers result;
     const auto end = [&](const Ended& ended) {
         ended_ = ended;
-        if (verdict_.kind == Kind::pass) verdict_.last = {arguments, {}};
+        if (verdict_.kind == Kind::pass) last_ = {arguments, {}};
         throw ended;
     };
     try {
@@ -87,11 +94,10 @@ Numbers Session::call(const Numbers& arguments) {
         end(ended);
     } catch (const exercise::NotStarted&) {
         end(Ended(Kind::not_started, ""));
-    } catch (const Malformed& error) {
-        end(Ended(Kind::left_early, error.what()));
     }
+    if (!spoken.is_result(result)) end(Ended(Kind::left_early, "it answered with what is no answer"));
     if (calls_.size() < 100'000) calls_.push_back({arguments, result});
-    if (verdict_.kind == Kind::pass) verdict_.last = {arguments, result};
+    if (verdict_.kind == Kind::pass) last_ = {arguments, result};
     if (!std::all_of(result.begin(), result.end(), [](double x) { return std::isfinite(x); })) {
         if (!ended_ && verdict_.kind == Kind::pass) ended_ = Ended(Kind::not_finite, "");
         throw Ended(Kind::not_finite, "");

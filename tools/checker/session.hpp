@@ -29,7 +29,8 @@ struct Verdict {
     std::string property;       ///< the first that does not hold
     std::string misconception;  ///< the mistake that would have answered just so
     std::string detail;         ///< what is known of a crash and the like
-    Call last;                  ///< the last call before the property broke
+    std::string arguments;      ///< of the last call before the property broke: "(1, 2)"
+    std::string result;         ///< what it returned, if it did
 };
 
 /// The check that is going on. There is one at a time, because Catch2's tests are global.
@@ -39,7 +40,7 @@ public:
     Verdict check(const std::string& exercise, const Answer& answer, std::uint64_t seed);
 
     /// Calls the answer under check. Throws Ended where it gives none, or one that is not finite.
-    Numbers call(const Numbers& arguments);
+    Numbers call(const Numbers& arguments, const Spoken& spoken);
     /// A property has been looked at; `holds` it?
     void looked_at(const std::string& property, bool holds);
 
@@ -51,6 +52,8 @@ private:
     Answer answer_;
     std::uint64_t seed_ = 0;
     std::vector<Call> calls_;
+    const Spoken* spoken_ = nullptr;
+    Call last_;                   // before the first property broke
     std::optional<Ended> ended_;  // no use in calling again
     Verdict verdict_;
 };

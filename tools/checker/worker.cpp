@@ -26,6 +26,9 @@ void reply(Reply kind, const void* data, std::size_t bytes) {
 extern "C" void crashed(int signal) {
     void* trace[64];
     const int size = backtrace(trace, 64);
+    // Behind this handler and its trampoline comes the place of the crash; the others are where calls
+    // return to, one line too far where a call never does.
+    for (int i = 3; i < size; ++i) trace[i] = static_cast<char*>(trace[i]) - 1;
     reply(Reply::crashed, trace, static_cast<std::size_t>(size) * sizeof(void*));
     std::signal(signal, SIG_DFL);
     std::raise(signal);

@@ -1,9 +1,12 @@
 #include "answer.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -17,7 +20,9 @@ namespace {
 
 struct Asked {
     bool yes = false, all = false, json = false, open = false;
-    std::string chapter;
+    std::string chapter, exercise, seed;
+    int rounds = 11;
+    std::optional<std::string> file;
     std::optional<std::string> out;
     std::vector<std::string> chapter_options;
 };
@@ -31,7 +36,7 @@ void declare(CLI::App& app, Asked& asked) {
     app.add_subcommand("test", "build everything and run all tests")
         ->add_flag("--all", asked.all,
                    "install all extras first; a skipped check counts as failed");
-    app.add_subcommand("list", "the chapters")
+    app.add_subcommand("list", "the chapters and the exercises")
         ->add_flag("--json", asked.json, "as JSON, for programs");
     const auto run = app.add_subcommand("run", "run one chapter: its account, data and figures");
     run->add_option("CHAPTER", asked.chapter, "number or name, as ./course list shows them")
@@ -41,6 +46,26 @@ void declare(CLI::App& app, Asked& asked) {
     run->footer(
         "What stands after -- goes to the chapter's program; its own options:\n"
         "  ./course run 3 -- --help");
+    const auto with_exercise = [&](const char* name, const char* words) {
+        const auto command = app.add_subcommand(name, words);
+        return std::pair(command, command->add_option("EXERCISE", asked.exercise,
+                                                      "name, number (1.1) or file of the exercise"));
+    };
+    const auto check = with_exercise("check", "check your answer to an exercise, or to all begun").first;
+    check->add_option("--file", asked.file, "this file's answer instead of yours, and do not count it")
+        ->type_name("FILE");
+    check->add_option("--seed", asked.seed, "draw the same inputs as the check that named this seed")
+        ->type_name("NUMBER");
+    check->add_flag("--json", asked.json, "as JSON, for programs");
+    with_exercise("watch", "check again whenever you save, and go on after a pass");
+    with_exercise("hint", "the next hint to an exercise").second->required();
+    with_exercise("solution", "the course's answer beside yours, after a pass").second->required();
+    with_exercise("reset", "make your file what it was at the beginning").second->required();
+    const auto bench = app.add_subcommand("bench", "measure");
+    bench->require_subcommand(1);
+    bench->add_subcommand("latency", "from a saved file to its verdict")
+        ->add_option("--rounds", asked.rounds, "checks of each exercise")
+        ->check(CLI::Range(1, 1000));
     app.add_subcommand("site", "bring the site up to date and say where it is")
         ->add_flag("--open", asked.open, "open it in the browser");
 }
@@ -54,6 +79,16 @@ std::string forgotten_dashes(const CLI::App& app, const Asked& asked) {
     std::string line = "./course run " + asked.chapter + " --";
     for (const auto& word : words) line += " " + word;
     return "run has no option " + words.front() + "; a chapter's own options go after --: " + line;
+}
+
+std::optional<std::uint64_t> seed_from(const std::string& word) {
+    if (word.empty()) return {};
+    std::uint64_t seed = 0;
+    const char* const end = word.data() + word.size();
+    const auto read = std::from_chars(word.data(), end, seed);
+    if (read.ec != std::errc() || read.ptr != end)
+        throw Stop(Status::bad_use, "--seed " + word + ": must be a whole number from 0 to 2^64 - 1");
+    return seed;
 }
 
 }  // namespace
@@ -85,6 +120,13 @@ Status answer(int argc, char** argv) {
     if (app.got_subcommand("test")) test(asked.all);
     if (app.got_subcommand("list")) list(asked.json);
     if (app.got_subcommand("run")) run(asked.chapter, asked.out, asked.chapter_options);
+    if (app.got_subcommand("check"))
+        check(asked.exercise, asked.file, asked.json, seed_from(asked.seed));
+    if (app.got_subcommand("watch")) watch(asked.exercise);
+    if (app.got_subcommand("hint")) hint(asked.exercise);
+    if (app.got_subcommand("solution")) solution(asked.exercise);
+    if (app.got_subcommand("reset")) reset(asked.exercise);
+    if (app.got_subcommand("bench")) bench_latency(asked.rounds);
     if (app.got_subcommand("site")) site(asked.open);
     // A full disk shows when the buffer is written out.
     if (std::fflush(stdout) != 0 || std::ferror(stdout))

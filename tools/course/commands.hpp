@@ -2,13 +2,14 @@
 /// \file
 /// What the course program can do, one function a command. Each throws Stop when it cannot.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace course {
 
-/// The chapters: for people, or as JSON for programs.
+/// The chapters and their exercises: for people, or as JSON for programs.
 void list(bool json);
 
 /// Builds everything, runs every chapter, makes the site, and closes with a table.
@@ -21,6 +22,27 @@ void test(bool strict);
 /// the build folder). `options` go to the chapter's program.
 void run(const std::string& chapter, const std::optional<std::string>& out,
          const std::vector<std::string>& options);
+
+/// Checks answers: of one exercise (`file` instead of the learner's own, which is not counted as done),
+/// or of all that have been begun. Throws Stop(wrong) where one is not right.
+void check(const std::string& exercise, const std::optional<std::string>& file, bool json,
+           const std::optional<std::uint64_t>& seed);
+
+/// Checks an exercise (none given: the first that has not been passed) whenever its file is saved, and
+/// goes on to the next after a pass.
+void watch(const std::string& exercise);
+
+/// Shows one hint more than the last time.
+void hint(const std::string& exercise);
+
+/// After a pass, the course's answer beside the learner's.
+void solution(const std::string& exercise);
+
+/// Makes the learner's file what it was at the beginning; the answer is kept.
+void reset(const std::string& exercise);
+
+/// How long it takes from a saved file to its verdict.
+void bench_latency(int rounds);
 
 /// Brings the site up to date and says where it is; `open` shows it in the browser.
 void site(bool open);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -14,11 +15,6 @@ bool continues_character(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0) == 0x80;
 }
 
-std::size_t columns() {
-    winsize size{};
-    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col : 80u;
-}
-
 // The first `width` characters.
 std::string cut(const std::string& text, std::size_t width) {
     std::size_t end = 0;
@@ -28,6 +24,11 @@ std::string cut(const std::string& text, std::size_t width) {
 }
 
 }  // namespace
+
+std::size_t columns() {
+    winsize size{};
+    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col : 80u;
+}
 
 bool on_terminal() {
     return isatty(STDOUT_FILENO) == 1;
@@ -45,6 +46,19 @@ std::size_t width_of(const std::string& text) {
 std::string padded(const std::string& text, std::size_t width) {
     const std::size_t taken = width_of(text);
     return taken < width ? text + std::string(width - taken, ' ') : text;
+}
+
+std::string wrapped(const std::string& text, std::size_t indent) {
+    std::istringstream words(text);
+    std::string lines, line;
+    for (std::string word; words >> word;) {
+        if (!line.empty() && indent + width_of(line) + 1 + width_of(word) > 80) {
+            lines += std::string(indent, ' ') + line + "\n";
+            line.clear();
+        }
+        line += (line.empty() ? "" : " ") + word;
+    }
+    return line.empty() ? lines : lines + std::string(indent, ' ') + line + "\n";
 }
 
 void Progress::say(const std::string& line) {

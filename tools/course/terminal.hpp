@@ -16,6 +16,12 @@ std::string bold(const std::string& text);
 /// `text`, padded with blanks to `width` characters (not bytes).
 std::string padded(const std::string& text, std::size_t width);
 
+/// The width of the terminal; 80 where there is none.
+std::size_t columns();
+
+/// `text` in lines of at most 80 characters, each after `indent` blanks and with its end.
+std::string wrapped(const std::string& text, std::size_t indent);
+
 /// Number of characters of UTF-8 text.
 std::size_t width_of(const std::string& text);
 

@@ -1,4 +1,6 @@
-#pragma once
+// A guard instead of #pragma once: compilers complain of that where a header is compiled beforehand.
+#ifndef TIMESTEP_EXERCISE_HPP
+#define TIMESTEP_EXERCISE_HPP
 /// \file
 /// What an exercise gives to the file you write: the usual standard headers, the course's states, and
 /// `not_started`.
@@ -37,3 +39,5 @@ struct Placeholder {
 
 /// Replace `return not_started;` by your answer.
 inline constexpr exercise::Placeholder not_started;
+
+#endif

@@ -1,4 +1,6 @@
-#pragma once
+// A guard instead of #pragma once: compilers complain of that where a header is compiled beforehand.
+#ifndef TIMESTEP_EXERCISE_EIGEN_HPP
+#define TIMESTEP_EXERCISE_EIGEN_HPP
 /// \file
 /// What an exercise with vectors and matrices gives to the file you write.
 
@@ -12,3 +14,5 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+
+#endif

@@ -1,0 +1,1 @@
+// velocity_now does_not_compile: The file has no function

@@ -1,0 +1,9 @@
+// velocity_now too_slow: Is there a loop that never ends?
+#include "exercise.hpp"
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    volatile bool never = false;
+    while (!never) {
+    }
+    return (3 * x2 - 4 * x1 + x0) / (2 * h);
+}

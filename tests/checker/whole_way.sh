@@ -1,0 +1,35 @@
+# An exercise the whole way:  sh whole_way.sh EXERCISE COURSE SOURCE BUILD
+exercise=$1 course=$2 source=$3 build=$4
+room=$(echo "$source"/tests/exercises/*/"$exercise")
+chapter=$(basename "$(dirname "$room")")
+export STAGE_SOURCE="$source" STAGE_BUILD="$build" STAGE_CMAKE=true STAGE_CTEST=false
+failures=0
+
+# must FILE STATUS VERDICT MISCONCEPTION
+must() {
+    said=$("$course" check "$exercise" --file "$1" --json) && status=0 || status=$?
+    [ "$status" -eq "$2" ] || { echo "$1: status $status instead of $2"; failures=1; }
+    for part in "\"exercise\":\"$exercise\"" "\"verdict\":\"$3\"" "\"misconception\":$4"; do
+        case $said in *"$part"*) ;; *) echo "$1: no $part in $said"; failures=1 ;; esac
+    done
+}
+
+stub=$build/exercises/generated/${exercise}_stub.cpp
+must "$stub" 1 not_started null
+must "$source/solutions/$chapter/$exercise.cpp" 0 pass null
+for correct in "$room"/correct_*.cpp; do
+    must "$correct" 0 pass null
+done
+for mistake in "$room"/mistake_*.cpp; do
+    name=${mistake##*/mistake_}
+    must "$mistake" 1 wrong "\"${name%.cpp}\""
+done
+
+# The file in exercises/ is the stub, unless somebody has begun to work on it.
+file=$source/exercises/$chapter/$exercise.cpp
+if grep -q 'return not_started;' "$file" && ! cmp -s "$file" "$stub"; then
+    echo "$file is not what the build makes of the solution; it should be"
+    diff "$file" "$stub"
+    failures=1
+fi
+exit $failures

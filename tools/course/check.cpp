@@ -1,0 +1,161 @@
+// course check, course watch
+
+#include <chrono>
+#include <cstdio>
+#include <random>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+#include "build.hpp"
+#include "commands.hpp"
+#include "progress.hpp"
+#include "stop.hpp"
+#include "tell.hpp"
+#include "terminal.hpp"
+
+namespace course {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::uint64_t seed_or_new(const std::optional<std::uint64_t>& seed) {
+    return seed ? *seed : std::random_device{}() % 1'000'000;
+}
+
+void bring_up_to_date() {
+    Progress progress;
+    build({"exercises"}, progress);
+}
+
+// The first exercise after this one, round the course, that is still to be done.
+std::optional<Exercise> next_after(const Exercise& exercise) {
+    const auto progress = read_progress();
+    const auto all = read_exercises();
+    std::size_t at = 0;
+    while (at < all.size() && all[at].name != exercise.name) ++at;
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        const Exercise& candidate = all[(at + i) % all.size()];
+        if (state_of(candidate, progress) != "passed") return candidate;
+    }
+    return {};
+}
+
+void remember_pass(const Exercise& exercise) {
+    auto progress = read_progress();
+    if (progress[exercise.name].passed) return;
+    progress[exercise.name].passed = true;
+    write_progress(progress);
+}
+
+// What to do next, below a verdict.
+std::string way_on(const Exercise& exercise, const Verdict& verdict) {
+    if (verdict.kind == "pass") {
+        std::string text = "\n  The course's answer beside yours:  ./course solution " + exercise.name + "\n";
+        const auto next = next_after(exercise);
+        if (next) return text + "  Next:  " + next->place() + " " + next->title + "\n         " + shown(next->file()) + "\n";
+        return text + "  That was the last one: you have passed them all.\n";
+    }
+    std::string text;
+    if (verdict.kind != "not_started" && verdict.kind != "does_not_compile")
+        text += "\n  The same numbers again:  ./course check " + exercise.name + " --seed " +
+                std::to_string(verdict.seed) + "\n";
+    return text + (text.empty() ? "\n" : "") + "  A hint, one step at a time:  ./course hint " + exercise.name + "\n";
+}
+
+// Every exercise that has been begun, in one line each, and the first that is not right in full.
+void check_all(bool json, const std::optional<std::uint64_t>& seed) {
+    const auto progress = read_progress();
+    std::string first_wrong, list;
+    int checked = 0;
+    bool course_error = false;
+    for (const auto& exercise : read_exercises()) {
+        if (state_of(exercise, progress) == "not started") continue;
+        const Verdict verdict = check_file(exercise, exercise.file(), seed_or_new(seed));
+        list += (checked++ > 0 ? ",\n " : "") + as_json(exercise, verdict);
+        course_error = course_error || verdict.kind == "course_error";
+        if (verdict.kind == "pass") remember_pass(exercise);
+        else if (first_wrong.empty())
+            first_wrong = told(exercise, verdict, exercise.file()) + way_on(exercise, verdict);
+        if (!json)
+            std::printf("%s %s\n", padded(exercise.place() + " " + exercise.name, 34).c_str(),
+                        verdict.kind == "pass" ? "✓" : ("✗ " + verdict.kind).c_str());
+    }
+    if (json)
+        std::printf("[%s]\n", list.c_str());
+    else if (checked == 0)
+        std::printf("No exercise has been begun. ./course list shows them; the first is\n  %s\n",
+                    shown(read_exercises().front().file()).c_str());
+    else
+        std::printf("\n%s", first_wrong.c_str());
+    if (!first_wrong.empty() || checked == 0) throw Stop(course_error ? Status::missing : Status::wrong, "");
+}
+
+}  // namespace
+
+void check(const std::string& name, const std::optional<std::string>& file, bool json,
+           const std::optional<std::uint64_t>& seed) {
+    if (name.empty()) {
+        if (file) throw Stop(Status::bad_use, "check --file needs the exercise that the file answers");
+        bring_up_to_date();
+        return check_all(json, seed);
+    }
+    const Exercise exercise = find_exercise(name);
+    const fs::path answer = file ? fs::path(*file) : exercise.file();
+    contents(answer);  // or one clear line, before anything is built
+    bring_up_to_date();
+    const Verdict verdict = check_file(exercise, answer, seed_or_new(seed));
+    if (verdict.kind == "pass" && !file) remember_pass(exercise);
+    if (json)
+        std::printf("%s\n", as_json(exercise, verdict).c_str());
+    else
+        std::printf("%s%s", told(exercise, verdict, answer).c_str(),
+                    file && verdict.kind == "pass" ? "" : way_on(exercise, verdict).c_str());
+    if (verdict.kind != "pass")
+        throw Stop(verdict.kind == "course_error" ? Status::missing : Status::wrong, "");
+}
+
+// Looks at the file ten times a second, which every system and every editor's way of saving can bear.
+void watch(const std::string& name) {
+    std::optional<Exercise> exercise;
+    const auto progress = read_progress();
+    if (!name.empty()) exercise = find_exercise(name);
+    else
+        for (const auto& candidate : read_exercises())
+            if (!exercise && state_of(candidate, progress) != "passed") exercise = candidate;
+    if (!exercise) {
+        std::printf("There is nothing left to watch: you have passed them all.\n");
+        return;
+    }
+    bring_up_to_date();
+    const auto saved = [](const Exercise& watched) {
+        std::error_code error;
+        return fs::last_write_time(watched.file(), error);
+    };
+    while (exercise) {
+        const auto seen = saved(*exercise);
+        if (on_terminal()) std::printf("\033[2J\033[H");
+        try {
+            const Verdict verdict = check_file(*exercise, exercise->file(), seed_or_new({}));
+            std::printf("%s%s", told(*exercise, verdict, exercise->file()).c_str(),
+                        way_on(*exercise, verdict).c_str());
+            if (verdict.kind == "pass") {
+                remember_pass(*exercise);
+                exercise = next_after(*exercise);
+                if (exercise) std::printf("\nWatching %s now; Ctrl-C ends.\n", shown(exercise->file()).c_str());
+            } else {
+                std::printf("\nWatching %s; it is checked whenever you save it; Ctrl-C ends.\n",
+                            shown(exercise->file()).c_str());
+            }
+        } catch (const Stop& stop) {  // a file that is just being saved, or is not there
+            std::printf("%s\n", stop.what());
+        }
+        std::fflush(stdout);
+        const auto before = exercise ? saved(*exercise) : seen;
+        while (exercise && saved(*exercise) == before)
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+}
+
+}  // namespace course

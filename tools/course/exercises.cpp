@@ -1,0 +1,97 @@
+#include "exercises.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <tuple>
+
+#include <nlohmann/json.hpp>
+
+#include "places.hpp"
+#include "stop.hpp"
+
+namespace course {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Exercise read_exercise(const fs::path& about) {
+    const fs::path folder = about.parent_path();
+    try {
+        const auto json = nlohmann::json::parse(contents(about));
+        Exercise exercise;
+        exercise.name = folder.filename().string();
+        exercise.chapter = folder.parent_path().filename().string();
+        exercise.number = json.at("number");
+        exercise.title = json.at("title");
+        exercise.level = json.at("level");
+        exercise.practises = json.at("practises");
+        exercise.declaration = json.at("declaration");
+        exercise.eigen = json.at("eigen");
+        exercise.hints = json.at("hints");
+        exercise.learned = json.at("learned");
+        for (const auto& [name, mistake] : json.at("mistakes").items())
+            exercise.mistakes[name] = {mistake.at("says"), mistake.at("hint")};
+        return exercise;
+    } catch (const nlohmann::json::exception& error) {
+        throw Stop(Status::bad_use, about.string() + ": " + error.what());
+    }
+}
+
+}  // namespace
+
+std::string Exercise::place() const {
+    return std::to_string(std::stoi(chapter.substr(0, 2))) + "." + std::to_string(number);
+}
+fs::path Exercise::file() const {
+    return places().source / "exercises" / chapter / (name + ".cpp");
+}
+fs::path Exercise::stub() const {
+    return places().build / "exercises/generated" / (name + "_stub.cpp");
+}
+fs::path Exercise::solution() const {
+    return places().source / "solutions" / chapter / (name + ".cpp");
+}
+
+std::vector<Exercise> read_exercises() {
+    std::vector<Exercise> exercises;
+    const fs::path all = places().source / "tests/exercises";
+    if (!fs::exists(all)) return exercises;
+    for (const auto& chapter : fs::directory_iterator(all)) {
+        if (!chapter.is_directory()) continue;
+        for (const auto& room : fs::directory_iterator(chapter))
+            if (fs::exists(room.path() / "about.json"))
+                exercises.push_back(read_exercise(room.path() / "about.json"));
+    }
+    std::sort(exercises.begin(), exercises.end(), [](const Exercise& a, const Exercise& b) {
+        return std::tie(a.chapter, a.number, a.name) < std::tie(b.chapter, b.number, b.name);
+    });
+    return exercises;
+}
+
+Exercise find_exercise(const std::string& name) {
+    std::error_code ignored;
+    const fs::path meant = fs::weakly_canonical(name, ignored);
+    for (const auto& exercise : read_exercises())
+        if (name == exercise.name || name == exercise.place() ||
+            meant == fs::weakly_canonical(exercise.file(), ignored))
+            return exercise;
+    throw Stop(Status::bad_use, "'" + name + "' is no exercise; ./course list shows them");
+}
+
+std::string contents(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (fs::is_directory(file) || !stream || !(text << stream.rdbuf(), stream.eof() || stream))
+        throw Stop(Status::bad_use, file.string() + ": cannot be read");
+    return text.str();
+}
+
+std::string shown(const fs::path& file) {
+    std::error_code ignored;
+    const fs::path here = fs::relative(file, fs::current_path(ignored), ignored);
+    return here.empty() || here.string().starts_with("..") ? file.string() : here.string();
+}
+
+}  // namespace course

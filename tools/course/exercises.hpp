@@ -1,0 +1,51 @@
+#pragma once
+/// \file
+/// The exercises, as their folders say.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace course {
+
+/// A mistake that the course knows: what it is, and the way out.
+struct Misconception {
+    std::string says, hint;
+};
+
+struct Exercise {
+    std::string name;     ///< `velocity_now`, the learner's function; unique in the course
+    std::string chapter;  ///< `01_derivatives`
+    int number = 0;       ///< its place in the chapter
+    std::string title, level, practises;
+    std::string declaration;
+    bool eigen = false;
+    std::vector<std::string> hints;
+    std::string learned;
+    std::map<std::string, Misconception> mistakes;
+
+    /// 1.1
+    std::string place() const;
+    /// The learner's file, `exercises/01_derivatives/velocity_now.cpp` in the checkout.
+    std::filesystem::path file() const;
+    /// The same, as it is before the learner has touched it.
+    std::filesystem::path stub() const;
+    /// The course's answer.
+    std::filesystem::path solution() const;
+};
+
+/// All exercises, in the order of the course. Throws Stop(bad_use) naming an about.json that cannot
+/// be used.
+std::vector<Exercise> read_exercises();
+
+/// The exercise meant by `velocity_now`, `1.1` or its file. Throws Stop(bad_use).
+Exercise find_exercise(const std::string& name);
+
+/// A whole file. Throws Stop(bad_use) where it cannot be read.
+std::string contents(const std::filesystem::path& file);
+
+/// A file's path as people type it: relative where they are inside the checkout or above it.
+std::string shown(const std::filesystem::path& file);
+
+}  // namespace course

@@ -1,0 +1,117 @@
+// course hint, course solution, course reset
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "commands.hpp"
+#include "places.hpp"
+#include "progress.hpp"
+#include "stop.hpp"
+#include "terminal.hpp"
+
+namespace course {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+// The code without the task above it and without the marks round the answer.
+std::vector<std::string> code_of(const fs::path& file) {
+    std::vector<std::string> code;
+    for (const std::string& line : lines_of(contents(file)))
+        if (line.find("// [answer]") == std::string::npos) code.push_back(line);
+    const auto begin = std::find_if(code.begin(), code.end(), [](const std::string& line) {
+        return !line.empty() && !line.starts_with("//") && !line.starts_with("#");
+    });
+    code.erase(code.begin(), begin);
+    return code;
+}
+
+}  // namespace
+
+void hint(const std::string& name) {
+    const Exercise exercise = find_exercise(name);
+    auto progress = read_progress();
+    const int known = static_cast<int>(exercise.hints.size());
+    int& shown_so_far = progress[exercise.name].hints;
+    shown_so_far = std::min(shown_so_far + 1, known);
+    write_progress(progress);
+    std::printf("%s\n", bold(exercise.place() + " " + exercise.name + ", " + exercise.title).c_str());
+    for (int i = 0; i < shown_so_far; ++i)
+        std::printf("\n  Hint %d of %d\n%s", i + 1, known,
+                    wrapped(exercise.hints[static_cast<std::size_t>(i)], 6).c_str());
+    if (shown_so_far == known)
+        std::printf("\n  There are no more hints. After a pass:  ./course solution %s\n", exercise.name.c_str());
+}
+
+void solution(const std::string& name) {
+    const Exercise exercise = find_exercise(name);
+    if (!read_progress()[exercise.name].passed)
+        throw Stop(Status::wrong, "the solution is shown when your own answer has passed:  ./course check " +
+                                      exercise.name);
+    const auto yours = code_of(exercise.file()), ours = code_of(exercise.solution());
+    std::size_t width = 8;
+    for (const auto& line : yours) width = std::max(width, width_of(line));
+    std::size_t whole = 0;
+    for (const auto& line : ours) whole = std::max(whole, width + 3 + width_of(line));
+
+    std::printf("%s\n\n", bold(exercise.place() + " " + exercise.name + ", " + exercise.title).c_str());
+    if (whole <= columns()) {
+        std::printf("%s | %s\n", padded("Yours", width).c_str(), "The course's");
+        for (std::size_t i = 0; i < std::max(yours.size(), ours.size()); ++i)
+            std::printf("%s | %s\n", padded(i < yours.size() ? yours[i] : "", width).c_str(),
+                        i < ours.size() ? ours[i].c_str() : "");
+    } else {
+        std::printf("Yours\n\n");
+        for (const auto& line : yours) std::printf("    %s\n", line.c_str());
+        std::printf("\nThe course's\n\n");
+        for (const auto& line : ours) std::printf("    %s\n", line.c_str());
+    }
+    std::printf("\n%s", wrapped(exercise.learned, 2).c_str());
+}
+
+// The old answer is kept: somebody may have meant another exercise.
+void reset(const std::string& name) {
+    const Exercise exercise = find_exercise(name);
+    const std::string stub = contents(exercise.stub());
+    auto progress = read_progress();
+    std::error_code error;
+    if (fs::exists(exercise.file(), error) && contents(exercise.file()) != stub) {
+        const fs::path kept = places().source / ".progress" / "answers";
+        fs::create_directories(kept, error);
+        fs::path copy;
+        for (int i = 1; copy.empty() || fs::exists(copy, error); ++i)
+            copy = kept / (exercise.name + "_" + std::to_string(i) + ".cpp");
+        fs::copy_file(exercise.file(), copy, error);
+        if (error) {
+            std::error_code ignored;
+            fs::remove(copy, ignored);
+            throw Stop(Status::bad_use, copy.string() + ": " + error.message() + "; nothing was reset");
+        }
+        std::printf("Your answer is kept in %s\n", shown(copy).c_str());
+    }
+    const fs::path fresh = exercise.file().string() + ".new";
+    std::ofstream out(fresh, std::ios::binary);
+    out << stub;
+    out.close();
+    if (out) fs::rename(fresh, exercise.file(), error);
+    if (!out || error) {
+        std::error_code ignored;
+        fs::remove(fresh, ignored);
+        throw Stop(Status::bad_use, exercise.file().string() + ": cannot be written");
+    }
+    progress.erase(exercise.name);
+    write_progress(progress);
+    std::printf("%s is as it was at the beginning.\n", shown(exercise.file()).c_str());
+}
+
+}  // namespace course

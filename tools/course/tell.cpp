@@ -1,0 +1,145 @@
+#include "tell.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "terminal.hpp"
+
+namespace course {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The first `most` lines, and how many there were.
+std::string head_of(const std::string& text, int most, const std::string& indent) {
+    std::istringstream lines(text);
+    std::string head;
+    int seen = 0;
+    for (std::string line; std::getline(lines, line);)
+        if (++seen <= most) head += indent + line + "\n";
+    if (seen > most) head += indent + "… and " + std::to_string(seen - most) + " more lines\n";
+    return head;
+}
+
+// What the linker says, in the words of the exercise.
+std::string of_linker(const Exercise& exercise, const std::string& said) {
+    if (said.find("undefined reference to `" + exercise.name) != std::string::npos)
+        return "  The file has no function\n      " + exercise.declaration +
+               "\n  Name and arguments must stay as they were.\n";
+    if (said.find("multiple definition of `main'") != std::string::npos)
+        return "  The file has a main of its own. The checker brings one: leave yours out.\n";
+    return {};
+}
+
+std::string does_not_compile(const Exercise& exercise, const Verdict& verdict) {
+    std::string why = of_linker(exercise, verdict.compiler);
+    if (why.empty()) why = head_of(verdict.compiler, 12, "  ");
+    return why;
+}
+
+std::string line_of(const fs::path& file, int number) {
+    std::istringstream lines(contents(file));
+    std::string line;
+    for (int i = 0; i < number; ++i) std::getline(lines, line);
+    return line;
+}
+
+std::string call(const Exercise& exercise, const Verdict& verdict) {
+    return exercise.name + verdict.arguments;
+}
+
+std::string wrong(const Exercise& exercise, const Verdict& verdict) {
+    std::string text = "  This must hold, and does not:\n" + wrapped(verdict.property, 6) + "\n";
+    if (!verdict.result.empty())
+        text += "  It was noticed after the call\n" +
+                wrapped(call(exercise, verdict) + ", which returned " + verdict.result, 6) + "\n";
+    const auto mistake = exercise.mistakes.find(verdict.misconception);
+    if (mistake != exercise.mistakes.end())
+        text += wrapped(mistake->second.says, 2) + wrapped("Hint: " + mistake->second.hint, 2);
+    else
+        text += wrapped("This is none of the usual mistakes. Work the property out by hand for the numbers "
+                        "above.", 2);
+    return text;
+}
+
+std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
+    const std::string& kind = verdict.kind;
+    if (kind == "does_not_compile") return does_not_compile(exercise, verdict);
+    if (kind == "wrong") return wrong(exercise, verdict);
+    if (kind == "not_finite") {
+        std::string text = wrapped(call(exercise, verdict) + " returned " + verdict.result + ". Every answer "
+                                   "must be a finite number.", 2);
+        const auto mistake = exercise.mistakes.find(verdict.misconception);
+        return mistake == exercise.mistakes.end()
+                   ? text
+                   : text + "\n" + wrapped(mistake->second.says, 2) + wrapped("Hint: " + mistake->second.hint, 2);
+    }
+    if (kind == "crash") {
+        std::string text = wrapped(verdict.detail + ", in the call " + call(exercise, verdict), 2);
+        if (verdict.line > 0)
+            text += "  Line " + std::to_string(verdict.line) + ":  " + line_of(file, verdict.line) + "\n";
+        return text;
+    }
+    if (kind == "too_slow")
+        return wrapped("The call " + call(exercise, verdict) + " gave no answer in time (2 s for one call, 10 s "
+                       "for all). Is there a loop that never ends?", 2);
+    if (kind == "too_much_memory")
+        return wrapped("The call " + call(exercise, verdict) + " asked for more memory than there is for an "
+                       "exercise, 1 GB.", 2);
+    if (kind == "left_early")
+        return wrapped("In the call " + call(exercise, verdict) + " the program went its own way instead of "
+                       "returning: " + verdict.detail + ".", 2);
+    return wrapped("The checker itself failed, which is not your fault: " + verdict.detail, 2);
+}
+
+std::string headline(const std::string& kind) {
+    if (kind == "does_not_compile") return "does not compile";
+    if (kind == "wrong") return "not yet";
+    if (kind == "not_finite") return "not a number";
+    if (kind == "crash") return "crashes";
+    if (kind == "too_slow") return "too slow";
+    if (kind == "too_much_memory") return "too much memory";
+    if (kind == "left_early") return "does not return";
+    return "could not be checked";
+}
+
+}  // namespace
+
+std::string told(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
+    std::string text;
+    if (verdict.kind == "not_started")
+        return bold(exercise.place() + " " + exercise.name) + ": not started\n" +
+               wrapped("Your file is " + shown(file) + ". The task stands in it; write your answer in place of "
+                       "\"return not_started;\" and check again.", 2);
+    char seconds[16];
+    std::snprintf(seconds, sizeof seconds, "%.2f s", verdict.seconds);
+    if (verdict.kind == "pass") {
+        text = bold("✓ " + exercise.place() + " " + exercise.name) + ": right  (" + seconds + ")\n\n" +
+               wrapped(exercise.learned, 2);
+    } else {
+        text = bold("✗ " + exercise.place() + " " + exercise.name) + ": " + headline(verdict.kind) + "\n\n" +
+               why(exercise, verdict, file);
+    }
+    if (!verdict.printed.empty()) text += "\n  Your code printed:\n" + head_of(verdict.printed, 20, "      ");
+    if (verdict.kind != "does_not_compile" && !verdict.compiler.empty())
+        text += "\n  The compiler remarks:\n" + head_of(verdict.compiler, 12, "  ");
+    return text;
+}
+
+std::string as_json(const Exercise& exercise, const Verdict& verdict) {
+    const auto word_or_null = [](const std::string& word) {
+        return word.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(word);
+    };
+    return nlohmann::ordered_json{{"exercise", exercise.name},
+                                  {"verdict", verdict.kind},
+                                  {"property", word_or_null(verdict.property)},
+                                  {"misconception", word_or_null(verdict.misconception)},
+                                  {"seed", verdict.seed},
+                                  {"seconds", std::round(verdict.seconds * 1000) / 1000}}
+        .dump();
+}
+
+}  // namespace course

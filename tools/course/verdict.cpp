@@ -1,0 +1,153 @@
+#include "verdict.hpp"
+
+#include <chrono>
+#include <cstdlib>
+#include <map>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "limited.hpp"
+#include "places.hpp"
+#include "stop.hpp"
+
+namespace course {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// A folder for one check, gone with it.
+class Workshop {
+public:
+    Workshop() {
+        std::string name = (places().build / "exercises/check_XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr)
+            throw Stop(Status::bad_use, (places().build / "exercises").string() + ": cannot be written");
+        path_ = name;
+    }
+    ~Workshop() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    Workshop(const Workshop&) = delete;
+    Workshop& operator=(const Workshop&) = delete;
+    fs::path operator/(const char* file) const { return path_ / file; }
+
+private:
+    fs::path path_;
+};
+
+// What the build wrote of how to compile and link.
+struct Commands {
+    Words compile, link;
+    std::string check, worker_object, worker_library;
+};
+
+Commands read_commands(const Exercise& exercise) {
+    const fs::path file = places().build / "exercises/commands.json";
+    const auto json = nlohmann::json::parse(contents(file));
+    Commands commands{json.at(exercise.eigen ? "compile_eigen" : "compile"), json.at("link"),
+                      json.at("check"), "", json.at("worker")};
+    for (const std::string object : json.at("workers"))
+        if (fs::path(object).filename().string().starts_with(exercise.name + "_worker."))
+            commands.worker_object = object;
+    return commands;
+}
+
+void replace_all(std::string& text, const std::string& what, const std::string& by) {
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+        text.replace(at, what.size(), by);
+}
+
+// Runs the compiler; false where it refuses, or has not come to an end.
+bool succeeds(const Words& command, Verdict& verdict) {
+    const double seconds = 20;
+    const Outcome outcome = run_within(command, {seconds, 4096});
+    verdict.compiler += outcome.said;
+    if (outcome.said.find("No space left on device") != std::string::npos)
+        throw Stop(Status::bad_use, places().build.string() + ": no space left on the device");
+    if (outcome.too_slow)
+        verdict.compiler += "The compiler had not come to an end after 20 s.\n";
+    return outcome.status == 0 && !outcome.too_slow;
+}
+
+// The line of the learner's file that the addresses of a crash lead to, the innermost first; 0 if none.
+int line_of_crash(const std::string& detail, const fs::path& worker, const fs::path& file) {
+    const auto at = detail.find(" at ");
+    if (at == std::string::npos) return 0;
+    Words command{"addr2line", "-i", "-e", worker.string()};
+    std::istringstream addresses(detail.substr(at + 4));
+    for (std::string address; addresses >> address;) command.push_back(address);
+    std::istringstream places(run_within(command, {5, 0}).said);
+    for (std::string place; std::getline(places, place);)
+        if (place.starts_with(file.string() + ":"))
+            return std::atoi(place.c_str() + file.string().size() + 1);
+    return 0;
+}
+
+std::map<std::string, std::string> read_lines(const std::string& said) {
+    std::map<std::string, std::string> values;
+    std::istringstream lines(said);
+    for (std::string line; std::getline(lines, line);) {
+        const auto tab = line.find('\t');
+        if (tab != std::string::npos) values[line.substr(0, tab)] = line.substr(tab + 1);
+    }
+    return values;
+}
+
+}  // namespace
+
+Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_t seed) {
+    const auto begin = std::chrono::steady_clock::now();
+    contents(given);  // or one clear line
+    const fs::path file = fs::canonical(given);
+    const Commands commands = read_commands(exercise);
+    const Workshop workshop;
+    const fs::path object = workshop / "answer.o", worker = workshop / "worker",
+                   printed = workshop / "printed.txt";
+
+    Verdict verdict;
+    verdict.seed = seed;
+    const auto ended = [&](const std::string& kind) {
+        verdict.kind = kind;
+        replace_all(verdict.compiler, file.string(), shown(given));
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+        verdict.seconds = taken.count();
+        return verdict;
+    };
+
+    Words compile = commands.compile;
+    for (const std::string& word : {std::string("-x"), std::string("c++"), std::string("-c"), file.string(),
+                                    std::string("-o"), object.string()})
+        compile.push_back(word);
+    if (!succeeds(compile, verdict)) return ended("does_not_compile");
+    Words link = commands.link;
+    for (const std::string& word : {object.string(), commands.worker_object, commands.worker_library,
+                                    std::string("-o"), worker.string()})
+        link.push_back(word);
+    if (!succeeds(link, verdict)) return ended("does_not_compile");
+
+    const Outcome outcome = run_within({commands.check, exercise.name, worker.string(),
+                                        std::to_string(seed), printed.string()}, {30, 0});
+    auto said = read_lines(outcome.said);
+    if (fs::exists(printed)) verdict.printed = contents(printed);
+    if (said["verdict"] == "wrong" || said["verdict"] == "not_finite") verdict.property = said["property"];
+    verdict.misconception = said["misconception"];
+    verdict.detail = said["detail"];
+    verdict.arguments = said["arguments"];
+    verdict.result = said["result"];
+    if (said["verdict"].empty()) {
+        verdict.detail = outcome.too_slow ? "the hidden tests did not come to an end" : outcome.said;
+        return ended("course_error");
+    }
+    if (said["verdict"] == "crash") {
+        verdict.line = line_of_crash(verdict.detail, worker, file);
+        verdict.detail = verdict.detail.substr(0, verdict.detail.find(" at 0x"));
+    }
+    return ended(said["verdict"]);
+}
+
+}  // namespace course
