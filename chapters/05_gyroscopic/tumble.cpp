@@ -26,7 +26,7 @@ struct Flips {
 };
 
 std::string words(const char* format, double value) {
-    char text[32];
+    char text[400];
     std::snprintf(text, sizeof text, format, value);
     return text;
 }

@@ -42,6 +42,8 @@ std::string table_markdown(Context& context, const Directive& directive);
 std::string rows_markdown(Context& context, const Directive& directive, const Heading& heading);
 /// `{{chapters}}`: every chapter with its question and picture.
 std::string chapters_markdown(Context& context);
+/// `{{exercises}}`: on a chapter's page its exercises, with links; elsewhere all of them in full.
+std::string exercises_markdown(Context& context);
 /// `{{talks}}`: every row that a chapter claims, with its section, figures and tests.
 std::string talks_markdown(Context& context);
 

@@ -105,7 +105,8 @@ private:
             return check_markdown(context_, directive);
         }
         static const std::set<std::string> blocks{"figure", "code",  "run",     "table",
-                                                  "rows",   "talks", "chapters", "said"};
+                                                  "rows",   "talks", "chapters", "said",
+                                                  "exercises"};
         if (blocks.count(name) == 0) {
             if (!directive.arguments.empty() || !directive.text.empty()) {
                 throw std::invalid_argument{"there is no {{" + name + " …}}"};
@@ -132,6 +133,9 @@ private:
         }
         if (name == "said") {
             return said_markdown(context_, directive);
+        }
+        if (name == "exercises") {
+            return exercises_markdown(context_);
         }
         if (name == "table") {
             return fill_generated(table_markdown(context_, directive), piece);

@@ -13,15 +13,7 @@ public:
 
     Json object() {
         Json object;
-        expect('{');
-        if (!accept('}')) {
-            do {
-                const std::string key = string();
-                expect(':');
-                object[key] = value();
-            } while (accept(','));
-            expect('}');
-        }
+        members(object, "");
         skip_blanks();
         if (at_ != text_.size()) {
             fail("nothing may follow the object");
@@ -30,7 +22,31 @@ public:
     }
 
 private:
+    void members(Json& object, const std::string& prefix) {
+        expect('{');
+        if (accept('}')) {
+            return;
+        }
+        do {
+            const std::string key = prefix + string();
+            expect(':');
+            skip_blanks();
+            if (at_ < text_.size() && text_[at_] == '{') {
+                members(object, key + ".");
+            } else {
+                object[key] = value();
+            }
+        } while (accept(','));
+        expect('}');
+    }
+
     std::vector<std::string> value() {
+        static constexpr std::string_view plain = "0123456789.+-eEtrufals";  // true and false, too
+        if (at_ < text_.size() && plain.find(text_[at_]) != std::string_view::npos) {
+            const std::size_t begin = at_;
+            at_ = std::min(text_.find_first_not_of(plain, at_), text_.size());
+            return {std::string{text_.substr(begin, at_ - begin)}};
+        }
         if (!accept('[')) {
             return {string()};
         }
