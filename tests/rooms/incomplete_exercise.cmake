@@ -1,0 +1,98 @@
+# Takes one thing after another out of an exercise: the configuration must fail, and say what is missing
+# where. Expects ROOT, WORK, GENERATOR and MAKE.
+cmake_minimum_required(VERSION 3.25)
+
+set(stage "${WORK}/course")
+set(room tests/exercises/01_derivatives/velocity_now)
+set(learner exercises/01_derivatives/velocity_now.cpp)
+set(solution solutions/01_derivatives/velocity_now.cpp)
+
+# The exercise, whole, in a project that reads nothing else.
+function(furnish)
+  file(REMOVE_RECURSE "${stage}")
+  file(COPY "${ROOT}/${room}" DESTINATION "${stage}/tests/exercises/01_derivatives")
+  file(COPY "${ROOT}/${solution}" DESTINATION "${stage}/solutions/01_derivatives")
+  file(COPY "${ROOT}/${solution}" DESTINATION "${stage}/exercises/01_derivatives")
+  file(WRITE "${stage}/CMakeLists.txt" "cmake_minimum_required(VERSION 3.25)\nproject(stage LANGUAGES NONE)
+include(\"${ROOT}/tools/cmake/exercise.cmake\")
+timestep_read_exercise(01_derivatives velocity_now \"\${PROJECT_BINARY_DIR}/generated\")\n")
+endfunction()
+
+macro(configure)
+  execute_process(
+    COMMAND "${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${stage}" -B "${WORK}/build"
+            "-DCMAKE_MAKE_PROGRAM=${MAKE}"
+    RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  string(REGEX REPLACE "[ \n]+" " " output "${output}")
+endmacro()
+
+macro(must_fail what words)
+  configure()
+  string(FIND "${output}" "${words}" place)
+  if(status EQUAL 0)
+    message(SEND_ERROR "${what}: the configuration succeeds")
+  elseif(place EQUAL -1)
+    message(SEND_ERROR "${what}: must say \"${words}\", but says: ${output}")
+  endif()
+  furnish()
+endmacro()
+
+furnish()
+configure()
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "the whole exercise must be configured, but: ${output}")
+endif()
+# What the learner gets is the solution without its answer.
+file(READ "${WORK}/build/generated/velocity_now_stub.cpp" made)
+if(NOT made MATCHES "h\\) {\n    return not_started;  // your answer\n}\n$")
+  message(SEND_ERROR "the stub is\n${made}")
+endif()
+
+foreach(file ${learner} ${solution} ${room}/about.json ${room}/properties.cpp)
+  file(REMOVE "${stage}/${file}")
+  must_fail("without ${file}" "exercise velocity_now: ${file} is missing")
+endforeach()
+file(WRITE "${stage}/${room}/properties.cpp" "int nothing;\n")
+must_fail("no property" "${room}/properties.cpp holds no PROPERTY")
+file(REMOVE "${stage}/${room}/correct_weights.cpp")
+must_fail("one correct variant" "${room} needs two files correct_*.cpp")
+file(REMOVE "${stage}/${room}/mistake_middle.cpp" "${stage}/${room}/mistake_forgot_h.cpp")
+must_fail("three mistakes" "${room} needs four files mistake_*.cpp")
+file(REMOVE "${stage}/${room}/mistake_middle.cpp")
+must_fail("a mistake without its file" "mistakes names 5, but there are 4 files")
+file(WRITE "${stage}/${room}/mistake_new.cpp" "\n")
+must_fail("a mistake without words" "mistakes.new.says must be words")
+
+file(READ "${ROOT}/${room}/about.json" about)
+foreach(key number title level practises declaration eigen hints learned mistakes)
+  string(JSON without REMOVE "${about}" ${key})
+  file(WRITE "${stage}/${room}/about.json" "${without}")
+  must_fail("about.json without ${key}" "${room}/about.json: ${key}")
+endforeach()
+string(JSON said GET "${about}" mistakes middle hint)
+foreach(mistake
+    "one hint|hints|[\"only one\"]|hints must be two or more"
+    "another declaration|declaration|\"double velocity(double h)\"|declaration must declare velocity_now"
+    "no title|title|\"\"|title is empty")
+  string(REPLACE "|" ";" mistake "${mistake}")
+  list(GET mistake 0 what)
+  list(GET mistake 1 key)
+  list(GET mistake 2 value)
+  list(GET mistake 3 words)
+  string(JSON wrong SET "${about}" ${key} "${value}")
+  file(WRITE "${stage}/${room}/about.json" "${wrong}")
+  must_fail("${what}" "${words}")
+endforeach()
+string(JSON wrong SET "${about}" mistakes forgot_h hint "\"${said}\"")
+file(WRITE "${stage}/${room}/about.json" "${wrong}")
+must_fail("two mistakes with one hint" "is said of another mistake")
+file(WRITE "${stage}/${room}/about.json" "{ \"title\": ")
+must_fail("a torn about.json" "${room}/about.json: is not JSON")
+
+file(READ "${ROOT}/${solution}" text)
+string(REPLACE "// [answer]" "" unmarked "${text}")
+file(WRITE "${stage}/${solution}" "${unmarked}")
+must_fail("an unmarked answer" "needs two lines // [answer]")
+string(REPLACE "double h)" "double step)" renamed "${text}")
+file(WRITE "${stage}/${solution}" "${renamed}")
+must_fail("another signature" "as about.json declares it")
