@@ -1,0 +1,23 @@
+// Chapter 3, exercise 1: how soon a swing fades that should not
+//
+// A shop sign hangs on a spring without a damper. You step it with implicit Euler, and after a
+// while it hangs still: the method takes a share of the amplitude in every step. When is half of it
+// gone?
+//
+//   omega    angular frequency of the spring, rad/s (above zero)
+//   h        length of a step, s (above zero; omega h may be large)
+//   returns  the time after which the amplitude is half of what it was, in seconds. It need not be
+//            a whole number of steps: the amplitude falls by the same factor in each step, as an
+//            exponential does, and you tell when that exponential is at one half.
+//
+// Example: implicit_half_life(2, 0.1) is 3.5346 seconds, a bit more than 35 steps.
+//
+// What is checked: a stepped spring is at half its amplitude then; it comes out right where a
+// single step takes half, or more; only omega h decides how many steps it takes; for short steps,
+// half the step means twice the time.
+
+#include "exercise.hpp"
+
+double implicit_half_life(double omega, double h) {
+    return not_started;  // your answer
+}

@@ -1,0 +1,59 @@
+#include "implicit_half_life.hpp"
+
+#include "property.hpp"
+
+EXERCISE(implicit_half_life);
+
+// The amplitude after a number of steps of implicit Euler, from amplitude 1.
+static double amplitude_after(int steps, double omega, double h) {
+    double x = 1, v = 0;
+    for (int i = 0; i < steps; ++i) {
+        v = (v - h * omega * omega * x) / (1 + h * h * omega * omega);
+        x += h * v;
+    }
+    return std::hypot(x, v / omega);
+}
+
+PROPERTY("after this time a stepped spring is at half its amplitude: not yet a step before, and "
+         "no more a step after") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const double omega = draw.log(1, 50), h = draw.log(0.05, 1) / omega;
+        const double steps = learner(omega, h) / h;
+        REQUIRE(steps > 0);
+        REQUIRE(steps < 1e6);
+        const int whole = static_cast<int>(steps);
+        // Roundoff: a few epsilon in each of at most some hundred steps.
+        REQUIRE(amplitude_after(whole, omega, h) > 0.5 * (1 - 1e-11));
+        REQUIRE(amplitude_after(whole + 1, omega, h) < 0.5 * (1 + 1e-11));
+    }
+}
+
+// A step shrinks the amplitude to 1/2^k where 1 + (ωh)² = 4^k.
+PROPERTY("where one step halves the amplitude k times, the half-life is a k-th part of the step") {
+    Draw draw;
+    for (int k = 1; k <= 6; ++k) {
+        const double h = draw.log(1e-3, 1), omega = std::sqrt(std::pow(4, k) - 1) / h;
+        REQUIRE(close(learner(omega, h), h / k, 1e-13));
+    }
+}
+
+// The logarithm of 1 + (ωh)² loses as many digits as (ωh)² is small: ε/(ωh)², here 1e-11.
+PROPERTY("springs of the same omega h take the same number of steps") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double omega = draw.log(0.1, 10), h = draw.log(0.01, 1) / omega;
+        const double slower = draw.log(0.1, 10);
+        REQUIRE(close(learner(omega / slower, h * slower), slower * learner(omega, h), 1e-11));
+    }
+}
+
+// log(1 + u) = u − u²/2 + …, so the ratio of the two times is 2 (1 − 3(ωh)²/8 + …).
+PROPERTY("with short steps, half the step makes it twice the time, but for a share of (omega h)^2") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double omega = draw.log(0.1, 10), wh = draw.log(0.02, 0.1), h = wh / omega;
+        const double ratio = learner(omega, h / 2) / learner(omega, h);
+        REQUIRE(close((2 - ratio) / (wh * wh), 0.75, 0.02));
+    }
+}
