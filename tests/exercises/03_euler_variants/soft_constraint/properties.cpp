@@ -1,0 +1,95 @@
+#include "soft_constraint.hpp"
+
+#include "property.hpp"
+
+EXERCISE(soft_constraint);
+
+struct Soft {
+    double mass, omega, zeta, h;
+
+    std::array<double, 2> answer() const { return learner(mass, omega, zeta, h); }
+};
+
+static Soft draw_soft(Draw& draw) {
+    const double omega = draw.log(0.5, 200);
+    return {draw.log(0.1, 1000), omega, draw.real(0.01, 2), draw.log(0.01, 10) / omega};
+}
+
+PROPERTY("beta lies between zero and one, and gamma is above zero") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const auto [gamma, beta] = draw_soft(draw).answer();
+        REQUIRE(gamma > 0);
+        REQUIRE(beta > 0);
+        REQUIRE(beta < 1);
+    }
+}
+
+// v₁ and C are of the size of 1 to each other: C is drawn in units of h. What is missing, over what
+// stands before v₂, is an error of the velocity.
+PROPERTY("the solver's velocity is that of implicit Euler, whatever the error and the velocity") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const Soft s = draw_soft(draw);
+        const auto [gamma, beta] = s.answer();
+        for (int j = 0; j < 5; ++j) {
+            const double v1 = draw.real(-1, 1), C = draw.real(-1, 1) * s.h;
+            const double impulse = -(v1 + beta / s.h * C) / (1 / s.mass + gamma);
+            const double v2 = v1 + impulse / s.mass, x2 = C + s.h * v2;
+            const double acceleration = -s.omega * s.omega * x2 - 2 * s.zeta * s.omega * v2;
+            const double wh = s.omega * s.h;
+            const double missing = v2 - v1 - s.h * acceleration;
+            REQUIRE(close(missing / (1 + 2 * s.zeta * wh + wh * wh), 0, 0, 1e-13));
+        }
+    }
+}
+
+PROPERTY("without a damper the whole error is to be taken back, whatever the spring") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        Soft s = draw_soft(draw);
+        s.zeta = 0;
+        const auto [gamma, beta] = s.answer();
+        REQUIRE(close(beta, 1, 1e-13));
+        // So a step that starts on the spot with v₁ ends with v₁/(1 + ω²h²): mass γ = 1/(ωh)².
+        REQUIRE(close(s.mass * gamma * s.omega * s.h * s.omega * s.h, 1, 1e-13));
+    }
+}
+
+PROPERTY("twice the mass has half the gamma and the same beta") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        Soft s = draw_soft(draw);
+        const auto light = s.answer();
+        s.mass *= 2;
+        const auto heavy = s.answer();
+        REQUIRE(close(heavy[0], light[0] / 2, 1e-13));
+        REQUIRE(close(heavy[1], light[1], 1e-13));
+    }
+}
+
+PROPERTY("springs of the same omega h and zeta have the same gamma and beta") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        Soft s = draw_soft(draw);
+        const auto one = s.answer();
+        const double slower = draw.log(0.1, 10);
+        s.omega /= slower;
+        s.h *= slower;
+        const auto other = s.answer();
+        REQUIRE(close(one[0], other[0], 1e-13));
+        REQUIRE(close(one[1], other[1], 1e-13));
+    }
+}
+
+// 1 − β is 2ζ/(2ζ + ωh), and mass γ below 1/(ωh)².
+PROPERTY("a very stiff spring becomes a rigid constraint: all of the error, and no softness") {
+    Draw draw;
+    for (int i = 0; i < 10; ++i) {
+        Soft s = draw_soft(draw);
+        s.omega = 1e6 / s.h;
+        const auto [gamma, beta] = s.answer();
+        REQUIRE(close(beta, 1, 0, 1e-5));
+        REQUIRE(close(s.mass * gamma, 0, 0, 1e-11));
+    }
+}
