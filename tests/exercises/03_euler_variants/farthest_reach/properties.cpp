@@ -75,8 +75,8 @@ PROPERTY("a long run that never repeats itself gets as near to it as you like") 
 }
 
 // x before is x − h v, and x after is x + h (v − h ω² x): the same for this v.
-PROPERTY("a run that comes from a place, and goes back to it two steps later, was at its farthest in "
-         "between") {
+PROPERTY("a run that comes from a place, and goes back to it two steps later, was at its farthest "
+         "in between") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
         const double omega = draw.log(0.5, 50), h = draw.real(0.05, 1.9) / omega;

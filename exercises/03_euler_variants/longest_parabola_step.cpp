@@ -1,0 +1,25 @@
+// Chapter 3, exercise 6: how long may this engine's step be?
+//
+// An engine moves each body along a parabola, which is exact for a thrown ball:
+//
+//     x2 = x1 + h v1 + h^2 a1 / 2      v2 = v1 + h a1
+//
+// where a1 is the acceleration at x1 and v1. You put a door closer into it, a spring with a damper:
+// a = -omega^2 x - 2 zeta omega v. Up to which step is the door stable?
+//
+//   omega    angular frequency of the spring, rad/s (above zero)
+//   zeta     damping ratio, no unit (from 0 to 20)
+//   returns  the h, in seconds, below which every step is stable: whatever the start, the motion
+//            dies away. One part in a million off is near enough. Zero where no step is stable.
+//
+// Example: longest_parabola_step(10, 0.1) is 0.04.
+//
+// What is checked: a little below it, and far below, a run dies away; a little above it, one grows;
+// without damping no step is stable; only omega h and zeta count; weak damping helps, and strong
+// damping does harm.
+
+#include "exercise.hpp"
+
+double longest_parabola_step(double omega, double zeta) {
+    return not_started;  // your answer
+}

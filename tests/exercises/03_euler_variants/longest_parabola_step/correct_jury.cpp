@@ -1,0 +1,25 @@
+#include "exercise.hpp"
+
+// Both roots of lambda^2 - trace lambda + det lie inside the unit circle where |trace| < 1 + det
+// and det < 1. The step doubles until they do not, and then an interval is halved.
+double longest_parabola_step(double omega, double zeta) {
+    const auto stable = [&](double h) {
+        const double k = omega * omega, c = 2 * zeta * omega;
+        const double trace = 2 - h * c - h * h * k / 2;
+        const double det = 1 - h * c + h * h * k / 2;
+        return std::abs(trace) < 1 + det && det < 1;
+    };
+    double shorter = 0, longer = 1e-6 / omega;
+    while (stable(longer)) {
+        shorter = longer;
+        longer *= 2;
+    }
+    while (longer - shorter > 1e-9 * longer && longer > 1e-9 / omega) {
+        const double between = 0.5 * (shorter + longer);
+        if (stable(between))
+            shorter = between;
+        else
+            longer = between;
+    }
+    return shorter;
+}

@@ -1,0 +1,79 @@
+#include "longest_parabola_step.hpp"
+
+#include "property.hpp"
+
+EXERCISE(longest_parabola_step);
+
+// By what a step multiplies in the long run: the larger root of the characteristic polynomial, of
+// a matrix whose columns are what the step makes of (1, 0) and (0, 1).
+static double growth(double omega, double zeta, double h) {
+    const auto step = [&](double x, double u) {  // u = v/ω
+        const double a = -omega * omega * x - 2 * zeta * omega * (u * omega);
+        return std::array{x + h * u * omega + h * h * a / 2, u + h * a / omega};
+    };
+    const auto [xx, ux] = step(1, 0);
+    const auto [xu, uu] = step(0, 1);
+    const std::complex<double> half = (xx + uu) / 2;
+    const std::complex<double> root = std::sqrt(half * half - (xx * uu - xu * ux));
+    return std::max(std::abs(half + root), std::abs(half - root));
+}
+
+// With h = (1 ± 2e-6) limit a run shrinks or grows by 1e-9 a step or more: far above roundoff.
+static double draw_zeta(Draw& draw) {
+    return draw.log(0.01, 20);
+}
+
+PROPERTY("with any step below it a run dies away") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double omega = draw.log(0.5, 200), zeta = draw_zeta(draw);
+        const double longest = learner(omega, zeta);
+        REQUIRE(longest > 0);
+        for (const double share : {1e-3, 0.1, 0.5, 0.9, 1 - 2e-6})
+            REQUIRE(growth(omega, zeta, share * longest) < 1);
+    }
+}
+
+PROPERTY("with a step a little longer a run grows") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double omega = draw.log(0.5, 200), zeta = draw_zeta(draw);
+        REQUIRE(growth(omega, zeta, learner(omega, zeta) * (1 + 2e-6)) > 1);
+    }
+}
+
+PROPERTY("where weak damping gives way to strong, the limit is still the limit") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const double omega = draw.log(0.5, 200), zeta = draw.real(0.4, 0.6);
+        const double longest = learner(omega, zeta);
+        REQUIRE(growth(omega, zeta, longest * (1 - 2e-6)) < 1);
+        REQUIRE(growth(omega, zeta, longest * (1 + 2e-6)) > 1);
+    }
+}
+
+PROPERTY("without damping no step is stable") {
+    Draw draw;
+    for (int i = 0; i < 10; ++i) {
+        const double omega = draw.log(0.5, 200);
+        REQUIRE(close(learner(omega, 0) * omega, 0, 0, 1e-5));
+    }
+}
+
+PROPERTY("a spring twice as fast needs a step half as long") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double omega = draw.log(0.5, 200), zeta = draw_zeta(draw);
+        REQUIRE(close(learner(2 * omega, zeta), learner(omega, zeta) / 2, 3e-6));
+    }
+}
+
+PROPERTY("the longest step is proportional to weak damping, and to one over strong damping") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double omega = draw.log(0.5, 200), weak = draw.real(0.02, 0.2);
+        const double more = draw.real(1, 2), strong = draw.real(1, 5);
+        REQUIRE(close(learner(omega, more * weak), more * learner(omega, weak), 3e-6));
+        REQUIRE(close(learner(omega, more * strong), learner(omega, strong) / more, 3e-6));
+    }
+}
