@@ -1,6 +1,6 @@
 #include "exercise.hpp"
 
-// Explicit Euler with −h leads from the new state to the old one: a matrix, inverted by Cramer's rule.
+// Explicit Euler with −h leads from the new state to the old one: a matrix, inverted by Cramer.
 State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
     // (1) d − h v = d₁   (2) hω² d + (1 + 2ζωh) v = v₁   with d = x − target
     const double d1 = state.x - target;

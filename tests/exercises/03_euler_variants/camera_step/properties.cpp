@@ -12,8 +12,11 @@ struct Frame {
 
 static Frame frame(Draw& draw, double least_wh, double most_wh) {
     const double omega = draw.log(0.5, 50);
-    return {{draw.real(0, 10), draw.real(-5, 5), draw.real(-5, 5)}, draw.real(-5, 5), omega,
-            draw.real(0, 2), draw.log(least_wh, most_wh) / omega};
+    return {{draw.real(0, 10), draw.real(-5, 5), draw.real(-5, 5)},
+            draw.real(-5, 5),
+            omega,
+            draw.real(0, 2),
+            draw.log(least_wh, most_wh) / omega};
 }
 
 static State<double> step(const Frame& f) {
@@ -49,8 +52,8 @@ PROPERTY("the position moves with the new velocity") {
     }
 }
 
-// What is missing, over what stands before v₂: an error of the velocity. Roundoff of x₂, about ε·10,
-// weighs ω²h/(1 + ω²h²) ≤ ω/2 there.
+// What is missing, over what stands before v₂: an error of the velocity. Roundoff of x₂, about
+// ε·10, weighs ω²h/(1 + ω²h²) ≤ ω/2 there.
 PROPERTY("the velocity changes by h times the acceleration at the new position and velocity") {
     Draw draw;
     for (int i = 0; i < 200; ++i) {
@@ -60,7 +63,8 @@ PROPERTY("the velocity changes by h times the acceleration at the new position a
         const double acceleration =
             -f.omega * f.omega * (after.x - f.target) - 2 * f.zeta * f.omega * after.v;
         const double missing = after.v - f.state.v - f.h * acceleration;
-        REQUIRE(close(missing / (1 + 2 * f.zeta * wh + wh * wh), 0, 0, 1e-14 * (10 + 10 * f.omega)));
+        const double error = missing / (1 + 2 * f.zeta * wh + wh * wh);
+        REQUIRE(close(error, 0, 0, 1e-14 * (10 + 10 * f.omega)));
     }
 }
 

@@ -75,8 +75,7 @@ PROPERTY("a long run that never repeats itself gets as near to it as you like") 
 }
 
 // x before is x − h v, and x after is x + h (v − h ω² x): the same for this v.
-PROPERTY("a run that comes from a place, and goes back to it two steps later, was at its farthest "
-         "in between") {
+PROPERTY("a run that goes back where it came from has been at its farthest in between") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
         const double omega = draw.log(0.5, 50), h = draw.real(0.05, 1.9) / omega;
@@ -87,8 +86,7 @@ PROPERTY("a run that comes from a place, and goes back to it two steps later, wa
 
 // At ωh = 1 a step goes on by π/3 along the cosine that it samples, and the velocity is the
 // difference to the position before, over h.
-PROPERTY("at omega h = 1 a run has but six states; what lies between them on the ellipse counts, "
-         "too") {
+PROPERTY("all of the ellipse counts, even at omega h = 1, where a run has but six states") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
         const double omega = draw.log(0.5, 50), h = 1 / omega;

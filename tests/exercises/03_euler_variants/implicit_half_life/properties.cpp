@@ -14,8 +14,7 @@ static double amplitude_after(int steps, double omega, double h) {
     return std::hypot(x, v / omega);
 }
 
-PROPERTY("after this time a stepped spring is at half its amplitude: not yet a step before, and "
-         "no more a step after") {
+PROPERTY("after this time a stepped spring is at half its amplitude, no sooner and no later") {
     Draw draw;
     for (int i = 0; i < 30; ++i) {
         const double omega = draw.log(1, 50), h = draw.log(0.05, 1) / omega;
@@ -49,7 +48,7 @@ PROPERTY("springs of the same omega h take the same number of steps") {
 }
 
 // log(1 + u) = u − u²/2 + …, so the ratio of the two times is 2 (1 − 3(ωh)²/8 + …).
-PROPERTY("with short steps, half the step makes it twice the time, but for a share of (omega h)^2") {
+PROPERTY("with short steps, half the step makes it twice the time, but for a share (omega h)^2") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
         const double omega = draw.log(0.1, 10), wh = draw.log(0.02, 0.1), h = wh / omega;

@@ -42,8 +42,7 @@ PROPERTY("the velocity changes by h times the acceleration at the new velocity, 
     }
 }
 
-PROPERTY("drag alone makes any motion slower and never turns it round, and it treats both ways "
-         "alike") {
+PROPERTY("drag alone slows and never turns round, and it treats both ways alike") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
         const double v = draw.log(0.1, 100), k = draw.log(1e-2, 10), h = draw.log(0.01, 100);
