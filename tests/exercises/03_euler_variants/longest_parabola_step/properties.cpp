@@ -18,7 +18,7 @@ static double growth(double omega, double zeta, double h) {
     return std::max(std::abs(half + root), std::abs(half - root));
 }
 
-// With h = (1 ± 2e-6) limit a run shrinks or grows by some 1e-9 a step at least: far above roundoff.
+// With h = (1 ± 2e-6) limit a run shrinks or grows by some 1e-9 a step at least, above roundoff.
 static double draw_zeta(Draw& draw) {
     return draw.log(0.01, 20);
 }
