@@ -1,0 +1,88 @@
+#include "acceleration_uneven.hpp"
+
+#include "property.hpp"
+
+EXERCISE(acceleration_uneven);
+
+// The weights on the positions are at most 4/(h0 h1) together; positions of up to `size` metres are
+// rounded by half an epsilon of that, before and in the formula.
+static double roundoff(double size, double h0, double h1) {
+    return 1e-15 * size * 20 / (h0 * h1);
+}
+
+PROPERTY("a body at rest has no acceleration, wherever it is") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double x = draw.real(-10, 10), h0 = draw.log(0.01, 1), h1 = draw.log(0.01, 1);
+        REQUIRE(close(learner(x, x, x, h0, h1), 0, 0, roundoff(10, h0, h1)));
+    }
+}
+
+PROPERTY("a constant velocity has no acceleration, however uneven the frames") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double x = draw.real(-10, 10), v = draw.sign() * draw.real(1, 10);
+        const double h0 = draw.log(0.01, 1), h1 = h0 * draw.log(0.2, 5);
+        REQUIRE(close(learner(x - v * h0, x, x + v * h1, h0, h1), 0, 0, roundoff(60, h0, h1)));
+    }
+}
+
+PROPERTY("a constant acceleration comes out exactly when the frames are even") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double x = draw.real(-5, 5), v = draw.real(-5, 5), a = draw.real(-9, 9);
+        const double h = draw.log(0.01, 1);
+        const auto at = [&](double t) { return x + v * t + a * t * t / 2; };
+        REQUIRE(close(learner(at(-h), x, at(h), h, h), a, 0, roundoff(20, h, h)));
+    }
+}
+
+PROPERTY("a constant acceleration comes out exactly when they are not") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double x = draw.real(-5, 5), v = draw.real(-5, 5), a = draw.real(-9, 9);
+        const double h0 = draw.log(0.01, 1), h1 = h0 * draw.log(0.2, 5);
+        const auto at = [&](double t) { return x + v * t + a * t * t / 2; };
+        REQUIRE(close(learner(at(-h0), x, at(h1), h0, h1), a, 0, roundoff(150, h0, h1)));
+    }
+}
+
+PROPERTY("a motion that runs backwards has the same acceleration") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double x0 = draw.real(-5, 5), x1 = draw.real(-5, 5), x2 = draw.real(-5, 5);
+        const double h0 = draw.log(0.01, 1), h1 = h0 * draw.log(0.2, 5);
+        const double forwards = learner(x0, x1, x2, h0, h1), back = learner(x2, x1, x0, h1, h0);
+        REQUIRE(close(forwards, back, 0, roundoff(5, h0, h1)));
+    }
+}
+
+// The error begins with (h1 − h0)/3 times the jerk, which is not small at these phases, and goes on
+// with (h0² − h0 h1 + h1²)/12 times the fourth derivative.
+static double measured_order(Draw& draw, double ratio, double phase) {
+    const double omega = draw.real(1, 3);
+    const auto error = [&](double h) {
+        const auto at = [&](double t) { return std::sin(omega * t + phase); };
+        const double a = learner(at(-h), at(0), at(ratio * h), h, ratio * h);
+        return std::fabs(a + omega * omega * std::sin(phase));
+    };
+    return order(error(0.02 / omega), error(0.01 / omega));
+}
+
+PROPERTY("on a smooth motion the error falls as the step") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double measured = measured_order(draw, draw.real(2, 3), draw.real(-0.5, 0.5));
+        REQUIRE(measured > 0.9);
+        REQUIRE(measured < 1.1);
+    }
+}
+
+PROPERTY("on a smooth motion the error falls as the square of the step when the frames are even") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double measured = measured_order(draw, 1, draw.sign() * draw.real(0.7, 1.5));
+        REQUIRE(measured > 1.9);
+        REQUIRE(measured < 2.1);
+    }
+}
