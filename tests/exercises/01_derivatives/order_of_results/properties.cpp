@@ -1,0 +1,67 @@
+#include "order_of_results.hpp"
+
+#include "property.hpp"
+
+EXERCISE(order_of_results);
+
+// Three results whose error is C hᵖ, C of either sign. The smaller of their differences is at least
+// 0.1 · 2⁻ᵖ (1 − 2⁻ᵖ): above 1e-3 for p up to 6, against a roundoff of 1e-15 times their size.
+static std::array<double, 3> results(double exact, double error, double p) {
+    return {exact + error, exact + error * std::pow(2, -p), exact + error * std::pow(4, -p)};
+}
+
+static double order_of(const std::array<double, 3>& r) {
+    return learner(r[0], r[1], r[2]);
+}
+
+PROPERTY("errors that halve with the step have order one") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double exact = draw.real(-10, 10), error = draw.sign() * draw.real(0.1, 1);
+        REQUIRE(close(order_of(results(exact, error, 1)), 1, 1e-11));
+    }
+}
+
+PROPERTY("an error that is a power of the step has that power for its order") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double exact = draw.real(-10, 10), error = draw.sign() * draw.real(0.1, 1);
+        const int p = draw.integer(2, 6);
+        REQUIRE(close(order_of(results(exact, error, p)), p, 1e-10));
+    }
+}
+
+PROPERTY("an order that is not a whole number is found as well") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double exact = draw.real(-10, 10), error = draw.sign() * draw.real(0.1, 1);
+        const double p = draw.real(0.3, 6);
+        REQUIRE(close(order_of(results(exact, error, p)), p, 1e-10));
+    }
+}
+
+PROPERTY("the order does not change when the results are shifted, scaled or mirrored") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double shift = draw.real(-10, 10), scale = draw.sign() * draw.log(0.1, 10);
+        const auto r = results(draw.real(-1, 1), draw.sign() * draw.real(0.5, 1), draw.real(0.5, 4));
+        const auto moved = [&](double x) { return shift + scale * x; };
+        const double before = order_of(r), after = learner(moved(r[0]), moved(r[1]), moved(r[2]));
+        REQUIRE(close(before, after, 1e-9));
+    }
+}
+
+// The slope of eᵃˣ at x: the next terms of the errors bend the measured order by less than a h.
+PROPERTY("forward, central and five-point differences show their orders on a smooth function") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double a = draw.sign() * draw.real(0.5, 2), x = draw.real(-1, 1), h = 0.04 / std::fabs(a);
+        const auto f = [&](double t) { return std::exp(a * t); };
+        const auto forward = [&](double step) { return (f(x + step) - f(x)) / step; };
+        const auto central = [&](double step) { return (f(x + step) - f(x - step)) / (2 * step); };
+        const auto five = [&](double step) { return (4 * central(step) - central(2 * step)) / 3; };
+        REQUIRE(close(learner(forward(h), forward(h / 2), forward(h / 4)), 1, 0, 0.05));
+        REQUIRE(close(learner(central(h), central(h / 2), central(h / 4)), 2, 0, 0.05));
+        REQUIRE(close(learner(five(2 * h), five(h), five(h / 2)), 4, 0, 0.05));
+    }
+}
