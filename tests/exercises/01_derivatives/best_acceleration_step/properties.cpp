@@ -1,0 +1,61 @@
+#include "best_acceleration_step.hpp"
+
+#include "property.hpp"
+
+EXERCISE(best_acceleration_step);
+
+PROPERTY("a step is a time: with positions in another unit of length it stays the same") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double noise = draw.log(1e-6, 1e-2), snap = draw.log(1, 1e4), unit = draw.log(1e-2, 1e2);
+        REQUIRE(close(learner(unit * noise, unit * snap), learner(noise, snap), 1e-7));
+    }
+}
+
+PROPERTY("a step is a time: with another unit of time it changes by that unit") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double noise = draw.log(1e-6, 1e-2), snap = draw.log(1, 1e4), unit = draw.log(0.3, 3);
+        const double slower = learner(noise, snap / (unit * unit * unit * unit));
+        REQUIRE(close(slower, unit * learner(noise, snap), 1e-7));
+    }
+}
+
+PROPERTY("more noise asks for a longer step, more snap for a shorter one") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double noise = draw.log(1e-6, 1e-2), snap = draw.log(1, 1e4), more = draw.real(1.1, 10);
+        const double h = learner(noise, snap);
+        REQUIRE(h > 0);
+        REQUIRE(learner(more * noise, snap) > h);
+        REQUIRE(learner(noise, more * snap) < h);
+    }
+}
+
+// The bound is flat at its bottom: a step off by a part in ten thousand costs 2e-8 of it.
+PROPERTY("a step that is slightly longer or shorter than yours has a larger worst error") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double noise = draw.log(1e-6, 1e-2), snap = draw.log(1, 1e4);
+        const auto worst = [&](double h) { return snap * h * h / 12 + 4 * noise / (h * h); };
+        const double h = learner(noise, snap);
+        REQUIRE(worst(h) < worst(1.0001 * h));
+        REQUIRE(worst(h) < worst(h / 1.0001));
+    }
+}
+
+// x = A cos ωt at its crest, with |x⁗| = A ω⁴ and all noise to the worse side. The step is 0.15/ω at
+// the most, so what comes after the leading term is below a thousandth of it.
+PROPERTY("on a swing with the worst noise, steps a tenth longer or shorter give a worse acceleration") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double a = draw.log(0.05, 5), omega = draw.real(1, 10), noise = a * draw.log(1e-7, 1e-5);
+        const auto error = [&](double h) {
+            const double side = a * std::cos(omega * h) + noise, crest = a - noise;
+            return std::fabs((side - 2 * crest + side) / (h * h) + a * omega * omega);
+        };
+        const double h = learner(noise, a * omega * omega * omega * omega);
+        REQUIRE(error(h) < error(1.1 * h));
+        REQUIRE(error(h) < error(h / 1.1));
+    }
+}
