@@ -37,7 +37,7 @@ PROPERTY("a constant acceleration comes out exactly when the frames are even") {
     }
 }
 
-PROPERTY("a constant acceleration comes out exactly when they are not") {
+PROPERTY("a constant acceleration comes out exactly when the frames are uneven") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
         const double x = draw.real(-5, 5), v = draw.real(-5, 5), a = draw.real(-9, 9);

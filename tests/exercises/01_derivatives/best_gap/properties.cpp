@@ -1,0 +1,102 @@
+#include "best_gap.hpp"
+
+#include "property.hpp"
+
+EXERCISE(best_gap);
+
+// What a gap is to be found for. The noise is such that `ideal`, not a whole number, is the best of all
+// gaps: where the slope of jerk g²/24 + 2 noise/g is zero.
+struct Throw {
+    double frame, jerk, noise;
+
+    Throw(Draw& draw, double ideal) : frame(1 / draw.real(20, 240)), jerk(draw.log(1, 1e4)) {
+        const double gap = ideal * frame;
+        noise = jerk * gap * gap * gap / 24;
+    }
+    double worst(int frames) const {
+        const double gap = frames * frame;
+        return jerk * gap * gap / 24 + 2 * noise / gap;
+    }
+    int answer(int most) const { return learner(frame, noise, jerk, most); }
+
+    /// No number of frames up to `most` is better than `frames`, but for roundoff.
+    bool is_best(int frames, int most) const {
+        if (frames < 1 || frames > most) return false;
+        for (int other = 1; other <= most; ++other)
+            if (worst(other) < worst(frames) * (1 - 1e-12)) return false;
+        return true;
+    }
+};
+
+PROPERTY("without noise, neighbouring frames are the best") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i)
+        REQUIRE(learner(1 / draw.real(20, 240), 0, draw.log(1, 1e4), draw.integer(1, 60)) == 1);
+}
+
+PROPERTY("without jerk, the frames may be as far apart as can be") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const int most = draw.integer(1, 60);
+        REQUIRE(learner(1 / draw.real(20, 240), draw.log(1e-5, 1e-2), 0, most) == most);
+    }
+}
+
+PROPERTY("the answer is at least one frame and at most as many as you keep") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const int most = draw.integer(1, 40);
+        const int frames = Throw(draw, draw.log(0.02, 500)).answer(most);
+        REQUIRE(frames >= 1);
+        REQUIRE(frames <= most);
+    }
+}
+
+PROPERTY("no other number of frames has a smaller worst error") {
+    Draw draw;
+    for (int i = 0; i < 200; ++i) {
+        const Throw ball(draw, draw.log(0.5, 30));
+        const int most = draw.integer(30, 60);
+        REQUIRE(ball.is_best(ball.answer(most), most));
+    }
+}
+
+PROPERTY("when you keep fewer frames than you would like to, none of them is better") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const Throw ball(draw, draw.real(1, 40));
+        const int most = draw.integer(1, 20);
+        REQUIRE(ball.is_best(ball.answer(most), most));
+    }
+}
+
+// n and n + 1 are equally good where ideal³ = n (n + 1/2)(n + 1), which is a little below n + 1/2.
+PROPERTY("where two numbers of frames are almost equally good, the better one is found") {
+    Draw draw;
+    for (int i = 0; i < 200; ++i) {
+        const double n = draw.integer(1, 3);
+        const Throw ball(draw, std::cbrt(n * (n + 0.5) * (n + 1)) * draw.real(0.97, 1.03));
+        REQUIRE(ball.is_best(ball.answer(60), 60));
+    }
+}
+
+// x = A sin ωt from −g/2 to g/2, all noise to the worse side. ωg is 0.4 at the most for twice the best
+// gap: what comes after the leading term is below (ωg)²/80 of it, a fifth of a percent.
+PROPERTY("on a swing with the worst noise, half or twice as many frames are no better") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        Throw swing(draw, draw.real(2, 10));
+        const double omega = draw.real(0.005, 0.02) / swing.frame;
+        const double a = swing.jerk / (omega * omega * omega);
+        const auto error = [&](int frames) {
+            const double gap = frames * swing.frame;
+            const double moved = 2 * (a * std::sin(omega * gap / 2) - swing.noise);
+            return a * omega - moved / gap;
+        };
+        const int frames = swing.answer(60);
+        REQUIRE(frames >= 1);
+        REQUIRE(frames <= 60);
+        for (int other = (frames + 1) / 2; other <= 2 * frames; ++other)
+            REQUIRE(error(frames) < 1.01 * error(other));
+    }
+}
