@@ -1,8 +1,8 @@
 // Chapter 1, exercise 2: the acceleration, from frames at uneven times
 //
-// Positions come over a network, and one packet was late. So the two intervals between the last three
-// positions are not equal. You need the acceleration at the middle position. With one step for both
-// you would find an acceleration even where the velocity is constant.
+// Positions come over a network, and one packet was late. So the two intervals between the last
+// three positions are not equal. You need the acceleration at the middle position. With one step
+// for both you would find an acceleration even where the velocity is constant.
 //
 //   x0, x1, x2   positions, oldest first, in metres
 //   h0           time from x0 to x1, in seconds (above zero)

@@ -7,7 +7,8 @@ EXERCISE(best_acceleration_step);
 PROPERTY("a step is a time: with positions in another unit of length it stays the same") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        const double noise = draw.log(1e-6, 1e-2), snap = draw.log(1, 1e4), unit = draw.log(1e-2, 1e2);
+        const double noise = draw.log(1e-6, 1e-2), snap = draw.log(1, 1e4);
+        const double unit = draw.log(1e-2, 1e2);
         REQUIRE(close(learner(unit * noise, unit * snap), learner(noise, snap), 1e-7));
     }
 }
@@ -24,7 +25,8 @@ PROPERTY("a step is a time: with another unit of time it changes by that unit") 
 PROPERTY("more noise asks for a longer step, more snap for a shorter one") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
-        const double noise = draw.log(1e-6, 1e-2), snap = draw.log(1, 1e4), more = draw.real(1.1, 10);
+        const double noise = draw.log(1e-6, 1e-2), snap = draw.log(1, 1e4);
+        const double more = draw.real(1.1, 10);
         const double h = learner(noise, snap);
         REQUIRE(h > 0);
         REQUIRE(learner(more * noise, snap) > h);
@@ -44,12 +46,13 @@ PROPERTY("a step that is slightly longer or shorter than yours has a larger wors
     }
 }
 
-// x = A cos ωt at its crest, with |x⁗| = A ω⁴ and all noise to the worse side. The step is 0.15/ω at
-// the most, so what comes after the leading term is below a thousandth of it.
-PROPERTY("on a swing with the worst noise, steps a tenth longer or shorter give a worse acceleration") {
+// x = A cos ωt at its crest, with |x⁗| = A ω⁴ and all noise to the worse side. The step is 0.15/ω
+// at the most, so what comes after the leading term is below a thousandth of it.
+PROPERTY("on a swing with the worst noise, steps a tenth longer or shorter are worse") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        const double a = draw.log(0.05, 5), omega = draw.real(1, 10), noise = a * draw.log(1e-7, 1e-5);
+        const double a = draw.log(0.05, 5), omega = draw.real(1, 10);
+        const double noise = a * draw.log(1e-7, 1e-5);
         const auto error = [&](double h) {
             const double side = a * std::cos(omega * h) + noise, crest = a - noise;
             return std::fabs((side - 2 * crest + side) / (h * h) + a * omega * omega);

@@ -7,8 +7,8 @@ int best_gap(double frame, double noise, double jerk, int most) {
     if (ideal >= most) return most;
     const int below = static_cast<int>(ideal);
     if (below == 0) return 1;
-    // From one gap to the next, n to n + 1, the truncation grows by (2n + 1) parts, and the noise falls
-    // by 1/n − 1/(n + 1): equal where ideal³ = n (n + 1/2)(n + 1).
+    // From one gap to the next, n to n + 1, the truncation grows by (2n + 1) parts, and the noise
+    // falls by 1/n − 1/(n + 1): equal where ideal³ = n (n + 1/2)(n + 1).
     const double n = below;
     return ideal * ideal * ideal > n * (n + 0.5) * (n + 1) ? below + 1 : below;
 }

@@ -4,8 +4,8 @@
 
 EXERCISE(best_gap);
 
-// What a gap is to be found for. The noise is such that `ideal`, not a whole number, is the best of all
-// gaps: where the slope of jerk g²/24 + 2 noise/g is zero.
+// What a gap is to be found for. The noise is such that `ideal`, not a whole number, is the best of
+// all gaps: where the slope of jerk g²/24 + 2 noise/g is zero.
 struct Throw {
     double frame, jerk, noise;
 
@@ -80,8 +80,8 @@ PROPERTY("where two numbers of frames are almost equally good, the better one is
     }
 }
 
-// x = A sin ωt from −g/2 to g/2, all noise to the worse side. ωg is 0.4 at the most for twice the best
-// gap: what comes after the leading term is below (ωg)²/80 of it, a fifth of a percent.
+// x = A sin ωt from −g/2 to g/2, all noise to the worse side. ωg is 0.4 at the most for twice the
+// best gap: what comes after the leading term is below (ωg)²/80 of it, a fifth of a percent.
 PROPERTY("on a swing with the worst noise, half or twice as many frames are no better") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {

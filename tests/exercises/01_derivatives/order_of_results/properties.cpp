@@ -44,7 +44,8 @@ PROPERTY("the order does not change when the results are shifted, scaled or mirr
     Draw draw;
     for (int i = 0; i < 50; ++i) {
         const double shift = draw.real(-10, 10), scale = draw.sign() * draw.log(0.1, 10);
-        const auto r = results(draw.real(-1, 1), draw.sign() * draw.real(0.5, 1), draw.real(0.5, 4));
+        const double error = draw.sign() * draw.real(0.5, 1);
+        const auto r = results(draw.real(-1, 1), error, draw.real(0.5, 4));
         const auto moved = [&](double x) { return shift + scale * x; };
         const double before = order_of(r), after = learner(moved(r[0]), moved(r[1]), moved(r[2]));
         REQUIRE(close(before, after, 1e-9));
@@ -55,7 +56,8 @@ PROPERTY("the order does not change when the results are shifted, scaled or mirr
 PROPERTY("forward, central and five-point differences show their orders on a smooth function") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
-        const double a = draw.sign() * draw.real(0.5, 2), x = draw.real(-1, 1), h = 0.04 / std::fabs(a);
+        const double a = draw.sign() * draw.real(0.5, 2), x = draw.real(-1, 1);
+        const double h = 0.04 / std::fabs(a);
         const auto f = [&](double t) { return std::exp(a * t); };
         const auto forward = [&](double step) { return (f(x + step) - f(x)) / step; };
         const auto central = [&](double step) { return (f(x + step) - f(x - step)) / (2 * step); };
