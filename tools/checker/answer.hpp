@@ -65,7 +65,8 @@ struct SpokenOf<R(Args...)> {
     static constexpr Spoken spoken{arguments, result, is_result};
 };
 
-/// A function of numbers as an ordinary typed function: `Typed<double(double, double)> f(g); f(1, 2)`.
+/// A function of numbers as an ordinary typed function: `Typed<double(double, double)> f(g); f(1,
+/// 2)`.
 template <class Signature>
 class Typed;
 

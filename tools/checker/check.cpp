@@ -2,9 +2,9 @@
 //
 //     check EXERCISE WORKER [SEED [PRINTED]]
 //
-// with inputs drawn from SEED (none given: anew), what the learner's code prints left in the file PRINTED. It
-// prints lines  key<TAB>value, which ./course check puts into words. Exit status 0 when the answer is
-// right, 1 when it is not, 2 for wrong use.
+// with inputs drawn from SEED (none given: anew), what the learner's code prints left in the file
+// PRINTED. It prints lines  key<TAB>value, which ./course check puts into words. Exit status 0 when
+// the answer is right, 1 when it is not, 2 for wrong use.
 
 #include <charconv>
 #include <cstdio>

@@ -40,13 +40,13 @@ private:
     std::size_t at_ = 0;
 };
 
-/// How a type becomes numbers, how it is made of them again, and how people read it: `put`, `take` and
-/// `show`.
+/// How a type becomes numbers, how it is made of them again, and how people read it: `put`, `take`
+/// and `show`.
 template <class T>
 struct Wire;
 
 template <class T>
-    requires std::integral<T> || std::floating_point<T>
+requires std::integral<T> || std::floating_point<T>
 struct Wire<T> {
     static void put(Numbers& numbers, T value) { numbers.push_back(static_cast<double>(value)); }
     static T take(Reader& reader) { return static_cast<T>(reader.next()); }

@@ -10,8 +10,7 @@
 namespace checker {
 
 template <class T, int rows, int columns, int... rest>
-    requires(rows > 0 && columns > 0)
-struct Wire<Eigen::Matrix<T, rows, columns, rest...>> {
+requires(rows > 0 && columns > 0) struct Wire<Eigen::Matrix<T, rows, columns, rest...>> {
     using Matrix = Eigen::Matrix<T, rows, columns, rest...>;
     static void put(Numbers& numbers, const Matrix& values) {
         for (int j = 0; j < columns; ++j)

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// What goes through the pipes between the tests and the worker that holds the learner's code: a head, and
-/// so many bytes.
+/// What goes through the pipes between the tests and the worker that holds the learner's code: a
+/// head, and so many bytes.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The language of the hidden tests. A test is a property that every right answer has, said in words
-/// that a learner understands:
+/// The language of the hidden tests. A test is a property that every right answer has, said in
+/// words that a learner understands:
 ///
 ///     EXERCISE(twice);
 ///     PROPERTY("twice anything is the sum of it and itself") {
@@ -23,11 +23,11 @@
 
 /// Says which exercise the properties below it belong to; its declaration stands in the header of
 /// the same name, which is included before.
-#define EXERCISE(name)                                                                        \
-    static constexpr const char* exercise_tag = "[" #name "]";                                \
-    static const checker::Typed<decltype(::name)> learner(                                    \
-        [](const checker::Numbers& arguments, const checker::Spoken& spoken) {                \
-            return checker::session().call(arguments, spoken);                                \
+#define EXERCISE(name)                                                         \
+    static constexpr const char* exercise_tag = "[" #name "]";                 \
+    static const checker::Typed<decltype(::name)> learner(                     \
+        [](const checker::Numbers& arguments, const checker::Spoken& spoken) { \
+            return checker::session().call(arguments, spoken);                 \
         })
 
 /// A property that every right answer has. They are looked at from top to bottom; the learner is

@@ -20,7 +20,8 @@ Eigen::Quaterniond draw_rotation(Draw& draw) {
 Eigen::Vector3d draw_moments(Draw& draw, double ratio) {
     const double size = draw.log(0.01, 100);
     for (;;) {
-        const double x = draw.log(1 / ratio, 1), y = draw.log(1 / ratio, 1), z = draw.log(1 / ratio, 1);
+        const double x = draw.log(1 / ratio, 1), y = draw.log(1 / ratio, 1),
+                     z = draw.log(1 / ratio, 1);
         const Eigen::Vector3d moments(y + z, z + x, x + y);
         if (moments.maxCoeff() <= ratio * moments.minCoeff()) return size * moments;
     }

@@ -29,8 +29,8 @@ void limit(int resource, std::size_t amount) {
     setrlimit(static_cast<__rlimit_resource>(resource), &both);
 }
 
-// In the child: the pipes and the file in place of all that was open, limits, and the program with an
-// empty environment.
+// In the child: the pipes and the file in place of all that was open, limits, and the program with
+// an empty environment.
 [[noreturn]] void become(const std::string& program, int calls, int answers, int printed,
                          const Limits& limits) {
     setpgid(0, 0);
@@ -123,10 +123,14 @@ Numbers Remote::operator()(const Numbers& arguments) {
             std::memcpy(result.data(), bytes.data(), result.size() * sizeof(double));
             return result;
         }
-        case Reply::not_started: throw Ended(Kind::not_started, "");
-        case Reply::threw: throw Ended(Kind::crash, "an exception that nobody caught: " + bytes);
-        case Reply::out_of_memory: throw Ended(Kind::too_much_memory, "");
-        case Reply::crashed: break;
+        case Reply::not_started:
+            throw Ended(Kind::not_started, "");
+        case Reply::threw:
+            throw Ended(Kind::crash, "an exception that nobody caught: " + bytes);
+        case Reply::out_of_memory:
+            throw Ended(Kind::too_much_memory, "");
+        case Reply::crashed:
+            break;
     }
     // The addresses on the stack, from the inside out; the signal's name comes with the end.
     std::string trace;
@@ -141,7 +145,8 @@ Numbers Remote::operator()(const Numbers& arguments) {
     }
     process_ = -1;
     throw Ended(Kind::crash,
-                std::string(WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "a signal") + " at" + trace);
+                std::string(WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "a signal") +
+                    " at" + trace);
 }
 
 void Remote::receive(void* to, std::size_t size, double deadline) {
@@ -170,7 +175,8 @@ void Remote::gone() {
     if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
         throw Ended(Kind::course_error, program_ + ": cannot be run");
     if (WIFEXITED(status))
-        throw Ended(Kind::left_early, "it ended with status " + std::to_string(WEXITSTATUS(status)));
+        throw Ended(Kind::left_early,
+                    "it ended with status " + std::to_string(WEXITSTATUS(status)));
     if (WTERMSIG(status) == SIGXCPU) throw Ended(Kind::too_slow, "");
     throw Ended(Kind::crash, strsignal(WTERMSIG(status)));
 }

@@ -20,8 +20,8 @@ struct Limits {
     std::size_t printed_bytes = 1 << 20;
 };
 
-/// A worker with the learner's code, in a process and a process group of its own. What it prints goes to
-/// a file.
+/// A worker with the learner's code, in a process and a process group of its own. What it prints
+/// goes to a file.
 class Remote {
 public:
     /// Starts `program`; the file `printed` gets what it prints.

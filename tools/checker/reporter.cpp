@@ -1,5 +1,5 @@
-// Hands each property's outcome to the session, and prints nothing: what a learner reads of a verdict
-// is not Catch2's to say.
+// Hands each property's outcome to the session, and prints nothing: what a learner reads of a
+// verdict is not Catch2's to say.
 
 #include <catch2/catch_test_case_info.hpp>
 #include <catch2/reporters/catch_reporter_registrars.hpp>

@@ -1,5 +1,5 @@
-// Tests the tests of one exercise: what is not started, what is right and what is wrong must be told
-// apart, whatever the seed.
+// Tests the tests of one exercise: what is not started, what is right and what is wrong must be
+// told apart, whatever the seed.
 //
 //     self_test EXERCISE
 
@@ -17,10 +17,10 @@ int failures = 0;
 
 void expect(const std::string& variant, std::uint64_t seed, const Verdict& verdict, Kind kind,
             const std::string& misconception) {
-    const bool as_expected = misconception.empty()
-                                 ? verdict.kind == kind
-                                 : (verdict.kind == Kind::wrong || verdict.kind == Kind::not_finite) &&
-                                       verdict.misconception == misconception;
+    const bool as_expected =
+        misconception.empty() ? verdict.kind == kind
+                              : (verdict.kind == Kind::wrong || verdict.kind == Kind::not_finite) &&
+                                    verdict.misconception == misconception;
     if (as_expected) return;
     ++failures;
     std::printf("%s, seed %llu: must be %s %s, but is %s %s\n", variant.c_str(),
@@ -41,8 +41,8 @@ void test(const std::string& exercise) {
     for (const auto& [name, answer] : mistakes_of(exercise))
         for (std::uint64_t seed = 1; seed <= 20; ++seed)
             expect(name, seed, session().check(exercise, answer, seed), Kind::wrong, name);
-    std::printf("%s: %zu right answers, 200 seeds each; %zu mistakes, 20 seeds each\n", exercise.c_str(),
-                all.correct.size(), mistakes_of(exercise).size());
+    std::printf("%s: %zu right answers, 200 seeds each; %zu mistakes, 20 seeds each\n",
+                exercise.c_str(), all.correct.size(), mistakes_of(exercise).size());
 }
 
 }  // namespace

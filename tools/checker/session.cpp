@@ -11,8 +11,9 @@
 namespace checker {
 
 const char* name_of(Kind kind) {
-    static constexpr std::array names{"pass",     "not_started",     "wrong",      "not_finite",  "crash",
-                                      "too_slow", "too_much_memory", "left_early", "course_error"};
+    static constexpr std::array names{"pass",        "not_started", "wrong",           "not_finite",
+                                      "crash",       "too_slow",    "too_much_memory", "left_early",
+                                      "course_error"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -28,8 +29,8 @@ Catch::Session& catch2() {
     return one;
 }
 
-// How far one answer lies from another, relative to the larger. Where both are NaN, or infinite alike,
-// they agree.
+// How far one answer lies from another, relative to the larger. Where both are NaN, or infinite
+// alike, they agree.
 double apart(const Numbers& a, const Numbers& b) {
     if (a.size() != b.size()) return HUGE_VAL;
     double difference = 0, size = 0;
@@ -95,7 +96,8 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
     } catch (const exercise::NotStarted&) {
         end(Ended(Kind::not_started, ""));
     }
-    if (!spoken.is_result(result)) end(Ended(Kind::left_early, "it answered with what is no answer"));
+    if (!spoken.is_result(result))
+        end(Ended(Kind::left_early, "it answered with what is no answer"));
     if (calls_.size() < 100'000) calls_.push_back({arguments, result});
     if (verdict_.kind == Kind::pass) last_ = {arguments, result};
     if (!std::all_of(result.begin(), result.end(), [](double x) { return std::isfinite(x); })) {

@@ -21,13 +21,13 @@ void reply(Reply kind, const void* data, std::size_t bytes) {
     if (!write_all(answers_fd, &head, sizeof head) || !write_all(answers_fd, data, bytes)) _exit(1);
 }
 
-// Only what may be called in a signal handler; `backtrace` has been called once before, which loads what
-// it needs.
+// Only what may be called in a signal handler; `backtrace` has been called once before, which loads
+// what it needs.
 extern "C" void crashed(int signal) {
     void* trace[64];
     const int size = backtrace(trace, 64);
-    // Behind this handler and its trampoline comes the place of the crash; the others are where calls
-    // return to, one line too far where a call never does.
+    // Behind this handler and its trampoline comes the place of the crash; the others are where
+    // calls return to, one line too far where a call never does.
     for (int i = 3; i < size; ++i) trace[i] = static_cast<char*>(trace[i]) - 1;
     reply(Reply::crashed, trace, static_cast<std::size_t>(size) * sizeof(void*));
     std::signal(signal, SIG_DFL);
@@ -43,7 +43,7 @@ void catch_crashes() {
     own.ss_sp = stack;
     own.ss_size = sizeof stack;
     sigaltstack(&own, nullptr);
-    struct sigaction action{};
+    struct sigaction action {};
     action.sa_handler = crashed;
     action.sa_flags = SA_ONSTACK | SA_RESETHAND | SA_NODEFER;
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})

@@ -48,13 +48,18 @@ void declare(CLI::App& app, Asked& asked) {
         "  ./course run 3 -- --help");
     const auto with_exercise = [&](const char* name, const char* words) {
         const auto command = app.add_subcommand(name, words);
-        return std::pair(command, command->add_option("EXERCISE", asked.exercise,
-                                                      "name, number (1.1) or file of the exercise"));
+        return std::pair(command,
+                         command->add_option("EXERCISE", asked.exercise,
+                                             "name, number (1.1) or file of the exercise"));
     };
-    const auto check = with_exercise("check", "check your answer to an exercise, or to all begun").first;
-    check->add_option("--file", asked.file, "this file's answer instead of yours, and do not count it")
+    const auto check =
+        with_exercise("check", "check your answer to an exercise, or to all begun").first;
+    check
+        ->add_option("--file", asked.file,
+                     "this file's answer instead of yours, and do not count it")
         ->type_name("FILE");
-    check->add_option("--seed", asked.seed, "draw the same inputs as the check that named this seed")
+    check
+        ->add_option("--seed", asked.seed, "draw the same inputs as the check that named this seed")
         ->type_name("NUMBER");
     check->add_flag("--json", asked.json, "as JSON, for programs");
     with_exercise("watch", "check again whenever you save, and go on after a pass");
@@ -87,7 +92,8 @@ std::optional<std::uint64_t> seed_from(const std::string& word) {
     const char* const end = word.data() + word.size();
     const auto read = std::from_chars(word.data(), end, seed);
     if (read.ec != std::errc() || read.ptr != end)
-        throw Stop(Status::bad_use, "--seed " + word + ": must be a whole number from 0 to 2^64 - 1");
+        throw Stop(Status::bad_use,
+                   "--seed " + word + ": must be a whole number from 0 to 2^64 - 1");
     return seed;
 }
 

@@ -52,16 +52,20 @@ void remember_pass(const Exercise& exercise) {
 // What to do next, below a verdict.
 std::string way_on(const Exercise& exercise, const Verdict& verdict) {
     if (verdict.kind == "pass") {
-        std::string text = "\n  The course's answer beside yours:  ./course solution " + exercise.name + "\n";
+        std::string text =
+            "\n  The course's answer beside yours:  ./course solution " + exercise.name + "\n";
         const auto next = next_after(exercise);
-        if (next) return text + "  Next:  " + next->place() + " " + next->title + "\n         " + shown(next->file()) + "\n";
+        if (next)
+            return text + "  Next:  " + next->place() + " " + next->title + "\n         " +
+                   shown(next->file()) + "\n";
         return text + "  That was the last one: you have passed them all.\n";
     }
     std::string text;
     if (verdict.kind != "not_started" && verdict.kind != "does_not_compile")
         text += "\n  The same numbers again:  ./course check " + exercise.name + " --seed " +
                 std::to_string(verdict.seed) + "\n";
-    return text + (text.empty() ? "\n" : "") + "  A hint, one step at a time:  ./course hint " + exercise.name + "\n";
+    return text + (text.empty() ? "\n" : "") + "  A hint, one step at a time:  ./course hint " +
+           exercise.name + "\n";
 }
 
 // Every exercise that has been begun, in one line each, and the first that is not right in full.
@@ -75,7 +79,8 @@ void check_all(bool json, const std::optional<std::uint64_t>& seed) {
         const Verdict verdict = check_file(exercise, exercise.file(), seed_or_new(seed));
         list += (checked++ > 0 ? ",\n " : "") + as_json(exercise, verdict);
         course_error = course_error || verdict.kind == "course_error";
-        if (verdict.kind == "pass") remember_pass(exercise);
+        if (verdict.kind == "pass")
+            remember_pass(exercise);
         else if (first_wrong.empty())
             first_wrong = told(exercise, verdict, exercise.file()) + way_on(exercise, verdict);
         if (!json)
@@ -89,7 +94,8 @@ void check_all(bool json, const std::optional<std::uint64_t>& seed) {
                     shown(read_exercises().front().file()).c_str());
     else
         std::printf("\n%s", first_wrong.c_str());
-    if (!first_wrong.empty() || checked == 0) throw Stop(course_error ? Status::missing : Status::wrong, "");
+    if (!first_wrong.empty() || checked == 0)
+        throw Stop(course_error ? Status::missing : Status::wrong, "");
 }
 
 }  // namespace
@@ -97,7 +103,8 @@ void check_all(bool json, const std::optional<std::uint64_t>& seed) {
 void check(const std::string& name, const std::optional<std::string>& file, bool json,
            const std::optional<std::uint64_t>& seed) {
     if (name.empty()) {
-        if (file) throw Stop(Status::bad_use, "check --file needs the exercise that the file answers");
+        if (file)
+            throw Stop(Status::bad_use, "check --file needs the exercise that the file answers");
         bring_up_to_date();
         return check_all(json, seed);
     }
@@ -116,11 +123,13 @@ void check(const std::string& name, const std::optional<std::string>& file, bool
         throw Stop(verdict.kind == "course_error" ? Status::missing : Status::wrong, "");
 }
 
-// Looks at the file ten times a second, which every system and every editor's way of saving can bear.
+// Looks at the file ten times a second, which every system and every editor's way of saving can
+// bear.
 void watch(const std::string& name) {
     std::optional<Exercise> exercise;
     const auto progress = read_progress();
-    if (!name.empty()) exercise = find_exercise(name);
+    if (!name.empty())
+        exercise = find_exercise(name);
     else
         for (const auto& candidate : read_exercises())
             if (!exercise && state_of(candidate, progress) != "passed") exercise = candidate;
@@ -143,7 +152,9 @@ void watch(const std::string& name) {
             if (verdict.kind == "pass") {
                 remember_pass(*exercise);
                 exercise = next_after(*exercise);
-                if (exercise) std::printf("\nWatching %s now; Ctrl-C ends.\n", shown(exercise->file()).c_str());
+                if (exercise)
+                    std::printf("\nWatching %s now; Ctrl-C ends.\n",
+                                shown(exercise->file()).c_str());
             } else {
                 std::printf("\nWatching %s; it is checked whenever you save it; Ctrl-C ends.\n",
                             shown(exercise->file()).c_str());

@@ -45,26 +45,30 @@ void hint(const std::string& name) {
     int& shown_so_far = progress[exercise.name].hints;
     shown_so_far = std::min(shown_so_far + 1, known);
     write_progress(progress);
-    std::printf("%s\n", bold(exercise.place() + " " + exercise.name + ", " + exercise.title).c_str());
+    std::printf("%s\n",
+                bold(exercise.place() + " " + exercise.name + ", " + exercise.title).c_str());
     for (int i = 0; i < shown_so_far; ++i)
         std::printf("\n  Hint %d of %d\n%s", i + 1, known,
                     wrapped(exercise.hints[static_cast<std::size_t>(i)], 6).c_str());
     if (shown_so_far == known)
-        std::printf("\n  There are no more hints. After a pass:  ./course solution %s\n", exercise.name.c_str());
+        std::printf("\n  There are no more hints. After a pass:  ./course solution %s\n",
+                    exercise.name.c_str());
 }
 
 void solution(const std::string& name) {
     const Exercise exercise = find_exercise(name);
     if (!read_progress()[exercise.name].passed)
-        throw Stop(Status::wrong, "the solution is shown when your own answer has passed:  ./course check " +
-                                      exercise.name);
+        throw Stop(Status::wrong,
+                   "the solution is shown when your own answer has passed:  ./course check " +
+                       exercise.name);
     const auto yours = code_of(exercise.file()), ours = code_of(exercise.solution());
     std::size_t width = 8;
     for (const auto& line : yours) width = std::max(width, width_of(line));
     std::size_t whole = 0;
     for (const auto& line : ours) whole = std::max(whole, width + 3 + width_of(line));
 
-    std::printf("%s\n\n", bold(exercise.place() + " " + exercise.name + ", " + exercise.title).c_str());
+    std::printf("%s\n\n",
+                bold(exercise.place() + " " + exercise.name + ", " + exercise.title).c_str());
     if (whole <= columns()) {
         std::printf("%s | %s\n", padded("Yours", width).c_str(), "The course's");
         for (std::size_t i = 0; i < std::max(yours.size(), ours.size()); ++i)
@@ -95,7 +99,8 @@ void reset(const std::string& name) {
         if (error) {
             std::error_code ignored;
             fs::remove(copy, ignored);
-            throw Stop(Status::bad_use, copy.string() + ": " + error.message() + "; nothing was reset");
+            throw Stop(Status::bad_use,
+                       copy.string() + ": " + error.message() + "; nothing was reset");
         }
         std::printf("Your answer is kept in %s\n", shown(copy).c_str());
     }

@@ -54,7 +54,8 @@ extern "C" void pass_on(int signal) {
 Outcome run_within(const std::vector<std::string>& command, const Allowance& allowance) {
     const std::size_t most = 1'000'000;
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) throw Stop(Status::missing, "no pipe to be had from the system");
+    if (pipe2(ends, O_CLOEXEC) != 0)
+        throw Stop(Status::missing, "no pipe to be had from the system");
     const pid_t child = fork();
     if (child < 0) throw Stop(Status::missing, "no process to be had from the system");
     if (child == 0) become(command, ends[1], allowance);

@@ -30,8 +30,8 @@ void list(bool json) {
                                  {"state", state_of(exercise, progress)},
                                  {"file", exercise.file().string()}});
         std::printf("%s\n", nlohmann::ordered_json{{"chapters", chapters}, {"exercises", exercises}}
-                               .dump(2)
-                               .c_str());
+                                .dump(2)
+                                .c_str());
         return;
     }
     const auto exercises = read_exercises();
@@ -43,8 +43,12 @@ void list(bool json) {
         for (const auto& exercise : exercises) {
             if (exercise.chapter != chapter.folder) continue;
             const std::string state = state_of(exercise, progress);
-            std::printf("    %s %s  %s  %s\n", state == "passed" ? "✓" : state == "started" ? "…" : "·",
-                        exercise.place().c_str(), padded(exercise.name, 24).c_str(), exercise.title.c_str());
+            std::printf("    %s %s  %s  %s\n",
+                        state == "passed"    ? "✓"
+                        : state == "started" ? "…"
+                                             : "·",
+                        exercise.place().c_str(), padded(exercise.name, 24).c_str(),
+                        exercise.title.c_str());
             any = true;
         }
         if (any) std::printf("\n");
@@ -52,8 +56,10 @@ void list(bool json) {
     if (exercises.empty()) return;
     std::size_t passed = 0;
     for (const auto& exercise : exercises) passed += state_of(exercise, progress) == "passed";
-    std::printf("%zu of %zu exercises passed. Their files are in exercises/; ./course check NAME checks one.\n",
-                passed, exercises.size());
+    std::printf(
+        "%zu of %zu exercises passed. Their files are in exercises/; ./course check NAME checks "
+        "one.\n",
+        passed, exercises.size());
 }
 
 }  // namespace course

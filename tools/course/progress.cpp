@@ -32,7 +32,8 @@ std::map<std::string, Remembered> read_progress() {
         Remembered remembered;
         if (!(words >> name >> state >> remembered.hints) || (words >> rest) ||
             (state != "passed" && state != "open") || remembered.hints < 0)
-            throw Stop(Status::bad_use, file().string() + ":" + std::to_string(number) + ": '" + line +
+            throw Stop(Status::bad_use, file().string() + ":" + std::to_string(number) + ": '" +
+                                            line +
                                             "' is not 'exercise, passed or open, number of hints'");
         remembered.passed = state == "passed";
         progress[name] = remembered;
@@ -48,8 +49,8 @@ void write_progress(const std::map<std::string, Remembered>& progress) {
     {
         std::ofstream out(fresh);
         for (const auto& [name, remembered] : progress)
-            out << name << '\t' << (remembered.passed ? "passed" : "open") << '\t' << remembered.hints
-                << '\n';
+            out << name << '\t' << (remembered.passed ? "passed" : "open") << '\t'
+                << remembered.hints << '\n';
         out.close();
         if (!out) {
             fs::remove(fresh, error);
@@ -64,7 +65,8 @@ std::string state_of(const Exercise& exercise, const std::map<std::string, Remem
     const auto found = progress.find(exercise.name);
     if (found != progress.end() && found->second.passed) return "passed";
     std::error_code error;
-    if (!fs::exists(exercise.file(), error) || !fs::exists(exercise.stub(), error)) return "not started";
+    if (!fs::exists(exercise.file(), error) || !fs::exists(exercise.stub(), error))
+        return "not started";
     return contents(exercise.file()) == contents(exercise.stub()) ? "not started" : "started";
 }
 

@@ -60,8 +60,10 @@ std::string wrong(const Exercise& exercise, const Verdict& verdict) {
     if (mistake != exercise.mistakes.end())
         text += wrapped(mistake->second.says, 2) + wrapped("Hint: " + mistake->second.hint, 2);
     else
-        text += wrapped("This is none of the usual mistakes. Work the property out by hand for the numbers "
-                        "above.", 2);
+        text += wrapped(
+            "This is none of the usual mistakes. Work the property out by hand for the numbers "
+            "above.",
+            2);
     return text;
 }
 
@@ -70,28 +72,38 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
     if (kind == "does_not_compile") return does_not_compile(exercise, verdict);
     if (kind == "wrong") return wrong(exercise, verdict);
     if (kind == "not_finite") {
-        std::string text = wrapped(call(exercise, verdict) + " returned " + verdict.result + ". Every answer "
-                                   "must be a finite number.", 2);
+        std::string text = wrapped(call(exercise, verdict) + " returned " + verdict.result +
+                                       ". Every answer "
+                                       "must be a finite number.",
+                                   2);
         const auto mistake = exercise.mistakes.find(verdict.misconception);
-        return mistake == exercise.mistakes.end()
-                   ? text
-                   : text + "\n" + wrapped(mistake->second.says, 2) + wrapped("Hint: " + mistake->second.hint, 2);
+        return mistake == exercise.mistakes.end() ? text
+                                                  : text + "\n" + wrapped(mistake->second.says, 2) +
+                                                        wrapped("Hint: " + mistake->second.hint, 2);
     }
     if (kind == "crash") {
         std::string text = wrapped(verdict.detail + ", in the call " + call(exercise, verdict), 2);
         if (verdict.line > 0)
-            text += "  Line " + std::to_string(verdict.line) + ":  " + line_of(file, verdict.line) + "\n";
+            text += "  Line " + std::to_string(verdict.line) + ":  " + line_of(file, verdict.line) +
+                    "\n";
         return text;
     }
     if (kind == "too_slow")
-        return wrapped("The call " + call(exercise, verdict) + " gave no answer in time (2 s for one call, 10 s "
-                       "for all). Is there a loop that never ends?", 2);
+        return wrapped("The call " + call(exercise, verdict) +
+                           " gave no answer in time (2 s for one call, 10 s "
+                           "for all). Is there a loop that never ends?",
+                       2);
     if (kind == "too_much_memory")
-        return wrapped("The call " + call(exercise, verdict) + " asked for more memory than there is for an "
-                       "exercise, 1 GB.", 2);
+        return wrapped("The call " + call(exercise, verdict) +
+                           " asked for more memory than there is for an "
+                           "exercise, 1 GB.",
+                       2);
     if (kind == "left_early")
-        return wrapped("In the call " + call(exercise, verdict) + " the program went its own way instead of "
-                       "returning: " + verdict.detail + ".", 2);
+        return wrapped("In the call " + call(exercise, verdict) +
+                           " the program went its own way instead of "
+                           "returning: " +
+                           verdict.detail + ".",
+                       2);
     return wrapped("The checker itself failed, which is not your fault: " + verdict.detail, 2);
 }
 
@@ -112,18 +124,21 @@ std::string told(const Exercise& exercise, const Verdict& verdict, const fs::pat
     std::string text;
     if (verdict.kind == "not_started")
         return bold(exercise.place() + " " + exercise.name) + ": not started\n" +
-               wrapped("Your file is " + shown(file) + ". The task stands in it; write your answer in place of "
-                       "\"return not_started;\" and check again.", 2);
+               wrapped("Your file is " + shown(file) +
+                           ". The task stands in it; write your answer in place of "
+                           "\"return not_started;\" and check again.",
+                       2);
     char seconds[16];
     std::snprintf(seconds, sizeof seconds, "%.2f s", verdict.seconds);
     if (verdict.kind == "pass") {
-        text = bold("✓ " + exercise.place() + " " + exercise.name) + ": right  (" + seconds + ")\n\n" +
-               wrapped(exercise.learned, 2);
+        text = bold("✓ " + exercise.place() + " " + exercise.name) + ": right  (" + seconds +
+               ")\n\n" + wrapped(exercise.learned, 2);
     } else {
-        text = bold("✗ " + exercise.place() + " " + exercise.name) + ": " + headline(verdict.kind) + "\n\n" +
-               why(exercise, verdict, file);
+        text = bold("✗ " + exercise.place() + " " + exercise.name) + ": " + headline(verdict.kind) +
+               "\n\n" + why(exercise, verdict, file);
     }
-    if (!verdict.printed.empty()) text += "\n  Your code printed:\n" + head_of(verdict.printed, 20, "      ");
+    if (!verdict.printed.empty())
+        text += "\n  Your code printed:\n" + head_of(verdict.printed, 20, "      ");
     if (verdict.kind != "does_not_compile" && !verdict.compiler.empty())
         text += "\n  The compiler remarks:\n" + head_of(verdict.compiler, 12, "  ");
     return text;

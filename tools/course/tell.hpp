@@ -9,7 +9,8 @@
 namespace course {
 
 /// What is printed of a verdict. `file` is the answer that was checked.
-std::string told(const Exercise& exercise, const Verdict& verdict, const std::filesystem::path& file);
+std::string told(const Exercise& exercise, const Verdict& verdict,
+                 const std::filesystem::path& file);
 
 /// exercise, verdict, property, misconception, seed and seconds; what does not apply is null.
 std::string as_json(const Exercise& exercise, const Verdict& verdict);

@@ -25,7 +25,8 @@ public:
     Workshop() {
         std::string name = (places().build / "exercises/check_XXXXXX").string();
         if (mkdtemp(name.data()) == nullptr)
-            throw Stop(Status::bad_use, (places().build / "exercises").string() + ": cannot be written");
+            throw Stop(Status::bad_use,
+                       (places().build / "exercises").string() + ": cannot be written");
         path_ = name;
     }
     ~Workshop() {
@@ -69,12 +70,12 @@ bool succeeds(const Words& command, Verdict& verdict) {
     verdict.compiler += outcome.said;
     if (outcome.said.find("No space left on device") != std::string::npos)
         throw Stop(Status::bad_use, places().build.string() + ": no space left on the device");
-    if (outcome.too_slow)
-        verdict.compiler += "The compiler had not come to an end after 20 s.\n";
+    if (outcome.too_slow) verdict.compiler += "The compiler had not come to an end after 20 s.\n";
     return outcome.status == 0 && !outcome.too_slow;
 }
 
-// The line of the learner's file that the addresses of a crash lead to, the innermost first; 0 if none.
+// The line of the learner's file that the addresses of a crash lead to, the innermost first; 0 if
+// none.
 int line_of_crash(const std::string& detail, const fs::path& worker, const fs::path& file) {
     const auto at = detail.find(" at ");
     if (at == std::string::npos) return 0;
@@ -120,27 +121,30 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     };
 
     Words compile = commands.compile;
-    for (const std::string& word : {std::string("-x"), std::string("c++"), std::string("-c"), file.string(),
-                                    std::string("-o"), object.string()})
+    for (const std::string& word : {std::string("-x"), std::string("c++"), std::string("-c"),
+                                    file.string(), std::string("-o"), object.string()})
         compile.push_back(word);
     if (!succeeds(compile, verdict)) return ended("does_not_compile");
     Words link = commands.link;
-    for (const std::string& word : {object.string(), commands.worker_object, commands.worker_library,
-                                    std::string("-o"), worker.string()})
+    for (const std::string& word : {object.string(), commands.worker_object,
+                                    commands.worker_library, std::string("-o"), worker.string()})
         link.push_back(word);
     if (!succeeds(link, verdict)) return ended("does_not_compile");
 
-    const Outcome outcome = run_within({commands.check, exercise.name, worker.string(),
-                                        std::to_string(seed), printed.string()}, {30, 0});
+    const Outcome outcome = run_within(
+        {commands.check, exercise.name, worker.string(), std::to_string(seed), printed.string()},
+        {30, 0});
     auto said = read_lines(outcome.said);
     if (fs::exists(printed)) verdict.printed = contents(printed);
-    if (said["verdict"] == "wrong" || said["verdict"] == "not_finite") verdict.property = said["property"];
+    if (said["verdict"] == "wrong" || said["verdict"] == "not_finite")
+        verdict.property = said["property"];
     verdict.misconception = said["misconception"];
     verdict.detail = said["detail"];
     verdict.arguments = said["arguments"];
     verdict.result = said["result"];
     if (said["verdict"].empty()) {
-        verdict.detail = outcome.too_slow ? "the hidden tests did not come to an end" : outcome.said;
+        verdict.detail =
+            outcome.too_slow ? "the hidden tests did not come to an end" : outcome.said;
         return ended("course_error");
     }
     if (said["verdict"] == "crash") {

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// From a learner's file to a verdict: compile it, link it with its worker, let the hidden tests call it.
+/// From a learner's file to a verdict: compile it, link it with its worker, let the hidden tests
+/// call it.
 
 #include <cstdint>
 #include <filesystem>
@@ -10,24 +11,24 @@
 
 namespace course {
 
-/// What a check has found. `kind` is one of: pass, does_not_compile, not_started, wrong, not_finite,
-/// crash, too_slow, too_much_memory, left_early, course_error.
+/// What a check has found. `kind` is one of: pass, does_not_compile, not_started, wrong,
+/// not_finite, crash, too_slow, too_much_memory, left_early, course_error.
 struct Verdict {
     std::string kind;
-    std::string property;        ///< wrong: the first that does not hold
-    std::string misconception;   ///< the name of the known mistake that answers just so, if any
-    std::string detail;          ///< of a crash and the like
-    std::string arguments;       ///< of the last call: "(1, 2)"
-    std::string result;          ///< and what it returned
-    std::string compiler;        ///< what the compiler said, warnings included
-    std::string printed;         ///< what the learner's code printed
-    int line = 0;                ///< of the learner's file where it crashed
+    std::string property;       ///< wrong: the first that does not hold
+    std::string misconception;  ///< the name of the known mistake that answers just so, if any
+    std::string detail;         ///< of a crash and the like
+    std::string arguments;      ///< of the last call: "(1, 2)"
+    std::string result;         ///< and what it returned
+    std::string compiler;       ///< what the compiler said, warnings included
+    std::string printed;        ///< what the learner's code printed
+    int line = 0;               ///< of the learner's file where it crashed
     std::uint64_t seed = 0;
-    double seconds = 0;          ///< from the file to the verdict
+    double seconds = 0;  ///< from the file to the verdict
 };
 
-/// Checks `file` as an answer to the exercise, with inputs drawn from `seed`. Throws Stop where the file
-/// cannot be read or the machine is at fault.
+/// Checks `file` as an answer to the exercise, with inputs drawn from `seed`. Throws Stop where the
+/// file cannot be read or the machine is at fault.
 Verdict check_file(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed);
 
 }  // namespace course

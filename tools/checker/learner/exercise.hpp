@@ -1,9 +1,10 @@
-// A guard instead of #pragma once: compilers complain of that where a header is compiled beforehand.
+// A guard instead of #pragma once: compilers complain of that where a header is compiled
+// beforehand.
 #ifndef TIMESTEP_EXERCISE_HPP
 #define TIMESTEP_EXERCISE_HPP
 /// \file
-/// What an exercise gives to the file you write: the usual standard headers, the course's states, and
-/// `not_started`.
+/// What an exercise gives to the file you write: the usual standard headers, the course's states,
+/// and `not_started`.
 
 #include <algorithm>
 #include <array>

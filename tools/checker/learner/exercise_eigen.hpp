@@ -1,4 +1,5 @@
-// A guard instead of #pragma once: compilers complain of that where a header is compiled beforehand.
+// A guard instead of #pragma once: compilers complain of that where a header is compiled
+// beforehand.
 #ifndef TIMESTEP_EXERCISE_EIGEN_HPP
 #define TIMESTEP_EXERCISE_EIGEN_HPP
 /// \file
