@@ -1,0 +1,74 @@
+#include "bounce_without_velocity.hpp"
+
+#include "property.hpp"
+
+EXERCISE(bounce_without_velocity);
+
+// A ball that has sunk through the floor in the last step, the floor at any height.
+struct Sunk {
+    explicit Sunk(Draw& draw)
+        : floor(draw.sign() * draw.real(1, 5)),
+          before(floor + draw.real(0, 3)),
+          now(floor - draw.real(0.2, 3)) {}
+
+    double floor, before, now;
+};
+
+PROPERTY("a ball that is not below the floor is left alone, rising or falling") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double floor = draw.sign() * draw.real(1, 5);
+        const double before = floor + draw.real(0, 3), e = draw.real(0, 0.9);
+        const double now = i % 10 == 9 ? floor : floor + draw.real(0.1, 3);
+        REQUIRE(learner(before, now, floor, e) == std::array{before, now});
+    }
+}
+
+PROPERTY("after the bounce the ball is not below the floor") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Sunk ball(draw);
+        REQUIRE(learner(ball.before, ball.now, ball.floor, draw.real(0, 1))[1] >= ball.floor - 1e-14);
+    }
+}
+
+// Roundoff here and below: a few terms of at most 10 metres.
+PROPERTY("it leaves the floor with the given part of the speed, upwards") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Sunk ball(draw);
+        const double e = draw.real(0.1, 0.9);
+        const auto [before, now] = learner(ball.before, ball.now, ball.floor, e);
+        REQUIRE(close(now - before, -e * (ball.now - ball.before), 0, 1e-13));
+    }
+}
+
+PROPERTY("a bounce that loses nothing puts the ball as high above the floor as it was below") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Sunk ball(draw);
+        const double now = learner(ball.before, ball.now, ball.floor, 1)[1];
+        REQUIRE(close(now - ball.floor, ball.floor - ball.now, 0, 1e-13));
+    }
+}
+
+PROPERTY("a ball that does not bounce lies on the floor, and stays there") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Sunk ball(draw);
+        const auto [before, now] = learner(ball.before, ball.now, ball.floor, 0);
+        REQUIRE(close(now, ball.floor, 1e-15));
+        REQUIRE(close(before, ball.floor, 1e-15));
+    }
+}
+
+PROPERTY("it rises for as much of the step as is left when it hits the floor") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Sunk ball(draw);
+        const double e = draw.real(0.1, 0.9), speed = ball.before - ball.now;
+        const double left = 1 - (ball.before - ball.floor) / speed;
+        const auto [before, now] = learner(ball.before, ball.now, ball.floor, e);
+        REQUIRE(close(now, ball.floor + e * speed * left, 0, 1e-13));
+    }
+}
