@@ -1,0 +1,103 @@
+#include "tighten_rope.hpp"
+
+#include "property_eigen.hpp"
+
+using Eigen::Vector3d;
+
+EXERCISE(tighten_rope);
+
+// Two ends with masses, and a rope that is too short for them; or, with `slack`, a loose one.
+struct Ends {
+    explicit Ends(Draw& draw, bool slack = false)
+        : a(draw_vector(draw, -5, 5)),
+          b(a + draw.real(1, 5) * draw_direction(draw)),
+          wa(draw.log(0.02, 5)),
+          wb(draw.log(0.02, 5)),
+          length((b - a).norm() * (slack ? draw.real(1.1, 3) : draw.real(0.2, 0.9))) {}
+
+    Vector3d a, b;
+    double wa, wb, length;
+};
+
+PROPERTY("a loose rope moves nothing") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Ends ends(draw, true);
+        const auto [a, b] = learner(ends.a, ends.b, ends.wa, ends.wb, ends.length);
+        REQUIRE((a == ends.a && b == ends.b));
+    }
+}
+
+// Roundoff here and below: positions of at most 15 metres.
+PROPERTY("a rope that was too long has its length again") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const Ends ends(draw);
+        const auto [a, b] = learner(ends.a, ends.b, ends.wa, ends.wb, ends.length);
+        REQUIRE(close((b - a).norm(), ends.length, 0, 1e-13));
+    }
+}
+
+PROPERTY("an end that is held stays, and the rope has its length all the same") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Ends ends(draw);
+        const auto [wall, player] = learner(ends.a, ends.b, 0, ends.wb, ends.length);
+        REQUIRE((wall - ends.a).norm() <= 1e-13);
+        REQUIRE(close((player - wall).norm(), ends.length, 0, 1e-13));
+        const auto [crate, hook] = learner(ends.a, ends.b, ends.wa, 0, ends.length);
+        REQUIRE((hook - ends.b).norm() <= 1e-13);
+        REQUIRE(close((hook - crate).norm(), ends.length, 0, 1e-13));
+    }
+}
+
+PROPERTY("both ends move only along the line between them") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Ends ends(draw);
+        const Vector3d along = (ends.b - ends.a).normalized();
+        const auto [a, b] = learner(ends.a, ends.b, ends.wa, ends.wb, ends.length);
+        REQUIRE((a - ends.a).cross(along).norm() <= 1e-13);
+        REQUIRE((b - ends.b).cross(along).norm() <= 1e-13);
+    }
+}
+
+// Masses of at most 50 kg, so a hundred times the roundoff of a position.
+PROPERTY("the centre of mass of the two ends stays where it is") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const Ends ends(draw);
+        const auto [a, b] = learner(ends.a, ends.b, ends.wa, ends.wb, ends.length);
+        REQUIRE(((a - ends.a) / ends.wa + (b - ends.b) / ends.wb).norm() <= 1e-12);
+    }
+}
+
+PROPERTY("with all masses in other units the ends move the same way") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Ends ends(draw);
+        const double unit = draw.log(1e-3, 1e3);
+        const auto [a, b] = learner(ends.a, ends.b, ends.wa, ends.wb, ends.length);
+        const auto [a2, b2] = learner(ends.a, ends.b, unit * ends.wa, unit * ends.wb, ends.length);
+        REQUIRE(checker::close(a, a2, 0, 1e-13));
+        REQUIRE(checker::close(b, b2, 0, 1e-13));
+    }
+}
+
+PROPERTY("two ends that are held stay where they are, however long the rope") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Ends ends(draw, i % 2 == 0);
+        const auto [a, b] = learner(ends.a, ends.b, 0, 0, ends.length);
+        REQUIRE((a == ends.a && b == ends.b));
+    }
+}
+
+PROPERTY("two ends in one place stay there") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const Ends ends(draw);
+        const auto [a, b] = learner(ends.a, ends.a, ends.wa, ends.wb, ends.length);
+        REQUIRE((a == ends.a && b == ends.a));
+    }
+}
