@@ -1,0 +1,72 @@
+#include "before_new_step.hpp"
+
+#include "property.hpp"
+
+EXERCISE(before_new_step);
+
+// Roundoff here and below: terms of at most 1000 metres, as steps are at most ten times longer or
+// shorter.
+PROPERTY("where the step does not change, neither does the position before") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double before = draw.real(-10, 10), now = draw.real(-10, 10), a = draw.real(-20, 20);
+        const double h = draw.log(1e-2, 1);
+        REQUIRE(close(learner(before, now, a, h, h), before, 0, 1e-13));
+    }
+}
+
+PROPERTY("a constant velocity comes out exactly, for shorter and longer steps") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double now = draw.real(-10, 10), v = draw.real(-10, 10);
+        const double h_old = draw.log(0.1, 1), h_new = draw.log(0.1, 1);
+        REQUIRE(close(learner(now - h_old * v, now, 0, h_old, h_new), now - h_new * v, 0, 1e-12));
+    }
+}
+
+PROPERTY("a constant acceleration comes out exactly, for shorter and longer steps") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const double now = draw.real(-10, 10), v = draw.real(-10, 10), a = draw.real(-20, 20);
+        const double h_old = draw.log(0.1, 1), h_new = draw.log(0.1, 1);
+        const auto ago = [&](double time) { return now - v * time + a * time * time / 2; };
+        REQUIRE(close(learner(ago(h_old), now, a, h_old, h_new), ago(h_new), 0, 1e-12));
+    }
+}
+
+PROPERTY("changing the step and changing it back at once gives the old position before") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double before = draw.real(-10, 10), now = draw.real(-10, 10), a = draw.real(-20, 20);
+        const double h_old = draw.log(0.1, 1), h_new = draw.log(0.1, 1);
+        const double there = learner(before, now, a, h_old, h_new);
+        REQUIRE(close(learner(there, now, a, h_new, h_old), before, 0, 1e-11));
+    }
+}
+
+// Steps long and short in turn; what differs from two comes from higher powers of the step.
+PROPERTY("a run of Verlet on a spring with long and short steps in turn has order two") {
+    Draw draw;
+    for (int i = 0; i < 15; ++i) {
+        const double omega = draw.real(1, 3), phase = draw.real(0.2, 0.5), end = 1 / omega;
+        const double longer = draw.real(1.3, 1.6);
+        const auto at = [&](double t) { return std::sin(omega * t + phase); };
+        const auto error = [&](int steps) {
+            const double mean = end / steps;
+            double h = mean * longer, now = at(0), before = at(-h);
+            for (int n = 0; n < steps; ++n) {
+                const double h_new = mean * (n % 2 == 0 ? longer : 2 - longer);
+                const double a = -omega * omega * now;
+                before = learner(before, now, a, h, h_new);
+                h = h_new;
+                const double next = 2 * now - before + h * h * a;
+                before = now;
+                now = next;
+            }
+            return std::fabs(now - at(end));
+        };
+        const double measured = order(error(50), error(100));
+        REQUIRE(measured > 1.8);
+        REQUIRE(measured < 2.2);
+    }
+}
