@@ -1,0 +1,82 @@
+#include "damped_verlet_step.hpp"
+
+#include "property.hpp"
+
+EXERCISE(damped_verlet_step);
+
+PROPERTY("without drag it is Verlet's step") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double before = draw.real(-10, 10), now = draw.real(-10, 10), a = draw.real(-20, 20);
+        const double h = draw.log(1e-2, 1);
+        REQUIRE(close(learner(before, now, a, 0, h), 2 * now - before + h * h * a, 0, 1e-13));
+    }
+}
+
+PROPERTY("at rest and without a force a point stays where it is") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double x = draw.real(-10, 10), gamma = draw.log(0.01, 100), h = draw.log(1e-2, 1);
+        REQUIRE(close(learner(x, x, 0, gamma, h), x, 1e-15));
+    }
+}
+
+// Roundoff: the constants of the exact path, of which some answers are made, are up to 1/(gamma h)
+// times larger than a displacement, ten thousand times here.
+PROPERTY("drag alone never turns a motion round, however strong it is") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double before = draw.real(-10, 10), way = draw.sign() * draw.real(0.1, 1);
+        const double gamma = draw.log(0.01, 100), h = draw.log(1e-2, 1);
+        const double now = before + way, next = learner(before, now, 0, gamma, h);
+        REQUIRE((next - now) * way >= -1e-10);
+        REQUIRE(std::fabs(next - now) <= std::fabs(way) + 1e-10);
+    }
+}
+
+// Both runs start with the same velocity, in the middle of a step of their own: what is left of it
+// after a second, over what it was, is compared.
+PROPERTY("a velocity that nothing drives dies down in a second as much at 30 Hz as at 60 Hz") {
+    Draw draw;
+    for (int i = 0; i < 15; ++i) {
+        const double x = draw.real(-1, 1), v = draw.sign() * draw.real(1, 5), gamma = draw.log(0.1, 5);
+        const auto left_after_a_second = [&](int rate) {
+            const double h = 1.0 / rate;
+            double before = x - h * v, now = x;
+            for (int n = 0; n < rate; ++n) {
+                const double next = learner(before, now, 0, gamma, h);
+                before = now;
+                now = next;
+            }
+            return (now - before) / (h * v);
+        };
+        const double slow = left_after_a_second(30), fast = left_after_a_second(60);
+        REQUIRE(close(slow, fast, 0, 1e-8));
+        // Its rate of change is gamma times itself.
+        REQUIRE(close(-std::log(slow), gamma, 1e-8));
+    }
+}
+
+PROPERTY("a body that falls so fast that the drag balances the force keeps its velocity") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double x = draw.real(-10, 10), a = draw.sign() * draw.real(1, 20);
+        const double gamma = draw.log(0.1, 100), h = draw.log(1e-2, 1), way = h * a / gamma;
+        REQUIRE(close(learner(x - way, x, a, gamma, h), x + way, 0, 1e-12 * (1 + std::fabs(way))));
+    }
+}
+
+// The weakest drag cancels digits: with gamma h of 1e-4 four in 1 - exp(-gamma h), and the constants of
+// the path are up to a/gamma², two hundred kilometres.
+PROPERTY("from two positions on an exact path it lands on the exact path") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const double start = draw.real(-5, 5), v = draw.real(-10, 10), a = draw.sign() * draw.real(1, 20);
+        const double gamma = draw.log(0.01, 3), h = draw.log(1e-2, 1);
+        const auto at = [&](double t) {
+            const double shrunk = -std::expm1(-gamma * t) / gamma;  // t, but for the drag
+            return start + v * shrunk + a / gamma * (t == 0 ? 0 : t - shrunk);
+        };
+        REQUIRE(close(learner(at(-h), at(0), a, gamma, h), at(h), 0, 1e-9));
+    }
+}
