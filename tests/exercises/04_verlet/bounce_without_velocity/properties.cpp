@@ -28,7 +28,8 @@ PROPERTY("after the bounce the ball is not below the floor") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
         const Sunk ball(draw);
-        REQUIRE(learner(ball.before, ball.now, ball.floor, draw.real(0, 1))[1] >= ball.floor - 1e-14);
+        const double now = learner(ball.before, ball.now, ball.floor, draw.real(0, 1))[1];
+        REQUIRE(now >= ball.floor - 1e-14);
     }
 }
 

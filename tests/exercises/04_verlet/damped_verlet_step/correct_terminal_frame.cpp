@@ -1,6 +1,6 @@
 #include "exercise.hpp"
 
-// Seen by who falls along at the terminal velocity there is no force: the displacement only shrinks.
+// Who falls along at the terminal velocity sees no force: the displacement only shrinks.
 double damped_verlet_step(double before, double now, double a, double gamma, double h) {
     if (gamma > 0) {
         const double along = h * a / gamma;

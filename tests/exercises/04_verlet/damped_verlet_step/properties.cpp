@@ -39,7 +39,8 @@ PROPERTY("drag alone never turns a motion round, however strong it is") {
 PROPERTY("a velocity that nothing drives dies down in a second as much at 30 Hz as at 60 Hz") {
     Draw draw;
     for (int i = 0; i < 15; ++i) {
-        const double x = draw.real(-1, 1), v = draw.sign() * draw.real(1, 5), gamma = draw.log(0.1, 5);
+        const double x = draw.real(-1, 1), v = draw.sign() * draw.real(1, 5);
+        const double gamma = draw.log(0.1, 5);
         const auto left_after_a_second = [&](int rate) {
             const double h = 1.0 / rate;
             double before = x - h * v, now = x;
@@ -62,16 +63,18 @@ PROPERTY("a body that falls so fast that the drag balances the force keeps its v
     for (int i = 0; i < 50; ++i) {
         const double x = draw.real(-10, 10), a = draw.sign() * draw.real(1, 20);
         const double gamma = draw.log(0.1, 100), h = draw.log(1e-2, 1), way = h * a / gamma;
-        REQUIRE(close(learner(x - way, x, a, gamma, h), x + way, 0, 1e-12 * (1 + std::fabs(way))));
+        const double next = learner(x - way, x, a, gamma, h);
+        REQUIRE(close(next, x + way, 0, 1e-12 * (1 + std::fabs(way))));
     }
 }
 
-// The weakest drag cancels digits: with gamma h of 1e-4 four in 1 - exp(-gamma h), and the constants of
-// the path are up to a/gamma², two hundred kilometres.
+// The weakest drag cancels digits: with gamma h of 1e-4 four in 1 - exp(-gamma h), and the constants
+// of the path are up to a/gamma², two hundred kilometres.
 PROPERTY("from two positions on an exact path it lands on the exact path") {
     Draw draw;
     for (int i = 0; i < 100; ++i) {
-        const double start = draw.real(-5, 5), v = draw.real(-10, 10), a = draw.sign() * draw.real(1, 20);
+        const double start = draw.real(-5, 5), v = draw.real(-10, 10);
+        const double a = draw.sign() * draw.real(1, 20);
         const double gamma = draw.log(0.01, 3), h = draw.log(1e-2, 1);
         const auto at = [&](double t) {
             const double shrunk = -std::expm1(-gamma * t) / gamma;  // t, but for the drag

@@ -25,7 +25,8 @@ PROPERTY("without a force, Verlet's next step goes on at the given velocity") {
 PROPERTY("let go at rest under a force, Verlet's first step falls as far as a stone falls") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        const double x = draw.real(-10, 10), a = draw.sign() * draw.real(1, 20), h = draw.log(0.1, 1);
+        const double x = draw.real(-10, 10), a = draw.sign() * draw.real(1, 20);
+        const double h = draw.log(0.1, 1);
         const double next = 2 * x - learner(x, 0, a, h) + h * h * a;
         REQUIRE(close(next, x + a * h * h / 2, 0, 1e-13));
     }

@@ -1,0 +1,111 @@
+#include "fourth_order_leapfrog.hpp"
+
+#include "property.hpp"
+
+EXERCISE(fourth_order_leapfrog);
+
+// A wide swing at any moment of it, angles and rates of change alike.
+static State<double> swinging(Draw& draw, double omega) {
+    const double x = draw.sign() * draw.real(0.5, 2), v = omega * draw.sign() * draw.real(0.2, 1);
+    return {draw.real(0, 10), x, v};
+}
+
+// The pendulum by classical Runge-Kutta in so many steps that its error is roundoff.
+static State<double> exact(State<double> s, double omega, double time) {
+    const int steps = 2000;
+    const double h = time / steps;
+    const auto a = [&](double x) { return -omega * omega * std::sin(x); };
+    for (int n = 0; n < steps; ++n) {
+        const double v1 = s.v, a1 = a(s.x);
+        const double v2 = s.v + h / 2 * a1, a2 = a(s.x + h / 2 * v1);
+        const double v3 = s.v + h / 2 * a2, a3 = a(s.x + h / 2 * v2);
+        const double v4 = s.v + h * a3, a4 = a(s.x + h * v3);
+        s.x += h / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
+        s.v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    }
+    return {s.t + time, s.x, s.v};
+}
+
+PROPERTY("a step goes on in time by h, and a step of zero changes nothing") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double omega = draw.real(1, 3), h = draw.sign() * draw.real(0.1, 0.3);
+        const State<double> s = swinging(draw, omega);
+        REQUIRE(close(learner(s, omega, h).t, s.t + h, 0, 1e-13));
+        const State<double> same = learner(s, omega, 0);
+        REQUIRE((same.t == s.t && close(same.x, s.x, 1e-15) && close(same.v, s.v, 1e-15)));
+    }
+}
+
+PROPERTY("without a force the ball turns on at the same rate, as far as it gets in h") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const State<double> s = swinging(draw, 2);
+        const double h = draw.sign() * draw.real(0.1, 1);
+        const State<double> next = learner(s, 0, h);
+        REQUIRE(close(next.v, s.v, 1e-15));
+        REQUIRE(close(next.x, s.x + h * s.v, 0, 1e-13));
+    }
+}
+
+PROPERTY("a ball that hangs straight down at rest stays there, however often it has gone round") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double down = 2 * std::numbers::pi * draw.integer(-3, 3), omega = draw.real(1, 3);
+        const State<double> next = learner({0, down, 0}, omega, draw.real(0.1, 0.3));
+        // Roundoff: the sine of 6π as a double is 7e-16 instead of zero.
+        REQUIRE(close(next.x, down, 0, 1e-13));
+        REQUIRE(close(next.v, 0, 0, 1e-13));
+    }
+}
+
+// Several runs together: for one alone the first term of the error may happen to be small. Their
+// steps are so short that p and q rounded to four digits no longer pass for the right ones, and
+// their errors, about 1e-10, still far above roundoff.
+PROPERTY("a run ends where the pendulum ends, and the order of its error is four") {
+    Draw draw;
+    double coarse = 0, fine = 0;
+    for (int run = 0; run < 6; ++run) {
+        const double omega = draw.real(1, 3), end = 2 / omega;
+        const State<double> start = swinging(draw, omega), right = exact(start, omega, end);
+        const auto error = [&](int steps) {
+            State<double> s = start;
+            for (int n = 0; n < steps; ++n) s = learner(s, omega, end / steps);
+            return std::hypot(s.x - right.x, (s.v - right.v) / omega);
+        };
+        coarse += error(160);
+        fine += error(320);
+    }
+    REQUIRE(fine < 1e-3);
+    REQUIRE(order(coarse, fine) > 3.8);
+    REQUIRE(order(coarse, fine) < 4.2);
+}
+
+// Steps long enough for the errors of methods that do not run back to show.
+PROPERTY("a step forth and a step back lead to where it began") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double omega = draw.real(1, 3), h = draw.real(0.5, 0.9) / omega;
+        const State<double> s = swinging(draw, omega);
+        const State<double> back = learner(learner(s, omega, h), omega, -h);
+        REQUIRE(close(back.x, s.x, 0, 1e-12));
+        REQUIRE(close(back.v, s.v, 0, 1e-12));
+    }
+}
+
+// The area of a small rhombus round a state: its error is of the order of its own area, 1e-8, times
+// the third derivatives of the step.
+PROPERTY("neighbouring states cover as much area after a step as before it") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double omega = draw.real(1, 3), h = draw.real(0.5, 0.9) / omega, d = 1e-4;
+        const auto [t, x, v] = swinging(draw, omega);
+        const State<double> east = learner({t, x + d, v}, omega, h);
+        const State<double> west = learner({t, x - d, v}, omega, h);
+        const State<double> north = learner({t, x, v + d * omega}, omega, h);
+        const State<double> south = learner({t, x, v - d * omega}, omega, h);
+        const double area = (east.x - west.x) * (north.v - south.v) -
+                            (north.x - south.x) * (east.v - west.v);
+        REQUIRE(close(area, 4 * d * d * omega, 1e-6));
+    }
+}
