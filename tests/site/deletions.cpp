@@ -30,7 +30,7 @@ public:
         folder_ =
             fs::temp_directory_path() / ("deletions_" + std::to_string(std::random_device{}()));
         fs::create_directories(folder_);
-        for (const char* part : {"chapters", "include", "tests", "tools"}) {
+        for (const char* part : {"chapters", "include", "solutions", "tests", "tools"}) {
             fs::copy(root / part, folder_ / part, fs::copy_options::recursive);
         }
         for (const auto& entry : fs::directory_iterator{runs}) {
@@ -173,7 +173,7 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
                               [&](const std::string& content) {
                                   return page::replace_all(content, "[" + tag + "]", "");
                               });
-    } else if (kind != "rows" && kind != "chapters" && kind != "talks") {
+    } else if (kind != "rows" && kind != "chapters" && kind != "talks" && kind != "exercises") {
         std::string name = kind;
         if (name.ends_with(".value")) {
             name.erase(name.size() - 6);

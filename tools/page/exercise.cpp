@@ -23,29 +23,21 @@ std::string one(const Json& about, const std::string& key, const std::string& fi
 /// what is indented stands as it is.
 std::string task(const fs::path& file) {
     std::string markdown;
-    bool first = true, listing = false, text = false;
+    bool title = true, listing = false;
     for (const std::string& line : split_lines(read_file(file))) {
         if (line.rfind("//", 0) != 0) {
             break;
         }
-        if (first) {
-            first = false;
-            continue;
-        }
         const std::string words = line.substr(std::min<std::size_t>(line.size(), 3));
         const bool indented = words.rfind("  ", 0) == 0;
-        if (listing && !indented) {
+        if (indented != listing) {
             markdown += "```\n";
         }
-        if (text && (indented || words.empty())) {
-            markdown += "\n";
+        if (!title) {
+            markdown += (indented ? words.substr(2) : escape_markdown(words)) + "\n";
         }
-        if (indented && !listing) {
-            markdown += "\n```\n";
-        }
-        markdown += indented ? words.substr(2) + "\n" : escape_markdown(words) + "\n";
         listing = indented;
-        text = !indented && !words.empty();
+        title = false;
     }
     return markdown + (listing ? "```\n" : "");
 }

@@ -4,6 +4,9 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include "context.hpp"
+#include "fill.hpp"
+
 using Catch::Matchers::ContainsSubstring;
 
 TEST_CASE("a number stands with its unit, its meaning at hand") {
@@ -99,6 +102,38 @@ TEST_CASE("chapters know their neighbours") {
     CHECK_THAT(page,
                ContainsSubstring("<span class=\"next\">\\ref chapter_04 \"4 · More\"</span>"));
     CHECK_THAT(page, !ContainsSubstring("class=\"previous\""));
+}
+
+TEST_CASE("exercises stand in order on the chapter's page, and in full on their own") {
+    const Course course;
+    CHECK_THAT(course.fill_paragraph("{{exercises}}"), ContainsSubstring("| | exercise |"));
+    const std::string about = R"JSON("level": "easy", "practises": "a * b",
+        "declaration": "double f(double x)", "hints": ["Look.", "Look < closer."]})JSON";
+    course.write("tests/exercises/03_springs/second/about.json",
+                 "{\"number\": 2, \"title\": \"The \\\"second\\\"\"," + about);
+    course.write("tests/exercises/03_springs/first/about.json",
+                 "{\"number\": 1, \"title\": \"The first\"," + about);
+    for (const char* name : {"first", "second"})
+        course.write("solutions/03_springs/" + std::string(name) + ".cpp",
+                     "// Title\n//\n// You have\n// a < b.\n//\n//   x   in m\n//   y   in s\n//\n// Example:\n"
+                     "// 1.\n\nint code;\n// no task\n");
+    const std::string brief = course.fill_paragraph("{{exercises}}");
+    CHECK_THAT(brief, ContainsSubstring("| 3.1 | \\ref exercise_first \"The first\" | a \\* b | easy |\n"
+                                        "| 3.2 | \\ref exercise_second \"The 'second'\" |"));
+
+    page::Context context{course / "", course / "runs"};
+    const std::string full = page::fill(context, "# E {#e}\n\n{{exercises}}\n", "e.md");
+    CHECK_THAT(full, ContainsSubstring("## 3 · Springs {#exercises_3}"));
+    CHECK_THAT(full, ContainsSubstring("### 3.1 The first {#exercise_first}"));
+    CHECK_THAT(full, ContainsSubstring("```cpp\ndouble f(double x)\n```"));
+    CHECK_THAT(full, ContainsSubstring("You have\na \\< b.\n\n```\nx   in m\ny   in s\n```\n\nExample:\n"));
+    CHECK_THAT(full, ContainsSubstring("Look \\< closer."));
+    CHECK_THAT(full, !ContainsSubstring("code") && !ContainsSubstring("no task"));
+    CHECK(context.inputs.count(course / "solutions/03_springs/first.cpp") == 1);
+
+    course.write("tests/exercises/03_springs/first/about.json", "{\"number\": 1}");
+    CHECK(course.paragraph_error("{{exercises}}") ==
+          "tests/exercises/03_springs/first/about.json:1: \"title\" is missing");
 }
 
 TEST_CASE("a name that the run does not know is an error at its line") {

@@ -60,12 +60,22 @@ TEST_CASE("about.json: strings and lists of strings") {
     CHECK(json.at("c") == std::vector<std::string>{"d", "e"});
 }
 
+TEST_CASE("about.json: numbers, true and false, and objects within") {
+    const page::Json json = page::parse_json(
+        R"({"a": -1.5e3, "b": true, "c": {"d": "e", "f": {"g": ["h"]}}, "i": {}})", "f");
+    CHECK(json.at("a") == std::vector<std::string>{"-1.5e3"});
+    CHECK(json.at("b") == std::vector<std::string>{"true"});
+    CHECK(json.at("c.d") == std::vector<std::string>{"e"});
+    CHECK(json.at("c.f.g") == std::vector<std::string>{"h"});
+    CHECK(json.size() == 4);
+}
+
 TEST_CASE("about.json: anything else is an error at its line") {
     const auto parsing = [](const std::string& text) {
         return page::parse_json(text, "about.json");
     };
     using page::Error;
-    CHECK_THROWS_MATCHES(parsing("{\n\"a\": 1}"), Error,
+    CHECK_THROWS_MATCHES(parsing("{\n\"a\": b}"), Error,
                          Message("about.json:2: a string in double quotes is expected"));
     CHECK_THROWS_MATCHES(parsing("{\"a\" \"b\"}"), Error, Message("about.json:1: ':' is expected"));
     CHECK_THROWS_MATCHES(parsing("{\"a\": [\"b\"}"), Error,
