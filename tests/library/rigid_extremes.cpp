@@ -56,6 +56,26 @@ TEST_CASE("a spin of 1e20 or 1e-25 in float is neither lost nor infinite", "[lib
     CHECK(a.cwiseAbs2().dot(moments) <= w.cwiseAbs2().dot(moments) * (1 + 8 * 1.2e-7));
 }
 
+// Half a turn is what is left of so fast a spin: q₂ = (0, u) q₁, with the axis u.
+TEST_CASE("an attitude keeps its length at any spin that the number can hold", "[library][N42]") {
+    const Quaternion<float> one = Quaternion<float>::Identity();
+    for (const float spin : {1e10f, 1e19f, 1e22f, 1e30f, 1e37f}) {
+        const Quaternion<float> q = turned(one, F(spin * F(2, -1, 2) / 3), 1 / 60.0f);
+        INFO("at " << spin << " rad/s");
+        CHECK(std::fabs(q.norm() - 1) < 4 * std::numeric_limits<float>::epsilon());
+        CHECK((q.vec() - F(2, -1, 2) / 3).norm() < 1e-6f);
+    }
+}
+
+TEST_CASE("a quaternion of length zero is no attitude: the state is not finite", "[library][N42]") {
+    RigidState<double> s{0, Quaternion<double>(0, 0, 0, 0), {1, 2, 3}};
+    CHECK(!is_finite(s));
+    s.q.x() = 1e-200;  // short, yet it points somewhere
+    CHECK(is_finite(s));
+    s.q.x() = std::nan("");
+    CHECK(!is_finite(s));
+}
+
 TEST_CASE("a locked axis is a mask after the step, and nothing becomes strange", "[library]") {
     const auto I = box(1.0, 1.0, 2.0, 3.0);
     const LockedAxes<double> upright{{0, 0, 1}};

@@ -15,10 +15,11 @@ struct RigidState {
     Vector3<Real> omega;   ///< angular velocity in world coordinates, rad/s
 };
 
-/// Is every part of the state a finite number?
+/// Is every part of the state a finite number, and the quaternion a rotation: not zero?
 template <class Real>
 bool is_finite(const RigidState<Real>& s) {
-    return std::isfinite(s.t) && s.q.coeffs().allFinite() && s.omega.allFinite();
+    return std::isfinite(s.t) && s.q.coeffs().allFinite() && !s.q.coeffs().isZero(0) &&
+           s.omega.allFinite();
 }
 
 /// The angular momentum in world coordinates, kg m²/s.
