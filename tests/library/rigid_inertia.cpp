@@ -1,13 +1,17 @@
 // Inertia as a type: what it refuses, what shapes it knows, and how attitudes turn.
+#include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include <timestep/rigid/body.hpp>
 #include <timestep/rigid/shapes.hpp>
 #include <timestep/rigid/solve3.hpp>
+
+#include "random_inertia.hpp"
 
 using namespace timestep;
 using Catch::Matchers::Message;
@@ -83,6 +87,58 @@ TEST_CASE("an exact plate is a body, and one that is thinner than nothing is not
     CHECK_NOTHROW(SymmetricInertia(0.1, 0.2));
     CHECK_NOTHROW(PrincipalInertia(1.0, 1.0, 2 * (1 + 4 * epsilon)));
     CHECK_THROWS_AS(PrincipalInertia(1.0, 1.0, 2 * (1 + 20 * epsilon)), std::invalid_argument);
+}
+
+// An allowance of 8 ε would refuse some plates in ten thousand. What is taken off
+// a plate's largest moment is within the 32 ε that its matrix is off by.
+TEMPLATE_TEST_CASE("an exact plate is a body in any axes", "[library][long]", float, double) {
+    using Real = TestType;
+    const Real eps = std::numeric_limits<Real>::epsilon();
+    RandomInertia random(16);
+    std::mt19937_64 turns(9);
+    std::normal_distribution<double> normal;
+    const auto in_any_axes = [&](const Vector3<Real>& moments) {
+        const Quaternion<double> q(normal(turns), normal(turns), normal(turns), normal(turns));
+        const Matrix3<Real> R = q.normalized().cast<Real>().toRotationMatrix();
+        const Matrix3<Real> turned = R * moments.asDiagonal() * R.transpose();
+        return Matrix3<Real>((turned + turned.transpose()) / 2);
+    };
+    Real off = 0;
+    for (int i = 0; i < 200000; ++i) {
+        const Vector3<Real> m = random.template inertia<Real>(100).moments;
+        const Real a = m.x(), b = m.y(), largest = a + b;
+        const FullInertia<Real> plate(in_any_axes({a, b, largest}));
+        const Vector3<Real> found = plate.principal.moments;
+        off = std::max(off, (found - Vector3<Real>(std::min(a, b), std::max(a, b), largest)).cwiseAbs().maxCoeff() / largest);
+    }
+    CHECK(off <= 32 * eps);
+    // A body that is thinner than nothing by more than that is still refused.
+    for (int i = 0; i < 1000; ++i)
+        CHECK_THROWS_AS(FullInertia<Real>(in_any_axes({1, 1, 2 * (1 + 64 * eps)})), std::invalid_argument);
+}
+
+TEST_CASE("a matrix that cannot know its least moment is refused, in float and in double", "[library]") {
+    using F = Eigen::Vector3f;
+    CHECK_THROWS_MATCHES(FullInertia<float>(Matrix3<float>(F(1, 1, 1e-6f).asDiagonal())), std::invalid_argument,
+                         Message("least moment of inertia = 1e-06: must be 100 roundoffs of the largest or more, or "
+                                 "no digit of it is right: give PrincipalInertia its moments, or use double"));
+    CHECK_NOTHROW(FullInertia<float>(Matrix3<float>(F(1, 1, 2e-5f).asDiagonal())));
+    CHECK_NOTHROW(FullInertia<double>(M(V(1, 1, 1e-6).asDiagonal())));
+    CHECK_THROWS_AS(FullInertia<double>(M(V(1, 1, 1e-15).asDiagonal())), std::invalid_argument);
+    CHECK_NOTHROW(PrincipalInertia<float>(1, 1, 1e-6f));
+
+    // What is let through is known to a sixth, in any axes.
+    std::mt19937_64 turns(10);
+    std::normal_distribution<double> normal;
+    for (int i = 0; i < 20000; ++i) {
+        const Quaternion<double> q(normal(turns), normal(turns), normal(turns), normal(turns));
+        const M R = q.normalized().toRotationMatrix();
+        const double least = 150 * std::numeric_limits<float>::epsilon();
+        const M I = R * V(least, 1, 1).asDiagonal() * R.transpose();
+        const Matrix3<float> rough = I.cast<float>();
+        const FullInertia<float> needle(Matrix3<float>((rough + rough.transpose()) / 2));
+        REQUIRE(std::fabs(needle.principal.moments.x() / least - 1) < 1 / 6.0);
+    }
 }
 
 // Cells on the surface are in or out as a whole: a layer of half a cell is in doubt, which changes a
