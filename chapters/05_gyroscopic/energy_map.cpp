@@ -56,6 +56,27 @@ std::string words(const char* format, double value) {
     return text;
 }
 
+// What a step that multiplies the energy by `gain` adds to it; roundoff is nothing.
+std::string added(double gain) {
+    if (gain < 1 + 1e-12) return "nothing";
+    return gain < 2 ? words("%.2g %%", 100 * (gain - 1)) : words("× %.2g", gain);
+}
+
+// How many times its |ω| of now a free body reaches as it tumbles. Energy and momentum make the
+// squares of two components linear in the third, and with them |ω|²: it is largest at an end of its
+// way, where one component vanishes.
+double swell(const Body& inertia, const V& omega) {
+    const V I = inertia.moments, squares = omega.cwiseAbs2();
+    const double E2 = I.dot(squares), L2 = I.cwiseAbs2().dot(squares);
+    double most = squares.sum();
+    for (int i = 0; i < 3; ++i) {
+        const double a = I[i], b = I[(i + 1) % 3];
+        const double x = (L2 - b * E2) / (a * (a - b)), y = (L2 - a * E2) / (b * (b - a));
+        if (x >= 0 && y >= 0) most = std::max(most, x + y);
+    }
+    return std::sqrt(most / squares.sum());
+}
+
 }  // namespace
 
 void energy_map(const Settings& settings, lab::Findings& out) {
@@ -77,8 +98,8 @@ void energy_map(const Settings& settings, lab::Findings& out) {
               "one iteration adds energy to this body, the other two add none");
 
     // Random bodies, ratio of moments up to 1000.
-    auto& gains = out.table("gains.tsv", {"hω", "bodies that gain", "worst, one iteration",
-                                          "worst, converged", "worst, passive"});
+    auto& gains = out.table("gains.tsv", {"hω", "bodies that gain", "most added, one iteration",
+                                          "most added, converged", "most added, passive"});
     auto& curve =
         out.table("gain_curve.tsv", {"size", "share", "implicit", "converged", "passive"});
     RandomBody bodies(2);
@@ -100,8 +121,7 @@ void energy_map(const Settings& settings, lab::Findings& out) {
         curve.row({size, gained / many, implicit_worst, converged_worst, passive_worst});
         if (i % 4 == 0)
             gains.row({words("%.2g", size), words("%.2g %%", 100 * gained / many),
-                       words("%.3g", implicit_worst), words("%.3f", converged_worst),
-                       words("%.3f", passive_worst)});
+                       added(implicit_worst), added(converged_worst), added(passive_worst)});
         if (i == 0) {
             out.number("share_at_1", 100 * gained / many, "%",
                        "random bodies that gain in a step with h|omega| = 1", 2);
@@ -157,7 +177,7 @@ void energy_map(const Settings& settings, lab::Findings& out) {
     // Debris: many bodies, each for ten seconds, with h|ω| = 1 at the start.
     const int pieces = 500;
     int above = 0, above_passive = 0;
-    double highest = 0;
+    double highest = 0, most_swell = 0;
     RandomBody debris(4);
     for (int n = 0; n < pieces; ++n) {
         const Body inertia = debris.inertia(1000);
@@ -171,6 +191,7 @@ void energy_map(const Settings& settings, lab::Findings& out) {
             most_passive = std::max(most_passive, kinetic_energy(inertia, p));
         }
         const double E0 = kinetic_energy(inertia, d);
+        most_swell = std::max(most_swell, swell(inertia, d));
         above += most > 1.01 * E0, above_passive += most_passive > 1.01 * E0,
             highest = std::max(highest, most / E0);
     }
@@ -180,6 +201,10 @@ void energy_map(const Settings& settings, lab::Findings& out) {
     out.number("debris_share", 100.0 * above / pieces, "%",
                "pieces of debris that ever gain a hundredth by one iteration", 2);
     out.number("debris_highest", highest, "", "the most that any of them gained");
+    std::printf("  as they tumble, exactly, |omega| rises by up to x %.2f\n", most_swell);
+    out.number("swell", most_swell, "", "the most that |omega| of a piece rises as it tumbles", 2);
+    out.check("swell", most_swell > 1.2 && most_swell < std::sqrt(2),
+              "as a free body tumbles, its |ω| rises by more than a fifth, by less than √2");
     out.check("debris", above > 0 && above_passive == 0,
               "some pieces gain with one iteration, none with the passive step");
 

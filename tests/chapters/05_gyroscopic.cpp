@@ -223,6 +223,22 @@ TEST_CASE("a box about its middle axis: who turns over, and when", "[N50][ch5]")
           1.2 * kinetic_energy(brick, start));
 }
 
+// From a spin Ω about the middle axis to the plane of the other two, by E and L:
+// ω₁² = Ω² I₂(I₂ − I₃)/(I₁(I₁ − I₃)), ω₃² = Ω² I₂(I₁ − I₂)/(I₃(I₁ − I₃)). The tilt adds 1e-6 of it.
+TEST_CASE("as a body tumbles, the length of ω rises", "[N50][ch5]") {
+    const auto longest = [](double I1, double I2, double I3) {
+        const ExactFreeBody<double> exact({I1, I2, I3}, spinning(1e-3, 1, 1e-3));
+        double most = 0;
+        for (double t = 0; t < 60; t += 0.005) most = std::max(most, exact(t).omega.norm());
+        const double squares = I2 * (I2 - I3) / (I1 * (I1 - I3)) + I2 * (I1 - I2) / (I3 * (I1 - I3));
+        CHECK(std::fabs(most / std::sqrt(squares) - 1) < 1e-4);
+        return most;
+    };
+    CHECK(longest(13, 10, 5) > 1.1);
+    CHECK(longest(1, 0.9, 0.12) > 1.28);
+    CHECK(longest(1, 0.99, 0.011) > 1.37);  // √2 is the limit, for a needle
+}
+
 TEST_CASE("the passive step ends in a spin about the largest moment", "[N50][N51][ch5]") {
     const auto brick = box(1.0, 1.0, 2.0, 3.0);
     const Spin start = spinning(1e-3, 10, 1e-3);
