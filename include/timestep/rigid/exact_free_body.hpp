@@ -17,6 +17,10 @@ namespace timestep {
 /// smallest moment, and along it the components go as cn, sn and dn. Between the two families of
 /// curves lies the separatrix, where a body turns over once in all eternity. Right in its
 /// neighbourhood any motion is sensitive: a start that differs by a digit flips at another time.
+///
+/// The angle about L is a sum of large terms that cancel where the moments differ much: for each radian
+/// of spin it is off by up to some 60 ε times the ratio of the largest moment to the smallest. Measured
+/// in `double`, that is 1e-10 rad at a ratio of 1e4 and 1e-6 rad at 1e8.
 template <class Real>
 class ExactFreeBody {
 public:
