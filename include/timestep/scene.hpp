@@ -82,7 +82,9 @@ public:
     X acceleration(const X& x) const
         requires(position_only<X> && !constant)
     {
-        return of_parts([&](const auto&... part) -> X { return (... + at(part, x)); });
+        return of_parts([&](const auto&... part) -> X {
+            return (... + timestep::acceleration(part, x));
+        });
     }
     /// The sum, where it depends on the velocity too.
     template <class X>
@@ -134,13 +136,6 @@ private:
     }
 
     // What one part adds; `xv` is x, v or nothing.
-    template <class Part, class X>
-    static X at(const Part& part, const X& x) {
-        if constexpr (ConstantForce<Part>)
-            return part.acceleration();
-        else
-            return part.acceleration(x);
-    }
     template <class Part, class... XV>
     static auto part_slope_x(const Part& part, const XV&... xv) {
         if constexpr (ConstantForce<Part>)
