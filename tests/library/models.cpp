@@ -2,10 +2,14 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <Eigen/Core>
+
+// A double that becomes a float without being told to is a mistake in these headers.
+#pragma GCC diagnostic error "-Wfloat-conversion"
 
 #include <timestep/methods/implicit_euler.hpp>
 #include <timestep/models/coupled_springs.hpp>
@@ -128,6 +132,25 @@ TEST_CASE("a tether pulls and pushes along itself", "[library]") {
     CHECK_THROWS_AS(Tether(-1.0, 1.0), std::invalid_argument);
     CHECK_THROWS_AS(Tether(1.0, -1.0), std::invalid_argument);
     CHECK_THROWS_AS(Tether(1e200, 1.0), std::invalid_argument);
+}
+
+// The exact states are reckoned in the state's numbers. In float: ωt = 3.5 is rounded, and so are the
+// sine and the products with it.
+TEST_CASE("a double's spring tells a float's state its future, in float", "[library]") {
+    const float feps = std::numeric_limits<float>::epsilon();
+    const State<float> start{0, 1, -2};
+    const State wide{0, 1.0, -2.0};
+    const auto off = [&](const auto& spring) {
+        const State<float> rough = spring.exact(start, 0.5f);
+        const State<double> fine = spring.exact(wide, 0.5);
+        return std::max(std::fabs(rough.x - fine.x), std::fabs(rough.v - fine.v) / 7);
+    };
+    CHECK(off(Spring(7.0)) < 16 * feps);
+    for (const double zeta : {0.0, 0.1, 1.0, 3.0}) CHECK(off(DampedSpring(7.0, zeta)) < 16 * feps);
+    // And with more digits than its own: of ω = 0.1 those of the double, all the others right.
+    const State<long double> far = Spring(0.1).exact(State<long double>{0, 1, 0}, 100);
+    CHECK(std::fabs(far.x - std::cos(static_cast<long double>(0.1) * 100)) <
+          16 * std::numeric_limits<long double>::epsilon());
 }
 
 TEST_CASE("decay carries its derivative and refuses what is no number", "[library]") {

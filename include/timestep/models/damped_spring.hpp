@@ -51,10 +51,15 @@ struct DampedSpring {
     /// The exact state a time `t` after `start`, for every ζ.
     template <class X>
     State<X> exact(const State<X>& start, real_of<X> t) const {
-        return zeta < 1 ? swinging(start, t) : creeping(start, t);
+        // In the state's own digits, whatever the spring's.
+        const DampedSpring<real_of<X>> s{real_of<X>(omega), real_of<X>(zeta)};
+        return s.zeta < 1 ? s.swinging(start, t) : s.creeping(start, t);
     }
 
 private:
+    template <class>
+    friend struct DampedSpring;
+
     // ζ < 1. With γ = ζω and β = ω√(1 − ζ²), e^(−γt) cos βt and e^(−γt) sin βt solve the equation.
     // The start x₀, v₀ picks the constants: x = e^(−γt) (x₀ cos βt + (v₀ + γx₀) sin βt / β).
     // Written as (1 − ζ)(1 + ζ), 1 − ζ² loses no digits near ζ = 1, and sin βt / β tends to t.

@@ -54,10 +54,11 @@ struct Spring {
     template <class X>
     State<X> exact(const State<X>& start, real_of<X> t) const {
         using std::cos, std::sin;
-        const real_of<X> c = cos(omega * t);
-        const real_of<X> s = sin(omega * t);
-        const real_of<X> s_over_omega = omega > 0 ? s / omega : t;  // its limit as ω → 0
-        return {start.t + t, c * start.x + s_over_omega * start.v, c * start.v - omega * s * start.x};
+        const auto w = real_of<X>(omega);  // in the state's own digits, whatever the spring's
+        const real_of<X> c = cos(w * t);
+        const real_of<X> s = sin(w * t);
+        const real_of<X> s_over_w = w > 0 ? s / w : t;  // its limit as ω → 0
+        return {start.t + t, c * start.x + s_over_w * start.v, c * start.v - w * s * start.x};
     }
     /// [exact]
 };
