@@ -126,18 +126,15 @@ void cost_table(const std::map<std::string, Times>& times, lab::Findings& out) {
                    rounded(1e9 * t.one), rounded(1e9 * t.many), rounded(1e9 * t.pendulum), rounded(forces),
                    rounded(solves)});
     });
-    const double gentle = newton_fails(0.5), rough = newton_fails(1.5);
+    const double gentle = newton_fails(1), rough = newton_fails(1.5);
     std::printf("  Newton-Raphson misses the pendulum's root for %g %% of 20000 starts at\n"
-                "  omega h = 0.5, and for %g %% at 1.5\n", gentle, rough);
-    out.number("newton_fails_gentle", gentle, "%", "Newton-Raphson without a root at omega h = 0.5", 2);
+                "  omega h = 1, and for %g %% at 1.5\n", gentle, rough);
+    out.number("newton_fails_gentle", gentle, "%", "Newton-Raphson without a root at omega h = 1", 2);
     out.number("newton_fails_rough", rough, "%", "Newton-Raphson without a root at omega h = 1.5", 2);
+    // What is missing has the slope 1 + (ωh)² cos x₂ by v₂: up to ωh = 1 it only rises, and Newton-Raphson
+    // with halved steps solves it from anywhere. Beyond, it may stop where the slope vanishes.
     out.check("newton_may_fail", gentle == 0 && rough > 0,
-              "Newton-Raphson finds every root at omega h = 0.5 and misses some at 1.5");
-    const Times &e = times.at("explicit Euler"), &s = times.at("semi-implicit Euler"), &i = times.at("implicit Euler");
-    out.number("alone_ratio", s.one / e.one, "", "semi-implicit over explicit, one spring", 2);
-    out.number("many_ratio", s.many / e.many, "", "semi-implicit over explicit, each of 1000 springs", 2);
-    out.number("implicit_ratio", i.many / s.many, "", "implicit over semi-implicit, each of 1000 springs", 2);
-    out.number("implicit_ratio_pendulum", i.pendulum / s.pendulum, "", "implicit over semi-implicit, pendulum", 2);
+              "Newton-Raphson finds every root at omega h = 1 and misses some at 1.5");
 }
 
 // Error at the end of three swings against the time that its steps take.

@@ -59,7 +59,7 @@ private:
     /// [linear]
 
     // Any other smooth force: the root of what is missing in v₂ = v₁ + h a(x₁ + h v₂, v₂). With steps so
-    // long that the force bends much within one, Newton–Raphson may not find it.
+    // long that what is missing rises and falls with v₂, Newton–Raphson may not find it.
     /// [newton]
     template <class Model, class X>
     X new_velocity(const Model& model, const X& x1, const X& v1, real_of<X> h) const {
