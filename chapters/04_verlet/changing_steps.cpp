@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <timestep/measured_order.hpp>
@@ -44,6 +45,21 @@ double position_error(const std::vector<double>& h, const Step& step) {
     return std::fabs(now.x - spring.exact(start, seconds).x);
 }
 
+// Does a spring leave, with steps of ωh = a and b in turn? What is stable stays within some metres.
+template <class Step>
+bool blows_up(double a, double b, const Step& step) {
+    const Spring spring(1.0);
+    State before = start, now = verlet.start(spring, start, a);
+    double h[] = {a, b};
+    for (int n = 0; n < 1000 && std::fabs(now.x) < 1e6; ++n) {
+        const State next = step(spring, before, now, h[0], h[1]);
+        before = now;
+        now = next;
+        std::swap(h[0], h[1]);
+    }
+    return !(std::fabs(now.x) < 1e6);
+}
+
 // The order that error(count of steps) shows over the shorter half of the steps tried.
 template <class Error>
 double order(const std::string& file, const Error& error_with, lab::Findings& out) {
@@ -71,6 +87,7 @@ void changing_steps(const Settings&, lab::Findings& out) {
                               double h2) { return verlet.corrected_step(model, s0, s1, h1, h2); };
     const auto with_velocity = [](const auto& model, const auto&, const auto& s1, double,
                                   double h2) { return velocity_verlet.step(model, s1, h2); };
+    bool each_leaves = true, all_stay = true;
     const auto both = [&](const std::string& name, const auto& step, double wanted,
                           const char* says) {
         const double turn = order(
@@ -95,6 +112,8 @@ void changing_steps(const Settings&, lab::Findings& out) {
         // octaves, some 0.03 in the slope. The draws are the same on every machine.
         out.check("changing_" + name,
                   std::fabs(turn - wanted) < 0.05 && std::fabs(chance - wanted) < 0.05, says);
+        each_leaves = each_leaves && blows_up(1.2, 1.9, step);
+        all_stay = all_stay && !blows_up(1.2, 1.2, step) && !blows_up(1.9, 1.9, step);
     };
     both("plain", plain, 0, "with a changing step plain Verlet does not converge");
     both("scaled", scaled, 1, "with a changing step the usual repair is of order one");
@@ -102,4 +121,7 @@ void changing_steps(const Settings&, lab::Findings& out) {
          "with a changing step the time-corrected repair is of order two");
     both("velocity", with_velocity, 2,
          "with a changing step velocity Verlet is of order two, as it stands");
+    out.check("turns_blow_up", each_leaves && all_stay,
+              "steps of omega h = 1.2 and 1.9 are stable alone and blow up in turn, for plain Verlet, "
+              "both repairs and velocity Verlet");
 }

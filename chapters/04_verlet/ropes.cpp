@@ -134,6 +134,33 @@ void stretch_table(const Settings& settings, lab::Findings& out) {
         "a chain of springs as stiff as eight sweeps blows up with a step 2 % longer than 1/omega");
 }
 
+// Let go from the level with any step. At rest with one sweep the rope hangs n(n − 1)/2 h²g too long
+// (tests/library/rope.cpp). At the bottom of its swing it pulls with three times its weight, as any
+// pendulum let go from there, and what is pulled all at once goes twice as far as it comes to rest:
+// six times in all. What blows up passes any bound, and overflows.
+void any_step(lab::Findings& out) {
+    const double n = double(links);
+    double worst = 0;
+    for (const double rate : {1.0, 10.0, 60.0, 240.0})
+        for (const int sweeps : {1, 2, 8, 32}) {
+            Rope rope = level();
+            double farthest = 0;
+            for (int k = 0; k < 3000; ++k) {
+                rope.step(1 / rate, sweeps);
+                for (const auto& p : rope.points()) farthest = std::max(farthest, p.x.norm());
+            }
+            const double hangs = n * (n - 1) / 2 * g / (rate * rate);
+            worst = std::max(worst, (farthest - n * link) / hangs);
+        }
+    std::printf(
+        "  3000 steps of 1/240 to 1 s, 1 to 32 sweeps: it gets longer by %.2g times what it\n"
+        "  hangs too long with one sweep, at the most\n",
+        worst);
+    out.check("rope_holds", worst < 6,
+              "with steps of 1/240 to 1 s and 1 to 32 sweeps the rope gets longer by less than six "
+              "times what it hangs too long with one sweep");
+}
+
 // Let go from the level: the shape, and the energy that the links take away.
 void swing(lab::Findings& out) {
     const double rate = 60, h = 1 / rate;
@@ -209,5 +236,6 @@ void swing(lab::Findings& out) {
 void ropes(const Settings& settings, lab::Findings& out) {
     out.section("A rope");
     stretch_table(settings, out);
+    any_step(out);
     swing(out);
 }
