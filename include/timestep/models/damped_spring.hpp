@@ -51,15 +51,10 @@ struct DampedSpring {
     /// The exact state a time `t` after `start`, for every ζ.
     template <class X>
     State<X> exact(const State<X>& start, real_of<X> t) const {
-        // In the state's own digits, whatever the spring's.
-        const DampedSpring<real_of<X>> s{real_of<X>(omega), real_of<X>(zeta)};
-        return s.zeta < 1 ? s.swinging(start, t) : s.creeping(start, t);
+        return zeta < 1 ? swinging(start, t) : creeping(start, t);
     }
 
 private:
-    template <class>
-    friend struct DampedSpring;
-
     // ζ < 1. With γ = ζω and β = ω√(1 − ζ²), e^(−γt) cos βt and e^(−γt) sin βt solve the equation.
     // The start x₀, v₀ picks the constants: x = e^(−γt) (x₀ cos βt + (v₀ + γx₀) sin βt / β).
     // Written as (1 − ζ)(1 + ζ), 1 − ζ² loses no digits near ζ = 1, and sin βt / β tends to t.
@@ -69,11 +64,12 @@ private:
         using std::cos, std::exp, std::sin, std::sqrt;
         const Real gamma = zeta * omega;
         const Real beta = omega * sqrt((1 - zeta) * (1 + zeta));
-        const real_of<X> e = exp(-gamma * t);
-        const real_of<X> c = e * cos(beta * t);
-        const real_of<X> s = beta > 0 ? e * sin(beta * t) / beta : e * t;
-        const X x = (c + gamma * s) * start.x + s * start.v;
-        const X v = (c - gamma * s) * start.v - omega * omega * s * start.x;
+        const auto e = real_of<X>(exp(-gamma * t));
+        const auto c = real_of<X>(e * cos(beta * t));
+        const auto s = real_of<X>(beta > 0 ? e * sin(beta * t) / beta : e * t);
+        const auto gamma_s = real_of<X>(gamma * s), pull = real_of<X>(omega * omega * s);
+        const X x = (c + gamma_s) * start.x + s * start.v;
+        const X v = (c - gamma_s) * start.v - pull * start.x;
         return {start.t + t, x, v};
     }
     /// [swinging]
@@ -93,11 +89,12 @@ private:
         const Real p = omega / (zeta + root);
         const Real q = zeta * omega + omega * root;
         const Real gap = 2 * omega * root;  // q − p
-        const real_of<X> e_p = exp(-p * t);
-        const real_of<X> e_q = exp(-q * t);
-        const real_of<X> s = gap > 0 ? -e_p * expm1(-gap * t) / gap : e_p * t;
-        const X x = (e_p + p * s) * start.x + s * start.v;
-        const X v = (e_q - p * s) * start.v - omega * omega * s * start.x;
+        const auto e_p = real_of<X>(exp(-p * t));
+        const auto e_q = real_of<X>(exp(-q * t));
+        const auto s = real_of<X>(gap > 0 ? -e_p * expm1(-gap * t) / gap : e_p * t);
+        const auto p_s = real_of<X>(p * s), pull = real_of<X>(omega * omega * s);
+        const X x = (e_p + p_s) * start.x + s * start.v;
+        const X v = (e_q - p_s) * start.v - pull * start.x;
         return {start.t + t, x, v};
     }
     /// [creeping]

@@ -50,15 +50,16 @@ struct Spring {
     }
 
     /// [exact]
-    /// The exact state a time `t` after `start`: x₀ cos ωt + (v₀/ω) sin ωt and its derivative.
+    /// The exact state a time `t` after `start`: x₀ cos ωt + (v₀/ω) sin ωt and its derivative. A
+    /// `State<float>` gets its future in float, whatever the spring's numbers.
     template <class X>
     State<X> exact(const State<X>& start, real_of<X> t) const {
         using std::cos, std::sin;
-        const auto w = real_of<X>(omega);  // in the state's own digits, whatever the spring's
-        const real_of<X> c = cos(w * t);
-        const real_of<X> s = sin(w * t);
-        const real_of<X> s_over_w = w > 0 ? s / w : t;  // its limit as ω → 0
-        return {start.t + t, c * start.x + s_over_w * start.v, c * start.v - w * s * start.x};
+        const auto c = real_of<X>(cos(omega * t));
+        const auto s = real_of<X>(sin(omega * t));
+        const auto s_over_omega = real_of<X>(omega > 0 ? s / omega : t);  // its limit as ω → 0
+        const auto omega_s = real_of<X>(omega * s);
+        return {start.t + t, c * start.x + s_over_omega * start.v, c * start.v - omega_s * start.x};
     }
     /// [exact]
 };
