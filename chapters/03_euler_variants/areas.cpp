@@ -48,7 +48,7 @@ void follow(const Method& method, const Settings& settings, lab::Findings& out) 
             for (auto& s : cloud) s = method.step(spring, s, settings.step);
     }
     const double ratio = area(cloud) / before, predicted = std::pow(determinant, steps);
-    std::printf("  %-20s det A = %.5f: after %d steps the area is x %.4f\n", Method::name, determinant,
+    std::printf("  %-20s det A = %.6g: after %d steps the area is x %.5g\n", Method::name, determinant,
                 steps, ratio);
     const std::string id = lab::id(Method::name);
     out.number(id + "_determinant", determinant, "", "determinant of the step matrix", 4);

@@ -35,7 +35,7 @@ Portrait portrait(const Method& method, const Settings& settings, lab::Findings&
         result.most = std::max(result.most, amplitude(s, settings.omega));
     });
     if (settings.wants(Method::name))
-        std::printf("  %-20s ends at x = %8.4f m, v = %8.3f m/s, amplitude %.4f m\n", Method::name,
+        std::printf("  %-20s ends at x = %10.4g m, v = %10.4g m/s, amplitude %.4g m\n", Method::name,
                     end.x, end.v, reached);
     out.number(id + "_amplitude", reached, "m", "amplitude at the end of the run");
     out.number(id + "_growth", result.growth, "", "amplitude times this a step", 5);
@@ -59,7 +59,7 @@ void smaller_steps(const Settings& settings, lab::Findings& out) {
                               [&](const auto& s) { table.row({s.t, s.x}); });
         const State exact = spring.exact(start, seconds);
         const double error = amplitude({0, end.x - exact.x, end.v - exact.v}, settings.omega);
-        std::printf(" %.3f m (%ld steps)", error, steps);
+        std::printf(" %.3g m (%ld steps)", error, steps);
         out.number("smaller_steps_" + std::to_string(divisor), double(steps), "", "steps in two swings");
         out.number("smaller_error_" + std::to_string(divisor), error, "m", "error after two swings");
         if (divisor > 1)

@@ -1,8 +1,10 @@
 # The largest and smallest numbers that an option's rule lets through: the program comes to an end,
 # and either finds something or refuses with one line. It never crashes and never loops for ever.
+# Its account stays readable: what grows without bound is not written out with all of its digits.
 include("${CMAKE_CURRENT_LIST_DIR}/program.cmake")
 
 read_options()
+string(REPEAT "[0-9]" 16 sixteen_digits)
 foreach(flag IN LISTS flags)
   set(rule "${rule_${flag}}")
   set(extremes "")
@@ -13,7 +15,7 @@ foreach(flag IN LISTS flags)
     list(APPEND extremes -1e300)
   endif()
   if(rule MATCHES "^a finite number|zero")
-    list(APPEND extremes 1e-300)
+    list(APPEND extremes 1e-300 1 100)  # long steps, and yet no overflow
   endif()
   if(rule MATCHES "zero or more|^a finite number")
     list(APPEND extremes 0 -0)
@@ -33,6 +35,8 @@ foreach(flag IN LISTS flags)
       endif()
     elseif(NOT status EQUAL 0)
       wrong("${flag} ${value}: the exit status is ${status}, must be 0 or 2: ${err}")
+    elseif(out MATCHES "([^\n]*${sixteen_digits}[^\n]*)\n")
+      wrong("${flag} ${value}: a number that nobody can read: ${CMAKE_MATCH_1}")
     endif()
   endforeach()
 endforeach()
