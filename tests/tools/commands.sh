@@ -13,6 +13,8 @@ test_bad_use_is_one_line_and_status_2() {
         is "$(lines out)" 0
         is "$(sed 's/course: .*/course/' err)" course
     done
+    expect 2 course ''
+    is "$(lines err)" 1
     expect 2 course list --jsn
     says err '--jsn'
     expect 2 course run

@@ -32,6 +32,9 @@ test_unknown_words_are_refused_before_anything_is_installed() {
     new_machine 0
     expect 2 course turo
     says err "course: there is no command 'turo'"
+    expect 2 course ''
+    is "$(cat err)" "course: there is no command '': ./course --help shows those that there are"
+    is "$(lines out)" 0
     expect 2 course setup --al
     says err "course: setup: '--al': it takes --all and --yes, nothing else"
     is "$(lines calls)" 0
