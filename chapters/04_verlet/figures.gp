@@ -160,7 +160,11 @@ set key outside bottom center horizontal reverse Left
 plot "rope_frames.tsv" index 0 using 2:3 with lines @faint title "at the start", \
      for [k in "6 9 12"] "" index int(k) using 2:3 with lines @second title (k eq "6" ? "1 sweep" : ""), \
      for [k in "6 9 12"] "" index int(k) using 4:5 with lines @third title (k eq "6" ? "4 sweeps" : ""), \
-     for [k in "6 9 12"] "" index int(k) using 6:7 with lines @first title (k eq "6" ? "32 sweeps" : "")
+     for [k in "6 9 12"] "" index int(k) using 6:7 with lines @first title (k eq "6" ? "32 sweeps" : ""), \
+     for [k in "6 9 12"] "" index int(k) every ::20::20 using 2:3:(sprintf("%.1f s", $1)) \
+         with labels left offset 0.7,0 textcolor rgb ink, \
+     for [k in "4 6"] "" index 12 every ::20::20 using int(k):int(k)+1:(sprintf("%.1f s", $1)) \
+         with labels right offset -0.7,0 textcolor rgb ink
 
 call animation "rope.gif" 480 480 7
 set xrange [-2.4:2.4]
