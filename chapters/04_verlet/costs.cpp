@@ -71,6 +71,10 @@ void costs(const Settings&, lab::Findings& out) {
 
     const State start{0, 1.0, 0.0};
     const double seconds = 20;
+    const auto tried = [](int i) { return std::lround(20 * std::pow(2.0, i / 4.0)); };
+    out.number("work_seconds", seconds, "s", "for which the spring is stepped");
+    out.number("work_fewest_steps", double(tried(0)), "", "the fewest steps tried");
+    out.number("work_most_steps", double(tried(48)), "", "the most steps tried");
     const double semi = time.at(semi_implicit_euler.name);
     auto& table = out.table("costs.tsv", {"method", "order", "forces a step", "time of a step",
                                           "evaluations for 0.1 %"});
@@ -81,7 +85,7 @@ void costs(const Settings&, lab::Findings& out) {
         auto& work = out.table("work_" + lab::id(method.name) + ".tsv", {"evaluations", "error"});
         long needed = 0;
         for (int i = 0; i <= 48; ++i) {
-            const long steps = std::lround(20 * std::pow(2.0, i / 4.0));
+            const long steps = tried(i);
             const State end = run(method, spring, start, seconds / steps, steps);
             const double error = distance(end, spring.exact(start, seconds));
             const long evaluations = steps * method.cost.evaluations;
