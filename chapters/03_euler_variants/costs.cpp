@@ -135,6 +135,11 @@ void cost_table(const std::map<std::string, Times>& times, lab::Findings& out) {
     // with halved steps solves it from anywhere. Beyond, it may stop where the slope vanishes.
     out.check("newton_may_fail", gentle == 0 && rough > 0,
               "Newton-Raphson finds every root at omega h = 1 and misses some at 1.5");
+    const Times &e = times.at("explicit Euler"), &s = times.at("semi-implicit Euler"), &i = times.at("implicit Euler");
+    out.number("alone_ratio", s.one / e.one, "", "semi-implicit over explicit, one spring", 2);
+    out.number("many_ratio", s.many / e.many, "", "semi-implicit over explicit, each of 1000 springs", 2);
+    out.number("implicit_ratio", i.many / s.many, "", "implicit over semi-implicit, each of 1000 springs", 2);
+    out.number("implicit_ratio_pendulum", i.pendulum / s.pendulum, "", "implicit over semi-implicit, pendulum", 2);
 }
 
 // Error at the end of three swings against the time that its steps take.
