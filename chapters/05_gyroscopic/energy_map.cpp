@@ -56,10 +56,9 @@ std::string words(const char* format, double value) {
     return text;
 }
 
-// What a step that multiplies the energy by `gain` adds to it; roundoff is nothing.
+// What a step that multiplies the energy by `gain` adds, as a share of it; roundoff is nothing.
 std::string added(double gain) {
-    if (gain < 1 + 1e-12) return "nothing";
-    return gain < 2 ? words("%.2g %%", 100 * (gain - 1)) : words("× %.2g", gain);
+    return gain < 1 + 1e-12 ? "0" : words("%.2g", gain - 1);
 }
 
 // How many times its |ω| of now a free body reaches as it tumbles. Energy and momentum make the
@@ -98,8 +97,8 @@ void energy_map(const Settings& settings, lab::Findings& out) {
               "one iteration adds energy to this body, the other two add none");
 
     // Random bodies, ratio of moments up to 1000.
-    auto& gains = out.table("gains.tsv", {"hω", "bodies that gain", "most added, one iteration",
-                                          "most added, converged", "most added, passive"});
+    auto& gains = out.table("gains.tsv", {"hω", "bodies that gain", "share of E added at most, one iteration",
+                                          "converged", "passive"});
     auto& curve =
         out.table("gain_curve.tsv", {"size", "share", "implicit", "converged", "passive"});
     RandomBody bodies(2);
