@@ -1,0 +1,75 @@
+#include "pendulum_rates.hpp"
+
+#include "property.hpp"
+
+EXERCISE(pendulum_rates);
+
+PROPERTY("a lamp at rest stays where it is, straight below the hook and straight above") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double g = draw.real(1, 25), length = draw.log(0.2, 5), drag = draw.log(0.01, 1);
+        for (const double angle : {0.0, std::numbers::pi, -std::numbers::pi}) {
+            const auto rates = learner({draw.real(0, 9), angle, 0}, g, length, drag);
+            REQUIRE(rates[0] == 0);
+            REQUIRE(close(rates[1], 0, 0, 1e-15 * g / length));
+        }
+    }
+}
+
+PROPERTY("the rate of change of the angle is the angular velocity, whatever the forces are") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const State<double> s{draw.real(0, 9), draw.real(-4, 4), draw.real(-5, 5)};
+        const auto rates = learner(s, draw.real(1, 25), draw.log(0.2, 5), draw.log(0.01, 1));
+        REQUIRE(close(rates[0], s.v, 1e-15));
+    }
+}
+
+PROPERTY("let go at rest, the lamp is pulled along the arc by gravity's share across the cable") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double g = draw.real(1, 25), length = draw.log(0.2, 5), angle = draw.real(-4, 4);
+        const auto rates = learner({draw.real(0, 9), angle, 0}, g, length, draw.log(0.01, 1));
+        REQUIRE(rates[0] == 0);
+        REQUIRE(close(length * rates[1], -g * std::sin(angle), 1e-13, 1e-14 * g));
+    }
+}
+
+// Energy per mass, (length v)²/2 + g length (1 − cos x), by the rates of x and v.
+PROPERTY("without air the energy does not change at any moment of the swing") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const State<double> s{draw.real(0, 9), draw.real(-4, 4), draw.real(-5, 5)};
+        const double g = draw.real(1, 25), length = draw.log(0.2, 5);
+        const auto rates = learner(s, g, length, 0);
+        const double moving = length * length * s.v * rates[1];
+        const double rising = g * length * std::sin(s.x) * rates[0];
+        REQUIRE(close(moving + rising, 0, 0, 1e-14 * g * length * std::fabs(s.v)));
+    }
+}
+
+PROPERTY("the air takes energy both ways, drag times the cube of the speed each second") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const State<double> s{draw.real(0, 9), draw.real(-4, 4), draw.sign() * draw.log(0.1, 8)};
+        const double g = draw.real(1, 25), length = draw.log(0.2, 5), drag = draw.log(0.01, 1);
+        const auto rates = learner(s, g, length, drag);
+        const double moving = length * length * s.v * rates[1];
+        const double rising = g * length * std::sin(s.x) * rates[0];
+        const double lost = drag * std::pow(std::fabs(length * s.v), 3);
+        REQUIRE(close(moving + rising, -lost, 1e-13, 1e-14 * g * length * std::fabs(s.v)));
+    }
+}
+
+PROPERTY("in a mirror the lamp does the same, and today as tomorrow") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const State<double> s{draw.real(0, 9), draw.real(-4, 4), draw.real(-5, 5)};
+        const double g = draw.real(1, 25), length = draw.log(0.2, 5), drag = draw.log(0.01, 1);
+        const auto rates = learner(s, g, length, drag);
+        const auto mirrored = learner({s.t + draw.real(-5, 5), -s.x, -s.v}, g, length, drag);
+        const double size = (g + drag * length * length * s.v * s.v) / length;
+        REQUIRE(mirrored[0] == -rates[0]);
+        REQUIRE(close(mirrored[1], -rates[1], 0, 1e-14 * size));
+    }
+}
