@@ -1,0 +1,12 @@
+#include "exercise.hpp"
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        steps.push_back(static_cast<int>(owed / step));
+        owed = std::fmod(owed, step);
+    }
+    return steps;
+}

@@ -1,0 +1,107 @@
+#include "steps_of_frames.hpp"
+
+#include "property.hpp"
+
+EXERCISE(steps_of_frames);
+
+namespace {
+
+// All times are multiples of 1/1024 s: they add and subtract without rounding.
+constexpr double tick = 1.0 / 1024;
+
+std::vector<double> draw_frames(Draw& draw, int count, int longest) {
+    std::vector<double> frames;
+    for (int i = 0; i < count; ++i) frames.push_back(draw.integer(0, longest) * tick);
+    return frames;
+}
+
+}  // namespace
+
+PROPERTY("there is one number for each frame, from zero to the cap") {
+    Draw draw;
+    REQUIRE(learner({}, 0.5, 5).empty());
+    for (int i = 0; i < 30; ++i) {
+        const int ticks = draw.integer(5, 30), most = draw.integer(1, 6);
+        const auto frames = draw_frames(draw, draw.integer(1, 40), 4 * ticks);
+        const auto steps = learner(frames, ticks * tick, most);
+        REQUIRE(steps.size() == frames.size());
+        for (const int n : steps) {
+            REQUIRE(n >= 0);
+            REQUIRE(n <= most);
+        }
+    }
+}
+
+PROPERTY("frames that are some steps long take just so many, and a frame of no time takes none") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const double step = draw.integer(5, 30) * tick;
+        const int most = draw.integer(3, 6), n = draw.integer(2, most);
+        const std::vector<double> frames{step, n * step, 0, step, most * step, 0, step};
+        REQUIRE(learner(frames, step, most) == std::vector<int>{1, n, 0, 1, most, 0, 1});
+    }
+}
+
+PROPERTY("frames of a third of a step take one step in every third frame") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double third = draw.integer(2, 20) * tick;
+        const auto steps = learner(std::vector<double>(6, third), 3 * third, draw.integer(1, 6));
+        REQUIRE(steps == std::vector<int>{0, 0, 1, 0, 0, 1});
+    }
+}
+
+PROPERTY("below the cap the simulation is never ahead of the clock, and less than a step behind") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const int ticks = draw.integer(5, 30);
+        const auto frames = draw_frames(draw, 40, 4 * ticks);
+        const auto steps = learner(frames, ticks * tick, 5);
+        REQUIRE(steps.size() == frames.size());
+        double behind = 0;
+        for (std::size_t k = 0; k < frames.size(); ++k) {
+            behind += frames[k] - steps[k] * ticks * tick;
+            REQUIRE(behind >= 0);
+            REQUIRE(behind < ticks * tick);
+        }
+    }
+}
+
+PROPERTY("the same time cut into other frames takes the same number of steps in all") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const int ticks = draw.integer(5, 30);
+        const auto frames = draw_frames(draw, 20, 2 * ticks);
+        std::vector<double> pairs;
+        for (std::size_t k = 0; k < frames.size(); k += 2)
+            pairs.push_back(frames[k] + frames[k + 1]);
+        const auto sum = [](const std::vector<int>& steps) {
+            int all = 0;
+            for (const int n : steps) all += n;
+            return all;
+        };
+        REQUIRE(sum(learner(frames, ticks * tick, 9)) == sum(learner(pairs, ticks * tick, 9)));
+    }
+}
+
+// Before the hitch `early` ticks are owed; `hitch` is beyond the cap. Behind it, frames of one tick
+// come: the one that fills up the step takes it.
+PROPERTY("after a hitch whole steps are dropped, and what is owed of the next step is kept") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const int ticks = draw.integer(5, 30), most = draw.integer(1, 6);
+        const int early = draw.integer(1, ticks - 1);
+        const int hitch = (most + draw.integer(1, 9)) * ticks + draw.integer(0, ticks - 1);
+        std::vector<double> frames{early * tick, hitch * tick};
+        frames.resize(2 + 2 * static_cast<std::size_t>(ticks), tick);
+        const auto steps = learner(frames, ticks * tick, most);
+        REQUIRE(steps.size() == frames.size());
+        REQUIRE(steps[0] == 0);
+        REQUIRE(steps[1] == most);
+        int owed = (early + hitch) % ticks;
+        for (std::size_t k = 2; k < frames.size(); ++k) {
+            owed = (owed + 1) % ticks;
+            REQUIRE(steps[k] == (owed == 0 ? 1 : 0));
+        }
+    }
+}
