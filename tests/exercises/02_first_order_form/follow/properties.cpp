@@ -1,0 +1,119 @@
+#include "follow.hpp"
+
+#include "property.hpp"
+
+EXERCISE(follow);
+
+namespace {
+
+struct Scene {
+    explicit Scene(Draw& draw)
+        : camera{draw.real(0, 9), draw.real(-5, 5), draw.real(-5, 5)},
+          target(draw.real(-5, 5)),
+          target_v(draw.sign() * draw.real(0.5, 5)),
+          omega(draw.log(0.5, 20)) {}
+    State<double> after(double h) const { return learner(camera, target, target_v, omega, h); }
+
+    State<double> camera;
+    double target, target_v, omega;
+};
+
+}  // namespace
+
+PROPERTY("a time of zero changes nothing, and after any other the clock shows it") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const Scene scene(draw);
+        const State<double> same = scene.after(0);
+        REQUIRE(same.t == scene.camera.t);
+        REQUIRE(close(same.x, scene.camera.x, 0, 1e-14));
+        REQUIRE(close(same.v, scene.camera.v, 0, 1e-12));
+        const double h = draw.log(1e-3, 1);
+        REQUIRE(close(scene.after(h).t, scene.camera.t + h, 1e-15));
+    }
+}
+
+PROPERTY("a camera that rides on the player, as fast as the player, stays there") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        Scene scene(draw);
+        scene.camera.x = scene.target;
+        scene.camera.v = scene.target_v;
+        const double h = draw.log(1e-3, 2);
+        const State<double> after = scene.after(h);
+        REQUIRE(close(after.x, scene.target + scene.target_v * h, 0, 1e-13));
+        REQUIRE(close(after.v, scene.target_v, 0, 1e-13));
+    }
+}
+
+// Both ways round by about ten units in the last place of numbers up to 5 + 5 h and their rates.
+PROPERTY("two frames land where one frame of their length does") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Scene scene(draw);
+        const double h1 = draw.log(1e-3, 1), h2 = draw.log(1e-3, 1);
+        const State<double> once = scene.after(h1 + h2);
+        const double moved = scene.target + scene.target_v * h1;
+        const State<double> twice =
+            learner(scene.after(h1), moved, scene.target_v, scene.omega, h2);
+        REQUIRE(close(twice.t, once.t, 1e-14));
+        REQUIRE(close(twice.x, once.x, 0, 1e-12));
+        REQUIRE(close(twice.v, once.v, 0, 1e-11));
+    }
+}
+
+// Central differences over d: their error is d²/6 times the third derivative, which is a few times
+// ω² (10 + 10 ω) at most; roundoff is less.
+PROPERTY("the velocity is the rate of change of the position, at every moment") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Scene scene(draw);
+        const double h = draw.real(0.1, 3) / scene.omega, d = 1e-4 / scene.omega;
+        const double rate = (scene.after(h + d).x - scene.after(h - d).x) / (2 * d);
+        REQUIRE(close(rate, scene.after(h).v, 0, 1e-7 * (10 + 10 * scene.omega)));
+    }
+}
+
+PROPERTY("the camera obeys its equation of motion, seen from the moving player") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Scene scene(draw);
+        const double omega = scene.omega;
+        const double h = draw.real(0.1, 3) / omega, d = 1e-4 / omega;
+        const double acceleration = (scene.after(h + d).v - scene.after(h - d).v) / (2 * d);
+        const State<double> now = scene.after(h);
+        const double x = now.x - scene.target - scene.target_v * h, v = now.v - scene.target_v;
+        const double wanted = -omega * omega * x - 2 * omega * v;
+        REQUIRE(close(acceleration, wanted, 0, 1e-7 * omega * (10 + 10 * omega)));
+    }
+}
+
+PROPERTY("let go at rest, the camera nears a resting player all the time and never passes") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        Scene scene(draw);
+        scene.target_v = scene.camera.v = 0;
+        const double start = draw.sign() * draw.real(1, 5);
+        scene.camera.x = scene.target + start;
+        double before = 1;
+        for (double phase = 0.25; phase < 8; phase += 0.25) {
+            const double left = (scene.after(phase / scene.omega).x - scene.target) / start;
+            REQUIRE(left > 0);
+            REQUIRE(left < before);
+            before = left;
+        }
+    }
+}
+
+// e⁻⁴⁰ (1 + 40) of the distance is left.
+PROPERTY("after a long frame the camera rides on the player, who has moved on") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const Scene scene(draw);
+        const double h = draw.real(40, 400) / scene.omega;
+        const State<double> after = scene.after(h);
+        const double place = scene.target + scene.target_v * h;
+        REQUIRE(close(after.x, place, 1e-14, 1e-12));
+        REQUIRE(close(after.v, scene.target_v, 0, 1e-12));
+    }
+}
