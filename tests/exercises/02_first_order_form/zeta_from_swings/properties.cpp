@@ -1,0 +1,80 @@
+#include "zeta_from_swings.hpp"
+
+#include "property.hpp"
+
+EXERCISE(zeta_from_swings);
+
+namespace {
+
+using std::numbers::pi;
+
+// What is left of a peak: e^(−ζωt) after n swings of the period 2π/(ω √(1 − ζ²)).
+double left(double zeta, double swings) {
+    return std::exp(-2 * pi * swings * zeta / std::sqrt((1 - zeta) * (1 + zeta)));
+}
+
+}  // namespace
+
+PROPERTY("peaks that do not shrink mean no damping") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double peak = draw.sign() * draw.log(0.01, 100);
+        REQUIRE(learner(peak, peak, draw.integer(1, 30)) == 0);
+    }
+}
+
+// An error of 1e-15 in ζ is one of 2πn 1e-15/(1 − ζ²)^(3/2) in what is left: at most 2e-13 here.
+PROPERTY("a swing with the ratio that comes out shrinks by just what was measured, in one swing") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double first = draw.real(1, 100), part = draw.log(0.005, 0.999);
+        const double zeta = learner(first, part * first, 1);
+        REQUIRE(zeta > 0);
+        REQUIRE(zeta < 1);
+        REQUIRE(close(left(zeta, 1), part, 1e-12));
+    }
+}
+
+PROPERTY("and so it does when the later peak comes several swings later") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const int swings = draw.integer(2, 30);
+        const double first = draw.real(1, 100), part = draw.log(0.005, 0.99);
+        const double zeta = learner(first, part * first, swings);
+        REQUIRE(zeta > 0);
+        REQUIRE(zeta < 1);
+        REQUIRE(close(left(zeta, swings), part, 1e-11));
+    }
+}
+
+PROPERTY("any two peaks of one motion give the same ratio, that of the motion") {
+    Draw draw;
+    for (int i = 0; i < 40; ++i) {
+        const double zeta = draw.log(0.01, 0.7), start = draw.real(1, 100);
+        for (int n = 1; n <= 4; ++n)
+            REQUIRE(close(learner(start, start * left(zeta, n), n), zeta, 1e-11));
+    }
+}
+
+PROPERTY("the unit of the heights and the side of the peaks make no difference") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const double first = draw.real(1, 100), later = first * draw.real(0.01, 0.95);
+        const double factor = draw.sign() * draw.log(1e-3, 1e3);
+        const int swings = draw.integer(1, 10);
+        const double zeta = learner(first, later, swings);
+        REQUIRE(close(learner(factor * first, factor * later, swings), zeta, 1e-12));
+        REQUIRE(close(learner(-first, -later, swings), zeta, 1e-12));
+    }
+}
+
+// At ζ = 0.99 one swing leaves e⁻⁴⁴. A relative error of the logarithm counts 1 − ζ² times in ζ.
+PROPERTY("damping so strong that hardly anything is left still gives the right ratio, below 1") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double zeta = draw.real(0.8, 0.99), first = draw.sign() * draw.real(1, 100);
+        const double measured = learner(first, first * left(zeta, 1), 1);
+        REQUIRE(measured < 1);
+        REQUIRE(close(measured, zeta, 1e-12));
+    }
+}
