@@ -1,0 +1,100 @@
+#include "leash_force.hpp"
+
+#include "property_eigen.hpp"
+
+EXERCISE(leash_force);
+
+namespace {
+
+using checker::close;  // of vectors, too
+
+struct Scene {
+    explicit Scene(Draw& draw)
+        : length(draw.log(0.1, 3)),
+          stretch(draw.log(0.05, 2)),
+          k(draw.log(1, 100)),
+          c(draw.log(1, 20)),
+          outwards(draw_direction(draw)),
+          x((length + stretch) * outwards) {}
+    Vector3d force(const Vector3d& v) const { return learner(x, v, k, c, length); }
+    // The size of the numbers that make up a force.
+    double size(const Vector3d& v) const { return k * (length + stretch) + c * v.norm(); }
+
+    double length, stretch, k, c;
+    Vector3d outwards, x;
+};
+
+}  // namespace
+
+PROPERTY("a slack leash has no force however the ball moves, nor has one of no length at all") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const Scene scene(draw);
+        const Vector3d v = draw_vector(draw, -5, 5);
+        const Vector3d near = draw.real(0.01, 0.99) * scene.length * scene.outwards;
+        const Vector3d here = Vector3d::Zero();
+        REQUIRE(learner(near, v, scene.k, scene.c, scene.length).norm() == 0);
+        REQUIRE(learner(here, v, scene.k, scene.c, scene.length).norm() == 0);
+        REQUIRE(learner(here, v, scene.k, scene.c, 0).norm() == 0);
+    }
+}
+
+PROPERTY("at rest the force pulls the ball towards its owner, the stiffness times the stretch") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Scene scene(draw);
+        const Vector3d rest = Vector3d::Zero();
+        const Vector3d force = scene.force(rest);
+        REQUIRE(force.dot(scene.x) < 0);
+        REQUIRE(close(force.norm(), scene.k * scene.stretch, 0, 1e-14 * scene.size(rest)));
+        REQUIRE(force.cross(scene.outwards).norm() <= 1e-14 * scene.size(rest));
+        const Vector3d unstretched = learner(scene.x, rest, scene.k, scene.c, 0);
+        REQUIRE(close(unstretched, -scene.k * scene.x, 1e-14));
+    }
+}
+
+PROPERTY("a ball that moves across the leash feels the same force as one at rest") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Scene scene(draw);
+        const Vector3d rest = Vector3d::Zero();
+        const Vector3d across = scene.outwards.cross(draw_vector(draw, -5, 5));
+        REQUIRE(close(scene.force(across), scene.force(rest), 0, 3e-14 * scene.size(across)));
+    }
+}
+
+PROPERTY("a leash that gets longer takes energy, the damping times the square of that rate") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Scene scene(draw);
+        const double rate = draw.log(0.1, 5);
+        const Vector3d v = rate * scene.outwards + scene.outwards.cross(draw_vector(draw, -5, 5));
+        const double power = (scene.force(v) - scene.force(Vector3d::Zero())).dot(v);
+        REQUIRE(close(power, -scene.c * rate * rate, 0, 5e-14 * scene.size(v) * v.norm()));
+    }
+}
+
+// The damper just takes up the spring at the rate −k stretch/c: on both sides of it.
+PROPERTY("a leash that gets shorter pulls less, and one that does so fast does not push") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Scene scene(draw);
+        const double part = draw.real(0.05, 0.95), limit = scene.k * scene.stretch / scene.c;
+        const Vector3d slow = -part * limit * scene.outwards;
+        const Vector3d fast = -(1 + part) * limit * scene.outwards;
+        const Vector3d left = -(1 - part) * scene.k * scene.stretch * scene.outwards;
+        REQUIRE(close(scene.force(slow), left, 0, 5e-14 * scene.size(slow)));
+        REQUIRE(scene.force(fast).norm() == 0);
+    }
+}
+
+PROPERTY("turn the whole scene, and the force turns with it") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Scene scene(draw);
+        const Vector3d v = draw_vector(draw, -5, 5);
+        const Eigen::Matrix3d turn = draw_rotation(draw).toRotationMatrix();
+        const Vector3d turned = learner(turn * scene.x, turn * v, scene.k, scene.c, scene.length);
+        REQUIRE(close(turned, turn * scene.force(v), 0, 5e-14 * scene.size(v)));
+    }
+}
