@@ -27,7 +27,6 @@ State<double> follow(const State<double>& s, double goal, double goal_v, double 
     const double x = s.x - goal, v = s.v - goal_v;
     const double b = v + omega * x;
     const double decay = std::exp(-omega * h);
-    return {s.t + h, goal + goal_v * h + (x + b * h) * decay,
-            goal_v + (v - omega * b * h) * decay};
+    return {s.t + h, goal + goal_v * h + (x + b * h) * decay, goal_v + (v - omega * b * h) * decay};
     // [answer]
 }

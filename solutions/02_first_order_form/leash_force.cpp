@@ -1,4 +1,4 @@
-// Chapter 2, exercise 6: a leash between two players
+// Chapter 2, exercise 6: a ball on a leash
 //
 // A ball is tied to its owner by an elastic leash. You know its position and its velocity as the
 // owner sees them, and need the force on the ball. The leash is a spring with a rest length, and a

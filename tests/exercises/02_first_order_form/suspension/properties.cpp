@@ -33,7 +33,7 @@ PROPERTY("at a damping ratio of 1 the car just does not swing") {
     }
 }
 
-PROPERTY("below 1, the logarithm of a swing falls by zeta times its phase without damping") {
+PROPERTY("below 1, a swing fades at the rate zeta omega, where omega is that of the car undamped") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
         const double mass = draw.log(1, 1e4), sag = draw.log(0.01, 0.5), g = draw.real(1, 25);
