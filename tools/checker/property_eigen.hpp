@@ -34,4 +34,5 @@ bool close(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b, double 
 
 }  // namespace checker
 
-using checker::close, checker::draw_direction, checker::draw_moments, checker::draw_rotation, checker::draw_vector;
+using checker::close, checker::draw_direction, checker::draw_moments, checker::draw_rotation,
+    checker::draw_vector;

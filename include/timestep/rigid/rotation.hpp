@@ -29,14 +29,15 @@ Matrix3<Real> skew(const Vector3<Real>& a) {
 /// The attitude after `h` seconds at the angular velocity `omega`, in rad/s and world coordinates
 /// (N42): q̇ = ½ ω q, where ω stands for the quaternion (0, ω). One Euler step leaves the unit
 /// quaternions, so the result is scaled back to length one. A step turns the body by
-/// 2 atan(h|ω|/2) instead of h|ω|, short of half a turn whatever the spin: the length is taken of
-/// numbers brought near one, so that no square overflows.
+/// 2 atan(h|ω|/2) instead of h|ω|, short of half a turn whatever the spin, as long as the square of
+/// h|ω|/2 is a number: to 3e19 in `float`, 1e154 in `double`. Beyond, the quaternion is zero, which
+/// `is_finite` of a state refuses.
 /// [attitude]
 template <class Real>
 Quaternion<Real> turned(const Quaternion<Real>& q1, const Vector3<Real>& omega, Real h) {
     const Vector3<Real> half = h / 2 * omega;
     const Quaternion<Real> rate = Quaternion<Real>(0, half.x(), half.y(), half.z()) * q1;
-    return Quaternion<Real>((q1.coeffs() + rate.coeffs()).stableNormalized());
+    return Quaternion<Real>(q1.coeffs() + rate.coeffs()).normalized();
 }
 /// [attitude]
 

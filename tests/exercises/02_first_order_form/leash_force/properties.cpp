@@ -6,7 +6,6 @@ EXERCISE(leash_force);
 
 namespace {
 
-using checker::close;  // of vectors, too
 
 struct Scene {
     explicit Scene(Draw& draw)

@@ -79,8 +79,8 @@ PROPERTY("with all masses in other units the ends move the same way") {
         const double unit = draw.log(1e-3, 1e3);
         const auto [a, b] = learner(ends.a, ends.b, ends.wa, ends.wb, ends.length);
         const auto [a2, b2] = learner(ends.a, ends.b, unit * ends.wa, unit * ends.wb, ends.length);
-        REQUIRE(checker::close(a, a2, 0, 1e-13));
-        REQUIRE(checker::close(b, b2, 0, 1e-13));
+        REQUIRE(close(a, a2, 0, 1e-13));
+        REQUIRE(close(b, b2, 0, 1e-13));
     }
 }
 
