@@ -6,7 +6,6 @@ EXERCISE(leash_force);
 
 namespace {
 
-
 struct Scene {
     explicit Scene(Draw& draw)
         : length(draw.log(0.1, 3)),
