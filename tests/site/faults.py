@@ -70,6 +70,11 @@ class Links(SiteCase):
             "navtreedata.js: none.html leads to no file",
             "navtreedata.js: other.html#here leads to no place in the page"])
 
+    def test_hidden_tests_stay_hidden(self):
+        title = "Timestep: tests/exercises/01_a/b/properties.cpp Source File"
+        self.write("p.html", f"<title>{title}</title>".encode())
+        self.assertEqual(self.faults(), [f"p.html: shows a hidden file, {title}"])
+
     def test_no_start_page(self):
         os.remove(os.path.join(self.folder.name, "index.html"))
         self.assertEqual(self.faults(), ["there is no index.html"])

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Does every link in the site lead somewhere, and does the site need nothing from elsewhere?
+"""Does every link in the site lead somewhere, does the site need nothing from elsewhere, and do the
+hidden tests stay hidden?
 
     links.py SITE      prints a line for each fault; exit status 0 when there is none, else 1
 
@@ -15,6 +16,7 @@ import sys
 import urllib.parse
 
 LARGEST_SITE = 25_000_000  # bytes
+HIDDEN = ("tests/exercises/", "solutions/")  # folders whose sources no page may show
 
 
 class Page(html.parser.HTMLParser):
@@ -59,7 +61,11 @@ def find_faults(site):
             size += os.path.getsize(path)
             relative = os.path.relpath(path, site)
             if name.endswith(".html"):
-                pages[relative] = Page(read(path))
+                text = read(path)
+                pages[relative] = Page(text)
+                title = re.search("<title>(.*?)</title>", text)
+                if title and any(folder in title.group(1) for folder in HIDDEN):
+                    faults.append(f"{relative}: shows a hidden file, {title.group(1)}")
             elif name.endswith(".js") and not name.startswith("navtreeindex"):
                 scripts[relative] = script_links(read(path))
     if size > LARGEST_SITE:
