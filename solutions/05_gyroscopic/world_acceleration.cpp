@@ -1,0 +1,30 @@
+// Chapter 5, exercise 2: what a torque does to a spaceship
+//
+// Your engine keeps everything in world coordinates: the spin of a spaceship, and the torque of its
+// thrusters. Only the moments of inertia are known along the ship's own axes. How fast does the
+// spin change? Use Euler's equations, with the gyroscopic torque in them.
+//
+//   inertia   the three moments along the body's own axes, each above zero, in kg m²
+//   q         attitude, of length one: q * v is in world coordinates what v is in the body's. In
+//             Eigen q.conjugate() turns back
+//   omega     angular velocity in world coordinates, in rad/s; may be zero
+//   torque    in world coordinates, in N m; may be zero
+//   returns   angular acceleration in world coordinates, in rad/s²
+//
+// Example: a ship with inertia = (2, 4, 5) is turned by a quarter about z: its own x axis is the
+// world's y axis. With omega = (0, 3, 2) and torque = (2, 6, 5) the answer is (−4, 3, 1).
+//
+// What is checked: bodies at rest, balls, and spin about one of the body's own axes; the torque's
+// power is what the energy gains; the angular momentum changes at the rate of the torque; the part
+// that the torque adds, and the part that the spin adds; the answer turns with the scene.
+
+#include "exercise_eigen.hpp"
+
+Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
+    // [answer]
+    const Vector3d spin = q.conjugate() * omega;  // in the body's axes, where I is three numbers
+    const Vector3d L = inertia.cwiseProduct(spin);
+    const Vector3d total = q.conjugate() * torque - spin.cross(L);
+    return q * total.cwiseQuotient(inertia);
+    // [answer]
+}

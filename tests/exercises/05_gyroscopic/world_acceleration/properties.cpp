@@ -1,0 +1,124 @@
+#include "world_acceleration.hpp"
+
+#include "property_eigen.hpp"
+
+EXERCISE(world_acceleration);
+
+namespace {
+
+struct Body {
+    explicit Body(Draw& draw)
+        : inertia(draw_moments(draw, 10)),
+          q(draw_rotation(draw)),
+          omega(draw.log(0.5, 10) * draw_direction(draw)),
+          torque(draw.log(0.5, 100) * inertia.minCoeff() * draw_direction(draw)) {}
+
+    // One of the body's own axes, in the world.
+    Vector3d axis(int i) const { return q * Vector3d::Unit(i); }
+    // The inertia tensor times a vector, both in the world: each axis adds its part.
+    Vector3d times_tensor(const Vector3d& v) const {
+        Vector3d sum = Vector3d::Zero();
+        for (int i = 0; i < 3; ++i) sum += inertia[i] * v.dot(axis(i)) * axis(i);
+        return sum;
+    }
+    Vector3d acceleration() const { return learner(inertia, q, omega, torque); }
+    // The size of the torques that are added up: roundoff is 1e-16 of that, times some ten.
+    double size() const { return torque.norm() + inertia.maxCoeff() * omega.squaredNorm(); }
+
+    Vector3d inertia;
+    Quaterniond q;
+    Vector3d omega, torque;
+};
+
+}  // namespace
+
+PROPERTY("at rest, a torque about one of the body's own axes is divided by the moment about it") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        Body body(draw);
+        const double size = body.torque.norm();
+        body.torque = size * body.axis(i % 3);
+        body.omega = Vector3d::Zero();
+        const Vector3d expected = size / body.inertia[i % 3] * body.axis(i % 3);
+        REQUIRE(close(body.acceleration(), expected, 1e-13));
+    }
+}
+
+PROPERTY("a ball has no gyroscopic torque: however it spins, only the torque from outside counts") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        Body ball(draw);
+        const double moment = ball.inertia.x();
+        ball.inertia = Vector3d::Constant(moment);
+        const double roundoff = 1e-13 * ball.size() / moment;
+        REQUIRE(close(ball.acceleration(), ball.torque / moment, 0, roundoff));
+    }
+}
+
+// With a torque, so that the answer is not zero.
+PROPERTY("spin and torque about one of the body's own axes: only the spin about it changes") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        Body body(draw);
+        const Vector3d axis = body.axis(i % 3);
+        const double size = draw.sign() * body.torque.norm();
+        body.omega = draw.sign() * body.omega.norm() * axis;
+        body.torque = size * axis;
+        const double roundoff = 1e-13 * body.size() / body.inertia.minCoeff();
+        REQUIRE(close(body.acceleration(), size / body.inertia[i % 3] * axis, 0, roundoff));
+    }
+}
+
+// The energy is half of ω·Iω, and gains L·a.
+PROPERTY("the energy gains just the power of the torque, and a free body keeps its energy") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        Body body(draw);
+        if (i % 4 == 0) body.torque = Vector3d::Zero();
+        const Vector3d L = body.times_tensor(body.omega);
+        const double power = body.torque.dot(body.omega);
+        const double roundoff = 1e-12 * body.size() * body.omega.norm();
+        REQUIRE(close(L.dot(body.acceleration()), power, 0, roundoff));
+    }
+}
+
+// L = Iω changes because ω does, by Ia, and because I turns with the body, by ω × L.
+PROPERTY("in the world the angular momentum changes at the rate of the torque") {
+    Draw draw;
+    for (int i = 0; i < 200; ++i) {
+        Body body(draw);
+        if (i % 4 == 0) body.torque = Vector3d::Zero();
+        if (i % 4 == 1) body.inertia.y() = body.inertia.x();
+        const Vector3d gained = body.times_tensor(body.acceleration());
+        const Vector3d turned = body.omega.cross(body.times_tensor(body.omega));
+        REQUIRE(close(gained + turned, body.torque, 0, 1e-12 * body.size()));
+    }
+}
+
+PROPERTY("what a torque adds does not depend on the spin, and twice the spin adds four times") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Body body(draw);
+        const Vector3d zero = Vector3d::Zero();
+        const Vector3d pushed = learner(body.inertia, body.q, zero, body.torque);
+        const Vector3d free = learner(body.inertia, body.q, body.omega, zero);
+        const Vector3d twice = learner(body.inertia, body.q, 2 * body.omega, zero);
+        const double roundoff = 1e-12 * body.size() / body.inertia.minCoeff();
+        REQUIRE(close(body.acceleration(), pushed + free, 0, roundoff));
+        REQUIRE(close(twice, 4 * free, 0, 4 * roundoff));
+    }
+}
+
+PROPERTY("turn body, spin and torque, and the answer turns with them") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Body body(draw);
+        const Quaterniond turn = draw_rotation(draw);
+        Body turned = body;
+        turned.q = turn * body.q;
+        turned.omega = turn * body.omega;
+        turned.torque = turn * body.torque;
+        const double roundoff = 1e-12 * body.size() / body.inertia.minCoeff();
+        REQUIRE(close(turned.acceleration(), turn * body.acceleration(), 0, roundoff));
+    }
+}
