@@ -1,0 +1,13 @@
+#include "exercise_eigen.hpp"
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Matrix3d I = inertia.diagonal().asDiagonal();
+    const Vector3d L = I * guess;
+    const Vector3d residual = I * (guess - omega1) + h * guess.cross(L);
+    const Matrix3d jacobian = I + h * (skew(guess) * I - skew(L));
+    return guess - jacobian.partialPivLu().solve(residual);
+}

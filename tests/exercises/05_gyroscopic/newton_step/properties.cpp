@@ -1,0 +1,130 @@
+#include "newton_step.hpp"
+
+#include "property_eigen.hpp"
+
+EXERCISE(newton_step);
+
+// One problem: f(ω₂) = I (ω₂ − ω₁) + h ω₂ × Iω₂.
+struct Problem {
+    Matrix3d inertia;
+    Vector3d omega1;
+    double h;
+
+    Vector3d improved(const Vector3d& guess) const { return learner(inertia, omega1, guess, h); }
+    Vector3d residual(const Vector3d& omega2) const {
+        return inertia * (omega2 - omega1) + h * omega2.cross(inertia * omega2);
+    }
+};
+
+static Vector3d draw_spin(Draw& draw, double largest) {
+    return draw.real(0.2, 1) * largest * draw_direction(draw);
+}
+
+// A tensor in axes that are nobody's principal ones.
+static Matrix3d draw_inertia(Draw& draw, const Vector3d& moments) {
+    const Matrix3d axes = draw_rotation(draw).toRotationMatrix();
+    const Matrix3d inertia = axes * moments.asDiagonal() * axes.transpose();
+    return (inertia + inertia.transpose()) / 2;
+}
+
+static Problem draw_problem(Draw& draw) {
+    const double h = draw.log(0.001, 0.2);
+    return {draw_inertia(draw, draw_moments(draw, 20)), draw_spin(draw, 0.5 / h), h};
+}
+
+// A problem with a known root ω₂, of a body with three clearly different moments.
+struct Solved : Problem {
+    Vector3d root;
+};
+
+static Solved draw_solved(Draw& draw) {
+    const double h = draw.log(0.001, 0.2), size = draw.log(0.01, 100);
+    const Vector3d moments(draw.real(0.5, 0.7), draw.real(0.9, 1.1), draw.real(1.3, 1.5));
+    const Matrix3d inertia = draw_inertia(draw, size * moments);
+    const Vector3d root = draw_spin(draw, 0.25 / h);
+    const Vector3d change = inertia.inverse() * root.cross(inertia * root);
+    return {{inertia, root + h * change, h}, root};
+}
+
+PROPERTY("a step of zero ends with omega1, whatever the guess") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        Problem p = draw_problem(draw);
+        const Vector3d guess = draw_spin(draw, 0.5 / p.h);
+        p.h = 0;
+        REQUIRE(close(p.improved(guess), p.omega1, 0, 1e-12 * (p.omega1.norm() + guess.norm())));
+    }
+}
+
+PROPERTY("a ball keeps its spin: one round finds omega1 from any guess") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        Problem p = draw_problem(draw);
+        p.inertia = draw.log(0.01, 100) * Matrix3d::Identity();
+        const Vector3d guess = draw_spin(draw, 0.5 / p.h);
+        REQUIRE(close(p.improved(guess), p.omega1, 0, 1e-12 * (p.omega1.norm() + guess.norm())));
+    }
+}
+
+PROPERTY("a guess that is the root stays where it is") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Solved p = draw_solved(draw);
+        REQUIRE(close(p.improved(p.root), p.root, 1e-12));
+    }
+}
+
+// f is quadratic: its differences to both sides give the slope J d of the tangent without an error,
+// however long d is.
+PROPERTY("the answer lies where the tangent to f at the guess is zero") {
+    Draw draw;
+    for (int i = 0; i < 200; ++i) {
+        const Problem p = draw_problem(draw);
+        const Vector3d guess = draw_spin(draw, 0.5 / p.h);
+        const Vector3d d = p.improved(guess) - guess;
+        const Vector3d rise = (p.residual(guess + d) - p.residual(guess - d)) / 2;
+        const double largest = std::max({p.omega1.norm(), guess.norm(), d.norm()});
+        REQUIRE(close(p.residual(guess) + rise, Vector3d(0, 0, 0), 0,
+                      1e-12 * p.inertia.norm() * largest));
+    }
+}
+
+// An error e leaves h J⁻¹(e × Ie), where J at the guess is that of the root up to h|e|. Away from
+// the principal axes, which the sum over many directions is.
+PROPERTY("near the root, half the error of the guess leaves a quarter of the error") {
+    Draw draw;
+    for (int i = 0; i < 10; ++i) {
+        const Solved p = draw_solved(draw);
+        double whole = 0, half = 0;
+        for (int j = 0; j < 10; ++j) {
+            const Vector3d error = 0.01 * p.root.norm() * draw_direction(draw);
+            whole += (p.improved(p.root + error) - p.root).norm();
+            half += (p.improved(p.root + error / 2) - p.root).norm();
+        }
+        REQUIRE(close(order(whole, half), 2, 0, 0.1));
+    }
+}
+
+PROPERTY("a few rounds from omega1 find the root") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const Solved p = draw_solved(draw);
+        Vector3d omega2 = p.omega1;
+        for (int round = 0; round < 8; ++round) omega2 = p.improved(omega2);
+        REQUIRE(close(omega2, p.root, 1e-12));
+    }
+}
+
+PROPERTY("with the body and both spins in turned axes, the answer is turned alike") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const Problem p = draw_problem(draw);
+        const Vector3d guess = draw_spin(draw, 0.5 / p.h);
+        const Matrix3d axes = draw_rotation(draw).toRotationMatrix();
+        Problem turned = p;
+        turned.inertia = axes * p.inertia * axes.transpose();
+        turned.omega1 = axes * p.omega1;
+        const Vector3d expected = axes * p.improved(guess);
+        REQUIRE(close(turned.improved(axes * guess), expected, 1e-11));
+    }
+}
