@@ -21,7 +21,8 @@
 //
 // What is checked: a step of zero and a ball are solved in one round; a guess that is the root
 // stays; where the tangent at the guess is zero; half the error of the guess leaves a quarter of
-// the error; a few rounds find the root; a body that lies in other axes is stepped alike.
+// the error; a few rounds find the root; a body that lies in other axes is stepped alike. Ten
+// digits count: take the Jacobian from the product rule, not from differences.
 
 #include "exercise_eigen.hpp"
 
