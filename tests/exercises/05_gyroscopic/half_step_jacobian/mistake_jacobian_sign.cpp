@@ -1,0 +1,12 @@
+#include "exercise_eigen.hpp"
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
+    const Matrix3d I = inertia.asDiagonal();
+    const Vector3d torque = -omega.cross(I * omega);
+    const Matrix3d jacobian = I - h / 2 * (skew(omega) * I - skew(I * omega));
+    return omega + jacobian.partialPivLu().solve(h * torque);
+}

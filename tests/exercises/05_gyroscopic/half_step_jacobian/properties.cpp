@@ -1,0 +1,149 @@
+#include "half_step_jacobian.hpp"
+
+#include "property_eigen.hpp"
+
+EXERCISE(half_step_jacobian);
+
+struct Tumble {
+    Vector3d inertia, omega;
+    double h;
+
+    Vector3d after() const { return learner(inertia, omega, h); }
+};
+
+static Vector3d torque(const Vector3d& inertia, const Vector3d& omega) {
+    return -omega.cross(inertia.cwiseProduct(omega));
+}
+
+static double energy(const Vector3d& inertia, const Vector3d& omega) {
+    return omega.dot(inertia.cwiseProduct(omega)) / 2;
+}
+
+// The size of h ω lies between the two that are given.
+static Tumble draw_tumble(Draw& draw, double least, double most) {
+    const double speed = draw.log(0.1, 50);
+    return {draw_moments(draw, 20), speed * draw_direction(draw), draw.log(least, most) / speed};
+}
+
+// Three clearly different moments, so that there is a tumble to see.
+static Vector3d draw_uneven(Draw& draw) {
+    const double least = draw.real(0.5, 0.7), middle = draw.real(0.9, 1.1);
+    Vector3d moments(least, middle, draw.real(1.3, 1.5));
+    std::swap(moments[0], moments[draw.integer(0, 2)]);
+    std::swap(moments[1], moments[draw.integer(1, 2)]);
+    return draw.log(0.01, 100) * moments;
+}
+
+// The exact spin after a time, by many steps of Runge and Kutta.
+static Vector3d exact(const Vector3d& inertia, Vector3d omega, double time) {
+    const auto slope = [&](const Vector3d& w) -> Vector3d {
+        return torque(inertia, w).cwiseQuotient(inertia);
+    };
+    const int steps = 1000;
+    const double h = time / steps;
+    for (int i = 0; i < steps; ++i) {
+        const Vector3d k1 = slope(omega), k2 = slope(omega + h / 2 * k1),
+                       k3 = slope(omega + h / 2 * k2), k4 = slope(omega + h * k3);
+        omega += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    }
+    return omega;
+}
+
+// Up to the energy of a long tumble a few digits will do: where mistakes answer alike, single
+// precision should not be taken for one of them.
+PROPERTY("a spin about a principal axis stays, and so does any spin of a ball") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        Tumble t = draw_tumble(draw, 0.01, 0.6);
+        t.omega = draw.sign() * t.omega.norm() * Vector3d::Unit(i % 3);
+        REQUIRE(close(t.after(), t.omega, 1e-5));
+        Tumble ball = draw_tumble(draw, 0.01, 0.6);
+        ball.inertia.setConstant(ball.inertia[i % 3]);
+        REQUIRE(close(ball.after(), ball.omega, 1e-5));
+    }
+}
+
+PROPERTY("a step of zero changes nothing") {
+    Draw draw;
+    for (int i = 0; i < 10; ++i) {
+        Tumble t = draw_tumble(draw, 0.01, 0.6);
+        t.h = 0;
+        REQUIRE(close(t.after(), t.omega, 1e-5));
+    }
+}
+
+PROPERTY("twice the spin for half the time ends at twice the spin") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const Tumble t = draw_tumble(draw, 0.1, 0.6);
+        REQUIRE(close(learner(t.inertia, 2 * t.omega, t.h / 2), Vector3d(2 * t.after()), 1e-5));
+    }
+}
+
+// There the equations are linear, and the step is a rotation about the axis of symmetry.
+PROPERTY("a body with two equal moments keeps its energy and its spin about the third axis") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        Tumble t = draw_tumble(draw, 0.2, 0.6);
+        const int axis = i % 3;
+        t.inertia.setConstant(draw.log(0.01, 100));
+        t.inertia[axis] *= i % 2 == 0 ? draw.real(0.1, 0.7) : draw.real(1.5, 2);
+        const Vector3d after = t.after();
+        REQUIRE(close(after[axis], t.omega[axis], 0, 1e-5 * t.omega.norm()));
+        REQUIRE(close(energy(t.inertia, after), energy(t.inertia, t.omega), 1e-5));
+    }
+}
+
+PROPERTY("a step of h and then a step of -h lead back to the beginning") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Tumble t = draw_tumble(draw, 0.1, 0.5);
+        REQUIRE(close(learner(t.inertia, t.after(), -t.h), t.omega, 1e-5));
+    }
+}
+
+// Of bodies together, so that one whose error happens to vanish does not count.
+PROPERTY("half the step leaves a quarter of the error") {
+    Draw draw;
+    double whole = 0, half = 0;
+    for (int i = 0; i < 10; ++i) {
+        const Vector3d inertia = draw_uneven(draw), omega = draw_direction(draw);
+        const double time = 3;
+        const auto error = [&](int steps) {
+            Vector3d w = omega;
+            for (int j = 0; j < steps; ++j) w = learner(inertia, w, time / steps);
+            return (w - exact(inertia, omega, time)).norm();
+        };
+        whole += error(24);
+        half += error(48);
+    }
+    REQUIRE(close(order(whole, half), 2, 0, 0.2));
+}
+
+PROPERTY("the energy of a long tumble stays within a hundredth: it swings and does not drift") {
+    Draw draw;
+    for (int i = 0; i < 3; ++i) {
+        const Vector3d inertia = draw_uneven(draw), begin = draw_direction(draw);
+        Vector3d omega = begin;
+        for (int j = 0; j < 500; ++j) {
+            omega = learner(inertia, omega, 0.1);
+            REQUIRE(close(energy(inertia, omega), energy(inertia, begin), 0.01));
+        }
+    }
+}
+
+// The torque is quadratic: its differences to both sides give the slope of the tangent without an
+// error, however far they reach.
+PROPERTY("the change of I omega is h times the mean of the two torques, the second by the tangent") {
+    Draw draw;
+    for (int i = 0; i < 200; ++i) {
+        Tumble t = draw_tumble(draw, 0.01, 0.6);
+        t.h *= draw.sign();
+        const Vector3d d = t.after() - t.omega;
+        const Vector3d begin = torque(t.inertia, t.omega);
+        const Vector3d rise =
+            (torque(t.inertia, t.omega + d) - torque(t.inertia, t.omega - d)) / 2;
+        const Vector3d expected = t.h * (begin + rise / 2).cwiseQuotient(t.inertia);
+        REQUIRE(close(d, expected, 0, 1e-10 * t.omega.norm()));
+    }
+}
