@@ -1,32 +1,35 @@
 // Chapter 5, exercise 6: wreckage that keeps its energy
 //
 // Wreckage tumbles through your space game for minutes. With the talk's solver it slows down by
-// itself: that solver takes the gyroscopic torque of the end of the step alone, as the tangent at
-// the beginning foretells it. Do better for the same price, one linear solve a step: let the mean
-// of two torques act during the step, that of the beginning and that of the end. The one of the
-// end is again the one that the tangent foretells.
+// itself. That solver lets the gyroscopic torque of the end of the step act alone. It does not know
+// the spin there yet, so it linearises: it follows the tangent to the torque, a function of the
+// spin, from omega to the spin it looks for.
+//
+// Do better for the same price, one linear solve a step. Let the mean of two torques act: the one
+// at omega, and the one of the end, linearised about omega as before.
 //
 // This has order two. It runs backwards, too: a step of -h leads to where a step of h came from.
 //
 //   inertia  the principal moments (I1, I2, I3), kg m^2 (any body's)
 //   omega    spin at the beginning of the step, in the principal axes, rad/s
-//   h        length of the step, s (zero, or below zero for a step back, are right, too; the size
-//            of h omega is below one: near two the equations may have no solution)
+//   h        length of the step, s (may be zero, or below zero for a step back; the length of
+//            h omega is below one, for near two the equations may have no solution)
 //   returns  the spin at the end of the step, in the principal axes, rad/s
 //
 // Example: the moments (2, 3, 4) with omega = (2, 2, 4) and h = 0.125 end at (1.4375, 2.5625,
 // 3.875).
 //
-// What is checked: a spin about a principal axis stays, and so does any spin of a ball; twice the
-// spin needs half the time; a body with two equal moments keeps its energy; a step back undoes a
-// step; half the step leaves a quarter of the error; the energy of a long tumble does not drift;
-// the change of I omega is h times the mean of the two torques. Ten digits count.
+// What is checked: a spin about a principal axis stays, and so does any spin of a ball; a step of
+// zero changes nothing; twice the spin needs half the time; a body with two equal moments keeps its
+// energy; a step back undoes a step; half the step leaves a quarter of the error; the energy of a
+// long tumble does not drift; I omega changes by h times the mean of the two torques. Twelve digits
+// count: linearise with the product rule, not with differences.
 
 #include "exercise_eigen.hpp"
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
     // [answer]
-    // The tangent foretells torque - G d at the end, d later. The mean is torque - G d / 2, so that
+    // About omega the torque is torque - G d, when the spin has changed by d. Half of each end:
     // I d = h (torque - G d / 2).
     const auto skew = [](const Vector3d& a) {
         return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};

@@ -97,8 +97,8 @@ PROPERTY("a body with two equal moments keeps its energy and its spin about the 
 PROPERTY("a step of h and then a step of -h lead back to the beginning") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        const Tumble t = draw_tumble(draw, 0.1, 0.5);
-        REQUIRE(close(learner(t.inertia, t.after(), -t.h), t.omega, 1e-5));
+        const Tumble t = draw_tumble(draw, 0.3, 0.6);
+        REQUIRE(close(learner(t.inertia, t.after(), -t.h), t.omega, 1e-4));
     }
 }
 
@@ -133,8 +133,8 @@ PROPERTY("the energy of a long tumble stays within a hundredth: it swings and do
 }
 
 // The torque is quadratic: its differences to both sides give the slope of the tangent without an
-// error, however far they reach.
-PROPERTY("the change of I omega is h times the mean of the two torques, the second by the tangent") {
+// error, however far they reach. Roundoff times the ratio of the moments is below 1e-13.
+PROPERTY("I omega changes by h times the mean of the torque at omega and the linearised one of the end") {
     Draw draw;
     for (int i = 0; i < 200; ++i) {
         Tumble t = draw_tumble(draw, 0.01, 0.6);
@@ -144,6 +144,6 @@ PROPERTY("the change of I omega is h times the mean of the two torques, the seco
         const Vector3d rise =
             (torque(t.inertia, t.omega + d) - torque(t.inertia, t.omega - d)) / 2;
         const Vector3d expected = t.h * (begin + rise / 2).cwiseQuotient(t.inertia);
-        REQUIRE(close(d, expected, 0, 1e-10 * t.omega.norm()));
+        REQUIRE(close(d, expected, 0, 1e-12 * t.omega.norm()));
     }
 }
