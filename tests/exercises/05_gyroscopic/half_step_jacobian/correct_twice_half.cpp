@@ -9,6 +9,7 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
     const Matrix3d I = inertia.asDiagonal();
     const double half = h / 2;
     const Matrix3d jacobian = I + half * (skew(omega) * I - skew(I * omega));
-    const Vector3d middle = omega - jacobian.colPivHouseholderQr().solve(half * omega.cross(I * omega));
+    const Vector3d middle =
+        omega - jacobian.colPivHouseholderQr().solve(half * omega.cross(I * omega));
     return 2 * middle - omega;
 }

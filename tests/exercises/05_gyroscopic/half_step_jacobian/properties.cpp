@@ -134,15 +134,14 @@ PROPERTY("the energy of a long tumble stays within a hundredth: it swings and do
 
 // The torque is quadratic: its differences to both sides give the slope of the tangent without an
 // error, however far they reach. Roundoff times the ratio of the moments is below 1e-13.
-PROPERTY("I omega changes by h times the mean of the torque at omega and the linearised one of the end") {
+PROPERTY("I omega changes by h times the mean of the torque now and the linearised one at the end") {
     Draw draw;
     for (int i = 0; i < 200; ++i) {
         Tumble t = draw_tumble(draw, 0.01, 0.6);
         t.h *= draw.sign();
         const Vector3d d = t.after() - t.omega;
         const Vector3d begin = torque(t.inertia, t.omega);
-        const Vector3d rise =
-            (torque(t.inertia, t.omega + d) - torque(t.inertia, t.omega - d)) / 2;
+        const Vector3d rise = (torque(t.inertia, t.omega + d) - torque(t.inertia, t.omega - d)) / 2;
         const Vector3d expected = t.h * (begin + rise / 2).cwiseQuotient(t.inertia);
         REQUIRE(close(d, expected, 0, 1e-12 * t.omega.norm()));
     }
