@@ -1,0 +1,40 @@
+// Chapter 5, exercise 1: can this be a body?
+//
+// Your game reads the moments of inertia of each body from a file. An artist typed them in, and a
+// wrong one makes the solver blow up much later. Find it at loading: can a rigid body have these
+// three moments at all?
+//
+// The moments are sums over all the pieces of the body, each with its mass m, which is never
+// negative, and its place (x, y, z):
+//
+//     inertia.x() = sum of m (y^2 + z^2)
+//     inertia.y() = sum of m (z^2 + x^2)
+//     inertia.z() = sum of m (x^2 + y^2)
+//
+// A piece that adds to one of them adds to another, too. So no moment can be as large as you like
+// beside the other two. The mass may be spread in any way that gives three moments above zero. All
+// of it on one line gives a zero, by which a solver would divide: such a file is wrong. All of it in
+// one plane, a flat plate, is fine.
+//
+//   inertia   three numbers from the file, in kg m²: finite, of any sign or zero, of any size from
+//             1e-15 to 1e20
+//   returns   true where a body can have them as its moments
+//
+// You need no tolerance: the plates in the tests are whole numbers times a power of two, which add
+// up without rounding. You may use one, up to a billionth of the largest moment.
+//
+// Example: (4, 5, 8) can be a body. (4, 5, 9) is a plate, and can be one, too. (4, 5, 10) cannot.
+//
+// What is checked: clouds of masses are bodies, and so are flat plates, whichever way they lie; a
+// moment that is a little or much too large; moments that are zero or negative; from where to where
+// a third moment may go; the unit and the order of the axes do not matter.
+
+#include "exercise_eigen.hpp"
+
+bool is_a_body(const Vector3d& inertia) {
+    // [answer]
+    // The sum of two less the third is twice the sum of m x², or of m y², or of m z². So no moment
+    // is more than half of all three.
+    return inertia.minCoeff() > 0 && 2 * inertia.maxCoeff() <= inertia.sum();
+    // [answer]
+}

@@ -1,0 +1,134 @@
+#include "is_a_body.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include "property_eigen.hpp"
+
+EXERCISE(is_a_body);
+
+namespace {
+
+// All six orders of the axes.
+std::array<Vector3d, 6> orders(double a, double b, double c) {
+    return {Vector3d{a, b, c}, {b, c, a}, {c, a, b}, {c, b, a}, {b, a, c}, {a, c, b}};
+}
+
+// Is it a body in every order of the axes?
+bool all_are(double a, double b, double c) {
+    const auto moments = orders(a, b, c);
+    return std::all_of(moments.begin(), moments.end(), learner);
+}
+
+// Is it one in any?
+bool any_is(double a, double b, double c) {
+    const auto moments = orders(a, b, c);
+    return std::any_of(moments.begin(), moments.end(), learner);
+}
+
+// A power of two: it changes the size of numbers and nothing else.
+double draw_unit(Draw& draw) {
+    return std::ldexp(1, draw.integer(-40, 40));
+}
+
+// Whole numbers that differ, and add up without rounding.
+std::array<double, 2> draw_sides(Draw& draw) {
+    const double a = draw.integer(1, 1 << 20);
+    return {a, a + draw.integer(1, 1 << 20)};
+}
+
+}  // namespace
+
+PROPERTY("the moments of a cloud of masses are those of a body, whichever way it is turned") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const Vector3d reach(draw.log(0.05, 2), draw.log(0.05, 2), draw.log(0.05, 2));
+        const Eigen::Matrix3d turn = draw_rotation(draw).toRotationMatrix();
+        Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
+        for (int points = draw.integer(6, 15); points > 0; --points) {
+            const Vector3d r = turn * reach.cwiseProduct(draw_vector(draw, -1, 1));
+            const Eigen::Matrix3d square = r.squaredNorm() * Eigen::Matrix3d::Identity();
+            tensor += draw.log(0.1, 10) * (square - r * r.transpose());
+        }
+        REQUIRE(learner(tensor.diagonal()));
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(tensor);
+        const Vector3d moments = principal.eigenvalues();
+        REQUIRE(all_are(moments[0], moments[1], moments[2]));
+    }
+}
+
+PROPERTY("a ball is a body, and so is a thin staff: one small moment, and two equal ones") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const double a = draw.log(1e-12, 1e12);
+        REQUIRE(all_are(a, a, a));
+        REQUIRE(all_are(draw.log(1e-6, 1) * a, a, a));
+    }
+}
+
+PROPERTY("a flat plate is a body, whichever way it lies") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const auto [a, b] = draw_sides(draw);
+        const double unit = draw_unit(draw);
+        REQUIRE(all_are(unit * a, unit * b, unit * (a + b)));
+    }
+}
+
+// A tolerance of a billionth of the largest, or of the sum of all three, is within the task.
+PROPERTY("no body has a moment above the sum of the other two, not even by a little") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const double a = draw.log(1e-12, 1e12), b = draw.log(0.02, 1) * a;
+        REQUIRE_FALSE(any_is(a, b, (a + b) * (1 + draw.log(4e-9, 1e-8))));
+        REQUIRE_FALSE(any_is(a, b, (a + b) * (1 + draw.log(1e-8, 100))));
+    }
+}
+
+PROPERTY("a body has no moment that is zero or below") {
+    Draw draw;
+    REQUIRE_FALSE(any_is(0, 0, 0));
+    for (int i = 0; i < 30; ++i) {
+        const double a = draw.log(1e-12, 1e12);
+        const double b = draw.real(0.5, 1) * a, c = draw.real(0.5, 1) * a;
+        REQUIRE_FALSE(any_is(0, a, a));
+        REQUIRE_FALSE(any_is(0, a, b));
+        REQUIRE_FALSE(any_is(0, 0, a));
+        REQUIRE_FALSE(any_is(-a, b, c));
+        REQUIRE_FALSE(any_is(-a, -b, c));
+        REQUIRE_FALSE(any_is(-a, -b, -c));
+    }
+}
+
+// The larger of the two always does for the third. From there to either side the end is found by
+// halving.
+PROPERTY("beside two moments the third may be from their difference to their sum, no farther") {
+    Draw draw;
+    for (int i = 0; i < 12; ++i) {
+        const double a = draw.log(1e-12, 1e12), b = draw.real(0.05, 0.95) * a;
+        const int place = draw.integer(0, 2);
+        const auto end_towards = [&](double out) {
+            double in = a;
+            for (int halvings = 0; halvings < 45; ++halvings) {
+                const double middle = (in + out) / 2;
+                Vector3d inertia;
+                inertia[place] = middle;
+                inertia[(place + 1) % 3] = a;
+                inertia[(place + 2) % 3] = b;
+                (learner(inertia) ? in : out) = middle;
+            }
+            return in;
+        };
+        REQUIRE(close(end_towards(4 * a), a + b, 0, 1e-8 * a));
+        REQUIRE(close(end_towards(0), a - b, 0, 1e-8 * a));
+    }
+}
+
+PROPERTY("the same moments in other units, or in another order, get the same answer") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double a = draw.real(0.1, 1), b = draw.real(0.1, 1), c = draw.real(0.1, 2);
+        const bool body = learner({a, b, c});
+        const double unit = draw_unit(draw);
+        for (const Vector3d& moments : orders(a, b, c)) REQUIRE(learner(unit * moments) == body);
+    }
+}
