@@ -9,7 +9,7 @@
 //   across    moment about the body's x axis, and about its y axis, in kg m² (above zero)
 //   along     moment about the axis of symmetry, z, in kg m² (above zero, at most 2 across). The
 //             two are equal for a sphere
-//   omega     angular velocity at the start, in the body's own axes, in rad/s; may be zero, or along
+//   omega     angular velocity at the start, in the body's own axes, in rad/s; may be zero, along
 //             z, or across it
 //   t         how much later, in s; zero or negative (earlier), too
 //   returns   angular velocity then, in the body's own axes, which have turned with the body, in
@@ -18,8 +18,8 @@
 // Example: top_after(2, 1, {3, 0, 4}, 0.5) is (1.6209, −2.5244, 4), rounded.
 //
 // What is checked: no time; spheres, spin along the axis and spin across it; what stays; which way
-// the rest turns; two flights in a row, and back; Euler's equations, at any time; bodies that are
-// nearly round.
+// the rest turns; two flights in a row, and back; Euler's equations, at any time; how long a turn
+// takes; bodies that are nearly round.
 
 #include "exercise_eigen.hpp"
 
