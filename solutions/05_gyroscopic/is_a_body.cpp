@@ -7,9 +7,9 @@
 // The moments are sums over all the pieces of the body, each with its mass m, which is never
 // negative, and its place (x, y, z):
 //
-//     inertia.x() = sum of m (y^2 + z^2)
-//     inertia.y() = sum of m (z^2 + x^2)
-//     inertia.z() = sum of m (x^2 + y^2)
+//     inertia.x() = sum of m (y² + z²)
+//     inertia.y() = sum of m (z² + x²)
+//     inertia.z() = sum of m (x² + y²)
 //
 // A piece that adds to one of them adds to another, too. So no moment can be as large as you like
 // beside the other two. The mass may be spread in any way that gives three moments above zero. All
@@ -17,13 +17,14 @@
 // one plane, a flat plate, is fine.
 //
 //   inertia   three numbers from the file, in kg m²: finite, of any sign or zero, of any size from
-//             1e-15 to 1e20
+//             1e-20 to 1e20
 //   returns   true where a body can have them as its moments
 //
 // You need no tolerance: the plates in the tests are whole numbers times a power of two, which add
 // up without rounding. You may use one, up to a billionth of the largest moment.
 //
-// Example: (4, 5, 8) can be a body. (4, 5, 9) is a plate, and can be one, too. (4, 5, 10) cannot.
+// Example: is_a_body({4, 5, 8}) is true. So is is_a_body({4, 5, 9}): a plate. is_a_body({4, 5, 10})
+// is false.
 //
 // What is checked: clouds of masses are bodies, and so are flat plates, whichever way they lie; a
 // moment that is a little or much too large; moments that are zero or negative; from where to where
