@@ -13,8 +13,8 @@
 //
 // A piece that adds to one of them adds to another, too. So no moment can be as large as you like
 // beside the other two. The mass may be spread in any way that gives three moments above zero. All
-// of it on one line gives a zero, by which a solver would divide: such a file is wrong. All of it in
-// one plane, a flat plate, is fine.
+// of it on one line gives a zero, by which a solver would divide: such a file is wrong. All of it
+// in one plane, a flat plate, is fine.
 //
 //   inertia   three numbers from the file, in kg m²: finite, of any sign or zero, of any size from
 //             1e-20 to 1e20
