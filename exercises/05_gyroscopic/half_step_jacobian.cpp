@@ -24,6 +24,8 @@
 // energy; a step back undoes a step; half the step leaves a quarter of the error; the energy of a
 // long tumble does not drift; I omega changes by h times the mean of the two torques. Twelve digits
 // count: linearise with the product rule, not with differences.
+//
+// solve_linear(A, b) is there for you: the x with A x = b, for any matrix.
 
 #include "exercise_eigen.hpp"
 

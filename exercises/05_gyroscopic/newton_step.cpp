@@ -23,6 +23,8 @@
 // stays; where the tangent at the guess is zero; half the error of the guess leaves a quarter of
 // the error; a few rounds find the root; a body that lies in other axes is stepped alike. Ten
 // digits count: take the Jacobian from the product rule, not from differences.
+//
+// solve_linear(A, b) is there for you: the x with A x = b, for any matrix.
 
 #include "exercise_eigen.hpp"
 

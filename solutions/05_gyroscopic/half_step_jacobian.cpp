@@ -24,6 +24,8 @@
 // energy; a step back undoes a step; half the step leaves a quarter of the error; the energy of a
 // long tumble does not drift; I omega changes by h times the mean of the two torques. Twelve digits
 // count: linearise with the product rule, not with differences.
+//
+// solve_linear(A, b) is there for you: the x with A x = b, for any matrix.
 
 #include "exercise_eigen.hpp"
 
@@ -38,6 +40,6 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
     const Vector3d torque = -omega.cross(I * omega);
     const Matrix3d G = skew(omega) * I - skew(I * omega);
     const Matrix3d jacobian = I + h / 2 * G;
-    return omega + jacobian.partialPivLu().solve(h * torque);
+    return omega + solve_linear(jacobian, h * torque);
     // [answer]
 }

@@ -23,6 +23,8 @@
 // stays; where the tangent at the guess is zero; half the error of the guess leaves a quarter of
 // the error; a few rounds find the root; a body that lies in other axes is stepped alike. Ten
 // digits count: take the Jacobian from the product rule, not from differences.
+//
+// solve_linear(A, b) is there for you: the x with A x = b, for any matrix.
 
 #include "exercise_eigen.hpp"
 
@@ -34,6 +36,6 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
     const Vector3d L = inertia * guess;
     const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
     const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
-    return guess - jacobian.partialPivLu().solve(residual);
+    return guess - solve_linear(jacobian, residual);
     // [answer]
 }
