@@ -40,12 +40,13 @@ StepMatrix<Real> step_matrix(const Method& method, const Model& model, Real h) {
 }
 /// [matrix]
 
-/// The two roots of the characteristic polynomial λ² − trace λ + determinant = 0.
+/// The two roots of the characteristic polynomial λ² − trace λ + determinant = 0. What stands under the
+/// root, (trace/2)² − determinant, is multiplied out, so that short steps lose no digits.
 /// [eigenvalues]
 template <class Real>
 std::pair<std::complex<Real>, std::complex<Real>> eigenvalues(const StepMatrix<Real>& a) {
-    const Real half = a.trace() / 2;
-    const std::complex<Real> root = std::sqrt(std::complex<Real>(half * half - a.determinant()));
+    const Real half = a.trace() / 2, apart = (a.xx - a.vv) / 2;
+    const std::complex<Real> root = std::sqrt(std::complex<Real>(apart * apart + a.xv * a.vx));
     return {half + root, half - root};
 }
 /// [eigenvalues]

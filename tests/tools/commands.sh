@@ -6,7 +6,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 
 test_bad_use_is_one_line_and_status_2() {
     for words in '' turo '--json' 'list --jsn' 'list 3' 'run' 'run 3 4' 'run 3 --out' 'tour -- --step' 'hint' 'solution' 'reset' 'bench' 'check --sed 3' 'check 1.1 1.2' \
-        'bench latency --rounds 0' 'bench latency --rounds many'; do
+        advise 'advise --omega nan' 'bench latency --rounds 0' 'bench latency --rounds many'; do
         # shellcheck disable=SC2086
         expect 2 course $words
         is "$(lines err)" 1
@@ -30,14 +30,14 @@ test_bad_use_is_one_line_and_status_2() {
 
 test_every_command_has_a_help_and_stands_in_the_doors() {
     expect 0 course --help
-    for command in tour test list run check watch hint reset bench site; do
+    for command in tour test list run check watch hint reset advise bench site; do
         says out "  $command "
         expect 0 course $command --help
         says out "Usage: ./course $command"
         grep -q "^  ./course $command " "$source_of_door" || fail "the door's help lacks $command"
         expect 0 course --help
     done
-    is "$(sed -n '/^Subcommands/,$p' out | grep -c '^  [a-z]')" 11
+    is "$(sed -n '/^Subcommands/,$p' out | grep -c '^  [a-z]')" 12
 }
 
 test_list_shows_title_and_question_in_order() {

@@ -25,7 +25,30 @@ struct Asked {
     std::optional<std::string> file;
     std::optional<std::string> out;
     std::vector<std::string> chapter_options;
+    Question question;
 };
+
+void declare_advise(CLI::App& app, Asked& asked) {
+    const auto advise = app.add_subcommand("advise", "will it blow up? Every method on your numbers");
+    Question& question = asked.question;
+    const auto number = [&](const char* flag, auto& value, const char* unit, const char* words) {
+        advise->add_option(flag, value, words)->type_name(unit);
+    };
+    number("--omega", question.omega, "RAD/S", "angular frequency of a spring, or:");
+    number("--stiffness", question.stiffness, "N/M", "its stiffness, with --mass");
+    number("--mass", question.mass, "KG", "the mass on it");
+    number("--zeta", question.zeta, "RATIO", "damping ratio; none given: no damper; or:");
+    number("--damping", question.damping, "N*S/M", "the damper, with --stiffness and --mass");
+    const auto three = [&](const char* flag, auto& value, const char* unit, const char* words) {
+        advise->add_option(flag, value, words)->type_name(unit)->delimiter(',')->expected(3);
+    };
+    three("--inertia", question.inertia, "A,B,C", "a spinning body's three moments, kg m², with --spin");
+    three("--spin", question.spin, "X,Y,Z", "its angular velocity, rad/s");
+    number("--step", question.step, "S", "the time step, or:");
+    number("--rate", question.rate, "HZ", "steps a second; neither given: 60");
+    number("--accuracy", question.accuracy, "PERCENT", "how wrong the motion may be (1)");
+    advise->add_flag("--json", asked.json, "as JSON, for programs");
+}
 
 void declare(CLI::App& app, Asked& asked) {
     app.require_subcommand(1);
@@ -71,6 +94,7 @@ void declare(CLI::App& app, Asked& asked) {
     bench->add_subcommand("latency", "from a saved file to its verdict")
         ->add_option("--rounds", asked.rounds, "checks of each exercise")
         ->check(CLI::Range(1, 1000));
+    declare_advise(app, asked);
     app.add_subcommand("site", "bring the site up to date and say where it is")
         ->add_flag("--open", asked.open, "open it in the browser");
 }
@@ -133,6 +157,7 @@ Status answer(int argc, char** argv) {
     if (app.got_subcommand("solution")) solution(asked.exercise);
     if (app.got_subcommand("reset")) reset(asked.exercise);
     if (app.got_subcommand("bench")) bench_latency(asked.rounds);
+    if (app.got_subcommand("advise")) advise(asked.question, asked.json);
     if (app.got_subcommand("site")) site(asked.open);
     // A full disk shows when the buffer is written out.
     if (std::fflush(stdout) != 0 || std::ferror(stdout))

@@ -44,6 +44,17 @@ void reset(const std::string& exercise);
 /// How long it takes from a saved file to its verdict.
 void bench_latency(int rounds);
 
+/// What is asked of `advise`: a spring or a spinning body, and a step. What was not given is empty.
+struct Question {
+    std::optional<double> omega, stiffness, mass, damping, zeta;  ///< rad/s, N/m, kg, N s/m, no unit
+    std::optional<double> step, rate;                             ///< s, 1/s
+    std::vector<double> inertia, spin;                            ///< kg m², rad/s
+    double accuracy = 1;                                          ///< percent
+};
+
+/// What every method makes of it: will it blow up, what does it cost, how wrong is it?
+void advise(const Question& question, bool json);
+
 /// Brings the site up to date and says where it is; `open` shows it in the browser.
 void site(bool open);
 

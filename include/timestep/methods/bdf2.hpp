@@ -32,6 +32,14 @@ struct Bdf2 {
         return implicit_euler.step(model, from, 2 * h / 3);
     }
     /// [step]
+
+    /// The same for a first-order system.
+    template <class System, class Y>
+    FirstOrder<Y> step(const System& f, const FirstOrder<Y>& state0, const FirstOrder<Y>& state1,
+                       real_of<Y> h) const {
+        const FirstOrder<Y> from{state1.t + h / 3, (4 * state1.y - state0.y) / 3};
+        return implicit_euler.step(f, from, 2 * h / 3);
+    }
 };
 
 inline constexpr Bdf2 bdf2;  ///< the method as a value

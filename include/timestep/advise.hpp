@@ -1,0 +1,226 @@
+#pragma once
+/// \file
+/// Which method, what does it cost, will my simulation blow up? For one spring with a damper, what
+/// every method makes of it at a given step: predicted, without a single step of simulation (I13).
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <timestep/models/damped_spring.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/stability.hpp>
+#include <timestep/stability_limit.hpp>
+
+namespace timestep {
+
+/// Will it blow up?
+enum class Verdict {
+    stable,             ///< bounded for ever
+    grows,              ///< sooner or later it leaves the screen
+    too_close_to_call,  ///< within a thousandth of the boundary: no stiffness is known better than that
+    refused             ///< the method cannot step this scene at all
+};
+
+/// The verdict in words.
+inline const char* words(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::stable: return "stable";
+        case Verdict::grows: return "grows";
+        case Verdict::too_close_to_call: return "too close to call";
+        default: return "refused";
+    }
+}
+
+/// Is `value` on the stable side of `limit`?
+inline Verdict verdict(double value, double limit) {
+    return value < 0.999 * limit   ? Verdict::stable
+           : value > 1.001 * limit ? Verdict::grows
+                                   : Verdict::too_close_to_call;
+}
+
+/// What one method makes of a spring. Numbers that mean nothing here are NaN.
+struct Advice {
+    std::string method;            ///< its name
+    Verdict verdict;               ///< will it blow up?
+    std::string reason;            ///< the formula that says so, with its numbers
+    double longest_step;           ///< the longest stable step, s; infinite where there is no limit
+    double growth_per_step;        ///< what a step multiplies the amplitude by in the long run
+    double growth_per_second;      ///< the same for a second of game time
+    double energy_drift;           ///< the energy after a second over what it should be, minus one
+    double period_error;           ///< the period over the exact one, minus one
+    double rate_error;             ///< |ln λ / h − μ| / |μ|: see advise()
+    double cost;                   ///< force evaluations and solves in a second of game time
+    double accurate_step = 0;      ///< the longest step whose rate error is as small as wanted, s; or 0
+    double accurate_cost = 0;      ///< what that costs, evaluations and solves a second; 0 if there is none
+};
+
+/// \cond
+namespace detail {
+
+// Can the method step a force that depends on the velocity?
+template <class Method>
+inline constexpr bool takes_damping = true;
+template <>
+inline constexpr bool takes_damping<Verlet> = false;
+template <>
+inline constexpr bool takes_damping<VelocityVerlet> = false;
+template <>
+inline constexpr bool takes_damping<Leapfrog> = false;
+
+using Complex = std::complex<long double>;
+
+// Every eigenvalue of a step with ωh = s: what it multiplies the patterns by that it keeps.
+template <class Method>
+std::vector<Complex> multipliers(const Method& method, long double zeta, long double s) {
+    StepMatrix<long double> matrix{};
+    if constexpr (takes_damping<Method>)
+        matrix = step_matrix(method, DampedSpring<long double>(1, zeta), s);
+    else
+        matrix = step_matrix(method, Spring<long double>(1), s);
+    const auto [a, b] = eigenvalues(matrix);
+    return {a, b};
+}
+// Plain Verlet goes through the positions of velocity Verlet.
+inline std::vector<Complex> multipliers(const Verlet&, long double zeta, long double s) {
+    return multipliers(velocity_verlet, zeta, s);
+}
+// Two steps, so two eigenvalues for each exponent z of the motion: (3 − 2z) λ² − 4λ + 1 = 0.
+inline std::vector<Complex> multipliers(const Bdf2&, long double zeta, long double s) {
+    std::vector<Complex> all;
+    const Complex root = std::sqrt(Complex((zeta - 1) * (zeta + 1)));
+    for (const Complex& z : {s * (-zeta + root), s * (-zeta - root)})
+        for (const Complex& r : {std::sqrt(1.0L + 2.0L * z), -std::sqrt(1.0L + 2.0L * z)})
+            all.push_back(1.0L / (2.0L - r));  // (2 + r)/(3 − 2z) = 1/(2 − r), as r² = 1 + 2z
+    return all;
+}
+
+// μ/ω of the motion e^(μt): −ζ + i √(1 − ζ²), and beyond ζ = 1 the slow one of the two decays.
+inline Complex exact_rate(long double zeta) {
+    if (zeta < 1) return {-zeta, std::sqrt((1 - zeta) * (1 + zeta))};
+    return -1 / (zeta + std::sqrt((zeta - 1) * (zeta + 1)));
+}
+
+// The eigenvalue that stands for the motion: the nearest to e^(μh).
+inline Complex principal(const std::vector<Complex>& all, long double zeta, long double s) {
+    const Complex exact = std::exp(s * exact_rate(zeta));
+    return *std::min_element(all.begin(), all.end(), [&](const Complex& a, const Complex& b) {
+        return std::abs(a - exact) < std::abs(b - exact);
+    });
+}
+
+// By how much the rate of the motion is wrong, its frequency and its decay together.
+template <class Method>
+double rate_error(const Method& method, double zeta, double s) {
+    const Complex exact = exact_rate(zeta);
+    const Complex lambda = principal(multipliers(method, zeta, s), zeta, s);
+    return static_cast<double>(std::abs(std::log(lambda) / static_cast<long double>(s) - exact) /
+                               std::abs(exact));
+}
+
+// The largest s up to which the rate is as good as wanted. The error rises with s from zero; a coarse
+// way up finds an s where it is too large, and bisection the place.
+template <class Method>
+double accurate_to(const Method& method, double zeta, double wanted, double limit) {
+    const auto good = [&](double s) { return s <= limit && rate_error(method, zeta, s) <= wanted; };
+    double low = wanted / (10 + 20 * zeta), high = low;
+    if (!good(low)) return 0;
+    while (good(high) && high < 1e6) low = high, high *= 1.1;
+    for (int i = 0; i < 40; ++i) {
+        const double middle = (low + high) / 2;
+        (good(middle) ? low : high) = middle;
+    }
+    return low;
+}
+
+inline std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
+// Why it is stable or not, for people.
+inline std::string reason(const StabilityLimit& limit, double s) {
+    if (!std::isfinite(limit.value)) return "stable for every step";
+    const char* relation = s < limit.value ? " < " : s > limit.value ? " > " : " = ";
+    return "ωh = " + number(s) + relation + number(limit.value) + " = " + limit.formula;
+}
+
+template <class Method>
+Advice advise(const Method& method, const DampedSpring<double>& spring, double h, double wanted) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    if (!takes_damping<Method> && spring.zeta > 0)
+        return {method.name, Verdict::refused, "has no velocity to hand to the damper",
+                nan, nan, nan, nan, nan, nan, nan};
+
+    const double s = spring.omega * h, zeta = spring.zeta;
+    const StabilityLimit limit = stability_limit(method, zeta);
+    const auto all = multipliers(method, zeta, s);
+    const Complex lambda = principal(all, zeta, s), exact = exact_rate(zeta);
+    long double largest = 0;
+    for (const Complex& each : all) largest = std::max(largest, std::abs(each));
+
+    Advice advice;
+    advice.method = method.name;
+    advice.verdict = verdict(s, limit.value);
+    advice.reason = reason(limit, s);
+    advice.longest_step = limit.value / spring.omega;
+    advice.growth_per_step = static_cast<double>(largest);
+    advice.growth_per_second = static_cast<double>(std::exp(std::log(largest) / h));
+    advice.energy_drift =
+        static_cast<double>(std::expm1(2 * (std::log(largest) - exact.real() * s) / h));
+    advice.period_error = exact.imag() > 0 && lambda.imag() > 0
+                              ? static_cast<double>(exact.imag() * s / std::arg(lambda) - 1)
+                              : nan;
+    advice.rate_error = rate_error(method, zeta, s);
+    advice.cost = (method.cost.evaluations + method.cost.solves) / h;
+    if (const double longest = accurate_to(method, zeta, wanted, limit.value); longest > 0) {
+        advice.accurate_step = longest / spring.omega;
+        advice.accurate_cost =
+            (method.cost.evaluations + method.cost.solves) / advice.accurate_step;
+    }
+    return advice;
+}
+
+}  // namespace detail
+/// \endcond
+
+/// What every method of the course makes of `spring` at steps of `h` seconds, in the order in which the
+/// course meets them.
+///
+/// Growth, period and energy are those of the step's eigenvalues. Of the motion e^(μt) a step makes
+/// e^((ln λ / h) t), so |ln λ / h − μ| / |μ| is how wrong its rate is, frequency and decay together: 1 %
+/// turns a swing into one whose period, or whose loss per radian, is off by 1 %. (The positions
+/// of semi-implicit Euler lie on a swing of the right size; its velocities, half a step early, are
+/// not judged.) `wanted` is how small that may be: the longest step is found for which it is.
+///
+/// A force evaluation and a solve are counted as equally dear. Throws `std::invalid_argument` where
+/// ω or h is not above zero and finite, or `wanted` is not between 1e-8 and 0.5.
+inline std::vector<Advice> advise(const DampedSpring<double>& spring, double h, double wanted = 0.01) {
+    positive("omega", spring.omega);
+    positive("step", h);
+    if (!std::isfinite(spring.omega * h)) refuse("step", h, "so short that omega times it is finite");
+    if (!(wanted >= 1e-8 && wanted <= 0.5)) refuse("accuracy", wanted, "from 1e-8 to 0.5");
+    std::vector<Advice> all;
+    const auto add = [&](const auto& method) {
+        all.push_back(detail::advise(method, spring, h, wanted));
+    };
+    for_each_method(add);
+    add(semi_implicit_euler_new_damping);
+    for_each_verlet_method(add);
+    return all;
+}
+
+/// Of the methods that reach the wanted accuracy the one that does so at the least cost; null where
+/// none does.
+inline const Advice* cheapest(const std::vector<Advice>& all) {
+    const Advice* best = nullptr;
+    for (const Advice& advice : all)
+        if (advice.accurate_cost > 0 && (!best || advice.accurate_cost < best->accurate_cost))
+            best = &advice;
+    return best;
+}
+
+}  // namespace timestep

@@ -1,0 +1,195 @@
+#pragma once
+/// \file
+/// Can one step raise the energy of my spinning body? For an inertia and a rate of spin, what every way
+/// to treat the gyroscopic torque can do at a given step, in the worst direction (N51, I13).
+
+#include <string>
+#include <vector>
+
+#include <timestep/advise.hpp>
+#include <timestep/gyroscopic.hpp>
+
+namespace timestep {
+
+/// What one solver can make of a spinning body.
+struct SpinAdvice {
+    std::string method;    ///< its name
+    Verdict verdict;       ///< grows: in some direction of the spin one step raises the energy
+    std::string reason;    ///< why, with numbers
+    double worst_gain;     ///< the largest energy after a step over that before, of all directions
+    Vector3<double> worst_spin;  ///< the spin that gains it, rad/s in body coordinates
+    double longest_step;   ///< the longest step with which no direction gains, s; infinite for no limit
+    double cost;           ///< torques and solves in a second of game time
+};
+
+/// The energy after one step of `h` seconds over the energy before, for a body that spins with `omega`,
+/// rad/s in body coordinates.
+template <class Solver>
+double energy_gain(const Solver& solver, const PrincipalInertia<double>& inertia,
+                   const Vector3<double>& omega, double h) {
+    if constexpr (requires { solver.step(inertia, omega, h); }) {  // in body coordinates, as it is
+        const Vector3<double> next = solver.step(inertia, omega, h);
+        return kinetic_energy(inertia, next) / kinetic_energy(inertia, omega);
+    } else {
+        const RigidState<double> before{0, Quaternion<double>::Identity(), omega};
+        const RigidState<double> after = turn(solver, inertia, before, h);
+        return kinetic_energy(inertia, after) / kinetic_energy(inertia, before);
+    }
+}
+
+/// \cond
+namespace detail {
+
+// A step whose energy rises by so much is no roundoff.
+inline constexpr double more_than_roundoff = 1e-12;
+
+struct Worst {
+    double gain = 0;
+    Vector3<double> direction = Vector3<double>::UnitX();
+};
+
+// The direction in which a step gains most, or one that gains more than `enough`. Turning the body half
+// round an axis changes two signs of ω and nothing else, so two octants are all there are: ω₁, ω₂ > 0
+// with either sign of ω₃. A net of directions, finer near the axes, where a gain begins as a small share
+// of a small wobble; then, from the best of them, smaller and smaller moves.
+template <class Solver>
+Worst worst_direction(const Solver& solver, const PrincipalInertia<double>& inertia, double h, double spin,
+                      double enough = std::numeric_limits<double>::infinity()) {
+    using V = Vector3<double>;
+    Worst worst;
+    const auto look = [&](const V& way) {
+        const V direction = way.normalized();
+        const double gain = energy_gain(solver, inertia, V(spin * direction), h);
+        if (!(gain <= worst.gain)) worst = {gain, direction};  // a NaN, too
+        return !(worst.gain <= enough);
+    };
+    // Ratios of two components, from 1e-3 to 1e3.
+    for (int i = -9; i <= 9; ++i)
+        for (int j = -9; j <= 9; ++j)
+            for (const double sign : {-1, 1})
+                if (look(V(1, std::pow(10, i / 3.0), sign * std::pow(10, j / 3.0)))) return worst;
+    double reach = 0.3;
+    while (reach > 1e-4) {
+        const Worst before = worst;
+        const V across = before.direction.unitOrthogonal(), third = before.direction.cross(across);
+        for (int k = 0; k < 8; ++k) {
+            const double angle = k * 0.7853981633974483;
+            if (look(before.direction + reach * (std::cos(angle) * across + std::sin(angle) * third)))
+                return worst;
+        }
+        const double rise = worst.gain - before.gain;
+        if (!(rise > 1e-15 && rise > 0.01 * (before.gain - 1))) reach /= 2;
+    }
+    return worst;
+}
+
+// The longest step, of those up to h|ω| = 1000, before the first that can gain.
+template <class Solver>
+double longest_safe_step(const Solver& solver, const PrincipalInertia<double>& inertia, double spin) {
+    const auto safe = [&](double size) {
+        const double least = 1 + more_than_roundoff;
+        return worst_direction(solver, inertia, size, 1, least).gain <= least;
+    };
+    double size = 0.001;
+    while (size < 1000 && safe(size * 1.25)) size *= 1.25;  // the way up is watched: no gap is jumped
+    if (size >= 1000) return std::numeric_limits<double>::infinity();
+    double good = size, bad = 1.25 * size;
+    for (int i = 0; i < 16; ++i) {
+        const double middle = (good + bad) / 2;
+        (safe(middle) ? good : bad) = middle;
+    }
+    return good / spin;
+}
+
+inline SpinAdvice spin_advice(const char* method, double h, int work) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    return {method, Verdict::stable, "", 1, Vector3<double>::Zero(), infinity, work / h};
+}
+
+template <class Solver>
+void find_worst(SpinAdvice& advice, const Solver& solver, const PrincipalInertia<double>& inertia,
+                double spin, double h) {
+    const Worst worst = worst_direction(solver, inertia, h, spin);
+    advice.worst_gain = std::max(worst.gain, 1.0);
+    advice.worst_spin = spin * worst.direction;
+}
+
+inline SpinAdvice advise_spin(const ExplicitGyroscopic& solver, const PrincipalInertia<double>& inertia,
+                              double spin, double h) {
+    SpinAdvice advice = spin_advice(solver.name, h, 1);
+    if (inertia.ratio.isZero()) return advice.reason = "equal moments: no gyroscopic torque", advice;
+    find_worst(advice, solver, inertia, spin, h);
+    advice.verdict = Verdict::grows;
+    advice.longest_step = 0;
+    advice.reason = "each step adds h²/2 |I^(−1/2) (ω × Iω)|²";
+    return advice;
+}
+
+inline SpinAdvice advise_spin(const OldInertia& solver, const PrincipalInertia<double>& inertia,
+                              double spin, double h) {
+    SpinAdvice advice = spin_advice(solver.name, h, 1);
+    if (inertia.ratio.isZero()) return advice.reason = "equal moments: no gyroscopic torque", advice;
+    find_worst(advice, solver, inertia, spin, h);
+    advice.verdict = Verdict::grows;
+    advice.longest_step = 0;
+    advice.reason = "keeps |L|; the energy may rise up to L² / (2 I_min)";
+    return advice;
+}
+
+inline SpinAdvice advise_spin(const NoGyroscopic& solver, const PrincipalInertia<double>&, double,
+                              double h) {
+    SpinAdvice advice = spin_advice(solver.name, h, 0);
+    advice.reason = "ω stands still: no energy is added, and nothing tumbles";
+    return advice;
+}
+
+inline SpinAdvice advise_spin(const ImplicitGyroscopic& solver, const PrincipalInertia<double>& inertia,
+                              double spin, double h) {
+    SpinAdvice advice = spin_advice(solver.name, h, 2);
+    if ((inertia.ratio.array() == 0).any())
+        return advice.reason = "two equal moments: the equations are linear, one iteration solves them",
+               advice;
+    find_worst(advice, solver, inertia, spin, h);
+    advice.longest_step = longest_safe_step(solver, inertia, spin);
+    advice.verdict = verdict(h, advice.longest_step);
+    advice.reason = "h|ω| = " + number(h * spin) + (h < advice.longest_step ? " < " : " ≥ ") +
+                    number(advice.longest_step * spin) + ", from where some direction gains";
+    return advice;
+}
+
+inline SpinAdvice advise_spin(const ConvergedGyroscopic& solver, const PrincipalInertia<double>&, double,
+                              double h) {
+    SpinAdvice advice = spin_advice(solver.name, h, 0);
+    advice.cost = std::numeric_limits<double>::quiet_NaN();  // as many iterations as it takes
+    advice.reason = "E₂ − E₁ = −½ (ω₂ − ω₁)·I(ω₂ − ω₁) for every step";
+    return advice;
+}
+
+inline SpinAdvice advise_spin(const PassiveGyroscopic& solver, const PrincipalInertia<double>&, double,
+                              double h) {
+    SpinAdvice advice = spin_advice(solver.name, h, 2);
+    advice.reason = "|√I ω| never grows: (1 − [k]) y₂ = y₁ with a skew [k]";
+    return advice;
+}
+
+}  // namespace detail
+/// \endcond
+
+/// What every solver of chapter 5 makes of a body that spins with `spin` rad/s, in any direction, at
+/// steps of `h` seconds. The verdict is whether one step can raise the kinetic energy.
+///
+/// For the talk's one iteration there is no formula: the direction that gains most is searched for, and
+/// the longest step before the first gain by bisection. Gains of less than 1e-12 are roundoff.
+/// Throws `std::invalid_argument` where spin or step is not above zero and finite, or their product.
+inline std::vector<SpinAdvice> advise_spin(const PrincipalInertia<double>& inertia, double spin,
+                                           double h) {
+    positive("spin", spin);
+    positive("step", h);
+    positive("step times spin", h * spin);
+    std::vector<SpinAdvice> all;
+    for_each_gyroscopic(
+        [&](const auto& solver) { all.push_back(detail::advise_spin(solver, inertia, spin, h)); });
+    return all;
+}
+
+}  // namespace timestep

@@ -1,0 +1,139 @@
+#pragma once
+/// \file
+/// How long may a step be? The largest ωh with which a method does not let a damped spring grow, in
+/// closed form, for every damping ratio ζ (N23, N25, N33).
+///
+/// A step is a 2×2 matrix. Its eigenvalues are the roots of λ² − Tλ + D with the trace T and the
+/// determinant D, and both lie in the unit disk when (Jury's conditions)
+///     D ≤ 1,    1 − T + D ≥ 0,    1 + T + D ≥ 0.
+/// The second holds for every method here, the first is broken by a swing that grows, the third by a
+/// state that flips over and over. Below, s = ωh, positions are measured in x and velocities in ω x.
+
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include <timestep/methods.hpp>
+#include <timestep/methods/semi_implicit_euler_new_damping.hpp>
+
+namespace timestep {
+
+/// The largest stable ωh, and the formula it comes from.
+struct StabilityLimit {
+    double value;         ///< infinite where every step is stable
+    const char* formula;  ///< in words, for those who ask why
+};
+
+/// \cond
+namespace detail {
+inline constexpr StabilityLimit no_limit{std::numeric_limits<double>::infinity(), "no limit"};
+
+// Of ζ ± √(ζ² − 1) the larger: the fast one of the two decays of an overdamped spring, over ω.
+inline double fast_decay(double zeta) {
+    return zeta + std::sqrt(zeta - 1) * std::sqrt(zeta + 1);
+}
+
+// The one root of f, which is below zero at 0 and rises through it once.
+template <class Function>
+double rising_root(const Function& f) {
+    double low = 0, high = 1;
+    while (f(high) < 0) low = high, high *= 2;
+    for (int i = 0; i < 200 && low < high; ++i) {
+        const double middle = low + (high - low) / 2;
+        if (middle == low || middle == high) break;
+        (f(middle) < 0 ? low : high) = middle;
+    }
+    return low;
+}
+}  // namespace detail
+/// \endcond
+
+/// Explicit Euler: T = 2 − 2ζs, D = 1 − 2ζs + s². A swing grows from D = 1 on, s = 2ζ. Beyond ζ = 1
+/// nothing swings; the fast decay flips from 1 + T + D = 4 − 4ζs + s² = 0 on.
+inline StabilityLimit stability_limit(const ExplicitEuler&, double zeta) {
+    if (zeta <= 1) return {2 * zeta, "2ζ"};
+    return {2 / detail::fast_decay(zeta), "2 / (ζ + √(ζ² − 1))"};
+}
+
+/// Semi-implicit Euler: T = 2 − 2ζs − s², D = 1 − 2ζs, and 1 + T + D = 4 − 4ζs − s².
+inline StabilityLimit stability_limit(const SemiImplicitEuler&, double zeta) {
+    return {2 / (std::hypot(1, zeta) + zeta), "2 (√(1 + ζ²) − ζ)"};
+}
+
+/// With the damping at the new velocity the sign of ζ turns: T = (2 + 2ζs − s²)/(1 + 2ζs),
+/// D = 1/(1 + 2ζs), and 1 + T + D = 0 where 4 + 4ζs = s².
+inline StabilityLimit stability_limit(const SemiImplicitEulerNewDamping&, double zeta) {
+    return {2 * (std::hypot(1, zeta) + zeta), "2 (√(1 + ζ²) + ζ)"};
+}
+
+/// The constant-force method: T = 2 − 2ζs − s²/2, D = 1 − 2ζs + s²/2. It swings too far from s = 4ζ
+/// on, and flips from 1 + T + D = 4 − 4ζs = 0 on.
+inline StabilityLimit stability_limit(const Newton&, double zeta) {
+    if (zeta <= 0.5) return {4 * zeta, "4ζ"};
+    return {1 / zeta, "1/ζ"};
+}
+
+// Without a damper the Verlet methods are semi-implicit Euler; with one they do not step at all.
+/// Plain Verlet, for ζ = 0.
+inline StabilityLimit stability_limit(const Verlet&, double) { return {2, "2"}; }
+/// Velocity Verlet, for ζ = 0.
+inline StabilityLimit stability_limit(const VelocityVerlet&, double) { return {2, "2"}; }
+/// Leapfrog, for ζ = 0.
+inline StabilityLimit stability_limit(const Leapfrog&, double) { return {2, "2"}; }
+
+/// \cond
+namespace detail {
+// The methods of two stages multiply a decay by R(z) = 1 + z + z²/2, with z = h times its rate,
+// −s (ζ ± i √(1 − ζ²)). With |z| = s and Re z = −ζs,
+//     |R|² − 1 = s (s³/4 − ζs² + 2ζ²s − 2ζ),
+// and what is in the brackets rises with s, as its slope has no zero. A fast decay is real: R ≤ 1
+// for −2 ≤ z.
+inline StabilityLimit two_stages_limit(double zeta) {
+    if (zeta > 1) return {2 / fast_decay(zeta), "2 / (ζ + √(ζ² − 1))"};
+    return {rising_root([&](double s) {
+                return ((s / 4 - zeta) * s + 2 * zeta * zeta) * s - 2 * zeta;
+            }),
+            "the s with s³/4 − ζs² + 2ζ²s = 2ζ"};
+}
+}  // namespace detail
+/// \endcond
+/// The midpoint method, R(z) = 1 + z + z²/2.
+inline StabilityLimit stability_limit(const Midpoint&, double zeta) {
+    return detail::two_stages_limit(zeta);
+}
+/// Heun's method, the same R(z).
+inline StabilityLimit stability_limit(const Heun&, double zeta) {
+    return detail::two_stages_limit(zeta);
+}
+
+/// RK4: |R(z)| = 1 for R(z) = 1 + z + z²/2 + z³/6 + z⁴/24, along the ray of z = −s (ζ + i √(1 − ζ²)), or of
+/// the fast decay. It is left once. Expanded, |R|² − 1 loses the common factor s, by which the rest
+/// keeps its digits for small s.
+inline StabilityLimit stability_limit(const RungeKutta4&, double zeta) {
+    if (zeta >= 1) {
+        // R = 1 again at the z with 1 + z/2 + z²/6 + z³/24 = 0, some −2.785.
+        const double z = detail::rising_root(
+            [](double z) { return ((z / 24 - 1.0 / 6) * z + 1.0 / 2) * z - 1; });
+        return {z / detail::fast_decay(zeta), "2.785 / (ζ + √(ζ² − 1))"};
+    }
+    // |R|² is the sum of all zʲ z̄ᵏ / (j! k!), and Re zʲ z̄ᵏ = s^(j+k) cos (j − k)φ with cos φ = −ζ.
+    const double c1 = -zeta, c2 = 2 * c1 * c1 - 1, c3 = 2 * c1 * c2 - c1, c4 = 2 * c1 * c3 - c2;
+    const double sum[] = {2 * c1,           1 + c2,         c1 + c3 / 3, 1.0 / 4 + c2 / 3 + c4 / 12,
+                          c1 / 6 + c3 / 12, 1.0 / 36 + c2 / 24, c1 / 72,     1.0 / 576};
+    return {detail::rising_root([&](double s) {
+                double value = 0;
+                for (int i = 7; i >= 0; --i) value = value * s + sum[i];
+                return value;
+            }),
+            "the s at which |1 + z + z²/2 + z³/6 + z⁴/24| = 1"};
+}
+
+/// Implicit Euler: D = 1/(1 + 2ζs + s²). There is no limit.
+inline StabilityLimit stability_limit(const ImplicitEuler&, double) { return detail::no_limit; }
+/// Implicit midpoint: no limit either, as |R(z)| = |1 + z/2|/|1 − z/2| ≤ 1 left of the imaginary axis.
+inline StabilityLimit stability_limit(const ImplicitMidpoint&, double) { return detail::no_limit; }
+/// BDF2: no limit, by a theorem of Dahlquist's: of all methods over several steps, those of order two
+/// are the best that have none.
+inline StabilityLimit stability_limit(const Bdf2&, double) { return detail::no_limit; }
+
+}  // namespace timestep

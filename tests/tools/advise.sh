@@ -1,0 +1,100 @@
+# Tests of ./course advise: what it refuses, and that what it says for people and for programs is one.
+
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/expect.sh"
+. "$here/stage.sh"
+
+refuses() {
+    what=$1
+    shift
+    expect 2 course advise "$@"
+    is "$(lines err)" 1
+    is "$(lines out)" 0
+    says err "$what"
+}
+
+test_bad_input_is_refused_by_its_name_and_rule() {
+    refuses 'a spring (--omega) or a spinning body'
+    refuses 'omega = nan: must be finite and greater than zero' --omega nan
+    refuses 'omega = -3: must be finite and greater than zero' --omega -3
+    refuses 'omega = 0: ' --omega 0
+    refuses 'zeta = -1: must be finite and zero or more' --omega 3 --zeta -1
+    refuses 'step = 0: must be finite and greater than zero' --omega 3 --step 0
+    refuses 'rate = inf: ' --omega 3 --rate inf
+    refuses 'stiffness = 0: ' --stiffness 0 --mass 1
+    refuses 'mass = -1: ' --stiffness 1 --mass -1
+    refuses 'accuracy = 0: ' --omega 3 --accuracy 0
+    refuses '--omega = abc' --omega abc
+    refuses 'moment of inertia = 9: must be at most the sum of the other two' --inertia 1,2,9 --spin 1,0,0
+    refuses 'spin = 0: must be finite and greater than zero' --inertia 1,2,3 --spin 0,0,0
+    refuses 'spin = inf: must be a finite number' --inertia 1,2,3 --spin inf,0,0
+    refuses 'At least 3 required' --inertia 1,2 --spin 1,0,0
+}
+
+test_two_words_for_the_same_are_refused() {
+    refuses 'give one of them' --omega 1 --stiffness 3 --mass 1
+    refuses 'belong together' --stiffness 3
+    refuses '--damping needs --stiffness and --mass' --omega 10 --damping 3
+    refuses 'give one of them' --stiffness 3 --mass 1 --zeta 1 --damping 2
+    refuses 'give one of them' --omega 3 --step 1 --rate 60
+    refuses 'belong together' --inertia 1,2,3
+    refuses 'a spring or a spinning body' --inertia 1,2,3 --spin 1,1,1 --omega 3
+}
+
+# verdict METHOD: what the JSON in `out` says of it.
+verdict() { grep -A1 "\"method\": \"$1\"" out | sed -n 's/.*"verdict": "\(.*\)".*/\1/p'; }
+
+test_the_three_eulers_on_a_spring_at_60_hz() {
+    expect 0 course advise --omega 100 --json
+    is "$(verdict 'explicit Euler')" grows
+    is "$(verdict 'semi-implicit Euler')" stable
+    is "$(verdict 'implicit Euler')" stable
+    expect 0 course advise --omega 121 --json
+    is "$(verdict 'semi-implicit Euler')" grows
+    expect 0 course advise --omega 120 --json
+    is "$(verdict 'semi-implicit Euler')" 'too close to call'
+    expect 0 course advise --omega 100 --zeta 0.1 --json
+    is "$(verdict Verlet)" refused
+    for key in growth_per_second period_error_percent cost reason; do
+        is "$(grep -c "\"$key\": " out)" 13
+    done
+    silent_on out nan
+    silent_on out inf
+}
+
+# ω = √(9/1) = 3, ζ = 1.2/(2 √9) = 0.2: the same spring in other words gets the same answer.
+test_stiffness_mass_and_damping_are_omega_and_zeta() {
+    expect 0 course advise --stiffness 9 --mass 1 --damping 1.2 --rate 50 --json
+    mv out by_stiffness
+    expect 0 course advise --omega 3 --zeta 0.2 --step 0.02 --json
+    is "$(grep -c verdict out)" 13
+    is "$(grep verdict out)" "$(grep verdict by_stiffness)"
+    is "$(grep -o '"cost": [0-9]*' out)" "$(grep -o '"cost": [0-9]*' by_stiffness)"
+}
+
+test_people_are_told_what_programs_are_told() {
+    expect 0 course advise --omega 100 --zeta 0.05 --json
+    for method in 'explicit Euler' 'midpoint' 'BDF2' 'Newton'; do
+        verdict "$method"
+    done >told
+    expect 0 course advise --omega 100 --zeta 0.05
+    is "$(grep -E '^(explicit Euler|midpoint|BDF2|Newton) +(grows|stable)' out | sed 's/.*\(grows\|stable\).*/\1/')" \
+        "$(sed -n '1p;2p;3p;4p' told)"
+    says out 'the cheapest is'
+    says out 'four steps a swing'
+}
+
+test_a_spinning_plank() {
+    expect 0 course advise --inertia 0.758,0.787,0.0313 --spin 0,0,60 --json
+    is "$(verdict explicit)" grows
+    is "$(verdict 'implicit, one iteration')" grows
+    is "$(verdict passive)" stable
+    expect 0 course advise --inertia 0.758,0.787,0.0313 --spin 0,0,6 --json
+    is "$(verdict 'implicit, one iteration')" stable
+    expect 0 course advise --inertia 1,1,1 --spin 0,0,60
+    is "$(grep -c ' stable ' out)" 6
+}
+
+begin "$@"
+new_stage "$4" "$5"
+"$function"
