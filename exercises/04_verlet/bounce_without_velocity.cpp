@@ -5,7 +5,7 @@
 // two heights tell, had hit the floor somewhere on its way, and had risen for the rest of the step
 // with e times the speed. The two new heights must tell that new velocity to the next step.
 //
-//   before    height one step ago, in metres; never below the floor
+//   before    height one step ago, in metres; above the floor or on it, never below
 //   now       height now, in metres
 //   floor     height of the floor, in metres; any number, also below zero
 //   e         restitution: speed after the bounce over the speed before it, from 0 (it does not
@@ -19,7 +19,7 @@
 //
 // What is checked: a ball that is not below the floor is left alone; a ball ends where a
 // slow-motion film of the bounce shows it; it leaves with the right speed; restitutions 0 and 1;
-// floors at any height.
+// balls that lay on the floor, and balls just below it; floors at any height.
 
 #include "exercise.hpp"
 

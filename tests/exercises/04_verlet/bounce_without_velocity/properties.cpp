@@ -4,12 +4,13 @@
 
 EXERCISE(bounce_without_velocity);
 
-// A ball that has sunk through the floor in the last step, the floor at any height.
+// A ball that has sunk through the floor in the last step, the floor at any height. Some balls lay
+// on the floor before, and some are only just below it.
 struct Sunk {
     explicit Sunk(Draw& draw)
         : floor(draw.sign() * draw.real(1, 5)),
-          before(floor + draw.real(0, 3)),
-          now(floor - draw.real(0.2, 3)) {}
+          before(floor + std::max(0.0, draw.real(-1, 3))),
+          now(floor - draw.log(1e-9, 3)) {}
 
     double floor, before, now;
 };
@@ -19,7 +20,7 @@ PROPERTY("a ball that is not below the floor is left alone, rising or falling") 
     for (int i = 0; i < 50; ++i) {
         const double floor = draw.sign() * draw.real(1, 5);
         const double before = floor + draw.real(0, 3), e = draw.real(0, 0.9);
-        const double now = i % 10 == 9 ? floor : floor + draw.real(0.1, 3);
+        const double now = i % 10 == 9 ? floor : floor + draw.log(1e-9, 3);
         REQUIRE(learner(before, now, floor, e) == std::array{before, now});
     }
 }
@@ -60,6 +61,18 @@ PROPERTY("a ball that does not bounce lies on the floor, and stays there") {
         const auto [before, now] = learner(ball.before, ball.now, ball.floor, 0);
         REQUIRE(close(now, ball.floor, 1e-15));
         REQUIRE(close(before, ball.floor, 1e-15));
+    }
+}
+
+PROPERTY("a ball that lay on the floor and has sunk bounces as well, and be it by a hair") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        Sunk ball(draw);
+        ball.before = ball.floor;
+        const double e = draw.real(0.1, 0.9), depth = ball.floor - ball.now;
+        const auto [before, now] = learner(ball.before, ball.now, ball.floor, e);
+        REQUIRE(close(before, ball.floor, 0, 1e-13));
+        REQUIRE(close(now, ball.floor + e * depth, 0, 1e-13));
     }
 }
 
