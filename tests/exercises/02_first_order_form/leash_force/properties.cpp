@@ -8,10 +8,10 @@ namespace {
 
 struct Scene {
     explicit Scene(Draw& draw)
-        : length(draw.log(0.1, 3)),
-          stretch(draw.log(0.05, 2)),
+        : length(draw.log(0.01, 10)),
+          stretch(draw.log(1e-6, 2)),
           k(draw.log(1, 100)),
-          c(draw.log(1, 20)),
+          c(draw.log(1e-3, 20)),
           outwards(draw_direction(draw)),
           x((length + stretch) * outwards) {}
     Vector3d force(const Vector3d& v) const { return learner(x, v, k, c, length); }
@@ -37,6 +37,22 @@ PROPERTY("a slack leash has no force however the ball moves, nor has one of no l
     }
 }
 
+// Vectors whose length is a whole number, so that every way to find it is exact; the largest
+// component is a power of two, by which some ways divide.
+PROPERTY("a leash that is just as long as at rest is slack, even if it is getting longer") {
+    Draw draw;
+    const std::array vectors{Vector3d(3, 4, 0), Vector3d(1, 2, 2), Vector3d(1, 4, 8)};
+    for (int i = 0; i < 30; ++i) {
+        const double unit = std::pow(2, draw.integer(-4, 2)), c = draw.log(0.1, 20);
+        Vector3d x = unit * vectors[static_cast<std::size_t>(draw.integer(0, 2))];
+        const double length = x.norm();
+        std::swap(x[draw.integer(0, 2)], x[draw.integer(0, 2)]);
+        for (int axis = 0; axis < 3; ++axis) x[axis] *= draw.sign();
+        const Vector3d v = draw.real(0.1, 5) * x + x.cross(draw_vector(draw, -5, 5));
+        REQUIRE(learner(x, v, draw.log(1, 100), c, length).norm() == 0);
+    }
+}
+
 PROPERTY("at rest the force pulls the ball towards its owner, the stiffness times the stretch") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
@@ -58,6 +74,16 @@ PROPERTY("a ball that moves across the leash feels the same force as one at rest
         const Vector3d rest = Vector3d::Zero();
         const Vector3d across = scene.outwards.cross(draw_vector(draw, -5, 5));
         REQUIRE(close(scene.force(across), scene.force(rest), 0, 3e-14 * scene.size(across)));
+    }
+}
+
+PROPERTY("without damping a ball that moves feels the same force as one at rest") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        Scene scene(draw);
+        scene.c = 0;
+        const Vector3d rest = Vector3d::Zero(), v = draw_vector(draw, -5, 5);
+        REQUIRE(close(scene.force(v), scene.force(rest), 0, 1e-14 * scene.size(rest)));
     }
 }
 
