@@ -23,7 +23,7 @@
 //
 // What is checked: without drag it is Verlet; a velocity that nothing drives dies down by the same
 // factor in a second at every frame rate, and never turns round; a body that falls as fast as the
-// drag lets it goes on so; exact paths go on exactly; gamma = 0.
+// drag lets it goes on so; exact paths go on exactly, also where gamma times h is large; gamma = 0.
 
 #include "exercise.hpp"
 

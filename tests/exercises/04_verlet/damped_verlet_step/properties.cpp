@@ -68,6 +68,29 @@ PROPERTY("a body that falls so fast that the drag balances the force keeps its v
     }
 }
 
+// Now is zero, so that what is left of a way is not rounded to the size of a position. Answers may
+// take it from one, with a roundoff of 1e-16: what e^-20 leaves is still seen.
+PROPERTY("a velocity that nothing drives dies down exponentially, also where little of it is left") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const double gamma = draw.log(0.01, 100), h = draw.real(0.01, 20) / gamma;
+        REQUIRE(close(learner(-1, 0, 0, gamma, h), std::exp(-gamma * h), 0, 1e-14));
+    }
+}
+
+// Seen from the terminal velocity the path only dies down, from a way `off` one step before now.
+PROPERTY("under a strong drag, too, it lands on the exact path, however long the step") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const double x = draw.real(-5, 5), off = draw.sign() * draw.real(0.5, 5);
+        const double a = draw.sign() * draw.real(1, 20);
+        const double gamma = draw.log(1, 100), h = draw.log(1e-2, 10), kept = std::exp(-gamma * h);
+        const double way = h * a / gamma;
+        const double next = learner(x - way + off, x + off * kept, a, gamma, h);
+        REQUIRE(close(next, x + way + off * kept * kept, 0, 1e-13 * (10 + std::fabs(way))));
+    }
+}
+
 // The weakest drag cancels digits: with gamma h of 1e-4 four in 1 - exp(-gamma h), and the constants
 // of the path are up to a/gamma², two hundred kilometres.
 PROPERTY("from two positions on an exact path it lands on the exact path") {
