@@ -17,9 +17,9 @@
 // 2, 3 and 2.
 //
 // What is checked: one number for each frame; frames that are longer than a step, as long, and
-// shorter; the simulation is never ahead of the clock, and less than one step behind it; the cap;
-// after a hitch the remainder is kept and whole steps are not. All times that are drawn are binary
-// fractions, which add and subtract without rounding.
+// shorter, if only by the last bit; the simulation is never ahead of the clock, and less than one
+// step behind it; the cap; after a hitch the remainder is kept and whole steps are not. All times
+// that are drawn are binary fractions, which add and subtract without rounding.
 
 #include "exercise.hpp"
 

@@ -15,6 +15,13 @@ std::vector<double> draw_frames(Draw& draw, int count, int longest) {
     return frames;
 }
 
+// The smallest unit of the times below: a picosecond. Hours of it add and subtract without rounding.
+constexpr double fine_tick = 0x1p-40;
+
+double draw_time(Draw& draw, double low, double high) {
+    return std::floor(draw.real(low, high) / fine_tick) * fine_tick;
+}
+
 }  // namespace
 
 PROPERTY("there is one number for each frame, from zero to the cap") {
@@ -63,6 +70,34 @@ PROPERTY("below the cap the simulation is never ahead of the clock, and less tha
             behind += frames[k] - steps[k] * ticks * tick;
             REQUIRE(behind >= 0);
             REQUIRE(behind < ticks * tick);
+        }
+    }
+}
+
+// Every other time it is a bit beyond single precision, but larger than a nanosecond.
+PROPERTY("a step that lacks the last bit has to wait, and one that is owed to the last bit comes") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const double step = draw_time(draw, 0.5, 1) * (i % 2 == 0 ? 1 : 0x1p-7);
+        const double bit = i % 2 == 0 ? 0x1p-27 : 0x1p-47, short_of = step - bit;
+        const std::vector<double> frames{short_of, bit, short_of, 0, bit, step + short_of, bit};
+        REQUIRE(learner(frames, step, draw.integer(1, 6)) == std::vector<int>{0, 1, 0, 0, 1, 1, 1});
+    }
+}
+
+PROPERTY("so it is with frames of any length, measured to the last bit") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const double step = draw_time(draw, 0.001, 0.1);
+        std::vector<double> frames;
+        for (int k = 0; k < 40; ++k) frames.push_back(draw_time(draw, 0, 4 * step));
+        const auto steps = learner(frames, step, 5);
+        REQUIRE(steps.size() == frames.size());
+        double behind = 0;
+        for (std::size_t k = 0; k < frames.size(); ++k) {
+            behind += frames[k] - steps[k] * step;
+            REQUIRE(behind >= 0);
+            REQUIRE(behind < step);
         }
     }
 }
