@@ -8,7 +8,8 @@
 //   coarse       the result with the step h
 //   middle       the result with the step h/2
 //   fine         the result with the step h/4
-//   returns      the order p; it need not be a whole number
+//   returns      the order p; it need not be a whole number, and is below zero where the error
+//                grows as the step shrinks (rounding errors do)
 //
 // The results may have any unit and any sign, and may rise or fall. They come one after the other:
 // middle always lies between coarse and fine, and no two of them are equal.
@@ -17,8 +18,9 @@
 // are 0.75, a quarter of that and a sixteenth.
 //
 // What is checked: the order of results whose error is exactly C times a power of the step, whole
-// or not; the order stays the same when the results are shifted, scaled or mirrored; the
-// differences of this chapter, on a smooth function, show the orders that the chapter tells.
+// or not, above zero or below; the order stays the same when the results are shifted, scaled or
+// mirrored; the differences of this chapter, on a smooth function, show the orders that the chapter
+// tells.
 
 #include "exercise.hpp"
 

@@ -40,6 +40,16 @@ PROPERTY("an order that is not a whole number is found as well") {
     }
 }
 
+// The largest of the three is up to 2⁸ times the error, the smaller difference 0.02 at least.
+PROPERTY("errors that grow when the step shrinks have an order below zero") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double exact = draw.real(-10, 10), error = draw.sign() * draw.real(0.1, 1);
+        const double p = draw.real(-4, -0.3);
+        REQUIRE(close(order_of(results(exact, error, p)), p, 1e-10));
+    }
+}
+
 PROPERTY("the order does not change when the results are shifted, scaled or mirrored") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
