@@ -5,13 +5,14 @@
 // frame to reach order 2.
 //
 //   x0, x1, x2   positions at t − 2h, t − h and t, in metres
-//   h            time between two frames, in seconds (not zero)
+//   h            time between two frames, in seconds (above zero)
 //   returns      the velocity at t, the moment of x2, in metres per second
 //
 // Example: for x = t² at t = 1, 2, 3, velocity_now(1, 4, 9, 1) is 6, as the derivative 2t says.
 //
 // What is checked: standing still gives zero; a constant velocity and a constant acceleration come out
-// exactly, but for rounding; the error on any smooth motion falls as h².
+// exactly, but for rounding, in games of any size and with any step; the error on any smooth motion
+// falls as h².
 
 #include "exercise.hpp"
 

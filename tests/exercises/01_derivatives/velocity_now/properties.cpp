@@ -45,3 +45,16 @@ PROPERTY("the error on a smooth motion falls as the square of the step") {
         REQUIRE(measured < 2.1);
     }
 }
+
+// Lengths from a millimetre to a thousand kilometres, steps from a tenth of a millisecond to hours.
+// Each position is of a few lengths.
+PROPERTY("in a game of any size, and with any step, a constant acceleration is no difficulty") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const double length = draw.log(1e-3, 1e6), h = draw.log(1e-4, 1e4);
+        const double x = length * draw.real(-5, 5), v = length / h * draw.sign() * draw.real(1, 5);
+        const double a = length / (h * h) * draw.sign() * draw.real(1, 9);
+        const auto at = [&](double t) { return x + v * t + a * t * t / 2; };
+        REQUIRE(close(learner(at(-2 * h), at(-h), x, h), v, 0, 1e-14 * 80 * length / h));
+    }
+}
