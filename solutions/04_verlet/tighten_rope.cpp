@@ -16,8 +16,8 @@
 // {(1.5, 0, 0), (3.5, 0, 0)}.
 //
 // What is checked: loose ropes and ropes between two walls; ends in the same place; a tight rope
-// gets its length; a wall does not move; the ends move along the rope and keep their common centre
-// of mass; in other units of mass the answer is the same.
+// gets its length, be it too long by a hair; a wall does not move; the ends move along the rope and
+// keep their common centre of mass; in other units of mass the answer is the same.
 
 #include "exercise_eigen.hpp"
 

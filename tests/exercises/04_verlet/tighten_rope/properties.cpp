@@ -6,14 +6,15 @@ using Eigen::Vector3d;
 
 EXERCISE(tighten_rope);
 
-// Two ends with masses, and a rope that is too short for them; or, with `slack`, a loose one.
+// Two ends with masses, and a rope that is too short for them, by a millionth at least; or, with
+// `slack`, a loose one.
 struct Ends {
     explicit Ends(Draw& draw, bool slack = false)
         : a(draw_vector(draw, -5, 5)),
           b(a + draw.real(1, 5) * draw_direction(draw)),
           wa(draw.log(0.02, 5)),
           wb(draw.log(0.02, 5)),
-          length((b - a).norm() * (slack ? draw.real(1.1, 3) : draw.real(0.2, 0.9))) {}
+          length((b - a).norm() * (slack ? 1 + draw.log(1e-6, 2) : 1 - draw.log(1e-6, 0.8))) {}
 
     Vector3d a, b;
     double wa, wb, length;
@@ -76,7 +77,7 @@ PROPERTY("with all masses in other units the ends move the same way") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
         const Ends ends(draw);
-        const double unit = draw.log(1e-3, 1e3);
+        const double unit = draw.log(1e-9, 1e9);
         const auto [a, b] = learner(ends.a, ends.b, ends.wa, ends.wb, ends.length);
         const auto [a2, b2] = learner(ends.a, ends.b, unit * ends.wa, unit * ends.wb, ends.length);
         REQUIRE(close(a, a2, 0, 1e-13));
