@@ -37,6 +37,17 @@ PROPERTY("where one step halves the amplitude k times, the half-life is a k-th p
     }
 }
 
+// In steps of (ωh)² above 1e-4 every way to write it keeps 11 digits: n steps shrink by the root of
+// 1 + (ωh)² to the power n.
+PROPERTY("for any step, long or short, the factor of a step to the power of the steps is one half") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double omega = draw.log(1e-2, 1e3), wh = draw.log(1e-2, 1e3), h = wh / omega;
+        const double steps = learner(omega, h) / h;
+        REQUIRE(close(std::pow(std::hypot(1, wh), -steps), 0.5, 1e-10));
+    }
+}
+
 // The logarithm of 1 + (ωh)² loses as many digits as (ωh)² is small: ε/(ωh)², here 1e-11.
 PROPERTY("springs of the same omega h take the same number of steps") {
     Draw draw;
@@ -54,5 +65,15 @@ PROPERTY("with short steps, half the step makes it twice the time, but for a sha
         const double omega = draw.log(0.1, 10), wh = draw.log(0.02, 0.1), h = wh / omega;
         const double ratio = learner(omega, h / 2) / learner(omega, h);
         REQUIRE(close((2 - ratio) / (wh * wh), 0.75, 0.02));
+    }
+}
+
+// ln(1 + u) lies between u − u²/2 and u, and the next term is u³/3: below 1e-12 of it for u = 1e-6.
+PROPERTY("where omega h is tiny, no digits are lost") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double omega = draw.log(1e-2, 1e3), wh = draw.log(1e-6, 1e-3), h = wh / omega;
+        const double u = wh * wh, logarithm = u * (1 - u / 2);
+        REQUIRE(close(learner(omega, h) / h * logarithm, 2 * std::numbers::ln2, 1e-11));
     }
 }
