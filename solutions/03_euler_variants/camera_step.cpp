@@ -18,8 +18,9 @@
 // becomes 0.5 and the position 0.25, at t = 0.5.
 //
 // What is checked: a camera on its target stays; the clock and the position move on; the new
-// velocity obeys the equation of implicit Euler; a step of zero changes nothing; no frame, however
-// long, adds energy; after a very long one the camera rests on its target.
+// velocity obeys the equation of implicit Euler, with any damper or none; a step of zero changes
+// nothing; no frame, however long, adds energy; after a very long one the camera rests on its
+// target.
 
 #include "exercise.hpp"
 
