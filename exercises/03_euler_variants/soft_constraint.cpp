@@ -20,8 +20,9 @@
 // Example: soft_constraint(2, 10, 1, 0.1) is {1/6, 1/3}: a third of the error in one step.
 //
 // What is checked: with gamma and beta the solver's v2 obeys the equation of implicit Euler,
-// whatever C and v1; beta lies between zero and one; without a damper it is one; a very stiff
-// spring becomes a rigid constraint; the mass and omega h act as they should.
+// whatever C and v1, with weak dampers and strong ones, in short steps and long; beta lies between
+// zero and one; without a damper it is one; a very stiff spring becomes a rigid constraint; the mass
+// and omega h act as they should.
 
 #include "exercise.hpp"
 
