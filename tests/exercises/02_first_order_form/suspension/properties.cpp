@@ -7,7 +7,7 @@ EXERCISE(suspension);
 PROPERTY("at the sag, the four springs together carry the weight of the car") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        const double mass = draw.log(1, 1e4), sag = draw.log(0.01, 0.5), g = draw.real(1, 25);
+        const double mass = draw.log(0.1, 1e5), sag = draw.log(1e-3, 1), g = draw.real(0.1, 25);
         const auto [k, c] = learner(mass, sag, draw.real(0, 2), g);
         REQUIRE(close(4 * k * sag, mass * g, 1e-13));
     }
@@ -16,7 +16,7 @@ PROPERTY("at the sag, the four springs together carry the weight of the car") {
 PROPERTY("a damping ratio of zero needs no damper") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
-        const auto [k, c] = learner(draw.log(1, 1e4), draw.log(0.01, 0.5), 0, draw.real(1, 25));
+        const auto [k, c] = learner(draw.log(0.1, 1e5), draw.log(1e-3, 1), 0, draw.real(0.1, 25));
         REQUIRE(c == 0);
         REQUIRE(k > 0);
     }
@@ -26,7 +26,7 @@ PROPERTY("a damping ratio of zero needs no damper") {
 PROPERTY("at a damping ratio of 1 the car just does not swing") {
     Draw draw;
     for (int i = 0; i < 30; ++i) {
-        const double mass = draw.log(1, 1e4), sag = draw.log(0.01, 0.5), g = draw.real(1, 25);
+        const double mass = draw.log(0.1, 1e5), sag = draw.log(1e-3, 1), g = draw.real(0.1, 25);
         const auto [k, c] = learner(mass, sag, 1, g);
         REQUIRE(c > 0);
         REQUIRE(close(16 * c * c, 16 * mass * k, 1e-13));
@@ -36,8 +36,8 @@ PROPERTY("at a damping ratio of 1 the car just does not swing") {
 PROPERTY("below 1, a swing fades at the rate zeta omega, where omega is that of the car undamped") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        const double mass = draw.log(1, 1e4), sag = draw.log(0.01, 0.5), g = draw.real(1, 25);
-        const double zeta = draw.real(0.01, 0.99);
+        const double mass = draw.log(0.1, 1e5), sag = draw.log(1e-3, 1), g = draw.real(0.1, 25);
+        const double zeta = draw.log(1e-4, 0.99);
         const auto [k, c] = learner(mass, sag, zeta, g);
         const double decay = 4 * c / (2 * mass), omega = std::sqrt(4 * k / mass);
         REQUIRE(close(decay, zeta * omega, 1e-13));
@@ -48,8 +48,8 @@ PROPERTY("below 1, a swing fades at the rate zeta omega, where omega is that of 
 PROPERTY("above 1, the slow and the fast return have the rates that zeta and the sag say") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        const double mass = draw.log(1, 1e4), sag = draw.log(0.01, 0.5), g = draw.real(1, 25);
-        const double zeta = draw.real(1.01, 3), root = std::sqrt(zeta * zeta - 1);
+        const double mass = draw.log(0.1, 1e5), sag = draw.log(1e-3, 1), g = draw.real(0.1, 25);
+        const double zeta = draw.log(1.01, 1e3), root = std::sqrt(zeta * zeta - 1);
         const double omega = std::sqrt(g / sag);
         const double p = omega / (zeta + root), q = omega * (zeta + root);
         const auto [k, c] = learner(mass, sag, zeta, g);
@@ -61,7 +61,7 @@ PROPERTY("above 1, the slow and the fast return have the rates that zeta and the
 PROPERTY("twice the car takes twice of both; four times the sag a quarter and a half") {
     Draw draw;
     for (int i = 0; i < 30; ++i) {
-        const double mass = draw.log(1, 1e4), sag = draw.log(0.01, 0.5), g = draw.real(1, 25);
+        const double mass = draw.log(0.1, 1e5), sag = draw.log(1e-3, 1), g = draw.real(0.1, 25);
         const double zeta = draw.real(0.1, 2);
         const auto one = learner(mass, sag, zeta, g);
         const auto heavy = learner(2 * mass, sag, zeta, g), soft = learner(mass, 4 * sag, zeta, g);
