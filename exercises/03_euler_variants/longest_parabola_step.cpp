@@ -8,7 +8,7 @@
 // a = -omega^2 x - 2 zeta omega v. Up to which step is the door stable?
 //
 //   omega    angular frequency of the spring, rad/s (above zero)
-//   zeta     damping ratio, no unit (from 0 to 20)
+//   zeta     damping ratio, no unit (zero, or from 10^-4 to 20)
 //   returns  the h, in seconds, below which every step is stable: whatever the start, the motion
 //            dies away. One part in a million off is near enough. Zero where no step is stable.
 //
