@@ -21,8 +21,8 @@
 //
 // What is checked: with gamma and beta the solver's v2 obeys the equation of implicit Euler,
 // whatever C and v1, with weak dampers and strong ones, in short steps and long; beta lies between
-// zero and one; without a damper it is one; a very stiff spring becomes a rigid constraint; the mass
-// and omega h act as they should.
+// zero and one; without a damper it is one; a very stiff spring becomes a rigid constraint; the
+// mass and omega h act as they should.
 
 #include "exercise.hpp"
 
