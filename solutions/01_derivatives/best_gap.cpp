@@ -21,7 +21,8 @@
 //
 // What is checked: without noise, neighbouring frames; without jerk, frames as far apart as can
 // be; no other number of frames has a smaller worst error, also where the best step lies between
-// two whole numbers; on a real swing with the worst noise, no other number is much better.
+// two whole numbers, and where thousands of frames lie in between; on a real swing with the worst
+// noise, no other number is much better.
 
 #include "exercise.hpp"
 

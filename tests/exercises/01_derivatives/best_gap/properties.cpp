@@ -37,7 +37,7 @@ PROPERTY("without noise, neighbouring frames are the best") {
 PROPERTY("without jerk, the frames may be as far apart as can be") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
-        const int most = draw.integer(1, 60);
+        const int most = i % 2 == 0 ? draw.integer(1, 60) : draw.integer(61, 5000);
         REQUIRE(learner(1 / draw.real(20, 240), draw.log(1e-5, 1e-2), 0, most) == most);
     }
 }
@@ -70,12 +70,22 @@ PROPERTY("when you keep fewer frames than you would like to, none of them is bet
     }
 }
 
+PROPERTY("so it is when the best frames are hundreds or thousands apart") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Throw ball(draw, draw.log(30, 4000));
+        const int most = draw.integer(100, 5000);
+        REQUIRE(ball.is_best(ball.answer(most), most));
+    }
+}
+
 // n and n + 1 are equally good where ideal³ = n (n + 1/2)(n + 1), which is a little below n + 1/2.
 PROPERTY("where two numbers of frames are almost equally good, the better one is found") {
     Draw draw;
     for (int i = 0; i < 200; ++i) {
-        const double n = draw.integer(1, 3);
-        const Throw ball(draw, std::cbrt(n * (n + 0.5) * (n + 1)) * draw.real(0.97, 1.03));
+        const double n = i % 2 == 0 ? draw.integer(1, 3) : draw.integer(4, 40);
+        const double off = draw.sign() * draw.log(1e-9, 0.03);
+        const Throw ball(draw, std::cbrt(n * (n + 0.5) * (n + 1)) * (1 + off));
         REQUIRE(ball.is_best(ball.answer(60), 60));
     }
 }
