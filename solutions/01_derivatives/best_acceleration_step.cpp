@@ -18,8 +18,8 @@
 // millimetre, and a hand that shakes quickly.
 //
 // What is checked: the step has the right unit, so it scales as it must with metres and with
-// seconds; no other step has a smaller worst error; for a real swing with the worst noise the
-// acceleration is better at your step than at longer and at shorter ones.
+// seconds; no other step has a smaller worst error, be it microseconds or minutes; for a real swing
+// with the worst noise the acceleration is better at your step than at longer and at shorter ones.
 
 #include "exercise.hpp"
 
