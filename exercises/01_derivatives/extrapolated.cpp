@@ -7,7 +7,8 @@
 //
 //   coarse       the result with the larger step
 //   fine         the result with the smaller step
-//   ratio        the larger step divided by the smaller one (above 1, not always 2)
+//   ratio        the larger step divided by the smaller one (above 1, if only by a thousandth; not
+//                always 2)
 //   order        the order of the formula that gave both (1, 2, 3, …)
 //   returns      the combination of the two in which the leading errors cancel
 //

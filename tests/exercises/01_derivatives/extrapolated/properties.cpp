@@ -5,7 +5,7 @@
 EXERCISE(extrapolated);
 
 // The weights on the two results are r/(r − 1) and 1/(r − 1), r = ratioᵖ: with the ratio above 1.25
-// they are 9 together at the most.
+// they are 9 together at the most, and more nearer to 1.
 static double roundoff(double size) {
     return 1e-14 * size;
 }
@@ -37,6 +37,17 @@ PROPERTY("with steps in any ratio, an error that is a power of the step vanishes
         const int p = draw.integer(1, 6);
         const double answer = learner(exact + error, exact + error * std::pow(ratio, -p), ratio, p);
         REQUIRE(close(answer, exact, 0, roundoff(20)));
+    }
+}
+
+PROPERTY("an error of any order vanishes, be the ratio of the steps near 1 or far from it") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const double exact = draw.real(-10, 10), error = draw.sign() * draw.real(0.5, 2);
+        const double ratio = 1 + draw.log(1e-3, 100);
+        const int p = draw.integer(1, 20);
+        const double answer = learner(exact + error, exact + error * std::pow(ratio, -p), ratio, p);
+        REQUIRE(close(answer, exact, 0, roundoff(20) * (1 + 1 / (ratio - 1))));
     }
 }
 
