@@ -48,7 +48,7 @@ PROPERTY("the error on a smooth motion falls as the square of the step") {
 
 // Lengths from a millimetre to a thousand kilometres, steps from a tenth of a millisecond to hours.
 // Each position is of a few lengths.
-PROPERTY("in a game of any size, and with any step, a constant acceleration is no difficulty") {
+PROPERTY("a constant acceleration comes out exactly in a game of any size and with any step") {
     Draw draw;
     for (int i = 0; i < 100; ++i) {
         const double length = draw.log(1e-3, 1e6), h = draw.log(1e-4, 1e4);
