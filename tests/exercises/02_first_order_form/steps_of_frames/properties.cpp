@@ -15,7 +15,7 @@ std::vector<double> draw_frames(Draw& draw, int count, int longest) {
     return frames;
 }
 
-// The smallest unit of the times below: a picosecond. Hours of it add and subtract without rounding.
+// About a picosecond, of which hours add and subtract without rounding.
 constexpr double fine_tick = 0x1p-40;
 
 double draw_time(Draw& draw, double low, double high) {
@@ -85,7 +85,7 @@ PROPERTY("a step that lacks the last bit has to wait, and one that is owed to th
     }
 }
 
-PROPERTY("so it is with frames of any length, measured to the last bit") {
+PROPERTY("to the last bit the simulation is never ahead of the clock, nor behind it by a step") {
     Draw draw;
     for (int i = 0; i < 30; ++i) {
         const double step = draw_time(draw, 0.001, 0.1);
