@@ -70,7 +70,7 @@ PROPERTY("when you keep fewer frames than you would like to, none of them is bet
     }
 }
 
-PROPERTY("so it is when the best frames are hundreds or thousands apart") {
+PROPERTY("no other number of frames is better when the best is hundreds or thousands") {
     Draw draw;
     for (int i = 0; i < 60; ++i) {
         const Throw ball(draw, draw.log(30, 4000));
