@@ -11,7 +11,7 @@
 //   x        position at some moment of the run, from where the spring is relaxed, m
 //   v        velocity at the same moment, m/s
 //   omega    angular frequency of the spring, rad/s (above zero)
-//   h        length of a step, s (above zero, and omega h below 2)
+//   h        length of a step, s (above zero, and omega h below 2, by a millionth at least)
 //   returns  the largest |x| on the ellipse through this state, m. It need not be the position of a
 //            step: at omega h = 1, say, the run has only six states, and passes by that point.
 //
@@ -20,7 +20,8 @@
 //
 // What is checked: at rest in the middle it is zero, and it scales with the state; each state of a
 // run gives the same answer; no position of a long run is farther, and a long run gets as near as
-// you like where it does not repeat itself; with short steps it is that of the true motion.
+// you like where it does not repeat itself; steps with omega h close to 2; with short steps it is
+// that of the true motion.
 
 #include "exercise.hpp"
 
