@@ -9,7 +9,8 @@
 //   now       position now, in metres
 //   a         acceleration now, in metres per second squared
 //   h_old     step up to now, in seconds (greater than zero)
-//   h_new     step from now on, in seconds (greater than zero)
+//   h_new     step from now on, in seconds (greater than zero; at most a thousand times longer or
+//             shorter)
 //   returns   the position one new step ago, in metres: where the point was or would have been
 //
 // Example: x = t² has a = 2. At t = 2 the position is 4, and with h_old = 1 before is 1. A new step

@@ -34,6 +34,21 @@ PROPERTY("a constant acceleration comes out exactly, for shorter and longer step
     }
 }
 
+// A step a thousand times as long multiplies the roundoff of the last displacement by a thousand.
+PROPERTY("a constant acceleration comes out exactly, be the step a thousand times as long") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const double length = draw.log(1e-3, 1e6), ratio = draw.log(1e-3, 1e3);
+        const double h_old = draw.log(1e-3, 1e3), h_new = ratio * h_old;
+        const double longer = std::max(h_old, h_new);
+        const double now = length * draw.real(-5, 5), v = length / longer * draw.real(-5, 5);
+        const double a = length / (longer * longer) * draw.sign() * draw.real(1, 9);
+        const auto ago = [&](double time) { return now - v * time + a * time * time / 2; };
+        const double before = learner(ago(h_old), now, a, h_old, h_new);
+        REQUIRE(close(before, ago(h_new), 0, 1e-14 * length * (10 + 10 * ratio)));
+    }
+}
+
 PROPERTY("changing the step and changing it back at once gives the old position before") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
