@@ -47,6 +47,20 @@ PROPERTY("a constant acceleration comes out exactly when the frames are uneven")
     }
 }
 
+// The whole time is one unit of the motion, so positions are a few lengths.
+PROPERTY("a constant acceleration comes out exactly with one interval a thousand times the other") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const double length = draw.log(1e-3, 1e6), h0 = draw.log(1e-4, 1e4);
+        const double h1 = h0 * draw.log(1e-3, 1e3), time = h0 + h1;
+        const double x = length * draw.real(-5, 5), v = length / time * draw.real(-5, 5);
+        const double a = length / (time * time) * draw.sign() * draw.real(1, 9);
+        const auto at = [&](double t) { return x + v * t + a * t * t / 2; };
+        const double measured = learner(at(-h0), x, at(h1), h0, h1);
+        REQUIRE(close(measured, a, 0, roundoff(15 * length, h0, h1)));
+    }
+}
+
 PROPERTY("a motion that runs backwards has the same acceleration") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
