@@ -4,6 +4,12 @@
 
 EXERCISE(pendulum_rates);
 
+// Every other lamp has gone over the top, up to fifty times. An answer may take whole turns off,
+// with a roundoff of 300 radians.
+static double angle_of(Draw& draw) {
+    return draw.real(0, 1) < 0.5 ? draw.real(-4, 4) : draw.real(-300, 300);
+}
+
 PROPERTY("a lamp at rest stays where it is, straight below the hook and straight above") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
@@ -19,7 +25,7 @@ PROPERTY("a lamp at rest stays where it is, straight below the hook and straight
 PROPERTY("the rate of change of the angle is the angular velocity, whatever the forces are") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        const State<double> s{draw.real(0, 9), draw.real(-4, 4), draw.real(-5, 5)};
+        const State<double> s{draw.real(0, 9), angle_of(draw), draw.real(-5, 5)};
         const auto rates = learner(s, draw.real(1, 25), draw.log(0.2, 5), draw.log(0.01, 1));
         REQUIRE(close(rates[0], s.v, 1e-15));
     }
@@ -28,10 +34,10 @@ PROPERTY("the rate of change of the angle is the angular velocity, whatever the 
 PROPERTY("let go at rest, the lamp is pulled along the arc by gravity's share across the cable") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        const double g = draw.real(1, 25), length = draw.log(0.2, 5), angle = draw.real(-4, 4);
+        const double g = draw.real(1, 25), length = draw.log(0.2, 5), angle = angle_of(draw);
         const auto rates = learner({draw.real(0, 9), angle, 0}, g, length, draw.log(0.01, 1));
         REQUIRE(rates[0] == 0);
-        REQUIRE(close(length * rates[1], -g * std::sin(angle), 1e-13, 1e-14 * g));
+        REQUIRE(close(length * rates[1], -g * std::sin(angle), 1e-13, 1e-13 * g));
     }
 }
 
@@ -39,37 +45,37 @@ PROPERTY("let go at rest, the lamp is pulled along the arc by gravity's share ac
 PROPERTY("without air the energy does not change at any moment of the swing") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        const State<double> s{draw.real(0, 9), draw.real(-4, 4), draw.real(-5, 5)};
+        const State<double> s{draw.real(0, 9), angle_of(draw), draw.real(-5, 5)};
         const double g = draw.real(1, 25), length = draw.log(0.2, 5);
         const auto rates = learner(s, g, length, 0);
         const double moving = length * length * s.v * rates[1];
         const double rising = g * length * std::sin(s.x) * rates[0];
-        REQUIRE(close(moving + rising, 0, 0, 1e-14 * g * length * std::fabs(s.v)));
+        REQUIRE(close(moving + rising, 0, 0, 1e-13 * g * length * std::fabs(s.v)));
     }
 }
 
 PROPERTY("the air takes energy both ways, drag times the cube of the speed each second") {
     Draw draw;
     for (int i = 0; i < 100; ++i) {
-        const State<double> s{draw.real(0, 9), draw.real(-4, 4), draw.sign() * draw.log(0.1, 8)};
+        const State<double> s{draw.real(0, 9), angle_of(draw), draw.sign() * draw.log(0.1, 8)};
         const double g = draw.real(1, 25), length = draw.log(0.2, 5), drag = draw.log(0.01, 1);
         const auto rates = learner(s, g, length, drag);
         const double moving = length * length * s.v * rates[1];
         const double rising = g * length * std::sin(s.x) * rates[0];
         const double lost = drag * std::pow(std::fabs(length * s.v), 3);
-        REQUIRE(close(moving + rising, -lost, 1e-13, 1e-14 * g * length * std::fabs(s.v)));
+        REQUIRE(close(moving + rising, -lost, 1e-13, 1e-13 * g * length * std::fabs(s.v)));
     }
 }
 
 PROPERTY("in a mirror the lamp does the same, and today as tomorrow") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        const State<double> s{draw.real(0, 9), draw.real(-4, 4), draw.real(-5, 5)};
+        const State<double> s{draw.real(0, 9), angle_of(draw), draw.real(-5, 5)};
         const double g = draw.real(1, 25), length = draw.log(0.2, 5), drag = draw.log(0.01, 1);
         const auto rates = learner(s, g, length, drag);
         const auto mirrored = learner({s.t + draw.real(-5, 5), -s.x, -s.v}, g, length, drag);
         const double size = (g + drag * length * length * s.v * s.v) / length;
         REQUIRE(mirrored[0] == -rates[0]);
-        REQUIRE(close(mirrored[1], -rates[1], 0, 1e-14 * size));
+        REQUIRE(close(mirrored[1], -rates[1], 0, 1e-13 * size));
     }
 }
