@@ -15,8 +15,8 @@
 // 0.2, and position_before(5, 0, -10, 0.2) is 4.8: the stone was lower, on its way up.
 //
 // What is checked: at rest and without a force the two positions are the same; with a constant
-// acceleration the position lies on the parabola through now, and Verlet's next step too; a whole
-// run of Verlet on a spring, started from it, has order two.
+// acceleration the position lies on the parabola through now, and Verlet's next step too, in games
+// of any size and with any step; a whole run of Verlet on a spring, started from it, has order two.
 
 #include "exercise.hpp"
 
