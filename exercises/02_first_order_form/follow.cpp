@@ -17,8 +17,8 @@
 //
 // What is checked: a time of zero changes nothing; a camera on the player stays on the player; two
 // steps land where one of the same length in all does; the velocity is the rate of the position;
-// the equation of motion holds; from rest the camera never overshoots; long frames; all of it for a
-// player who moves.
+// the equation of motion holds; from rest the camera never overshoots; frames that are millions of
+// swings long; all of it for a player who moves.
 
 #include "exercise.hpp"
 
