@@ -1,8 +1,6 @@
 #include "exercises.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <tuple>
 
 #include <nlohmann/json.hpp>
@@ -80,18 +78,21 @@ Exercise find_exercise(const std::string& name) {
     throw Stop(Status::bad_use, "'" + name + "' is no exercise; ./course list shows them");
 }
 
-std::string contents(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    if (fs::is_directory(file) || !stream || !(text << stream.rdbuf(), stream.eof() || stream))
-        throw Stop(Status::bad_use, file.string() + ": cannot be read");
-    return text.str();
+// What cannot be read is the learner's in any case: a link that leads nowhere, say.
+bool untouched(const Exercise& exercise) {
+    try {
+        return contents(exercise.file()) == contents(exercise.stub());
+    } catch (const Stop&) {
+        return false;
+    }
 }
 
-std::string shown(const fs::path& file) {
+std::string answer_in(const Exercise& exercise, const fs::path& file) {
     std::error_code ignored;
-    const fs::path here = fs::relative(file, fs::current_path(ignored), ignored);
-    return here.empty() || here.string().starts_with("..") ? file.string() : here.string();
+    if (file == exercise.file() && !fs::exists(file, ignored))
+        throw Stop(Status::bad_use, shown(file) + " is not there; ./course reset " + exercise.name +
+                                        " brings it back");
+    return contents(file);
 }
 
 }  // namespace course

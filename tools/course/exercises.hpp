@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "files.hpp"
+
 namespace course {
 
 /// A mistake that the course knows: what it is, and the way out.
@@ -42,10 +44,10 @@ std::vector<Exercise> read_exercises();
 /// The exercise meant by `velocity_now`, `1.1` or its file. Throws Stop(bad_use).
 Exercise find_exercise(const std::string& name);
 
-/// A whole file. Throws Stop(bad_use) where it cannot be read.
-std::string contents(const std::filesystem::path& file);
+/// Is the learner's file as it was before the learner has touched it?
+bool untouched(const Exercise& exercise);
 
-/// A file's path as people type it: relative where they are inside the checkout or above it.
-std::string shown(const std::filesystem::path& file);
+/// The text of an answer. Throws Stop(bad_use), one clear line, where it cannot be read.
+std::string answer_in(const Exercise& exercise, const std::filesystem::path& file);
 
 }  // namespace course

@@ -1,18 +1,80 @@
 #include "process.hpp"
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 
+#include <fcntl.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "interrupt.hpp"
 #include "stop.hpp"
 
 namespace course {
 
 namespace {
+
+double now() {
+    using namespace std::chrono;
+    return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+// A program at work, and the pipe that all it prints comes through.
+struct Running {
+    pid_t process;
+    int output;
+};
+
+// `prepare` is done in the new process.
+Running start(const std::vector<std::string>& command, const std::function<void()>& prepare) {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0)
+        throw Stop(Status::missing, "no pipe to be had from the system");
+    const pid_t child = fork();
+    if (child < 0) throw Stop(Status::missing, "no process to be had from the system");
+    if (child > 0) {
+        close(ends[1]);
+        return {child, ends[0]};
+    }
+    prepare();
+    dup2(ends[1], STDOUT_FILENO);
+    dup2(ends[1], STDERR_FILENO);
+    std::vector<char*> words;
+    for (const auto& word : command) words.push_back(const_cast<char*>(word.c_str()));
+    words.push_back(nullptr);
+    execvp(words[0], words.data());
+    const std::string line = command[0] + ": " + std::strerror(errno) + "\n";
+    if (write(STDERR_FILENO, line.data(), line.size()) < 0) _exit(126);
+    _exit(127);
+}
+
+// What came next within so many seconds: its size, 0 for the end, -1 for nothing yet.
+ssize_t hear(int from, char* piece, std::size_t size, double seconds) {
+    pollfd waiting{from, POLLIN, 0};
+    if (poll(&waiting, 1, static_cast<int>(seconds * 1000) + 1) <= 0) return -1;
+    const ssize_t got = read(from, piece, size);
+    return got < 0 && errno != EINTR ? 0 : got;
+}
+
+int wait_for(pid_t process) {
+    int status = 0;
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
+}
+
+// Waits for so many seconds, or until there is an interrupt; false where it has not come to an end.
+bool has_ended(pid_t process, int& status, double seconds) {
+    for (const double end = now() + seconds; waitpid(process, &status, WNOHANG) == 0; usleep(1000))
+        if (now() > end) return false;
+    return true;
+}
 
 // Ctrl-C reaches the whole group. While a child runs it is the child's to die of, and ours to tidy
 // up after: what `system` does, too.
@@ -27,17 +89,20 @@ private:
     void (*before_)(int);
 };
 
-[[noreturn]] void become(const std::vector<std::string>& command, int output) {
-    std::signal(SIGINT, SIG_DFL);
-    dup2(output, STDOUT_FILENO);
-    dup2(output, STDERR_FILENO);
-    std::vector<char*> words;
-    for (const auto& word : command) words.push_back(const_cast<char*>(word.c_str()));
-    words.push_back(nullptr);
-    execvp(words[0], words.data());
-    const std::string line = command[0] + ": " + std::strerror(errno) + "\n";
-    if (write(STDERR_FILENO, line.data(), line.size()) < 0) _exit(126);
-    _exit(127);
+// In the new process. Its words are to be read by us: English, but with all letters, since the C
+// locale proper spells the compiler's ω as \U000003c9.
+void confine(const Allowance& allowance) {
+    const auto limit = [](auto resource, std::size_t megabytes) {
+        const rlimit both{megabytes << 20, megabytes << 20};
+        if (megabytes > 0) setrlimit(resource, &both);
+    };
+    setpgid(0, 0);
+    dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+    limit(RLIMIT_AS, allowance.megabytes);
+    limit(RLIMIT_FSIZE, allowance.file_megabytes);
+    setenv("LC_ALL", "C.UTF-8", 1);
+    unsetenv("LANGUAGE");
+    if (!allowance.temporary.empty()) setenv("TMPDIR", allowance.temporary.c_str(), 1);
 }
 
 }  // namespace
@@ -46,34 +111,17 @@ int listen(const std::vector<std::string>& command,
            const std::function<void(std::string_view)>& heard,
            const std::function<void()>& silence) {
     const LeaveInterruptToChild guard;
-    int pipe_ends[2];
-    if (pipe(pipe_ends) != 0) throw Stop(Status::missing, "no pipe to be had from the system");
-    const pid_t child = fork();
-    if (child < 0) throw Stop(Status::missing, "no process to be had from the system");
-    if (child == 0) {
-        close(pipe_ends[0]);
-        become(command, pipe_ends[1]);
-    }
-    close(pipe_ends[1]);
-
+    const Running running = start(command, [] { std::signal(SIGINT, SIG_DFL); });
     char piece[4096];
-    for (;;) {
-        pollfd waiting{pipe_ends[0], POLLIN, 0};
-        if (poll(&waiting, 1, 1000) == 0) {
-            silence();
-            continue;
-        }
-        const ssize_t size = read(pipe_ends[0], piece, sizeof piece);
+    while (const ssize_t size = hear(running.output, piece, sizeof piece, 1)) {
         if (size > 0)
             heard({piece, static_cast<std::size_t>(size)});
-        else if (size == 0 || errno != EINTR)
-            break;
+        else
+            silence();
     }
-    close(pipe_ends[0]);
+    close(running.output);
 
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
+    const int status = wait_for(running.process);
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT)
         throw Stop(Status::interrupted, "interrupted");
     if (WIFSIGNALED(status))
@@ -81,6 +129,43 @@ int listen(const std::vector<std::string>& command,
                                       std::to_string(WTERMSIG(status)) + " (" +
                                       strsignal(WTERMSIG(status)) + ")");
     return WEXITSTATUS(status);
+}
+
+Outcome run_within(const std::vector<std::string>& command, const Allowance& allowance) {
+    const std::size_t most = 1'000'000;
+    const double turn = 0.1;  // between two looks at the clock and for an interrupt
+    const Running running = start(command, [&] { confine(allowance); });
+    const pid_t group = running.process;
+    setpgid(group, group);
+    const double deadline = now() + allowance.seconds;
+
+    Outcome outcome;
+    char piece[4096];
+    int status = 0;
+    bool listening = true, ended = false;
+    while (!ended && !interrupted() && now() < deadline) {
+        if (listening) {
+            const ssize_t size = hear(running.output, piece, sizeof piece, turn);
+            listening = size != 0;
+            if (size > 0 && outcome.said.size() < most)
+                outcome.said.append(piece, static_cast<std::size_t>(size));
+        } else {
+            ended = has_ended(group, status, turn);
+        }
+    }
+    close(running.output);
+    outcome.too_slow = !ended;
+    // First it may end by itself: the compiler removes what it has begun, the checker ends the
+    // learner's code, which has a group of its own.
+    if (!ended) {
+        kill(-group, SIGTERM);
+        ended = has_ended(group, status, 1);
+    }
+    kill(-group, SIGKILL);  // and what it may have left behind
+    if (!ended) status = wait_for(group);
+    stop_if_interrupted();
+    outcome.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+    return outcome;
 }
 
 void Lines::operator()(std::string_view piece) {

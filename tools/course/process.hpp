@@ -2,6 +2,7 @@
 /// \file
 /// Running another program and listening to it.
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,25 @@ namespace course {
 int listen(
     const std::vector<std::string>& command, const std::function<void(std::string_view)>& heard,
     const std::function<void()>& silence = [] {});
+
+/// How much a program may take. 0: as much as it likes.
+struct Allowance {
+    double seconds;
+    std::size_t megabytes = 0;       ///< of memory
+    std::size_t file_megabytes = 0;  ///< of a file that it writes
+    std::string temporary = {};      ///< the folder for its temporary files; empty: the usual one
+};
+
+struct Outcome {
+    int status = 0;         ///< its exit status; 128 + signal where one ended it
+    bool too_slow = false;  ///< it was stopped
+    std::string said;       ///< standard output and error together, the first million bytes
+};
+
+/// Runs `command`, which is to speak English, to its end or to the end of its allowance, and then
+/// ends the whole process group. Throws Stop where it cannot be started, and where there was an
+/// interrupt (see TidyEnd).
+Outcome run_within(const std::vector<std::string>& command, const Allowance& allowance);
 
 /// Cuts what comes in pieces into whole lines.
 class Lines {

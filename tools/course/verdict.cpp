@@ -7,9 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "limited.hpp"
 #include "places.hpp"
+#include "process.hpp"
 #include "stop.hpp"
+#include "workshop.hpp"
 
 namespace course {
 
@@ -18,28 +19,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Words = std::vector<std::string>;
-
-/// A folder for one check, gone with it.
-class Workshop {
-public:
-    Workshop() {
-        std::string name = (places().build / "exercises/check_XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr)
-            throw Stop(Status::bad_use,
-                       (places().build / "exercises").string() + ": cannot be written");
-        path_ = name;
-    }
-    ~Workshop() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Workshop(const Workshop&) = delete;
-    Workshop& operator=(const Workshop&) = delete;
-    fs::path operator/(const char* file) const { return path_ / file; }
-
-private:
-    fs::path path_;
-};
 
 // What the build wrote of how to compile and link.
 struct Commands {
@@ -64,13 +43,14 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
 }
 
 // Runs the compiler; false where it refuses, or has not come to an end.
-bool succeeds(const Words& command, Verdict& verdict) {
-    const double seconds = 20;
-    const Outcome outcome = run_within(command, {seconds, 4096});
-    verdict.compiler += outcome.said;
+bool succeeds(const Words& command, const Workshop& workshop, Verdict& verdict) {
+    const Outcome outcome = run_within(command, {20, 4096, 64, workshop.folder().string()});
     if (outcome.said.find("No space left on device") != std::string::npos)
         throw Stop(Status::bad_use, places().build.string() + ": no space left on the device");
     if (outcome.too_slow) verdict.compiler += "The compiler had not come to an end after 20 s.\n";
+    if (outcome.said.find("File size limit exceeded") != std::string::npos)
+        verdict.compiler += "What the compiler makes of the file is larger than 64 MB.\n";
+    verdict.compiler += outcome.said;
     return outcome.status == 0 && !outcome.too_slow;
 }
 
@@ -82,7 +62,7 @@ int line_of_crash(const std::string& detail, const fs::path& worker, const fs::p
     Words command{"addr2line", "-i", "-e", worker.string()};
     std::istringstream addresses(detail.substr(at + 4));
     for (std::string address; addresses >> address;) command.push_back(address);
-    std::istringstream places(run_within(command, {5, 0}).said);
+    std::istringstream places(run_within(command, {5}).said);
     for (std::string place; std::getline(places, place);)
         if (place.starts_with(file.string() + ":"))
             return std::atoi(place.c_str() + file.string().size() + 1);
@@ -103,12 +83,12 @@ std::map<std::string, std::string> read_lines(const std::string& said) {
 
 Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_t seed) {
     const auto begin = std::chrono::steady_clock::now();
-    contents(given);  // or one clear line
+    answer_in(exercise, given);  // or one clear line
     const fs::path file = fs::canonical(given);
     const Commands commands = read_commands(exercise);
     const Workshop workshop;
-    const fs::path object = workshop / "answer.o", worker = workshop / "worker",
-                   printed = workshop / "printed.txt";
+    const fs::path object = workshop.folder() / "answer.o", worker = workshop.folder() / "worker",
+                   printed = workshop.folder() / "printed.txt";
 
     Verdict verdict;
     verdict.seed = seed;
@@ -124,16 +104,16 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     for (const std::string& word : {std::string("-x"), std::string("c++"), std::string("-c"),
                                     file.string(), std::string("-o"), object.string()})
         compile.push_back(word);
-    if (!succeeds(compile, verdict)) return ended("does_not_compile");
+    if (!succeeds(compile, workshop, verdict)) return ended("does_not_compile");
     Words link = commands.link;
     for (const std::string& word : {object.string(), commands.worker_object,
                                     commands.worker_library, std::string("-o"), worker.string()})
         link.push_back(word);
-    if (!succeeds(link, verdict)) return ended("does_not_compile");
+    if (!succeeds(link, workshop, verdict)) return ended("does_not_compile");
 
     const Outcome outcome = run_within(
         {commands.check, exercise.name, worker.string(), std::to_string(seed), printed.string()},
-        {30, 0});
+        {30});
     auto said = read_lines(outcome.said);
     if (fs::exists(printed)) verdict.printed = contents(printed);
     if (said["verdict"] == "wrong" || said["verdict"] == "not_finite")

@@ -1,0 +1,79 @@
+#include "files.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "stop.hpp"
+
+namespace course {
+
+namespace fs = std::filesystem;
+
+// Only a regular file has an end that is sure to come.
+std::string contents(const fs::path& file) {
+    const std::size_t most = 1 << 20;
+    const auto refuse = [&](const std::string& why) {
+        throw Stop(Status::bad_use, file.string() + ": cannot be read (" + why + ")");
+    };
+    std::error_code error;
+    const auto type = fs::status(file, error).type();
+    if (error) refuse(error.message());
+    if (type != fs::file_type::regular)
+        refuse(type == fs::file_type::directory ? "it is a folder" : "it is no regular file");
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) refuse(std::strerror(errno));
+    std::string text(most + 1, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (stream.bad()) refuse(std::strerror(errno));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > most) refuse("it is larger than 1 MB");
+    return text;
+}
+
+void write_whole(const fs::path& file, const std::string& text) {
+    const fs::path fresh = file.parent_path() / ("." + file.filename().string() + "." +
+                                                 std::to_string(getpid()) + ".new");
+    std::error_code error, ignored;
+    std::ofstream out(fresh, std::ios::binary);
+    out << text;
+    out.close();
+    if (out) fs::rename(fresh, file, error);
+    if (out && !error) return;
+    fs::remove(fresh, ignored);
+    throw Stop(Status::bad_use, file.string() + ": cannot be written");
+}
+
+std::string shown(const fs::path& file) {
+    std::error_code ignored;
+    const std::string whole = file.string();
+    const std::string here = fs::relative(file, fs::current_path(ignored), ignored).string();
+    return here.empty() || here.size() > whole.size() ? whole : here;
+}
+
+// Where a file system knows no locks, we do without.
+Lock::Lock(const fs::path& file) : file_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+    if (file_ < 0)
+        throw Stop(Status::bad_use,
+                   file.string() + ": cannot be written (" + std::strerror(errno) + ")");
+    while (flock(file_, LOCK_EX) != 0 && errno == EINTR) {
+    }
+}
+
+Lock::~Lock() {
+    close(file_);
+}
+
+bool Lock::is_held(const fs::path& file) {
+    const int opened = open(file.c_str(), O_RDWR | O_CLOEXEC);
+    if (opened < 0) return false;
+    const bool held = flock(opened, LOCK_EX | LOCK_NB) != 0;
+    close(opened);
+    return held;
+}
+
+}  // namespace course

@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// Reading and writing whole files, where others may be at work, too.
+
+#include <filesystem>
+#include <string>
+
+namespace course {
+
+/// A whole file of at most 1 MB. Throws Stop(bad_use) where it cannot be read.
+std::string contents(const std::filesystem::path& file);
+
+/// Writes a file beside and moves it into place, so that a full disk costs nothing. Throws
+/// Stop(bad_use) where that cannot be done, and leaves the file as it was.
+void write_whole(const std::filesystem::path& file, const std::string& text);
+
+/// A file's path as people type it: from where they are, unless the path from the root is shorter.
+std::string shown(const std::filesystem::path& file);
+
+/// While it lives, nobody else has a lock on this file, which is made where there is none. Throws
+/// Stop(bad_use) where it cannot be opened.
+class Lock {
+public:
+    explicit Lock(const std::filesystem::path& file);
+    ~Lock();
+    Lock(const Lock&) = delete;
+    Lock& operator=(const Lock&) = delete;
+
+    /// Has somebody a lock on this file at the moment?
+    static bool is_held(const std::filesystem::path& file);
+
+private:
+    int file_;
+};
+
+}  // namespace course

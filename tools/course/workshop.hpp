@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// A place for what a check makes on its way.
+
+#include <filesystem>
+#include <optional>
+
+#include "files.hpp"
+#include "interrupt.hpp"
+
+namespace course {
+
+/// A folder for one check, gone with it, by Ctrl-C, too. Throws Stop(bad_use) where there can be
+/// none.
+class Workshop {
+public:
+    Workshop();
+    ~Workshop();
+    Workshop(const Workshop&) = delete;
+    Workshop& operator=(const Workshop&) = delete;
+
+    const std::filesystem::path& folder() const { return folder_; }
+
+private:
+    TidyEnd tidy_end_;  // over when all else is
+    std::filesystem::path folder_;
+    std::optional<Lock> in_use_;
+};
+
+}  // namespace course
