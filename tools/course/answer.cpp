@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +12,7 @@
 
 #include "commands.hpp"
 #include "stop.hpp"
+#include "terminal.hpp"
 
 namespace course {
 
@@ -20,10 +20,9 @@ namespace {
 
 struct Asked {
     bool yes = false, all = false, json = false, open = false;
-    std::string chapter, exercise, seed;
+    std::string chapter, exercise;
     int rounds = 11;
-    std::optional<std::string> file;
-    std::optional<std::string> out;
+    std::string seed, file, out;  // empty is a value, too: whether they were given, CLI11 knows
     std::vector<std::string> chapter_options;
     Question question;
 };
@@ -101,6 +100,11 @@ void declare(CLI::App& app, Asked& asked) {
 
 const std::string see_help = " (./course --help)";
 
+// The word after an option; CLI11's own optional takes '' for no word.
+std::optional<std::string> given(const CLI::App& app, const char* option, const std::string& word) {
+    return app.get_option(option)->count() > 0 ? std::optional(word) : std::nullopt;
+}
+
 // What to type instead of `./course run 3 --omega 20`; nothing when it is something else.
 std::string forgotten_dashes(const CLI::App& app, const Asked& asked) {
     const std::vector<std::string> words = app.remaining(true);
@@ -110,14 +114,15 @@ std::string forgotten_dashes(const CLI::App& app, const Asked& asked) {
     return "run has no option " + words.front() + "; a chapter's own options go after --: " + line;
 }
 
-std::optional<std::uint64_t> seed_from(const std::string& word) {
-    if (word.empty()) return {};
+std::optional<std::uint64_t> seed_from(const std::optional<std::string>& given) {
+    if (!given) return {};
+    const std::string& word = *given;
     std::uint64_t seed = 0;
     const char* const end = word.data() + word.size();
     const auto read = std::from_chars(word.data(), end, seed);
     if (read.ec != std::errc() || read.ptr != end)
-        throw Stop(Status::bad_use,
-                   "--seed " + word + ": must be a whole number from 0 to 2^64 - 1");
+        throw Stop(Status::bad_use, "--seed " + (word.empty() ? "''" : word) +
+                                        ": must be a whole number from 0 to 2^64 - 1");
     return seed;
 }
 
@@ -149,9 +154,11 @@ Status answer(int argc, char** argv) {
     if (app.got_subcommand("tour")) tour();
     if (app.got_subcommand("test")) test(asked.all);
     if (app.got_subcommand("list")) list(asked.json);
-    if (app.got_subcommand("run")) run(asked.chapter, asked.out, asked.chapter_options);
-    if (app.got_subcommand("check"))
-        check(asked.exercise, asked.file, asked.json, seed_from(asked.seed));
+    if (const auto command = app.get_subcommand("run"); *command)
+        run(asked.chapter, given(*command, "--out", asked.out), asked.chapter_options);
+    if (const auto command = app.get_subcommand("check"); *command)
+        check(asked.exercise, given(*command, "--file", asked.file), asked.json,
+              seed_from(given(*command, "--seed", asked.seed)));
     if (app.got_subcommand("watch")) watch(asked.exercise);
     if (app.got_subcommand("hint")) hint(asked.exercise);
     if (app.got_subcommand("solution")) solution(asked.exercise);
@@ -159,9 +166,7 @@ Status answer(int argc, char** argv) {
     if (app.got_subcommand("bench")) bench_latency(asked.rounds);
     if (app.got_subcommand("advise")) advise(asked.question, asked.json);
     if (app.got_subcommand("site")) site(asked.open);
-    // A full disk shows when the buffer is written out.
-    if (std::fflush(stdout) != 0 || std::ferror(stdout))
-        throw Stop(Status::bad_use, "standard output: cannot be written");
+    flush();
     return Status::fine;
 }
 

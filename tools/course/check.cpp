@@ -25,7 +25,7 @@ std::uint64_t seed_or_new(const std::optional<std::uint64_t>& seed) {
 }
 
 void bring_up_to_date() {
-    Progress progress;
+    ProgressLine progress;
     build({"exercises"}, progress);
 }
 
@@ -43,10 +43,8 @@ std::optional<Exercise> next_after(const Exercise& exercise) {
 }
 
 void remember_pass(const Exercise& exercise) {
-    auto progress = read_progress();
-    if (progress[exercise.name].passed) return;
-    progress[exercise.name].passed = true;
-    write_progress(progress);
+    if (!read_progress()[exercise.name].passed)
+        change_progress([&](auto& progress) { progress[exercise.name].passed = true; });
 }
 
 // What to do next, below a verdict.
@@ -94,6 +92,7 @@ void check_all(bool json, const std::optional<std::uint64_t>& seed) {
                     shown(read_exercises().front().file()).c_str());
     else
         std::printf("\n%s", first_wrong.c_str());
+    flush();
     if (!first_wrong.empty() || checked == 0)
         throw Stop(course_error ? Status::missing : Status::wrong, "");
 }
@@ -110,7 +109,7 @@ void check(const std::string& name, const std::optional<std::string>& file, bool
     }
     const Exercise exercise = find_exercise(name);
     const fs::path answer = file ? fs::path(*file) : exercise.file();
-    contents(answer);  // or one clear line, before anything is built
+    answer_in(exercise, answer);  // or one clear line, before anything is built
     bring_up_to_date();
     const Verdict verdict = check_file(exercise, answer, seed_or_new(seed));
     if (verdict.kind == "pass" && !file) remember_pass(exercise);
@@ -119,6 +118,7 @@ void check(const std::string& name, const std::optional<std::string>& file, bool
     else
         std::printf("%s%s", told(exercise, verdict, answer).c_str(),
                     file && verdict.kind == "pass" ? "" : way_on(exercise, verdict).c_str());
+    flush();
     if (verdict.kind != "pass")
         throw Stop(verdict.kind == "course_error" ? Status::missing : Status::wrong, "");
 }
@@ -143,7 +143,7 @@ void watch(const std::string& name) {
         return fs::last_write_time(watched.file(), error);
     };
     while (exercise) {
-        const auto seen = saved(*exercise);
+        auto seen = saved(*exercise);  // before the check: what is saved during it counts
         if (on_terminal()) std::printf("\033[2J\033[H");
         try {
             const Verdict verdict = check_file(*exercise, exercise->file(), seed_or_new({}));
@@ -152,19 +152,21 @@ void watch(const std::string& name) {
             if (verdict.kind == "pass") {
                 remember_pass(*exercise);
                 exercise = next_after(*exercise);
-                if (exercise)
+                if (exercise) {
+                    seen = saved(*exercise);
                     std::printf("\nWatching %s now; Ctrl-C ends.\n",
                                 shown(exercise->file()).c_str());
+                }
             } else {
                 std::printf("\nWatching %s; it is checked whenever you save it; Ctrl-C ends.\n",
                             shown(exercise->file()).c_str());
             }
         } catch (const Stop& stop) {  // a file that is just being saved, or is not there
+            if (stop.status() == Status::interrupted) throw;
             std::printf("%s\n", stop.what());
         }
-        std::fflush(stdout);
-        const auto before = exercise ? saved(*exercise) : seen;
-        while (exercise && saved(*exercise) == before)
+        flush();
+        while (exercise && saved(*exercise) == seen)
             std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <sstream>
 
 #include "commands.hpp"
@@ -40,19 +39,20 @@ std::vector<std::string> code_of(const fs::path& file) {
 
 void hint(const std::string& name) {
     const Exercise exercise = find_exercise(name);
-    auto progress = read_progress();
     const int known = static_cast<int>(exercise.hints.size());
-    int& shown_so_far = progress[exercise.name].hints;
-    shown_so_far = std::min(shown_so_far + 1, known);
-    write_progress(progress);
-    std::printf("%s\n",
-                bold(exercise.place() + " " + exercise.name + ", " + exercise.title).c_str());
-    for (int i = 0; i < shown_so_far; ++i)
-        std::printf("\n  Hint %d of %d\n%s", i + 1, known,
-                    wrapped(exercise.hints[static_cast<std::size_t>(i)], 6).c_str());
-    if (shown_so_far == known)
-        std::printf("\n  There are no more hints. After a pass:  ./course solution %s\n",
-                    exercise.name.c_str());
+    change_progress([&](auto& progress) {
+        int& shown_so_far = progress[exercise.name].hints;
+        shown_so_far = std::min(std::min(shown_so_far, known) + 1, known);
+        std::printf("%s\n",
+                    bold(exercise.place() + " " + exercise.name + ", " + exercise.title).c_str());
+        for (int i = 0; i < shown_so_far; ++i)
+            std::printf("\n  Hint %d of %d\n%s", i + 1, known,
+                        wrapped(exercise.hints[static_cast<std::size_t>(i)], 6).c_str());
+        if (shown_so_far == known)
+            std::printf("\n  There are no more hints. After a pass:  ./course solution %s\n",
+                        exercise.name.c_str());
+        flush();  // a hint that nobody gets is not counted
+    });
 }
 
 void solution(const std::string& name) {
@@ -86,37 +86,31 @@ void solution(const std::string& name) {
 // The old answer is kept: somebody may have meant another exercise.
 void reset(const std::string& name) {
     const Exercise exercise = find_exercise(name);
+    const fs::path file = exercise.file();
     const std::string stub = contents(exercise.stub());
-    auto progress = read_progress();
-    std::error_code error;
-    if (fs::exists(exercise.file(), error) && contents(exercise.file()) != stub) {
-        const fs::path kept = places().source / ".progress" / "answers";
-        fs::create_directories(kept, error);
-        fs::path copy;
-        for (int i = 1; copy.empty() || fs::exists(copy, error); ++i)
-            copy = kept / (exercise.name + "_" + std::to_string(i) + ".cpp");
-        fs::copy_file(exercise.file(), copy, error);
-        if (error) {
-            std::error_code ignored;
-            fs::remove(copy, ignored);
-            throw Stop(Status::bad_use,
-                       copy.string() + ": " + error.message() + "; nothing was reset");
+    change_progress([&](auto& progress) {
+        std::error_code error, ignored;
+        if (fs::exists(fs::symlink_status(file, error)) && !untouched(exercise)) {
+            const fs::path kept = places().source / ".progress" / "answers";
+            fs::create_directories(kept, error);
+            fs::path copy;
+            for (int i = 1; copy.empty() || fs::exists(copy, ignored); ++i)
+                copy = kept / (exercise.name + "_" + std::to_string(i) + ".cpp");
+            if (fs::is_regular_file(file, ignored))
+                fs::copy_file(file, copy, error);
+            else  // a folder, a link that leads nowhere: out of the way
+                fs::rename(file, copy, error);
+            if (error) {
+                fs::remove(copy, ignored);
+                throw Stop(Status::bad_use,
+                           copy.string() + ": " + error.message() + "; nothing was reset");
+            }
+            std::printf("Your answer is kept in %s\n", shown(copy).c_str());
         }
-        std::printf("Your answer is kept in %s\n", shown(copy).c_str());
-    }
-    const fs::path fresh = exercise.file().string() + ".new";
-    std::ofstream out(fresh, std::ios::binary);
-    out << stub;
-    out.close();
-    if (out) fs::rename(fresh, exercise.file(), error);
-    if (!out || error) {
-        std::error_code ignored;
-        fs::remove(fresh, ignored);
-        throw Stop(Status::bad_use, exercise.file().string() + ": cannot be written");
-    }
-    progress.erase(exercise.name);
-    write_progress(progress);
-    std::printf("%s is as it was at the beginning.\n", shown(exercise.file()).c_str());
+        write_whole(file, stub);
+        progress.erase(exercise.name);
+    });
+    std::printf("%s is as it was at the beginning.\n", shown(file).c_str());
 }
 
 }  // namespace course

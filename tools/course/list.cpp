@@ -27,6 +27,8 @@ void list(bool json) {
             exercises.push_back({{"exercise", exercise.name},
                                  {"chapter", exercise.chapter},
                                  {"title", exercise.title},
+                                 {"level", exercise.level},
+                                 {"practises", exercise.practises},
                                  {"state", state_of(exercise, progress)},
                                  {"file", exercise.file().string()}});
         std::printf("%s\n", nlohmann::ordered_json{{"chapters", chapters}, {"exercises", exercises}}
@@ -43,12 +45,12 @@ void list(bool json) {
         for (const auto& exercise : exercises) {
             if (exercise.chapter != chapter.folder) continue;
             const std::string state = state_of(exercise, progress);
-            std::printf("    %s %s  %s  %s\n",
+            std::printf("    %s %s  %s  %s  %s\n",
                         state == "passed"    ? "✓"
                         : state == "started" ? "…"
                                              : "·",
                         exercise.place().c_str(), padded(exercise.name, 24).c_str(),
-                        exercise.title.c_str());
+                        padded(exercise.level, 10).c_str(), exercise.title.c_str());
             any = true;
         }
         if (any) std::printf("\n");

@@ -1,8 +1,6 @@
 #include "progress.hpp"
 
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "places.hpp"
@@ -22,7 +20,8 @@ fs::path file() {
 
 std::map<std::string, Remembered> read_progress() {
     std::map<std::string, Remembered> progress;
-    if (!fs::exists(file())) return progress;
+    std::error_code error;
+    if (fs::status(file(), error).type() == fs::file_type::not_found) return progress;
     std::istringstream lines(contents(file()));
     int number = 0;
     for (std::string line; std::getline(lines, line);) {
@@ -41,24 +40,17 @@ std::map<std::string, Remembered> read_progress() {
     return progress;
 }
 
-// Written beside and then moved, so that a full disk costs nothing.
-void write_progress(const std::map<std::string, Remembered>& progress) {
+void change_progress(const std::function<void(std::map<std::string, Remembered>&)>& change) {
     std::error_code error;
     fs::create_directories(file().parent_path(), error);
-    const fs::path fresh = file().string() + ".new";
-    {
-        std::ofstream out(fresh);
-        for (const auto& [name, remembered] : progress)
-            out << name << '\t' << (remembered.passed ? "passed" : "open") << '\t'
-                << remembered.hints << '\n';
-        out.close();
-        if (!out) {
-            fs::remove(fresh, error);
-            throw Stop(Status::bad_use, file().string() + ": cannot be written");
-        }
-    }
-    fs::rename(fresh, file(), error);
-    if (error) throw Stop(Status::bad_use, file().string() + ": " + error.message());
+    const Lock lock(file().parent_path() / "lock");
+    auto progress = read_progress();
+    change(progress);
+    std::string text;
+    for (const auto& [name, remembered] : progress)
+        text += name + '\t' + (remembered.passed ? "passed" : "open") + '\t' +
+                std::to_string(remembered.hints) + '\n';
+    write_whole(file(), text);
 }
 
 std::string state_of(const Exercise& exercise, const std::map<std::string, Remembered>& progress) {
@@ -67,7 +59,7 @@ std::string state_of(const Exercise& exercise, const std::map<std::string, Remem
     std::error_code error;
     if (!fs::exists(exercise.file(), error) || !fs::exists(exercise.stub(), error))
         return "not started";
-    return contents(exercise.file()) == contents(exercise.stub()) ? "not started" : "started";
+    return untouched(exercise) ? "not started" : "started";
 }
 
 }  // namespace course

@@ -3,6 +3,7 @@
 /// How far the learner has come: a small text file in the checkout, kept by the names of the
 /// exercises, so that it outlives new builds and new versions of the course.
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -20,8 +21,9 @@ struct Remembered {
 /// course has not written.
 std::map<std::string, Remembered> read_progress();
 
-/// Remembers it, or leaves the file as it was and throws Stop(bad_use).
-void write_progress(const std::map<std::string, Remembered>& progress);
+/// Changes what is remembered, one command at a time. Where `change` throws, or the file cannot be
+/// written, it stays as it was.
+void change_progress(const std::function<void(std::map<std::string, Remembered>&)>& change);
 
 /// `passed`, `started` or `not started`.
 std::string state_of(const Exercise& exercise, const std::map<std::string, Remembered>& progress);

@@ -26,7 +26,7 @@ std::string head_of(const std::string& text, int most, const std::string& indent
 
 // What the linker says, in the words of the exercise.
 std::string of_linker(const Exercise& exercise, const std::string& said) {
-    if (said.find("undefined reference to `" + exercise.name) != std::string::npos)
+    if (said.find("undefined reference to `" + exercise.name + "(") != std::string::npos)
         return "  The file has no function\n      " + exercise.declaration +
                "\n  Name and arguments must stay as they were.\n";
     if (said.find("multiple definition of `main'") != std::string::npos)

@@ -7,6 +7,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "stop.hpp"
+
 namespace course {
 
 namespace {
@@ -61,17 +63,22 @@ std::string wrapped(const std::string& text, std::size_t indent) {
     return line.empty() ? lines : lines + std::string(indent, ' ') + line + "\n";
 }
 
-void Progress::say(const std::string& line) {
+void flush() {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+        throw Stop(Status::bad_use, "standard output: cannot be written");
+}
+
+void ProgressLine::say(const std::string& line) {
     clear();
     std::fprintf(stderr, "%s\n", line.c_str());
 }
 
-void Progress::now(const std::string& line) {
+void ProgressLine::now(const std::string& line) {
     line_ = line;
     tick();
 }
 
-void Progress::tick() {
+void ProgressLine::tick() {
     if (isatty(STDERR_FILENO) != 1 || line_.empty()) return;
     const auto gone = std::chrono::steady_clock::now() - begin_;
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(gone).count();
@@ -79,7 +86,7 @@ void Progress::tick() {
                  cut("  " + std::to_string(seconds) + " s  " + line_, columns() - 1).c_str());
 }
 
-void Progress::clear() {
+void ProgressLine::clear() {
     if (isatty(STDERR_FILENO) == 1 && !line_.empty()) std::fprintf(stderr, "\r\033[K");
     line_.clear();
 }

@@ -25,10 +25,13 @@ std::string wrapped(const std::string& text, std::size_t indent);
 /// Number of characters of UTF-8 text.
 std::size_t width_of(const std::string& text);
 
+/// Writes out what has been printed. Throws Stop(bad_use) where nobody gets it: a full disk.
+void flush();
+
 /// Shows that work goes on, on standard error, so that standard output holds results only.
-class Progress {
+class ProgressLine {
 public:
-    ~Progress() { clear(); }
+    ~ProgressLine() { clear(); }
     /// Something worth a line of its own, wherever it is read.
     void say(const std::string& line);
     /// How far it is: rewritten in place on a terminal, left out elsewhere.

@@ -43,7 +43,7 @@ std::vector<std::string> skipped(const std::string& summary) {
 }  // namespace
 
 void test(bool strict) {
-    Progress progress;
+    ProgressLine progress;
     progress.say("Building everything that is tested:");
     build({"all", "docs"}, progress);
 
@@ -70,7 +70,7 @@ void test(bool strict) {
         std::printf("To add it: ./course setup --all\n");
     }
     std::printf("\n%s", summary.c_str());
-    std::fflush(stdout);
+    flush();
     if (status != 0) throw Stop(Status::wrong, "");
     if (strict && !left_out.empty())
         throw Stop(Status::wrong,
