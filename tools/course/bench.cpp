@@ -14,7 +14,7 @@ namespace course {
 // The course's own answers are checked, round by round, so that a busy moment touches every
 // exercise.
 void bench_latency(int rounds) {
-    Progress progress;
+    ProgressLine progress;
     build({"exercises"}, progress);
     const auto exercises = read_exercises();
     std::vector<std::vector<double>> seconds(exercises.size());

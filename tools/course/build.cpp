@@ -63,7 +63,7 @@ std::vector<std::string> reason(const std::vector<std::string>& log) {
 
 }  // namespace
 
-void build(const std::vector<std::string>& targets, Progress& progress) {
+void build(const std::vector<std::string>& targets, ProgressLine& progress) {
     const fs::path log_path = places().build / "course.log";
     std::ofstream log(log_path);
     std::vector<std::string> heard;

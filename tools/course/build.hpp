@@ -12,7 +12,7 @@ namespace course {
 /// Brings the targets up to date and shows how far it is. All that the build prints goes to
 /// course.log in the build folder; where it fails, the lines that say why are shown, and Stop
 /// (wrong) is thrown.
-void build(const std::vector<std::string>& targets, Progress& progress);
+void build(const std::vector<std::string>& targets, ProgressLine& progress);
 
 /// The address of the site's first page, as a browser takes it.
 std::string site_address();

@@ -23,13 +23,13 @@ void test(bool strict);
 void run(const std::string& chapter, const std::optional<std::string>& out,
          const std::vector<std::string>& options);
 
-/// Checks answers: of one exercise (`file` instead of the learner's own, which is not counted as done),
-/// or of all that have been begun. Throws Stop(wrong) where one is not right.
+/// Checks answers: of one exercise (`file` instead of the learner's own, which is then not counted
+/// as done), or of all that have been begun. Throws Stop(wrong) where one is not right.
 void check(const std::string& exercise, const std::optional<std::string>& file, bool json,
            const std::optional<std::uint64_t>& seed);
 
-/// Checks an exercise (none given: the first that has not been passed) whenever its file is saved, and
-/// goes on to the next after a pass.
+/// Checks an exercise (none given: the first that has not been passed) whenever its file is saved,
+/// and goes on to the next after a pass.
 void watch(const std::string& exercise);
 
 /// Shows one hint more than the last time.

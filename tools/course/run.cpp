@@ -161,7 +161,7 @@ void run(const std::string& name, const std::optional<std::string>& out,
          const std::vector<std::string>& options) {
     const Chapter chapter = find_chapter(name);
     const fs::path program = places().build / "chapters" / chapter.program;
-    Progress progress;
+    ProgressLine progress;
     build({chapter.program}, progress);
     for (const auto& option : options) {
         if (option == "--help" || option == "-h") {

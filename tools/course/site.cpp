@@ -10,7 +10,7 @@
 namespace course {
 
 void site(bool open) {
-    Progress progress;
+    ProgressLine progress;
     build({"docs"}, progress);
     std::printf("%s\n", site_address().c_str());
     if (!open) return;

@@ -59,7 +59,7 @@ void print_table(const std::vector<Chapter>& chapters) {
 void tour() {
     const auto begin = std::chrono::steady_clock::now();
     const auto chapters = read_chapters();
-    Progress progress;
+    ProgressLine progress;
     progress.say(
         "Building the programs, running the chapters, drawing the figures, making the site:");
     build({"all", "docs"}, progress);
