@@ -2,32 +2,7 @@
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../tools/expect.sh"
-
-# A checkout with the exercises of one chapter and the build's ready parts.
-new_stage() {
-    mkdir -p source/chapters/01_derivatives source/tests/exercises source/exercises source/solutions build
-    cp "$source/chapters/01_derivatives/about.json" source/chapters/01_derivatives
-    cp -r "$source/tests/exercises/01_derivatives" source/tests/exercises
-    cp -r "$source/solutions/01_derivatives" source/solutions
-    ln -s "$real_build/exercises" build/exercises
-    mkdir source/exercises/01_derivatives
-    for solution in "$source"/solutions/01_derivatives/*.cpp; do
-        name=$(basename "$solution" .cpp)
-        cp "$real_build/exercises/generated/${name}_stub.cpp" "source/exercises/01_derivatives/$name.cpp"
-    done
-    file=source/exercises/01_derivatives/velocity_now.cpp
-    solved=source/solutions/01_derivatives/velocity_now.cpp
-    mistake=source/tests/exercises/01_derivatives/velocity_now/mistake_middle.cpp
-}
-
-course() {
-    STAGE_SOURCE=$folder/source STAGE_BUILD=$folder/build STAGE_CMAKE=true STAGE_CTEST=false "$program" "$@"
-}
-
-state() {
-    course list --json >list.json || fail 'list --json'
-    sed -n "/\"exercise\": \"$1\"/,/\"file\"/s/.*\"state\": \"\(.*\)\".*/\1/p" list.json
-}
+. "$here/stage.sh"
 
 test_from_stub_to_pass() {
     is "$(state velocity_now)" 'not started'
@@ -93,9 +68,9 @@ test_another_file_is_checked_and_not_counted() {
     expect 0 course check velocity_now --file answer.txt
     is "$(state velocity_now)" 'not started'
     expect 2 course check velocity_now --file missing.cpp
-    is "$(cat err)" 'course: missing.cpp: cannot be read'
+    is "$(cat err)" 'course: missing.cpp: cannot be read (No such file or directory)'
     expect 2 course check velocity_now --file source
-    is "$(cat err)" 'course: source: cannot be read'
+    is "$(cat err)" 'course: source: cannot be read (it is a folder)'
     expect 2 course check --file answer.txt
     is "$(lines err)" 1
 }

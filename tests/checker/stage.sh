@@ -1,0 +1,60 @@
+# A stage for a learner: what is needed to check, and a checkout to work in.
+
+# A checkout with the exercises of one chapter and the build's ready parts.
+new_stage() {
+    mkdir -p source/chapters/01_derivatives source/tests/exercises source/exercises source/solutions build
+    cp "$source/chapters/01_derivatives/about.json" source/chapters/01_derivatives
+    cp -r "$source/tests/exercises/01_derivatives" source/tests/exercises
+    cp -r "$source/solutions/01_derivatives" source/solutions
+    ln -s "$real_build/exercises" build/exercises
+    mkdir source/exercises/01_derivatives
+    for solution in "$source"/solutions/01_derivatives/*.cpp; do
+        name=$(basename "$solution" .cpp)
+        cp "$real_build/exercises/generated/${name}_stub.cpp" "source/exercises/01_derivatives/$name.cpp"
+    done
+    file=source/exercises/01_derivatives/velocity_now.cpp
+    solved=source/solutions/01_derivatives/velocity_now.cpp
+    mistake=source/tests/exercises/01_derivatives/velocity_now/mistake_middle.cpp
+}
+
+course() {
+    STAGE_SOURCE=$folder/source STAGE_BUILD=$folder/build STAGE_CMAKE=true STAGE_CTEST=false "$program" "$@"
+}
+
+state() {
+    course list --json >list.json || fail 'list --json'
+    sed -n "/\"exercise\": \"$1\"/,/\"file\"/s/.*\"state\": \"\(.*\)\".*/\1/p" list.json
+}
+
+# own_build COMPILER: a build folder for this stage alone. COMPILER, a script's text, is the compiler;
+# none given: the real one.
+own_build() {
+    rm build/exercises
+    mkdir build/exercises
+    ln -s "$real_build/exercises/generated" build/exercises/generated
+    cp "$real_build/exercises/commands.json" build/exercises
+    [ $# -eq 0 ] || {
+        echo "$1" >compiler
+        sed "s|\"compile\": \[\"[^\"]*\"|\"compile\": [\"sh\", \"$folder/compiler\"|" \
+            "$real_build/exercises/commands.json" >build/exercises/commands.json
+    }
+}
+
+# In the background, in `running`; with Ctrl-C as it is on a terminal, where the system can do that.
+start_course() {
+    STAGE_SOURCE=$folder/source STAGE_BUILD=$folder/build STAGE_CMAKE=true STAGE_CTEST=false \
+        env $default_signals "$program" "$@" >said 2>&1 &
+    running=$!
+    trap 'kill $running 2>/dev/null' EXIT
+}
+default_signals=
+! env --default-signal=INT true 2>/dev/null || default_signals=--default-signal=INT
+
+# wait_until COMMAND…: ends the test where it is not so within 20 s.
+wait_until() {
+    for _ in $(seq 200); do
+        ! "$@" || return 0
+        sleep 0.1
+    done
+    fail "waited in vain for: $*"
+}

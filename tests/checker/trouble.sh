@@ -1,0 +1,184 @@
+# A learner in trouble: files that are gone, odd or huge, interrupts, a full disk, two commands at once.
+
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../tools/expect.sh"
+. "$here/stage.sh"
+
+test_a_deleted_file_comes_back_by_reset() {
+    rm $file
+    : >source/exercises/01_derivatives/velocity_now_old.cpp
+    ln -s me@host.1 source/exercises/01_derivatives/.#velocity_now.cpp
+    expect 2 course check velocity_now
+    is "$(cat err)" "course: $file is not there; ./course reset velocity_now brings it back"
+    is "$(state velocity_now)" 'not started'
+    expect 0 course reset velocity_now
+    cmp -s $file build/exercises/generated/velocity_now_stub.cpp || fail 'the file did not come back'
+    is "$(ls -A source/exercises/01_derivatives | grep -c velocity_now)" 3
+}
+
+test_reset_brings_back_what_is_no_file_any_more() {
+    for odd in 'mkdir' 'ln -s nowhere' 'mkfifo'; do
+        rm -rf $file
+        $odd $file
+        expect 0 timeout 20 sh -c "$(declared) list"
+        expect 0 timeout 20 sh -c "$(declared) reset velocity_now"
+        cmp -s $file build/exercises/generated/velocity_now_stub.cpp || fail "$odd: not the stub"
+    done
+}
+
+test_odd_files_are_refused_in_one_line() {
+    ln -s loop.cpp loop.cpp
+    mkfifo fifo
+    head -c 1100000 /dev/zero | tr '\0' '\n' >large.cpp
+    for odd in "$(printf '%0300d' 0)" loop.cpp fifo large.cpp /dev/zero $file/x; do
+        expect 2 timeout 20 sh -c "$(declared) check velocity_now --file '$odd'"
+        is "$(cat err | sed 's/ (.*)//')" "course: $odd: cannot be read"
+    done
+    for empty in --seed --file; do
+        expect 2 course check velocity_now $empty ''
+        is "$(lines err)" 1
+    done
+}
+
+test_two_commands_at_once_lose_nothing() {
+    names=$(basename -s .cpp source/exercises/01_derivatives/*.cpp)
+    waiting=
+    for name in $names $names; do
+        course hint "$name" >/dev/null 2>>err &
+        waiting="$waiting $!"
+    done
+    for one in $waiting; do wait "$one" || fail "a hint ended with status $?"; done
+    for name in $names; do says source/.progress/exercises.tsv "$(printf '%s\topen\t2' "$name")"; done
+    is "$(ls -A source/.progress | tr '\n' ' ')" 'exercises.tsv lock '
+}
+
+test_more_hints_remembered_than_there_are() {
+    mkdir source/.progress
+    printf 'velocity_now\topen\t2147483647\n' >source/.progress/exercises.tsv
+    expect 0 course hint velocity_now
+    is "$(grep -c 'Hint [0-9] of' out)" 3
+}
+
+test_a_full_standard_output_is_no_success() {
+    [ -e /dev/full ] || exit 77
+    cp "$mistake" $file
+    for words in 'check velocity_now' 'check' 'hint velocity_now' 'watch velocity_now'; do
+        got=0
+        timeout 60 sh -c "$(declared) $words" >/dev/full 2>err </dev/null || got=$?
+        is "$words: $got" "$words: 2"
+        says err 'course: standard output: cannot be written'
+    done
+    expect 0 course hint velocity_now
+    is "$(grep -c 'Hint [0-9] of' out)" 1
+}
+
+test_an_interrupt_ends_all_and_leaves_nothing() {
+    own_build 'sleep 1000 & echo "$! $$" >running; wait'
+    signals='TERM HUP'
+    [ -z "$default_signals" ] || signals='TERM HUP INT'
+    for command in check watch; do
+        for signal in $signals; do
+            rm -f running
+            start_course $command velocity_now
+            wait_until [ -s running ]
+            kill -"$signal" $running
+            got=0
+            wait $running || got=$?
+            is "$command $signal $got" "$command $signal 130"
+            says said 'course: interrupted'
+            for process in $(cat running); do
+                wait_until is_gone "$process"
+            done
+            is "$(ls build/exercises | grep check_)" ''
+        done
+    done
+}
+
+test_an_interrupt_ends_the_hidden_tests() {
+    own_build
+    {
+        printf '#include <unistd.h>\n'
+        sed 's/return not_started;.*/sleep(1000); return h;/' $file
+    } >sleeper.cpp
+    start_course check velocity_now --file sleeper.cpp
+    wait_until [ -e build/exercises/check_*/printed.txt ]
+    kill $running
+    got=0
+    wait $running || got=$?
+    is $got 130
+    is "$(ls build/exercises | grep check_)" ''
+    ! ps -e -o args | grep -F "$folder/build/exercises/check_" | grep -v grep || fail 'it goes on'
+}
+
+test_what_a_killed_check_has_left_is_swept() {
+    command -v flock >/dev/null || exit 77
+    own_build
+    mkdir build/exercises/check_killed build/exercises/check_at_work
+    : >build/exercises/check_killed/lock
+    flock build/exercises/check_at_work/lock sleep 30 &
+    at_work=$!
+    wait_until [ -e build/exercises/check_at_work/lock ]
+    expect 1 course check velocity_now
+    is "$(ls build/exercises | grep check_)" check_at_work
+    kill $at_work
+}
+
+test_watch_notices_what_is_saved_during_a_check() {
+    own_build "echo x >>calls; [ -e saved ] || { sleep 0.1; echo >>$file; : >saved; }; exit 1"
+    start_course watch velocity_now
+    wait_until sh -c '[ "$(grep -c x calls)" = 2 ]'
+    kill $running
+}
+
+test_a_compiler_that_does_not_end_is_told_first() {
+    own_build 'echo "$TMPDIR $LC_ALL" >surroundings; : >"$TMPDIR/cc.s"; seq 9000; exec sleep 1000'
+    expect 1 course check velocity_now
+    is "$(sed -n 3p out)" '  The compiler had not come to an end after 20 s.'
+    read -r temporary locale <surroundings
+    is "${temporary%_*} $locale" "$folder/build/exercises/check C.UTF-8"
+    [ ! -e "$temporary" ] || fail 'the folder of temporary files is still there'
+}
+
+test_the_compiler_writes_no_endless_file() {
+    own_build
+    { cat $solved; echo "char big[300'000'000] = {1};"; } >big.cpp
+    expect 1 course check velocity_now --file big.cpp
+    says out 'What the compiler makes of the file is larger than 64 MB.'
+}
+
+test_another_missing_function_is_not_taken_for_the_learners() {
+    { sed 's/return not_started;.*/return velocity_now_of(h);/;s/^double/double velocity_now_of(double);\n&/' $file; } >other.cpp
+    expect 1 course check velocity_now --file other.cpp
+    says out 'velocity_now_of(double)'
+    silent_on out 'The file has no function'
+    echo '#include "exercise.hpp"' >none.cpp
+    expect 1 course check velocity_now --file none.cpp
+    says out 'The file has no function'
+}
+
+test_paths_are_shown_from_where_one_is() {
+    cd source/exercises/01_derivatives
+    expect 1 course check velocity_now
+    says out 'Your file is velocity_now.cpp.'
+    cd ../02_first_order_form 2>/dev/null || { mkdir ../02_none && cd ../02_none; }
+    expect 1 course check velocity_now
+    says out 'Your file is ../01_derivatives/velocity_now.cpp.'
+    cd /
+    expect_here=$folder/source
+    course check velocity_now >"$folder/out" 2>"$folder/err" && fail 'a stub passes'
+    says "$folder/out" "${expect_here#/}/exercises/01_derivatives/velocity_now.cpp"
+}
+
+# A zombie is gone, too.
+is_gone() { case $(ps -o stat= -p "$1") in '' | Z*) ;; *) return 1 ;; esac; }
+
+# What `timeout sh -c` needs in front of the words for the course.
+declared() {
+    echo "STAGE_SOURCE='$folder/source' STAGE_BUILD='$folder/build' STAGE_CMAKE=true" \
+        "STAGE_CTEST=false exec '$program'"
+}
+
+program=$4 real_build=$5
+begin "$@"
+new_stage
+"$function"
