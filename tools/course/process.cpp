@@ -1,6 +1,5 @@
 #include "process.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
