@@ -115,7 +115,7 @@ test_what_a_killed_check_has_left_is_swept() {
     own_build
     mkdir build/exercises/check_killed build/exercises/check_at_work
     : >build/exercises/check_killed/lock
-    flock build/exercises/check_at_work/lock sleep 30 &
+    flock --no-fork build/exercises/check_at_work/lock sleep 30 &
     at_work=$!
     wait_until [ -e build/exercises/check_at_work/lock ]
     expect 1 course check velocity_now
