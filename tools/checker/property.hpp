@@ -8,7 +8,7 @@
 ///         Draw draw;
 ///         for (int i = 0; i < 100; ++i) {
 ///             const double x = draw.real(-10, 10);
-///             REQUIRE(close(twice(x), x + x, 1e-15));
+///             REQUIRE(close(learner(x), x + x, 1e-15));
 ///         }
 ///     }
 ///
