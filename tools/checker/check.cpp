@@ -3,19 +3,44 @@
 //     check EXERCISE WORKER [SEED [PRINTED]]
 //
 // with inputs drawn from SEED (none given: anew), what the learner's code prints left in the file
-// PRINTED. It prints lines  key<TAB>value, which ./course check puts into words. Exit status 0 when
-// the answer is right, 1 when it is not, 2 for wrong use.
+// PRINTED. It prints lines  key<TAB>value, which ./course check puts into words; in a value,
+// control characters are \n, \t and \xNN, and a backslash is \\. Exit status 0 when the answer is
+// right, 1 when it is not, 2 for wrong use.
 
 #include <charconv>
 #include <cstdio>
 #include <random>
 #include <string>
 
+#include <sys/prctl.h>
+
 #include "remote.hpp"
 #include "session.hpp"
 
+namespace {
+
+// So that nothing the learner's code says makes a line of its own.
+std::string escaped(const std::string& text) {
+    std::string line;
+    for (const char c : text) {
+        char code[8] = {c, '\0'};
+        if (c == '\n' || c == '\t')
+            std::snprintf(code, sizeof code, "\\%c", c == '\n' ? 'n' : 't');
+        else if (c == '\\')
+            std::snprintf(code, sizeof code, "\\\\");
+        else if (static_cast<unsigned char>(c) < ' ' || c == '\x7f')
+            std::snprintf(code, sizeof code, "\\x%02x", static_cast<unsigned char>(c));
+        line += code;
+    }
+    return line;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     using namespace checker;
+    // The learner's code is not to reach this process's files through /proc.
+    prctl(PR_SET_DUMPABLE, 0);
     std::uint64_t seed = 0;
     if (argc < 3 || argc > 5) {
         std::fprintf(stderr, "check: takes EXERCISE WORKER [SEED [PRINTED]]\n");
@@ -37,7 +62,7 @@ int main(int argc, char** argv) {
         verdict.detail = ended.what();
     }
     const auto say = [](const char* key, const std::string& value) {
-        std::printf("%s\t%s\n", key, value.c_str());
+        std::printf("%s\t%s\n", key, escaped(value).c_str());
     };
     say("seed", word);
     say("verdict", name_of(verdict.kind));

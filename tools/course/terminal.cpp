@@ -45,6 +45,19 @@ std::size_t width_of(const std::string& text) {
            static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues_character));
 }
 
+// Terminals obey 0x80 to 0x9F, too: as bytes of their own, and as the characters C2 80 to C2 9F.
+std::string harmless(std::string text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const bool low = (byte < ' ' && text[i] != '\n' && text[i] != '\t') || byte == 0x7F;
+        const bool high = (byte & 0xE0) == 0x80;
+        const bool after_c2 = high && i > 0 && text[i - 1] == '\xC2';
+        if (after_c2) text[i - 1] = '?';
+        if (low || after_c2 || (high && (i == 0 || !(text[i - 1] & 0x80)))) text[i] = '?';
+    }
+    return text;
+}
+
 std::string padded(const std::string& text, std::size_t width) {
     const std::size_t taken = width_of(text);
     return taken < width ? text + std::string(width - taken, ' ') : text;

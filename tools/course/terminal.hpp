@@ -22,6 +22,9 @@ std::size_t columns();
 /// `text` in lines of at most 80 characters, each after `indent` blanks and with its end.
 std::string wrapped(const std::string& text, std::size_t indent);
 
+/// `text` with "?" in place of what a terminal would obey: control characters but newline and tab.
+std::string harmless(std::string text);
+
 /// Number of characters of UTF-8 text.
 std::size_t width_of(const std::string& text);
 

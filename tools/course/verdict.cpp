@@ -1,6 +1,7 @@
 #include "verdict.hpp"
 
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <map>
 #include <sstream>
@@ -10,6 +11,7 @@
 #include "places.hpp"
 #include "process.hpp"
 #include "stop.hpp"
+#include "terminal.hpp"
 #include "workshop.hpp"
 
 namespace course {
@@ -69,14 +71,40 @@ int line_of_crash(const std::string& detail, const fs::path& worker, const fs::p
     return 0;
 }
 
+// What check has escaped.
+std::string unescaped(const std::string& line) {
+    std::string text;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char kind = line[i] == '\\' && i + 1 < line.size() ? line[++i] : '\0';
+        if (kind == '\0' || kind == '\\')
+            text += line[i];
+        else if (kind == 'x') {
+            text += static_cast<char>(std::strtol(line.substr(i + 1, 2).c_str(), nullptr, 16));
+            i += 2;
+        } else
+            text += kind == 'n' ? '\n' : '\t';
+    }
+    return text;
+}
+
+// Lines  key<TAB>value; nothing where a key comes twice, for then somebody else has written, too.
 std::map<std::string, std::string> read_lines(const std::string& said) {
     std::map<std::string, std::string> values;
     std::istringstream lines(said);
     for (std::string line; std::getline(lines, line);) {
         const auto tab = line.find('\t');
-        if (tab != std::string::npos) values[line.substr(0, tab)] = line.substr(tab + 1);
+        if (tab == std::string::npos) continue;
+        if (!values.emplace(line.substr(0, tab), unescaped(line.substr(tab + 1))).second) return {};
     }
     return values;
+}
+
+// The learner's code runs beside check, which it may end, or write in its place: what check says
+// counts only where its exit status says the same.
+bool meddled_with(const Outcome& outcome, const std::string& verdict) {
+    if (outcome.too_slow) return false;
+    if (outcome.status == 128 + SIGKILL || outcome.status == 128 + SIGTERM) return true;
+    return outcome.status < 2 && outcome.status != (verdict == "pass" ? 0 : 1);
 }
 
 }  // namespace
@@ -95,6 +123,8 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     const auto ended = [&](const std::string& kind) {
         verdict.kind = kind;
         replace_all(verdict.compiler, file.string(), shown(given));
+        for (auto text : {&verdict.compiler, &verdict.printed, &verdict.detail})
+            *text = harmless(*text);
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         verdict.seconds = taken.count();
         return verdict;
@@ -122,7 +152,12 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     verdict.detail = said["detail"];
     verdict.arguments = said["arguments"];
     verdict.result = said["result"];
-    if (said["verdict"].empty()) {
+    if (meddled_with(outcome, said["verdict"])) {
+        verdict.detail = "it ended the checker, or wrote in its place";
+        verdict.arguments = "(…)";
+        return ended("left_early");
+    }
+    if (outcome.status > 1 || said["verdict"].empty()) {
         verdict.detail =
             outcome.too_slow ? "the hidden tests did not come to an end" : outcome.said;
         return ended("course_error");
