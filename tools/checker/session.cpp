@@ -86,7 +86,7 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
     Numbers result;
     const auto end = [&](const Ended& ended) {
         ended_ = ended;
-        if (verdict_.kind == Kind::pass) last_ = {arguments, {}};
+        last_ = {arguments, {}};
         throw ended;
     };
     try {
