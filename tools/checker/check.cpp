@@ -56,10 +56,12 @@ int main(int argc, char** argv) {
     Verdict verdict;
     try {
         Remote remote(argv[2], argc > 4 ? argv[4] : "/dev/null");
+        remote.await();
         verdict = session().check(argv[1], std::ref(remote), seed);
     } catch (const Ended& ended) {
         verdict.kind = ended.kind;
         verdict.detail = ended.what();
+        verdict.trace = ended.trace;
     }
     const auto say = [](const char* key, const std::string& value) {
         std::printf("%s\t%s\n", key, escaped(value).c_str());
@@ -69,6 +71,7 @@ int main(int argc, char** argv) {
     say("property", verdict.property);
     say("misconception", verdict.misconception);
     say("detail", verdict.detail);
+    say("trace", verdict.trace);
     say("arguments", verdict.arguments);
     say("result", verdict.result);
     return verdict.kind == Kind::pass ? 0 : 1;

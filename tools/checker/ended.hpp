@@ -25,8 +25,10 @@ const char* name_of(Kind kind);
 
 /// Thrown by an Answer that gave none.
 struct Ended : std::runtime_error {
-    Ended(Kind kind, const std::string& what) : std::runtime_error(what), kind(kind) {}
+    Ended(Kind kind, const std::string& what, const std::string& trace = {})
+        : std::runtime_error(what), kind(kind), trace(trace) {}
     Kind kind;
+    std::string trace;  ///< of a crash: the addresses that lead to it, from the inside out
 };
 
 }  // namespace checker

@@ -14,12 +14,21 @@ namespace checker {
 /// Where the worker reads calls and writes answers.
 inline constexpr int calls_fd = 3, answers_fd = 4;
 
-enum class Reply : std::uint32_t { answer, not_started, threw, out_of_memory, crashed };
+/// `ready` comes before the first call, where nothing goes wrong.
+enum class Reply : std::uint32_t { ready, answer, not_started, out_of_memory, crashed };
 
 struct Head {
-    std::uint64_t number;  ///< of the call; its answer bears the same
+    std::uint64_t number;  ///< of the call, 0 before the first; its answer bears the same
     Reply reply;
     std::uint32_t bytes;
+};
+
+/// What follows the head of `crashed`: what happened, and where, from the inside out.
+inline constexpr int most_places = 64;
+struct LastWords {
+    int places;  ///< how many there are
+    void* place[most_places];
+    char text[4096];  ///< ends with a 0
 };
 
 /// Reads exactly `size` bytes. False at the end of the pipe.

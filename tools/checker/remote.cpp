@@ -1,15 +1,19 @@
 #include "remote.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <random>
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/sysinfo.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -30,31 +34,41 @@ void limit(int resource, std::size_t amount) {
 }
 
 // In the child: the pipes and the file in place of all that was open, limits, and the program with
-// an empty environment.
-[[noreturn]] void become(const std::string& program, int calls, int answers, int printed,
-                         const Limits& limits) {
+// an empty environment. What keeps it from running is written to `failed`.
+[[noreturn]] void become(const std::string& program, pid_t parent, int calls, int answers,
+                         int printed, int failed, const Limits& limits) {
     setpgid(0, 0);
+    // It ends with its parent, which may have ended before this line.
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(1);
     // First out of the way of the places they are to have.
     calls = fcntl(calls, F_DUPFD, 10);
     answers = fcntl(answers, F_DUPFD, 10);
     printed = fcntl(printed, F_DUPFD, 10);
+    failed = fcntl(failed, F_DUPFD, 10);
     const int nothing = open("/dev/null", O_RDONLY);
     dup2(nothing, STDIN_FILENO);
     dup2(printed, STDOUT_FILENO);
     dup2(printed, STDERR_FILENO);
     dup2(calls, calls_fd);
     dup2(answers, answers_fd);
-    for (int fd = answers_fd + 1; fd < 64; ++fd) close(fd);
+    failed = dup3(failed, answers_fd + 1, O_CLOEXEC);
+    for (int fd = failed + 1; fd < 64; ++fd) close(fd);
     for (const int signal : {SIGINT, SIGPIPE, SIGTERM}) std::signal(signal, SIG_DFL);
     std::signal(SIGXFSZ, SIG_IGN);
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, limits.printed_bytes);
     limit(RLIMIT_AS, limits.megabytes << 20);
     limit(RLIMIT_CPU, static_cast<std::size_t>(limits.total_seconds) + 1);
+    // It counts all that the user runs, which is less than all that the machine runs.
+    struct sysinfo machine {};
+    if (sysinfo(&machine) == 0) limit(RLIMIT_NPROC, machine.procs + limits.processes);
     char name[] = "worker";
     char* arguments[] = {name, nullptr};
     char* environment[] = {nullptr};
     execve(program.c_str(), arguments, environment);
+    const int error = errno;
+    write_all(failed, &error, sizeof error);
     _exit(127);
 }
 
@@ -64,28 +78,44 @@ std::string hexadecimal(const void* address) {
     return text;
 }
 
+[[noreturn]] void crash(const std::string& bytes) {
+    LastWords words{};
+    std::memcpy(&words, bytes.data(), std::min(bytes.size(), sizeof words));
+    words.text[sizeof words.text - 1] = '\0';
+    std::string trace;
+    for (int i = 0; i < std::min(words.places, most_places); ++i)
+        trace += (i > 0 ? " " : "") + hexadecimal(words.place[i]);
+    throw Ended(Kind::crash, words.text, trace);
+}
+
 }  // namespace
 
 Remote::Remote(const std::string& program, const std::string& printed, const Limits& limits)
-    : limits_(limits), program_(program), begin_(now()) {
-    // The first call's number is not to be guessed, so that nothing said beforehand is an answer.
-    std::random_device random;
-    number_ = (static_cast<std::uint64_t>(random()) << 32) | random();
+    : limits_(limits), begin_(now()) {
     std::signal(SIGPIPE, SIG_IGN);
-    int calls[2], answers[2];
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+    int calls[2], answers[2], failed[2];
     const int file = open(printed.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (file < 0) throw Ended(Kind::course_error, printed + ": cannot be written");
-    if (pipe2(calls, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0)
+    if (pipe2(calls, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0 ||
+        pipe2(failed, O_CLOEXEC) != 0)
         throw Ended(Kind::course_error, "no pipe to be had from the system");
+    const pid_t parent = getpid();
     process_ = fork();
     if (process_ < 0) throw Ended(Kind::course_error, "no process to be had from the system");
-    if (process_ == 0) become(program, calls[0], answers[1], file, limits);
+    if (process_ == 0) become(program, parent, calls[0], answers[1], file, failed[1], limits);
     setpgid(process_, process_);
     close(calls[0]);
     close(answers[1]);
+    close(failed[1]);
     close(file);
     calls_ = calls[1];
     answers_ = answers[0];
+    int error = 0;
+    const bool runs = !read_all(failed[0], &error, sizeof error);
+    close(failed[0]);
+    if (!runs)
+        throw Ended(Kind::course_error, program + ": cannot be run: " + std::strerror(error));
 }
 
 Remote::~Remote() {
@@ -94,14 +124,24 @@ Remote::~Remote() {
     close(answers_);
 }
 
-// The whole group, and at once: what does not listen to anything else must end, too.
+// The whole group, and at once: what does not listen to anything else must end, too. What has left
+// the group becomes a child of this process when its parent ends.
 void Remote::end() {
-    if (process_ < 0) return;
     kill(-process_, SIGKILL);
-    kill(process_, SIGKILL);
-    while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+    for (const double deadline = now() + 1; now() < deadline;) {
+        std::ifstream children("/proc/thread-self/children");
+        for (pid_t child = 0; children >> child;) kill(child, SIGKILL);
+        const pid_t ended = waitpid(-1, nullptr, WNOHANG);
+        if (ended < 0 && errno != EINTR) break;  // there are none left
+        if (ended == 0) usleep(500);
     }
-    process_ = -1;
+}
+
+void Remote::await() {
+    hear(Reply::ready, now() + limits_.call_seconds);
+    // The first call's number is not to be guessed, so that nothing said beforehand is an answer.
+    std::random_device random;
+    number_ = (static_cast<std::uint64_t>(random()) << 32) | random();
 }
 
 Numbers Remote::operator()(const Numbers& arguments) {
@@ -110,43 +150,29 @@ Numbers Remote::operator()(const Numbers& arguments) {
     const double deadline = std::min(now() + limits_.call_seconds, begin_ + limits_.total_seconds);
     if (!write_all(calls_, &call, sizeof call) || !write_all(calls_, arguments.data(), call.bytes))
         gone();
+    const std::string bytes = hear(Reply::answer, deadline);
+    Numbers result(bytes.size() / sizeof(double));
+    std::memcpy(result.data(), bytes.data(), result.size() * sizeof(double));
+    return result;
+}
+
+// What comes with the reply. Throws Ended where it is not the one expected.
+std::string Remote::hear(Reply expected, double deadline) {
     Head head;
     receive(&head, sizeof head, deadline);
-    if (head.number != number_ || head.reply > Reply::crashed || head.bytes > (64u << 20))
-        throw Ended(Kind::left_early, "it wrote to the pipe that its answers go through");
+    if (head.number != number_ || head.reply > Reply::crashed)
+        throw Ended(Kind::left_early, "The program wrote to the pipe that its answers go through");
+    if (head.bytes > (64u << 20))
+        throw Ended(Kind::left_early, "The answer was too long, " +
+                                          std::to_string(head.bytes / sizeof(double)) + " numbers");
     std::string bytes(head.bytes, '\0');
     receive(bytes.data(), bytes.size(), deadline);
-
-    switch (head.reply) {
-        case Reply::answer: {
-            Numbers result(bytes.size() / sizeof(double));
-            std::memcpy(result.data(), bytes.data(), result.size() * sizeof(double));
-            return result;
-        }
-        case Reply::not_started:
-            throw Ended(Kind::not_started, "");
-        case Reply::threw:
-            throw Ended(Kind::crash, "an exception that nobody caught: " + bytes);
-        case Reply::out_of_memory:
-            throw Ended(Kind::too_much_memory, "");
-        case Reply::crashed:
-            break;
-    }
-    // The addresses on the stack, from the inside out; the signal's name comes with the end.
-    std::string trace;
-    for (std::size_t i = 0; i + sizeof(void*) <= bytes.size(); i += sizeof(void*)) {
-        void* address = nullptr;
-        std::memcpy(&address, bytes.data() + i, sizeof address);
-        trace += ' ';
-        trace += hexadecimal(address);
-    }
-    int status = 0;
-    while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-    }
-    process_ = -1;
-    throw Ended(Kind::crash,
-                std::string(WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "a signal") +
-                    " at" + trace);
+    if (head.reply == Reply::not_started) throw Ended(Kind::not_started, "");
+    if (head.reply == Reply::out_of_memory) throw Ended(Kind::too_much_memory, "");
+    if (head.reply == Reply::crashed) crash(bytes);
+    if (head.reply != expected)
+        throw Ended(Kind::left_early, "The program wrote to the pipe that its answers go through");
+    return bytes;
 }
 
 void Remote::receive(void* to, std::size_t size, double deadline) {
@@ -165,20 +191,20 @@ void Remote::receive(void* to, std::size_t size, double deadline) {
     }
 }
 
-// The pipe has an end before the answer.
+// The pipe has an end before the answer. The process stays there to be looked at until `end`.
 void Remote::gone() {
-    int status = 0;
-    kill(-process_, SIGKILL);
-    while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-    }
-    process_ = -1;
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
-        throw Ended(Kind::course_error, program_ + ": cannot be run");
-    if (WIFEXITED(status))
-        throw Ended(Kind::left_early,
-                    "it ended with status " + std::to_string(WEXITSTATUS(status)));
-    if (WTERMSIG(status) == SIGXCPU) throw Ended(Kind::too_slow, "");
-    throw Ended(Kind::crash, strsignal(WTERMSIG(status)));
+    siginfo_t how{};
+    for (const double deadline = now() + 0.2; how.si_pid == 0 && now() < deadline; usleep(500))
+        waitid(P_PID, static_cast<id_t>(process_), &how, WEXITED | WNOHANG | WNOWAIT);
+    if (how.si_pid == 0)
+        throw Ended(Kind::left_early, "The program closed the pipe that its answers go through");
+    if (how.si_code == CLD_EXITED)
+        throw Ended(Kind::left_early, "The program ended with status " +
+                                          std::to_string(how.si_status) + " instead of returning");
+    if (how.si_status == SIGXCPU) throw Ended(Kind::too_slow, "");
+    // Crashes are told before; so soon it is the system, which has no room for the variables.
+    if (number_ == 0 && how.si_status == SIGSEGV) throw Ended(Kind::too_much_memory, "");
+    throw Ended(Kind::crash, strsignal(how.si_status));
 }
 
 }  // namespace checker

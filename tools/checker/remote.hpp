@@ -9,6 +9,7 @@
 
 #include "ended.hpp"
 #include "numbers.hpp"
+#include "pipe.hpp"
 
 namespace checker {
 
@@ -18,10 +19,12 @@ struct Limits {
     double total_seconds = 10;  ///< for all of them
     std::size_t megabytes = 1024;
     std::size_t printed_bytes = 1 << 20;
+    std::size_t processes = 256;  ///< and threads, together with what the machine runs anyway
 };
 
 /// A worker with the learner's code, in a process and a process group of its own. What it prints
-/// goes to a file.
+/// goes to a file. There is one at a time: all that it leaves behind becomes this process's child,
+/// and is ended with it.
 class Remote {
 public:
     /// Starts `program`; the file `printed` gets what it prints.
@@ -30,19 +33,22 @@ public:
     Remote(const Remote&) = delete;
     Remote& operator=(const Remote&) = delete;
 
+    /// Waits for the first call to be possible: the learner's global variables are made before.
+    /// Throws Ended where it never is.
+    void await();
     /// What the learner's code answers. Throws Ended where it does not.
     Numbers operator()(const Numbers& arguments);
 
 private:
+    std::string hear(Reply expected, double deadline);
     void receive(void* to, std::size_t size, double deadline);
     [[noreturn]] void gone();
     void end();
 
     Limits limits_;
-    std::string program_;
     pid_t process_ = -1;
     int calls_ = -1, answers_ = -1;
-    std::uint64_t number_;  // of the last call
+    std::uint64_t number_ = 0;  // of the last call
     double begin_;
 };
 

@@ -70,6 +70,7 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
     if (ended_ && verdict_.kind != Kind::pass) {
         verdict_.kind = ended_->kind;
         verdict_.detail = ended_->what();
+        verdict_.trace = ended_->trace;
     }
     if (verdict_.kind == Kind::wrong || verdict_.kind == Kind::not_finite)
         verdict_.misconception = diagnose(exercise);
@@ -97,7 +98,7 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
         end(Ended(Kind::not_started, ""));
     }
     if (!spoken.is_result(result))
-        end(Ended(Kind::left_early, "it answered with what is no answer"));
+        end(Ended(Kind::left_early, "The answer was not made as its type demands"));
     if (calls_.size() < 100'000) calls_.push_back({arguments, result});
     if (verdict_.kind == Kind::pass) last_ = {arguments, result};
     if (!std::all_of(result.begin(), result.end(), [](double x) { return std::isfinite(x); })) {

@@ -51,6 +51,12 @@ std::string call(const Exercise& exercise, const Verdict& verdict) {
     return exercise.name + verdict.arguments;
 }
 
+// No call has been made where there are no arguments: only the file's variables.
+std::string when(const Exercise& exercise, const Verdict& verdict) {
+    return verdict.arguments.empty() ? "before the first call of " + exercise.name
+                                     : "in the call " + call(exercise, verdict);
+}
+
 std::string wrong(const Exercise& exercise, const Verdict& verdict) {
     std::string text = "  This must hold, and does not:\n" + wrapped(verdict.property, 6) + "\n";
     if (!verdict.result.empty())
@@ -82,28 +88,22 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
                                                         wrapped("Hint: " + mistake->second.hint, 2);
     }
     if (kind == "crash") {
-        std::string text = wrapped(verdict.detail + ", in the call " + call(exercise, verdict), 2);
+        std::string text = wrapped(verdict.detail + ", " + when(exercise, verdict), 2);
         if (verdict.line > 0)
             text += "  Line " + std::to_string(verdict.line) + ":  " + line_of(file, verdict.line) +
                     "\n";
         return text;
     }
     if (kind == "too_slow")
-        return wrapped("The call " + call(exercise, verdict) +
-                           " gave no answer in time (2 s for one call, 10 s "
-                           "for all). Is there a loop that never ends?",
+        return wrapped("There was no answer in time (2 s for one call, 10 s for all), " +
+                           when(exercise, verdict) + ". Is there a loop that never ends?",
                        2);
     if (kind == "too_much_memory")
-        return wrapped("The call " + call(exercise, verdict) +
-                           " asked for more memory than there is for an "
-                           "exercise, 1 GB.",
+        return wrapped("The program asked for more memory than there is for an exercise, 1 GB, " +
+                           when(exercise, verdict) + ".",
                        2);
     if (kind == "left_early")
-        return wrapped("In the call " + call(exercise, verdict) +
-                           " the program went its own way instead of "
-                           "returning: " +
-                           verdict.detail + ".",
-                       2);
+        return wrapped(verdict.detail + ", " + when(exercise, verdict) + ".", 2);
     return wrapped("The checker itself failed, which is not your fault: " + verdict.detail, 2);
 }
 

@@ -58,11 +58,10 @@ bool succeeds(const Words& command, const Workshop& workshop, Verdict& verdict) 
 
 // The line of the learner's file that the addresses of a crash lead to, the innermost first; 0 if
 // none.
-int line_of_crash(const std::string& detail, const fs::path& worker, const fs::path& file) {
-    const auto at = detail.find(" at ");
-    if (at == std::string::npos) return 0;
+int line_of_crash(const std::string& trace, const fs::path& worker, const fs::path& file) {
+    if (trace.empty()) return 0;
     Words command{"addr2line", "-i", "-e", worker.string()};
-    std::istringstream addresses(detail.substr(at + 4));
+    std::istringstream addresses(trace);
     for (std::string address; addresses >> address;) command.push_back(address);
     std::istringstream places(run_within(command, {5}).said);
     for (std::string place; std::getline(places, place);)
@@ -153,7 +152,7 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     verdict.arguments = said["arguments"];
     verdict.result = said["result"];
     if (meddled_with(outcome, said["verdict"])) {
-        verdict.detail = "it ended the checker, or wrote in its place";
+        verdict.detail = "The program ended the checker, or wrote in its place";
         verdict.arguments = "(…)";
         return ended("left_early");
     }
@@ -162,10 +161,7 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
             outcome.too_slow ? "the hidden tests did not come to an end" : outcome.said;
         return ended("course_error");
     }
-    if (said["verdict"] == "crash") {
-        verdict.line = line_of_crash(verdict.detail, worker, file);
-        verdict.detail = verdict.detail.substr(0, verdict.detail.find(" at 0x"));
-    }
+    verdict.line = line_of_crash(said["trace"], worker, file);
     return ended(said["verdict"]);
 }
 

@@ -1,4 +1,4 @@
-// velocity_now left_early: it ended with status 0
+// velocity_now left_early: The program ended with status 0 instead of returning, in the call velocity_now(
 #include "exercise.hpp"
 
 #include <cstdlib>

@@ -1,0 +1,75 @@
+# What the learner's code leaves running: nothing.
+
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../tools/expect.sh"
+
+course() {
+    STAGE_SOURCE=$source STAGE_BUILD=$real_build STAGE_CMAKE=true STAGE_CTEST=false "$program" "$@"
+}
+
+# answer.cpp with these lines in the function; `say_pids` writes its own and its parent's to a file.
+answer() {
+    cat >answer.cpp <<CODE
+#include "exercise.hpp"
+#include <cstdio>
+#include <unistd.h>
+static void say_pids() {
+    std::FILE* file = std::fopen("$folder/pids.new", "w");
+    std::fprintf(file, "%d %d", getpid(), getppid());
+    std::fclose(file);
+    std::rename("$folder/pids.new", "$folder/pids");
+}
+double velocity_now(double x0, double x1, double x2, double h) {
+    static bool first = true;
+    $(cat)
+    first = false;
+    return (3 * x2 - 4 * x1 + x0) / (2 * h);
+}
+CODE
+}
+
+# In a container ended processes may stay to be counted: those do not run.
+runs() { grep -q '^State:.[^ZX]' "/proc/$1/status" 2>/dev/null; }
+
+ends() {
+    for _ in $(seq 30); do
+        runs "$1" || return 0
+        sleep 0.1
+    done
+    fail "process $1 still runs"
+}
+
+test_a_worker_ends_with_its_checker() {
+    echo 'say_pids(); for (;;) pause();' | answer
+    course check velocity_now --file answer.cpp >out 2>err &
+    asked=$!
+    for _ in $(seq 200); do
+        [ ! -e pids ] || break
+        sleep 0.02
+    done
+    read -r worker checker <pids || [ -n "$checker" ] || fail 'there is no worker'
+    kill -KILL "$checker"
+    ends "$worker"
+    wait $asked && status=0 || status=$?
+    is "$status" 1
+    says out 'ended the checker'
+}
+
+test_what_leaves_the_group_ends_too() {
+    answer <<CODE
+    if (first && fork() == 0) {
+        setsid();
+        if (fork() == 0) setsid(), say_pids();
+        for (;;) pause();
+    }
+    while (access("$folder/pids", F_OK) != 0) usleep(1000);
+CODE
+    expect 0 course check velocity_now --file answer.cpp
+    read -r grandchild child <pids || [ -n "$child" ] || fail 'no process was left'
+    ends "$child"
+    ends "$grandchild"
+}
+
+program=$4 real_build=$5
+begin "$@"
+"$function"
