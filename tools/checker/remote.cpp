@@ -6,7 +6,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <random>
 
 #include <fcntl.h>
@@ -17,6 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "alone.hpp"
 #include "pipe.hpp"
 
 namespace checker {
@@ -62,7 +62,8 @@ void limit(int resource, std::size_t amount) {
     limit(RLIMIT_CPU, static_cast<std::size_t>(limits.total_seconds) + 1);
     // It counts all that the user runs, which is less than all that the machine runs.
     struct sysinfo machine {};
-    if (sysinfo(&machine) == 0) limit(RLIMIT_NPROC, machine.procs + limits.processes);
+    if (sysinfo(&machine) == 0) limit(RLIMIT_NPROC, machine.procs + limits.threads);
+    start_no_processes();
     char name[] = "worker";
     char* arguments[] = {name, nullptr};
     char* environment[] = {nullptr};
@@ -93,7 +94,6 @@ std::string hexadecimal(const void* address) {
 Remote::Remote(const std::string& program, const std::string& printed, const Limits& limits)
     : limits_(limits), begin_(now()) {
     std::signal(SIGPIPE, SIG_IGN);
-    prctl(PR_SET_CHILD_SUBREAPER, 1);
     int calls[2], answers[2], failed[2];
     const int file = open(printed.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (file < 0) throw Ended(Kind::course_error, printed + ": cannot be written");
@@ -124,17 +124,14 @@ Remote::~Remote() {
     close(answers_);
 }
 
-// The whole group, and at once: what does not listen to anything else must end, too. What has left
-// the group becomes a child of this process when its parent ends.
+// The whole group, and at once: what does not listen to anything else must end, too.
 void Remote::end() {
+    if (process_ < 0) return;
     kill(-process_, SIGKILL);
-    for (const double deadline = now() + 1; now() < deadline;) {
-        std::ifstream children("/proc/thread-self/children");
-        for (pid_t child = 0; children >> child;) kill(child, SIGKILL);
-        const pid_t ended = waitpid(-1, nullptr, WNOHANG);
-        if (ended < 0 && errno != EINTR) break;  // there are none left
-        if (ended == 0) usleep(500);
+    kill(process_, SIGKILL);
+    while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
     }
+    process_ = -1;
 }
 
 void Remote::await() {

@@ -19,12 +19,11 @@ struct Limits {
     double total_seconds = 10;  ///< for all of them
     std::size_t megabytes = 1024;
     std::size_t printed_bytes = 1 << 20;
-    std::size_t processes = 256;  ///< and threads, together with what the machine runs anyway
+    std::size_t threads = 256;  ///< above what the machine runs anyway
 };
 
-/// A worker with the learner's code, in a process and a process group of its own. What it prints
-/// goes to a file. There is one at a time: all that it leaves behind becomes this process's child,
-/// and is ended with it.
+/// A worker with the learner's code, in a process and a process group of its own, which starts no
+/// other process and ends with this one. What it prints goes to a file.
 class Remote {
 public:
     /// Starts `program`; the file `printed` gets what it prints.
