@@ -112,12 +112,16 @@ function(timestep_read_exercise chapter name generated)
     set(numbers_header numbers_eigen.hpp)
   endif()
   set(source "${PROJECT_SOURCE_DIR}")
+  # Read before the learner's file, so that another return type does not compile.
+  file(CONFIGURE OUTPUT "${generated}/${name}_declared.hpp" CONTENT
+"#line 1 \"what the exercise declares\"
+@declaration@;
+" @ONLY)
   file(CONFIGURE OUTPUT "${generated}/${name}.hpp" CONTENT
 "#pragma once
 #include \"@learners_header@\"
 #include \"@numbers_header@\"
-
-@declaration@;
+#include \"@name@_declared.hpp\"
 " @ONLY)
   file(CONFIGURE OUTPUT "${generated}/${name}_worker.cpp" CONTENT
 "#include \"@name@.hpp\"

@@ -48,6 +48,9 @@ fs::path Exercise::file() const {
 fs::path Exercise::stub() const {
     return places().build / "exercises/generated" / (name + "_stub.cpp");
 }
+fs::path Exercise::declared() const {
+    return places().build / "exercises/generated" / (name + "_declared.hpp");
+}
 fs::path Exercise::solution() const {
     return places().source / "solutions" / chapter / (name + ".cpp");
 }

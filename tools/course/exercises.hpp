@@ -33,6 +33,8 @@ struct Exercise {
     std::filesystem::path file() const;
     /// The same, as it is before the learner has touched it.
     std::filesystem::path stub() const;
+    /// Its declaration, which is read before the learner's file.
+    std::filesystem::path declared() const;
     /// The course's answer.
     std::filesystem::path solution() const;
 };

@@ -34,9 +34,18 @@ std::string of_linker(const Exercise& exercise, const std::string& said) {
     return {};
 }
 
+// The header of that name is read before the learner's file.
+std::string of_declaration(const Exercise& exercise, const std::string& said) {
+    if (said.find("what the exercise declares:") == std::string::npos) return {};
+    return "  The file declares the function otherwise than the exercise does:\n      " +
+           exercise.declaration +
+           "\n  The type it returns, name and arguments must stay as they were.\n\n";
+}
+
 std::string does_not_compile(const Exercise& exercise, const Verdict& verdict) {
     std::string why = of_linker(exercise, verdict.compiler);
-    if (why.empty()) why = head_of(verdict.compiler, 12, "  ");
+    if (why.empty())
+        why = of_declaration(exercise, verdict.compiler) + head_of(verdict.compiler, 12, "  ");
     return why;
 }
 

@@ -130,8 +130,9 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     };
 
     Words compile = commands.compile;
-    for (const std::string& word : {std::string("-x"), std::string("c++"), std::string("-c"),
-                                    file.string(), std::string("-o"), object.string()})
+    for (const std::string& word :
+         {std::string("-include"), exercise.declared().string(), std::string("-x"),
+          std::string("c++"), std::string("-c"), file.string(), std::string("-o"), object.string()})
         compile.push_back(word);
     if (!succeeds(compile, workshop, verdict)) return ended("does_not_compile");
     Words link = commands.link;
