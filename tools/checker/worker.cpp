@@ -106,9 +106,9 @@ int serve(const Answer& answer) {
     Head head;
     Numbers arguments;
     while (read_all(calls_fd, &head, sizeof head)) {
+        call_number = head.number;
         arguments.resize(head.bytes / sizeof(double));
         if (!read_all(calls_fd, arguments.data(), head.bytes)) return 1;
-        call_number = head.number;
         const Numbers result = answer(arguments);
         std::cout.flush();  // it has a buffer of its own after sync_with_stdio(false)
         reply(Reply::answer, result.data(), result.size() * sizeof(double));
