@@ -14,7 +14,7 @@
 //
 // Example: from 3 to -1 through a floor at 0 is 4 a step, and the last quarter of the way is too
 // deep. With e = 0.5 the ball rises by 2 a step, for a quarter of a step, to 0.5. So
-// bounce_without_velocity(3, -1, 0, 0.5) is {-1.5, 0.5}. That `before` lies below the floor is
+// bounce_without_velocity(3, -1, 0, 0.5) is {-1.5, 0.5}. That "before" lies below the floor is
 // right.
 //
 // What is checked: a ball that is not below the floor is left alone; a ball ends where a
