@@ -2,7 +2,7 @@
 //
 // Your game goes into slow motion: from now on its steps are shorter. Its Verlet code knows no
 // changing steps and shall not learn them: it always computes x2 = 2 x1 - x0 + h² a(x1), from now
-// on with the new h. But the stored `before` is one OLD step away. Compute the one that belongs
+// on with the new h. But the stored "before" is one OLD step away. Compute the one that belongs
 // there now, so that plain Verlet goes on with order two.
 //
 //   before    position one old step ago, in metres
