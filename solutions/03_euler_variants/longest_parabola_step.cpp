@@ -2,13 +2,13 @@
 //
 // An engine moves each body along a parabola, which is exact for a thrown ball:
 //
-//     x2 = x1 + h v1 + h^2 a1 / 2      v2 = v1 + h a1
+//     x2 = x1 + h v1 + h² a1 / 2      v2 = v1 + h a1
 //
 // where a1 is the acceleration at x1 and v1. You put a door closer into it, a spring with a damper:
-// a = -omega^2 x - 2 zeta omega v. Up to which step is the door stable?
+// a = -omega² x - 2 zeta omega v. Up to which step is the door stable?
 //
 //   omega    angular frequency of the spring, rad/s (above zero)
-//   zeta     damping ratio, no unit (zero, or from 10^-4 to 20)
+//   zeta     damping ratio, no unit (zero, or from 10⁻⁴ to 20)
 //   returns  the h, in seconds, below which every step is stable: whatever the start, the motion
 //            dies away. One part in a million off is near enough. Zero where no step is stable.
 //

@@ -1,6 +1,6 @@
 #include "exercise.hpp"
 
-// Both roots of lambda^2 - trace lambda + det lie inside the unit circle where |trace| < 1 + det
+// Both roots of lambda² - trace lambda + det lie inside the unit circle where |trace| < 1 + det
 // and det < 1. The step doubles until they do not, and then an interval is halved.
 double longest_parabola_step(double omega, double zeta) {
     const auto stable = [&](double h) {
