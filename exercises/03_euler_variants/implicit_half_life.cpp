@@ -5,12 +5,12 @@
 // gone?
 //
 //   omega    angular frequency of the spring, rad/s (above zero)
-//   h        length of a step, s (above zero; omega h from 10^-6 to 1000)
+//   h        length of a step, s (above zero; omega h from 10⁻⁶ to 1000)
 //   returns  the time after which the amplitude is half of what it was, in seconds. It need not be
 //            a whole number of steps: the amplitude falls by the same factor in each step, as an
 //            exponential does, and you tell when that exponential is at one half.
 //
-// Where omega h is tiny, 1 + omega^2 h^2 has lost most digits of omega^2 h^2. The library has a
+// Where omega h is tiny, 1 + omega² h² has lost most digits of omega² h². The library has a
 // function for that: std::log1p(u) is the logarithm of 1 + u, with all its digits.
 //
 // Example: implicit_half_life(2, 0.1) is 3.5346 seconds, a bit more than 35 steps.

@@ -59,7 +59,7 @@ PROPERTY("springs of the same omega h take the same number of steps") {
 }
 
 // log(1 + u) = u − u²/2 + …, so the ratio of the two times is 2 (1 − 3(ωh)²/8 + …).
-PROPERTY("with short steps, half the step makes it twice the time, but for a share (omega h)^2") {
+PROPERTY("with short steps, half the step doubles the time, up to a relative error of (omega h)²") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
         const double omega = draw.log(0.1, 10), wh = draw.log(0.02, 0.1), h = wh / omega;
