@@ -1,7 +1,7 @@
 // Chapter 3, exercise 5: how much room a simulated spring needs
 //
 // A wrecking ball swings on a spring without a damper, stepped with semi-implicit Euler, and must
-// not touch the wall. The true motion would stay within sqrt(x^2 + v^2 / omega^2). The simulated
+// not touch the wall. The true motion would stay within sqrt(x² + v² / omega²). The simulated
 // one goes farther: its states lie on an ellipse that leans over, since it keeps another energy
 // than the true one. How far from x = 0 does that ellipse reach?
 //

@@ -1,7 +1,7 @@
 // Chapter 3, exercise 5: how much room a simulated spring needs
 //
 // A wrecking ball swings on a spring without a damper, stepped with semi-implicit Euler, and must
-// not touch the wall. The true motion would stay within sqrt(x^2 + v^2 / omega^2). The simulated
+// not touch the wall. The true motion would stay within sqrt(x² + v² / omega²). The simulated
 // one goes farther: its states lie on an ellipse that leans over, since it keeps another energy
 // than the true one. How far from x = 0 does that ellipse reach?
 //
@@ -27,9 +27,9 @@
 
 double farthest_reach(double x, double v, double omega, double h) {
     // [answer]
-    // Kept is 2E = v^2 + omega^2 x^2 - h omega^2 x v, for a given x a quadratic equation for v. At
-    // the farthest x its two roots are one, v = h omega^2 x / 2. Put in, 2E is omega^2 x^2 times
-    // 1 - omega^2 h^2 / 4.
+    // Kept is 2E = v² + omega² x² - h omega² x v, for a given x a quadratic equation for v. At
+    // the farthest x its two roots are one, v = h omega² x / 2. Put in, 2E is omega² x² times
+    // 1 - omega² h² / 4.
     const double wh = omega * h;
     const double twice_energy = v * v + omega * omega * x * x - wh * omega * x * v;
     return std::sqrt(twice_energy / (1 - wh * wh / 4)) / omega;

@@ -9,7 +9,7 @@
 // of C the step is to take back, and the softness gamma how far the constraint gives way. Nobody
 // can tune these two by feel. A designer gives omega and zeta. Find the gamma and beta with which
 // v2 is what implicit Euler makes of a spring with a damper: it starts at x1 = C with the velocity
-// v1, and its acceleration is -omega^2 x - 2 zeta omega v.
+// v1, and its acceleration is -omega² x - 2 zeta omega v.
 //
 //   mass     of the wheel, kg (above zero)
 //   omega    angular frequency of the spring, rad/s (above zero)

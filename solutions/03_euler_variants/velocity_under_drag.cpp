@@ -8,11 +8,11 @@
 // upwards or downwards. Implicit Euler takes it at the new velocity.
 //
 //   v        velocity at the start of the step, m/s (either sign, or zero)
-//   gravity  how strongly things fall, m/s^2 (zero or more)
+//   gravity  how strongly things fall, m/s² (zero or more)
 //   k        drag per unit of mass, 1/m (zero where there is no air, or more)
 //   h        length of the step, s (zero or more)
 //   returns  the velocity at the end of the step, m/s, with all its digits: an error of one part in
-//            10^9 is too much, also where the air is so thin that k h v is 10^-10.
+//            10⁹ is too much, also where the air is so thin that k h v is 10⁻¹⁰.
 //
 // Example: for v = -12, gravity = 10, k = 0.5 and h = 1 the new velocity is about -5.7082. Explicit
 // Euler says +50.

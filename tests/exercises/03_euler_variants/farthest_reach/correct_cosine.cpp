@@ -1,6 +1,6 @@
 #include "exercise.hpp"
 
-// The positions are samples of A cos(n theta + phi) with cos theta = 1 - omega^2 h^2 / 2, and two
+// The positions are samples of A cos(n theta + phi) with cos theta = 1 - omega² h² / 2, and two
 // of them in a row tell A.
 double farthest_reach(double x, double v, double omega, double h) {
     const double theta = 2 * std::asin(omega * h / 2);
