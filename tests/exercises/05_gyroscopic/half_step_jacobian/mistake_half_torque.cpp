@@ -8,5 +8,5 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
     const Matrix3d I = inertia.asDiagonal();
     const Vector3d torque = -omega.cross(I * omega);
     const Matrix3d jacobian = I + h * (skew(omega) * I - skew(I * omega));
-    return omega + jacobian.partialPivLu().solve(h / 2 * torque);
+    return omega + solve_linear(jacobian, h / 2 * torque);
 }

@@ -11,7 +11,7 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
     for (int i = 0; i < 10; ++i) {
         const Vector3d residual = I * (w - omega) - h / 2 * (begin - w.cross(I * w));
         const Matrix3d jacobian = I + h / 2 * (skew(w) * I - skew(I * w));
-        w -= jacobian.partialPivLu().solve(residual);
+        w -= solve_linear(jacobian, residual);
     }
     return w;
 }

@@ -10,7 +10,7 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
     for (int i = 0; i < 10; ++i) {
         const Vector3d residual = I * (middle - omega) + h / 2 * middle.cross(I * middle);
         const Matrix3d jacobian = I + h / 2 * (skew(middle) * I - skew(I * middle));
-        middle -= jacobian.partialPivLu().solve(residual);
+        middle -= solve_linear(jacobian, residual);
     }
     return 2 * middle - omega;
 }

@@ -9,7 +9,7 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
     Vector3d w = omega;
     for (int i = 0; i < 2; ++i) {
         const Matrix3d jacobian = I + h / 2 * (skew(w) * I - skew(I * w));
-        w -= jacobian.partialPivLu().solve(h / 2 * w.cross(I * w));
+        w -= solve_linear(jacobian, h / 2 * w.cross(I * w));
     }
     return w;
 }

@@ -9,5 +9,5 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
     const Vector3d L = I * guess;
     const Vector3d residual = I * (guess - omega1) + h * guess.cross(L);
     const Matrix3d jacobian = I + h * (skew(guess) * I - skew(L));
-    return guess - jacobian.partialPivLu().solve(residual);
+    return guess - solve_linear(jacobian, residual);
 }

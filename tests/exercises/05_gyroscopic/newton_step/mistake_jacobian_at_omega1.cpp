@@ -7,5 +7,5 @@ static Matrix3d skew(const Vector3d& a) {
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
     const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(inertia * guess);
     const Matrix3d jacobian = inertia + h * (skew(omega1) * inertia - skew(inertia * omega1));
-    return guess - jacobian.partialPivLu().solve(residual);
+    return guess - solve_linear(jacobian, residual);
 }

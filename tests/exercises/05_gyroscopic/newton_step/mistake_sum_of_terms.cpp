@@ -8,5 +8,5 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
     const Vector3d L = inertia * guess;
     const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
     const Matrix3d jacobian = inertia + h * (skew(guess) * inertia + skew(L));
-    return guess - jacobian.partialPivLu().solve(residual);
+    return guess - solve_linear(jacobian, residual);
 }
