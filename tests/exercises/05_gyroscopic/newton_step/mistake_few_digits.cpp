@@ -10,5 +10,5 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
     const float step = static_cast<float>(h);
     const Vector3f residual = I * (w - w1) + step * w.cross(L);
     const Matrix3f jacobian = I + step * (skew(w) * I - skew(L));
-    return Vector3f(w - solve_linear(jacobian, residual)).cast<double>();
+    return Vector3f(w - jacobian.partialPivLu().solve(residual)).cast<double>();
 }
