@@ -151,11 +151,20 @@ int Program::run(int argc, char** argv, const std::function<void(Findings&)>& bo
             throw std::runtime_error("standard output: cannot be written");
         const bool failed = !findings.failed().empty() && !changed_;
         if (!failed && !folder_.empty()) findings.save(folder_);
-        for (const auto& statement : findings.failed())
-            std::fprintf(stderr, "%s: %s: %s\n", name_.c_str(),
-                         changed_ ? "with these options this sentence of the page no longer holds"
-                                  : "does not hold",
-                         statement.c_str());
+        for (std::size_t i = 0; i < findings.failed().size(); ++i) {
+            const char* statement = findings.failed()[i].c_str();
+            if (!changed_) {
+                std::fprintf(stderr, "%s: does not hold: %s\n", name_.c_str(), statement);
+                continue;
+            }
+            // Other options are there to be played with: what no longer holds is told, as no error.
+            if (i == 0)
+                std::fprintf(stderr,
+                             "%s: with these options the following, true with the page's options, "
+                             "does not hold:\n",
+                             name_.c_str());
+            std::fprintf(stderr, "  %s\n", statement);
+        }
         return failed ? 1 : 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s: %s\n", name_.c_str(), one_line(error.what()).c_str());

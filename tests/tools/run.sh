@@ -83,7 +83,8 @@ test_a_wrong_check_is_status_1() {
 
 test_what_does_not_hold_with_other_options_is_said() {
     expect 0 course run 3 --out new -- --doubt
-    is "$(cat err)" 'swing: with these options this sentence of the page no longer holds: up is up'
+    is "$(cat err)" "swing: with these options the following, true with the page's options, does not hold:
+  up is up"
     [ -e new/motion.tsv ] || fail 'nothing was kept'
 }
 

@@ -51,7 +51,7 @@ while [ $# -gt 0 ]; do
     --crash) kill -SEGV $$ ;;
     --full) full=yes ;;
     --blocked) blocked=yes ;;
-    --doubt) echo 'swing: with these options this sentence of the page no longer holds: up is up' >&2 ;;
+    --doubt) printf '%s\n' "swing: with these options the following, true with the page's options, does not hold:" '  up is up' >&2 ;;
     --interrupt) kill -INT 0; sleep 5 ;;
     --out) out=$2; shift ;;
     *) options="$options <$1>" ;;
