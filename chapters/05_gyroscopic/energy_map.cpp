@@ -97,8 +97,9 @@ void energy_map(const Settings& settings, lab::Findings& out) {
               "one iteration adds energy to this body, the other two add none");
 
     // Random bodies, ratio of moments up to 1000.
-    auto& gains = out.table("gains.tsv", {"hω", "bodies that gain", "share of E added at most, one iteration",
-                                          "converged", "passive"});
+    auto& gains = out.table("gains.tsv", {"$h\\lvert\\omega\\rvert$", "bodies that gain, however little",
+                                          "share of E added at most, one iteration", "converged",
+                                          "passive"});
     auto& curve =
         out.table("gain_curve.tsv", {"size", "share", "implicit", "converged", "passive"});
     RandomBody bodies(2);
@@ -154,8 +155,8 @@ void energy_map(const Settings& settings, lab::Findings& out) {
         map.gap();
     }
     std::printf(
-        "  worst found up to h|omega| = 1: x %.3g, at h|omega| = %.2g and a ratio of %.0f\n", top,
-        top_size, top_ratio);
+        "  worst found up to h|omega| = 1: x %.3g, at %.2g and a ratio of %.2g\n", top, top_size,
+        top_ratio);
     std::printf(
         "  a gain of 1 %% begins at h|omega| = %.2g (ratio %.0f): %.1f rad/s at this step\n", first,
         first_ratio, first / settings.step);
@@ -171,11 +172,13 @@ void energy_map(const Settings& settings, lab::Findings& out) {
     out.number("map_first_turns", first / settings.step / (2 * pi), "turns/s",
                "the same in turns a second", 2);
     out.number("map_first_ratio", first_ratio, "", "ratio of the moments there", 2);
+    auto& edge = out.table("map_edge.tsv", {"size", "ratio"});
+    edge.row({first, 1.0}), edge.row({first, 1.3e6});
     out.check("map_begins_below_one", first < 1, "a gain of a hundredth is met below h|ω| = 1");
 
     // Debris: many bodies, each for ten seconds, with h|ω| = 1 at the start.
     const int pieces = 500;
-    int above = 0, above_passive = 0;
+    int above = 0, above_passive = 0, settled = 0;
     double highest = 0, most_swell = 0;
     RandomBody debris(4);
     for (int n = 0; n < pieces; ++n) {
@@ -189,6 +192,9 @@ void energy_map(const Settings& settings, lab::Findings& out) {
             most = std::max(most, kinetic_energy(inertia, w)),
             most_passive = std::max(most_passive, kinetic_energy(inertia, p));
         }
+        for (int i = 600; i < 3000; ++i) p = passive_gyroscopic.step(inertia, p, 1.0);
+        const double about = inertia.momentum(p).squaredNorm() / (2 * kinetic_energy(inertia, p));
+        settled += about > 0.99 * inertia.moments.maxCoeff();
         const double E0 = kinetic_energy(inertia, d);
         most_swell = std::max(most_swell, swell(inertia, d));
         above += most > 1.01 * E0, above_passive += most_passive > 1.01 * E0,
@@ -200,7 +206,14 @@ void energy_map(const Settings& settings, lab::Findings& out) {
     out.number("debris_share", 100.0 * above / pieces, "%",
                "pieces of debris that ever gain a hundredth by one iteration", 2);
     out.number("debris_highest", highest, "", "the most that any of them gained");
+    std::printf("  by the passive step %d of them end about their largest moment\n", settled);
+    out.number("pieces", pieces, "", "pieces of debris");
+    out.check("passive_settles", settled == pieces,
+              "passive: after 3000 steps every piece turns about its largest moment, to a hundredth");
     std::printf("  as they tumble, exactly, |omega| rises by up to x %.2f\n", most_swell);
+    const double calm = first / most_swell;
+    out.number("calm", calm, "", "h|omega| from which a tumbling piece may come to a gain", 2);
+    out.number("calm_spin", calm / settings.step, "rad/s", "the spin that this is", 2);
     out.number("swell", most_swell, "", "the most that |omega| of a piece rises as it tumbles", 2);
     out.check("swell", most_swell > 1.2 && most_swell < std::sqrt(2),
               "as a free body tumbles, its |ω| rises by more than a fifth, by less than √2");
@@ -229,8 +242,8 @@ void energy_map(const Settings& settings, lab::Findings& out) {
                                   1.1920928955078125e-7);
     }
     std::printf(
-        "  passive, 60000 bodies, h|omega| from 1e-3 to 1e6, float and double: E' < E (1 + %.1f "
-        "eps)\n",
+        "  passive, 60000 bodies, h|omega| from 1e-3 to 1e6, float and double:\n"
+        "    E' < E (1 + %.1f eps)\n",
         std::max(over, 0.0));
     // L₂ = L₁ + h L₁ × ω₂: the second part is at right angles to the first. Of its rounding, some ε
     // of h|ω₂||L₁|, little is along L₁; for long steps a part in a million is a generous bound.

@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
         attitude(settings, out);
         newton(settings, out);
         free_capsule(settings, out);
+        uneven_capsule(settings, out);
         staff(settings, out);
         tumble(settings, out);
         minute(settings, out);

@@ -10,7 +10,7 @@ using namespace timestep;
 void minute(const Settings& settings, lab::Findings& out) {
     out.section("A minute");
     const auto start = spinning(1, 10, 0.1);
-    auto& table = out.table("minute.tsv", {"solver", "box 1:2:3, energy", "momentum",
+    auto& table = out.table("minute.tsv", {"solver", "sides 1:2:3, energy", "momentum",
                                            "moments 1:2:3, energy", "momentum"});
     const PrincipalInertia<double> brick = box(1.0, 1.0, 2.0, 3.0), other{1, 2, 3};
     for_each_gyroscopic([&](const auto& solver) {
@@ -40,18 +40,22 @@ void minute(const Settings& settings, lab::Findings& out) {
                            "angular momentum after a minute over that at the start");
             }
             std::printf("  %-25s %-14s energy %s, momentum %s\n", solver.name,
-                        inertia == &brick ? "box 1:2:3" : "moments 1:2:3", energy, momentum);
+                        inertia == &brick ? "sides 1:2:3" : "moments 1:2:3", energy, momentum);
             const std::string k = key(solver);
-            if (k == "explicit") out.check(id, burst, "explicit blows up within the minute");
+            const std::string of = inertia == &brick ? "the box" : "the body with moments 1:2:3";
+            if (k == "explicit") out.check(id, burst, "explicit: " + of + " blows up within the minute");
             if (k == "implicit" || k == "converged" || k == "passive")
                 out.check(id, E < (k == "passive" ? 1 : 0.5),
-                          k == "passive" ? "after a minute no energy is gained"
-                                         : "after a minute more than half of the energy is lost");
+                          k == "passive" ? "passive: after a minute " + of + " has gained no energy"
+                                         : solver.name + (": after a minute " + of) +
+                                               " has lost more than half of its energy");
             if (k == "implicit" || k == "converged")
                 out.check(id + "_momentum", L < 0.9,
-                          "after a minute more than a tenth of the angular momentum is lost");
+                          solver.name + (": after a minute " + of) +
+                              " has lost more than a tenth of its angular momentum");
             if (k == "old_inertia")
-                out.check(id + "_momentum", std::fabs(L - 1) < 1e-9, "the angular momentum stays");
+                out.check(id + "_momentum", std::fabs(L - 1) < 1e-9,
+                          "old inertia: the angular momentum of " + of + " stays");
         }
         table.row(cells);
     });

@@ -80,7 +80,8 @@ void newton(const Settings&, lab::Findings& out) {
 
     // Random boxes: rounds needed, and how often they do not suffice.
     auto& needed =
-        out.table("newton_rounds.tsv", {"hω", "rounds, median", "rounds, largest", "not found"});
+        out.table("newton_rounds.tsv", {"$h\\lvert\\omega\\rvert$", "rounds, median",
+                                             "rounds, largest", "not found"});
     RandomBody random(1);
     double missed_at_3 = 0;
     for (const double size : {0.01, 0.1, 0.3, 1.0, 3.0}) {

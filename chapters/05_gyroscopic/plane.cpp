@@ -22,6 +22,7 @@ struct Outcome {
     double rest = -1;        // the time from which it lies still, s; −1 if it never does
     double blown_up = -1;    // the time at which it was lost
     double spin = 0;         // |ω| at the end, rad/s
+    double most_spin = 0;    // and the largest
     double upright = 0;      // angle of its axis above the plane at the end, degrees
     double most_energy = 0;  // over that at the start
     double energy = 0;       // at the end over that at the start
@@ -44,6 +45,7 @@ Outcome watch(const Gyroscopic& solver, const plane::Capsule<Inertia>& body,
     for (long n = 0; n <= steps; ++n) {
         observe(m);
         result.spin = m.turning.omega.norm();
+        result.most_spin = std::max(result.most_spin, result.spin);
         result.upright = angle_above_plane(m);
         if (!(result.spin < lost)) {
             result.blown_up = m.turning.t;
@@ -71,7 +73,7 @@ std::string said(const Outcome& o) {
     if (o.blown_up >= 0) return "blown up after " + seconds(o.blown_up);
     if (o.rest >= 0) return "at rest after " + seconds(o.rest);
     char text[64];
-    std::snprintf(text, sizeof text, "%.0f rad/s%s", o.spin,
+    std::snprintf(text, sizeof text, o.spin < 1 ? "%.2g rad/s%s" : "%.0f rad/s%s", o.spin,
                   o.upright > 60  ? ", standing"
                   : o.upright < 5 ? ", rolling"
                                   : "");
@@ -129,6 +131,15 @@ void one_throw(const Settings& settings, lab::Findings& out) {
                   &converged = with[4], &passive = with[5];
     out.number("plane_blown_up", expl.blown_up, "s", "explicit: blown up, with rolling resistance",
                2);
+    out.number("plane_explicit_peak", without[0].most_spin, "rad/s",
+               "explicit: largest spin, without rolling resistance");
+    out.number("plane_explicit_left", without[0].spin, "rad/s",
+               "explicit: spin at the end, without rolling resistance", 2);
+    out.check("plane_explicit_lies",
+              without[0].most_spin > 2 * scene::spin && without[0].spin < 1 &&
+                  without[0].upright < 1,
+              "explicit without rolling resistance: the spin more than doubles, and in the end the "
+              "capsule lies flat and all but still");
     out.number("plane_old_energy", old.energy, "",
                "old inertia: energy at the end over that at the start", 2);
     out.check("plane_explicit", expl.blown_up > 0, "explicit: the capsule on the plane blows up");
@@ -138,19 +149,31 @@ void one_throw(const Settings& settings, lab::Findings& out) {
     out.check("plane_old", old.spin > scene::spin && old.energy > 2,
               "momentum with old inertia: it stands on its end and spins faster than at the start");
     out.check("plane_rests", implicit.rest > 0 && passive.rest > 0,
-              "implicit and passive: it comes to rest");
+              "implicit and passive: the capsule comes to rest");
     out.check("plane_one_iteration",
               implicit.rest == converged.rest && implicit.energy == converged.energy,
               "a capsule is symmetric: one iteration and the converged solution are the same run");
 
-    // The same scene, with steps so short that the way to treat the torque no longer matters.
-    const Outcome fine = watch(passive_gyroscopic, body, scene::ground(0.1), start,
-                               settings.step / 32, [](const auto&) {});
-    out.number("plane_fine_rest", fine.rest, "s", "at rest, with a 32nd of the step", 2);
-    std::printf("%-24s %-26s %-26s\n", "a 32nd of the step", "", said(fine).c_str());
-    out.check("plane_fine", fine.rest > 0 && passive.rest < 2 * fine.rest && dropped.spin > 10,
-              "with short steps it comes to rest too; the passive step is within a factor of two "
-              "of that time");
+    // The same scene, with steps so short that the way to treat the torque hardly matters.
+    const auto with_step = [&](const auto& solver, double h) {
+        return watch(solver, body, scene::ground(0.1, plane::Arms::start), start, h,
+                     [](const auto&) {});
+    };
+    const Outcome fine = with_step(passive_gyroscopic, settings.step / 32);
+    const Outcome fine_implicit = with_step(implicit_gyroscopic, settings.step / 32);
+    const Outcome quarter_implicit = with_step(implicit_gyroscopic, settings.step / 4);
+    std::printf("%-24s %-26s %-26s\n", "one iteration, h/4", "", said(quarter_implicit).c_str());
+    std::printf("%-24s %-26s %-26s\n", "one iteration, h/32", "", said(fine_implicit).c_str());
+    std::printf("%-24s %-26s %-26s\n", "passive, h/32", "", said(fine).c_str());
+    out.number("plane_fine_rest", fine.rest, "s", "passive: at rest, with a 32nd of the step", 2);
+    out.number("plane_quarter_rest", quarter_implicit.rest, "s",
+               "one iteration: at rest, with a quarter of the step", 2);
+    out.check("plane_fine",
+              fine.rest > 0 && fine_implicit.rest > 0 &&
+                  std::fabs(fine.rest - fine_implicit.rest) < 0.1 &&
+                  passive.rest < 2 * fine.rest && dropped.spin > 10,
+              "a 32nd of the step: passive and one iteration come to rest at the same time, to 0.1 "
+              "s; with the whole step passive takes less than twice as long");
 }
 
 // A ball has no gyroscopic torque: every variant compiles to the same step.

@@ -43,6 +43,7 @@ void torque(const Settings&, lab::Findings&);            // torque.cpp
 void attitude(const Settings&, lab::Findings&);          // torque.cpp
 void newton(const Settings&, lab::Findings&);            // newton.cpp
 void free_capsule(const Settings&, lab::Findings&);      // capsule.cpp
+void uneven_capsule(const Settings&, lab::Findings&);    // capsule.cpp
 void staff(const Settings&, lab::Findings&);             // capsule.cpp
 void tumble(const Settings&, lab::Findings&);            // tumble.cpp
 void minute(const Settings&, lab::Findings&);            // minute.cpp

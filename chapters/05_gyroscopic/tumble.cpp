@@ -37,6 +37,25 @@ std::string words(const std::vector<double>& at) {
     return at.empty() ? "no time" : list + (at.size() > 4 ? ", …" : "");
 }
 
+// What the passive step makes of the box with a step so short.
+struct Shorter {
+    double energy = 1;
+    std::size_t changes = 0;
+};
+Shorter passive_with(double h, const PrincipalInertia<double>& brick,
+                     const RigidState<double>& start, double seconds) {
+    Flips seen;
+    Shorter result;
+    const double E0 = kinetic_energy(brick, start);
+    spin_on(passive_gyroscopic, brick, start, h, std::lround(seconds / h),
+            [&](const RigidState<double>& s) {
+                seen.see(s.t, in_body(s).y());
+                result = {kinetic_energy(brick, s) / E0, seen.at.size()};
+                return true;
+            });
+    return result;
+}
+
 }  // namespace
 
 void tumble(const Settings& settings, lab::Findings& out) {
@@ -57,7 +76,8 @@ void tumble(const Settings& settings, lab::Findings& out) {
     auto& flips = out.table("flips.tsv", {"solver", "middle component changes sign at (s)",
                                           "energy left", "momentum left"});
     flips.row({std::string("exact"), words(truth.at), std::string("1"), std::string("1")});
-    std::printf("  %-25s middle spin turns round at %s (s)\n", "exact", words(truth.at).c_str());
+    std::printf("  %-24s middle spin changes sign at (s) energy left\n", "");
+    std::printf("  %-24s %s\n", "exact", words(truth.at).c_str());
     const bool turns = !truth.at.empty();
     out.number("tumble_first", turns ? truth.at[0] : 0, "s",
                "when the box first turns over, exactly");
@@ -89,9 +109,10 @@ void tumble(const Settings& settings, lab::Findings& out) {
                 });
         const double about = momentum * momentum / energy * (L0 * L0 / E0 / 2);  // L²/2E, a moment
         const bool burst = last < seconds - h;
-        std::printf("  %-25s middle spin turns round at %s (s); energy left %s\n", solver.name,
-                    words(seen.at).c_str(),
-                    burst ? words("more than a million, after %.2f s", last + h).c_str()
+        const std::string times = words(seen.at);
+        const int pad = times.find("…") == std::string::npos ? 31 : 33;  // "…" is three bytes
+        std::printf("  %-24s %-*s %s\n", solver.name, pad, times.c_str(),
+                    burst ? words("a million at %.2f s", last + h).c_str()
                           : words("%.4g", energy).c_str());
         flips.row({std::string(solver.name), words(seen.at),
                    burst ? words("blown up after %.2f s", last + h) : words("%.3g", energy),
@@ -122,7 +143,7 @@ void tumble(const Settings& settings, lab::Findings& out) {
                       "without the term the box never turns over");
         } else if (k == "implicit" || k == "passive" || k == "converged") {
             out.check(id, turns && !seen.at.empty() && energy < 1 && most < 1 + 1e-9,
-                      "the box turns over, and its energy sinks");
+                      std::string(solver.name) + ": the box turns over, and its energy sinks");
             // The tilt grows to the spin like e^(σt), σ² = ω²(I₁ − I₂)(I₂ − I₃)/(I₁I₃). Implicit Euler
             // multiplies it by 1/(1 − hσ) a step: the share hσ/2 too fast, and less as the tilt grows.
             // The passive step takes L from the old state, and is some of h|ω| too slow.
@@ -132,10 +153,11 @@ void tumble(const Settings& settings, lab::Findings& out) {
             const double early = turns && !seen.at.empty() ? 1 - seen.at[0] / truth.at[0] : 1;
             if (k == "passive")
                 out.check(id + "_time", early < 0 && -early < h * settings.spin,
-                          "the first flip is late, by less than the share h|ω|");
+                          "passive: the first flip is late, by less than the share h|ω|");
             else
                 out.check(id + "_time", early > 0 && early < h * sigma / 2,
-                          "the first flip is early, by less than the share hσ/2 of its time");
+                          std::string(solver.name) +
+                              ": the first flip is early, by less than the share hσ/2 of its time");
             const bool all = truth.at.size() > 1 && seen.at.size() == truth.at.size();
             double off = 0;
             for (std::size_t i = 0; all && i < seen.at.size(); ++i)
@@ -149,12 +171,27 @@ void tumble(const Settings& settings, lab::Findings& out) {
             }
             if (k == "passive") {
                 out.number("tumble_passive_flips", double(seen.at.size()), "",
-                           "how often the passive step turns over");
+                           "passive: how often the middle component changes sign");
                 out.number("tumble_exact_flips", double(truth.at.size()), "",
                            "how often the box turns over, exactly");
                 out.check("tumble_passive_hurries", seen.at.size() > 2 * truth.at.size(),
-                          "with the passive step the box turns over more than twice as often as it "
-                          "should");
+                          "passive: the middle component changes its sign more than twice as often "
+                          "as it should");
+                const Shorter quarter = passive_with(h / 4, brick, start, seconds),
+                              short_steps = passive_with(h / 64, brick, start, seconds);
+                std::printf("  %-24s %zu times %23s%.4g\n", "passive, h/4", quarter.changes, "",
+                            quarter.energy);
+                std::printf("  %-24s %zu times %23s%.4g\n", "passive, h/64", short_steps.changes,
+                            "", short_steps.energy);
+                out.number("tumble_quarter_energy", quarter.energy, "",
+                           "passive with a quarter of the step: energy left");
+                out.number("tumble_short_flips", double(short_steps.changes), "",
+                           "passive with a 64th of the step: how often the component changes sign");
+                out.check("tumble_shorter",
+                          std::fabs(quarter.energy - energy) < 0.01 &&
+                              short_steps.changes > truth.at.size(),
+                          "passive: a quarter of the step ends at the same energy, and a 64th still "
+                          "changes sign too often");
             }
         }
     });
