@@ -32,7 +32,7 @@ set logscale y
 set format x "%g"
 set xlabel "rounds of Newton–Raphson"
 set ylabel "residual over |Iω|"
-set xrange [-0.2:6.2]
+set xrange [-0.2:4.2]
 set yrange [1e-18:10]
 set xtics 1
 set key top right
@@ -50,7 +50,7 @@ unset xlabel
 set logscale y
 set yrange [0.3:300]
 set ytics ("0.5" 0.5, "1" 1, "10" 10, "100" 100)
-set ylabel "energy, of the first" offset 0.5,0
+set ylabel "energy / energy at the start" offset 0.5,0
 unset key
 plot 1 with lines @exact, \
      "capsule_explicit.tsv" using 1:2 with lines @explicit_gyroscopic, \
@@ -93,21 +93,21 @@ plot "staff_exact.tsv" using 1:4 with lines @exact title "exact", \
 call figure "tumble.svg" 640 900
 set multiplot layout 5,1 margins 0.12,0.97,0.09,0.94 spacing 0,0.035
 set xrange [0:12]
-set yrange [-13:13]
+set yrange [-15:15]
 set ytics 10
 set xtics 2 format ""
 unset xlabel
 set ylabel "ω (rad/s)"
 set key at screen 0.99,0.995 right horizontal maxrows 1 reverse Left samplen 2 width -3 font ",15"
 do for [name in "exact explicit dropped implicit passive"] {
-    set label 1 name at graph 0.01,0.1 left front textcolor rgb ink
+    set label 1 name at graph 0.01,0.12 left front textcolor rgb ink
     if (name eq "passive") {
         set xtics 2 format "%g"
         set xlabel "time t (s)"
     }
-    plot "tumble_".name.".tsv" using 1:2 with lines lc rgb "#0072b2" lw 2 title "about 1", \
-         "" using 1:3 with lines lc rgb "#d55e00" lw 2 title "2 (middle)", \
-         "" using 1:4 with lines lc rgb "#009e73" lw 2 dt (6,3) title "3"
+    plot "tumble_".name.".tsv" using 1:2 with lines lc rgb "#0072b2" lw 2 title "about x", \
+         "" using 1:3 with lines lc rgb "#d55e00" lw 2 title "y (middle)", \
+         "" using 1:4 with lines lc rgb "#009e73" lw 2 dt (6,3) title "z"
     unset key
 }
 unset multiplot
@@ -121,7 +121,7 @@ set xtics 2 format ""
 unset xlabel
 set yrange [0.5:2.1]
 set ytics 0.5
-set ylabel "energy, of the first"
+set ylabel "energy / at the start"
 unset key
 plot 1 with lines @exact, \
      "tumble_explicit.tsv" using 1:5 with lines @explicit_gyroscopic, \
@@ -132,7 +132,7 @@ plot 1 with lines @exact, \
      "tumble_passive.tsv" using 1:5 with lines @passive_gyroscopic
 set xtics 2 format "%g"
 set xlabel "time t (s)"
-set ylabel "momentum, of the first"
+set ylabel "momentum / at the start"
 set yrange [0.7:1.5]
 set ytics 0.2
 set key at screen 0.55,0.09 center horizontal maxcols 3 reverse Left width 1
@@ -174,14 +174,15 @@ set xtics ("0.03" -1.523, "0.1" -1, "0.3" -0.523, "1" 0, "3" 0.477, "10" 1)
 set ytics ("1" 0, "10" 1, "100" 2, "1000" 3, "10^4" 4, "10^5" 5, "10^6" 6)
 set xlabel "h|ω|"
 set ylabel "largest moment over smallest"
-set cblabel "E_2/E_1 of the worst step found"
+set cblabel "worst E_2/E_1 found" offset 1.5,0
 set cbrange [0:8]
 set cbtics ("1" 0, "10" 1, "100" 2, "1000" 3, "10^4" 4, "10^5" 5, "10^6" 6, "10^7" 7, "10^8" 8)
 set palette defined (0 "#ffffff", 0.02 "#fbe3b5", 1 "#f0b040", 3 "#d55e00", 5.5 "#8a2f00", 8 "#2a0c00")
 set border 15
 unset grid
 set rmargin 12
-plot "energy_map.tsv" skip 1 using (log10($1)):(log10($2)):($3 > 1.000001 ? log10($3) : 0) with image notitle
+plot "energy_map.tsv" skip 1 using (log10($1)):(log10($2)):($3 > 1.000001 ? log10($3) : 0) with image notitle, \
+     "map_edge.tsv" skip 1 using (log10($1)):(log10($2)) with lines lc rgb "#0072b2" lw 2 dt (6,4) notitle
 unset rmargin
 set border 3
 

@@ -2,10 +2,10 @@
 #   load folder."../../chapters/05_gyroscopic/films.gp"
 
 # How fast it spins, without rolling resistance and with it.
-call figure "plane_spin.svg" 640 760
+call figure "plane_spin.svg" 640 800
 reset_axes = "unset logscale; unset label; unset arrow; unset object; unset title; unset xlabel; unset ylabel; set autoscale; set xtics autofreq; set ytics autofreq; set format '%g'; set size noratio; set border 3; set grid lc rgb soft lt 1 lw 0.8"
 @reset_axes
-set multiplot layout 2,1 margins 0.15,0.97,0.235,0.95 spacing 0.02,0.1
+set multiplot layout 2,1 margins 0.15,0.97,0.235,0.95 spacing 0.02,0.15
 set xrange [0:20]
 set yrange [0:160]
 set ylabel "spin |ω| (rad/s)"
@@ -29,10 +29,10 @@ unset multiplot
 unset title
 
 # Many throws: what share of them still moves.
-call figure "plane_throws.svg" 640 760
+call figure "plane_throws.svg" 640 800
 @reset_axes
-set multiplot layout 2,1 margins 0.15,0.97,0.235,0.95 spacing 0.02,0.1
-set xrange [0:12]
+set multiplot layout 2,1 margins 0.15,0.97,0.235,0.95 spacing 0.02,0.15
+set xrange [0:20]
 set yrange [0:105]
 set ylabel "still moving (%)"
 set title "lever arms from the start of the step" offset 0,-0.6

@@ -18,15 +18,16 @@ struct ConvergedGyroscopic {
     static constexpr int order = 1;                             ///< of the error after a whole run
 
     // In y = √I ω (energy ½|y|²) the equation is y₂ + h g∘(y₂y₃, y₃y₁, y₁y₂) = y₁ with
-    // g = (I₃ − I₂, I₁ − I₃, I₂ − I₁)/√(I₁I₂I₃). (Below, J are the moments with the product one.) No energy is added: g sums to zero, so the middle term
-    // is at right angles to y₂, and |y₂|² = y₂·y₁ ≤ |y₂| |y₁|.
+    // g = (I₃ − I₂, I₁ − I₃, I₂ − I₁)/√(I₁I₂I₃). (Below, U are the moments with the product one.)
+    // No energy is added: g sums to zero, so the middle term is at right angles to y₂, and
+    // |y₂|² = y₂·y₁ ≤ |y₂| |y₁|.
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     template <class Real>
     Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
                        Real h) const {
-        const Vector3<Real>& J = inertia.unit;
-        const Vector3<Real> g = J.cwiseProduct(inertia.ratio);
-        const Vector3<Real> r = J.cwiseSqrt();
+        const Vector3<Real>& U = inertia.unit;
+        const Vector3<Real> g = U.cwiseProduct(inertia.ratio);
+        const Vector3<Real> r = U.cwiseSqrt();
         const Vector3<Real> y1 = r.cwiseProduct(omega);
         return follow(Vector3<Real>(h * g), y1).cwiseQuotient(r);
     }

@@ -22,8 +22,8 @@ struct ImplicitGyroscopic {
     /// [step]
     template <class Real>
     TIMESTEP_INLINE
-    Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const {
+    Vector3<Real> step(const FullInertia<Real>& inertia,
+                       const Vector3<Real>& omega, Real h) const {
         const Matrix3<Real>& I = inertia.matrix;
         const Vector3<Real> L = I * omega;
         const Vector3<Real> residual = h * omega.cross(L);

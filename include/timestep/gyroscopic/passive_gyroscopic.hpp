@@ -13,7 +13,9 @@ namespace timestep {
 /// few lines without a branch, and without a determinant that could vanish.
 ///
 /// Order one, as the talk's solver; the energy never grows, for any inertia, spin and step (N51). The
-/// angular momentum is kept to order one only.
+/// angular momentum is kept to order one only: it never shrinks. So a body left alone ends turning about
+/// its largest moment, however short the step; where two moments are equal, say so by SymmetricInertia,
+/// whose step loses nothing.
 struct PassiveGyroscopic {
     static constexpr const char* name = "passive";  ///< for tables and keys
     static constexpr int order = 1;                 ///< of the error after a whole run
@@ -22,8 +24,8 @@ struct PassiveGyroscopic {
     //     y₂ − k × y₂ = y₁.
     // No energy is added: k × y₂ is at right angles to y₂, so |y₁|² = |y₂|² + |k × y₂|².
     // Solved, by a dot and a cross product with k: y₂ = (y₁ + k × y₁ + (k·y₁) k) / (1 + k·k). Back in ω,
-    // with the moments J whose product is one, l = h J ω₁, and explicit Euler's ratios a, that is
-    //     ω₂ = (ω₁ − h a∘(ω₂ω₃, ω₃ω₁, ω₁ω₂) + (l·l) J ω₁) / (1 + l·J l).
+    // with the moments U whose product is one, l = h U ω₁, and explicit Euler's ratios a, that is
+    //     ω₂ = (ω₁ − h a∘(yz, zx, xy) + (l·l) U ω₁) / (1 + l·U l)  with ω₁ = (x, y, z).
     // We divide first, so that no product overflows that the division would tame.
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     /// [step]
@@ -31,17 +33,18 @@ struct PassiveGyroscopic {
     TIMESTEP_INLINE
     Vector3<Real> step(const PrincipalInertia<Real>& inertia,
                        const Vector3<Real>& omega, Real h) const {
-        const Vector3<Real>& J = inertia.unit;
+        const Vector3<Real>& U = inertia.unit;
         const Vector3<Real> a = h * inertia.ratio;
-        const Vector3<Real> l = h * J.cwiseProduct(omega);
+        const Vector3<Real> l = h * U.cwiseProduct(omega);
         const Real x = omega.x(), y = omega.y(), z = omega.z();
-        const Real share = 1 / (1 + (J.x() * l.x() * l.x() + J.y() * l.y() * l.y() +
-                                     J.z() * l.z() * l.z()));
+        const Real share =
+            1 / (1 + (U.x() * l.x() * l.x() + U.y() * l.y() * l.y() +
+                      U.z() * l.z() * l.z()));
         const Real l_l = l.dot(l);
         return Vector3<Real>(
-            share * x - a.x() * y * (share * z) + l_l * J.x() * (share * x),
-            share * y - a.y() * z * (share * x) + l_l * J.y() * (share * y),
-            share * z - a.z() * x * (share * y) + l_l * J.z() * (share * z));
+            share * x - a.x() * y * (share * z) + l_l * U.x() * (share * x),
+            share * y - a.y() * z * (share * x) + l_l * U.y() * (share * y),
+            share * z - a.z() * x * (share * y) + l_l * U.z() * (share * z));
     }
     /// [step]
 
@@ -52,13 +55,13 @@ struct PassiveGyroscopic {
     /// [symmetric]
     template <class Real>
     TIMESTEP_INLINE
-    Vector3<Real> step(const SymmetricInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const {
+    Vector3<Real> step(const SymmetricInertia<Real>& inertia,
+                       const Vector3<Real>& omega, Real h) const {
         const Real half = h / 2 * inertia.wobble * omega.z();  // tan(θ/2)
         const Real share = 1 / (1 + half * half);
         const Real cosine = 2 * share - 1, sine = 2 * (share * half);
-        return {cosine * omega.x() - sine * omega.y(), sine * omega.x() + cosine * omega.y(),
-                omega.z()};
+        return {cosine * omega.x() - sine * omega.y(),
+                sine * omega.x() + cosine * omega.y(), omega.z()};
     }
     /// [symmetric]
 

@@ -43,7 +43,8 @@ Real kinetic_energy(const Inertia& inertia, const RigidState<Real>& s) {
 template <class Gyroscopic, class Inertia, class Real>
 TIMESTEP_INLINE
 Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
-                                      const Inertia& inertia, const Matrix3<Real>& R,
+                                      const Inertia& inertia,
+                                      const Matrix3<Real>& R,
                                       const Vector3<Real>& omega, Real h) {
     if constexpr (!Inertia::gyroscopic) {
         return omega;
@@ -84,7 +85,8 @@ RigidState<Real> turn(const Gyroscopic& solver, const Inertia& inertia, const Ri
 /// [driven]
 template <class Gyroscopic, class Inertia, class Real>
 RigidState<Real> turn(const Gyroscopic& solver, const Inertia& inertia,
-                      const RigidState<Real>& s1, const Vector3<Real>& torque, Real h) {
+                      const RigidState<Real>& s1, const Vector3<Real>& torque,
+                      Real h) {
     const Vector3<Real> push = s1.q * inertia.velocity(s1.q.conjugate() * torque);
     const Vector3<Real> driven = s1.omega + h * push;
     return turn(solver, inertia, RigidState<Real>{s1.t, s1.q, driven}, h);

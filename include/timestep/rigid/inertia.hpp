@@ -113,7 +113,7 @@ struct PrincipalInertia {
     using Scalar = Real;                       ///< the real number type
     static constexpr bool gyroscopic = true;  ///< has the body a gyroscopic torque at all?
     Vector3<Real> moments;                    ///< I₁, I₂, I₃, kg m²
-    Vector3<Real> unit;                       ///< J₁, J₂, J₃ = I₁, I₂, I₃ over ∛(I₁I₂I₃)
+    Vector3<Real> unit;                       ///< U₁, U₂, U₃ = I₁, I₂, I₃ over ∛(I₁I₂I₃)
     Vector3<Real> ratio;  ///< a₁ = (I₃ − I₂)/I₁ and so on round: ω̇₁ = −a₁ ω₂ ω₃
 
     /// Moments in kg m², above zero, none larger than the sum of the others.
