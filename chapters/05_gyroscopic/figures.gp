@@ -174,7 +174,7 @@ set xtics ("0.03" -1.523, "0.1" -1, "0.3" -0.523, "1" 0, "3" 0.477, "10" 1)
 set ytics ("1" 0, "10" 1, "100" 2, "1000" 3, "10^4" 4, "10^5" 5, "10^6" 6)
 set xlabel "h|ω|"
 set ylabel "largest moment over smallest"
-set cblabel "worst E_2/E_1 found" offset 1.5,0
+set cblabel "worst gain found, E_2/E_1" offset 1.5,0
 set cbrange [0:8]
 set cbtics ("1" 0, "10" 1, "100" 2, "1000" 3, "10^4" 4, "10^5" 5, "10^6" 6, "10^7" 7, "10^8" 8)
 set palette defined (0 "#ffffff", 0.02 "#fbe3b5", 1 "#f0b040", 3 "#d55e00", 5.5 "#8a2f00", 8 "#2a0c00")
