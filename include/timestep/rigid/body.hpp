@@ -85,9 +85,10 @@ RigidState<Real> turn(const Gyroscopic& solver, const Inertia& inertia, const Ri
 /// [driven]
 template <class Gyroscopic, class Inertia, class Real>
 RigidState<Real> turn(const Gyroscopic& solver, const Inertia& inertia,
-                      const RigidState<Real>& s1, const Vector3<Real>& torque,
-                      Real h) {
-    const Vector3<Real> push = s1.q * inertia.velocity(s1.q.conjugate() * torque);
+                      const RigidState<Real>& s1,
+                      const Vector3<Real>& torque, Real h) {
+    const Vector3<Real> in_body = s1.q.conjugate() * torque;
+    const Vector3<Real> push = s1.q * inertia.velocity(in_body);
     const Vector3<Real> driven = s1.omega + h * push;
     return turn(solver, inertia, RigidState<Real>{s1.t, s1.q, driven}, h);
 }
