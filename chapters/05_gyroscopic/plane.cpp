@@ -256,7 +256,8 @@ void many_throws(const Settings& settings, lab::Findings& out) {
             out.check("throws_dropped_middle", rested == throws,
                       "dropped, arms in the middle: all come to rest");
         if (key == "explicit")
-            out.check("throws_explicit_" + word, lost_ones > 0, "explicit: some blow up");
+            out.check("throws_explicit_" + word, lost_ones > 0,
+                      "explicit, arms at the " + word + ": some of the throws blow up");
     };
     for (const plane::Arms arms : {plane::Arms::start, plane::Arms::middle})
         scene::for_each_variant(

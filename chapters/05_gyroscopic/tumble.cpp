@@ -137,7 +137,8 @@ void tumble(const Settings& settings, lab::Findings& out) {
             out.number("tumble_blow_up", burst_at, "s",
                        "until explicit has a million times the energy");
             out.check("tumble_explicit", energy > 1.2 && burst_at > 0,
-                      "explicit gains a fifth and more within the run, and a millionfold later");
+                      "explicit: the box gains a fifth of its energy and more within the run, and a "
+                      "millionfold later");
         } else if (k == "dropped") {
             out.check("tumble_dropped", seen.at.empty(),
                       "without the term the box never turns over");
