@@ -9,6 +9,7 @@
 #include <linux/seccomp.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
+#include <unistd.h>
 
 namespace checker {
 
@@ -29,6 +30,7 @@ constexpr sock_filter end(unsigned how) {
 
 void start_no_processes() {
     const unsigned refuse = SECCOMP_RET_ERRNO | EPERM;
+    const auto self = static_cast<unsigned>(getpid());  // abort() sends itself a signal
     // What clone3 is to do cannot be seen from here; without it the C library uses clone.
     sock_filter rules[] = {
         load(offsetof(seccomp_data, nr)),
@@ -40,6 +42,25 @@ void start_no_processes() {
         only_if(BPF_JEQ, SYS_vfork),
         end(refuse),
 #endif
+        // No signals to others, who would take the checker's place, and no way out of dying with it.
+        only_if(BPF_JEQ, SYS_ptrace),
+        end(refuse),
+        only_if(BPF_JEQ, SYS_pidfd_send_signal),
+        end(refuse),
+        only_if(BPF_JEQ, SYS_prctl),
+        BPF_JUMP(BPF_JMP | BPF_JA, 8, 0, 0),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_kill, 3, 0),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_tkill, 2, 0),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_tgkill, 1, 0),
+        BPF_JUMP(BPF_JMP | BPF_JA, 8, 0, 0),
+        load(offsetof(seccomp_data, args)),  // to whom
+        only_if(BPF_JEQ, self),
+        end(SECCOMP_RET_ALLOW),
+        end(refuse),
+        load(offsetof(seccomp_data, args)),  // what prctl is to do
+        only_if(BPF_JEQ, PR_SET_PDEATHSIG),
+        end(refuse),
+        end(SECCOMP_RET_ALLOW),
         BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_clone, 1, 0),
         end(SECCOMP_RET_ALLOW),
         load(offsetof(seccomp_data, args)),  // the flags

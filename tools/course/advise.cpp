@@ -27,7 +27,7 @@ constexpr double pi = 3.141592653589793;
 
 std::string number(double value, const char* format = "%.3g") {
     if (std::isnan(value)) return "-";
-    if (std::isinf(value)) return "no limit";
+    if (std::isinf(value)) return "1e308 and more";
     char text[64];
     std::snprintf(text, sizeof text, format, value);
     return text;
@@ -86,14 +86,15 @@ void print(const std::vector<Advice>& all, const timestep::DampedSpring<double>&
            double accuracy) {
     const double omega = spring.omega, swing = 2 * pi / omega;
     const double decay = spring.zeta < 1 ? spring.zeta : 1 / timestep::detail::fast_decay(spring.zeta);
-    std::printf("ω = %s rad/s, ζ = %s, h = %s s: ωh = %s, %s steps a swing.\nThe true motion: in a second the "
+    const std::string steps = spring.zeta < 1 ? number(swing / h) + " steps a swing" : "no swing";
+    std::printf("ω = %s rad/s, ζ = %s, h = %s s: ωh = %s, %s.\nThe true motion: in a second the "
                 "amplitude x %s.\n\n",
                 number(omega).c_str(), number(spring.zeta).c_str(), number(h).c_str(),
-                number(omega * h, "%.4g").c_str(), number(swing / h).c_str(),
+                number(omega * h, "%.4g").c_str(), steps.c_str(),
                 number(std::exp(-decay * omega)).c_str());
     std::printf("%s%s%s%s%s%s\n", padded("method", 34).c_str(), padded("verdict", 19).c_str(),
-                padded("amplitude/s", 13).c_str(), padded("energy/s", 11).c_str(),
-                padded("period", 9).c_str(), "cost/s");
+                padded("amplitude/s", 18).c_str(), padded("energy/s", 18).c_str(),
+                padded("period", 13).c_str(), "cost/s");
     for (const auto& advice : all) {
         const std::string off = std::isnan(advice.period_error)
                                     ? "-"
@@ -101,8 +102,8 @@ void print(const std::vector<Advice>& all, const timestep::DampedSpring<double>&
         const std::string growth =
             std::isnan(advice.growth_per_second) ? "-" : "x " + number(advice.growth_per_second);
         std::printf("%s%s%s%s%s%s\n", padded(advice.method, 34).c_str(),
-                    padded(words(advice.verdict), 19).c_str(), padded(growth, 13).c_str(),
-                    padded(energy(advice), 11).c_str(), padded(off, 9).c_str(),
+                    padded(words(advice.verdict), 19).c_str(), padded(growth, 18).c_str(),
+                    padded(energy(advice), 18).c_str(), padded(off, 13).c_str(),
                     number(advice.cost).c_str());
     }
     std::printf("\nWhy, and up to which step:\n");
@@ -117,14 +118,16 @@ void print(const std::vector<Advice>& all, const timestep::DampedSpring<double>&
         std::printf("To be right to %s %%, the cheapest is %s: steps of %s s, cost %s a second.\n",
                     number(accuracy).c_str(), bold(best->method).c_str(),
                     number(best->accurate_step).c_str(), number(best->accurate_cost).c_str());
-    std::printf("The talk's rule of thumb, four steps a swing, allows %s s: your step is %s.\n",
-                number(swing / 4).c_str(), h <= swing / 4 ? "within it" : "longer");
+    if (spring.zeta < 1)
+        std::printf("The talk's rule of thumb, four steps a swing, allows %s s: your step is %s.\n",
+                    number(swing / 4).c_str(), h <= swing / 4 ? "within it" : "longer");
 }
 
 void advise_spring(const Question& question, bool json) {
     const auto spring = spring_of(question);
     const double h = step_of(question);
-    timestep::positive("accuracy", question.accuracy);
+    if (!(question.accuracy >= 1e-6 && question.accuracy <= 50))
+        timestep::refuse("accuracy", question.accuracy, "from 1e-6 to 50 percent");
     const auto all = timestep::advise(spring, h, question.accuracy / 100);
     if (json) {
         Json answer = Json::array();
@@ -137,13 +140,13 @@ void advise_spring(const Question& question, bool json) {
 
 // ---- A spinning body -----------------------------------------------------------------------------
 
-Json as_json(const SpinAdvice& advice, double h) {
+Json as_json(const SpinAdvice& advice) {
     Json spin = nullptr;
     if (advice.worst_gain > 1)
         spin = Json::array({advice.worst_spin.x(), advice.worst_spin.y(), advice.worst_spin.z()});
     return {{"method", advice.method},
             {"verdict", words(advice.verdict)},
-            {"growth_per_second", finite(std::exp(std::log(advice.worst_gain) / (2 * h)))},
+            {"growth_per_second", nullptr},  // the spin does not stay in the worst direction
             {"period_error_percent", nullptr},
             {"energy_gain_of_the_worst_step", finite(advice.worst_gain)},
             {"worst_spin", spin},
@@ -163,7 +166,7 @@ void print(const std::vector<SpinAdvice>& all, double spin, double h) {
         std::printf("%s%s%s%s%s\n", padded(advice.method, 26).c_str(),
                     padded(words(advice.verdict), 19).c_str(),
                     padded(added > 1e-12 ? number(100 * added, "%+.2g") + " %" : "none", 14).c_str(),
-                    padded(number(advice.longest_step) + (limited ? " s" : ""), 14).c_str(),
+                    padded(limited ? number(advice.longest_step) + " s" : "no limit", 14).c_str(),
                     number(advice.cost).c_str());
     }
     std::printf("\nWhy:\n");
@@ -185,7 +188,7 @@ void advise_body(const Question& question, bool json) {
     const auto all = timestep::advise_spin(inertia, spin, h);
     if (json) {
         Json answer = Json::array();
-        for (const auto& advice : all) answer.push_back(as_json(advice, h));
+        for (const auto& advice : all) answer.push_back(as_json(advice));
         std::printf("%s\n", answer.dump(2).c_str());
     } else {
         print(all, spin, h);

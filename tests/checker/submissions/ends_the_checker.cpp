@@ -1,4 +1,4 @@
-// velocity_now left_early: ended the checker
+// velocity_now too_slow: Is there a loop
 #include "exercise.hpp"
 
 #include <csignal>

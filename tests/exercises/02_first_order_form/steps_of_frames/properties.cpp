@@ -82,6 +82,9 @@ PROPERTY("a step that lacks the last bit has to wait, and one that is owed to th
         const double bit = i % 2 == 0 ? 0x1p-27 : 0x1p-47, short_of = step - bit;
         const std::vector<double> frames{short_of, bit, short_of, 0, bit, step + short_of, bit};
         REQUIRE(learner(frames, step, draw.integer(1, 6)) == std::vector<int>{0, 1, 0, 0, 1, 1, 1});
+        // Short by the last bit that a double has: both parts and their sum are exact.
+        const double nearly = std::nextafter(step, 0.0);
+        REQUIRE(learner({nearly, step - nearly}, step, 4) == std::vector<int>{0, 1});
     }
 }
 

@@ -13,6 +13,17 @@ PROPERTY("without drag it is Verlet's step") {
     }
 }
 
+// What drag takes of a displacement of 1, from 1 to 2: 1 - exp(-gamma h). The answer is some 2, and
+// roundoff leaves some units of its last place.
+PROPERTY("in a short step drag takes little, but what it takes") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const double gamma = draw.log(0.01, 1), h = draw.log(1e-4, 1e-2);
+        const double taken = 2 - learner(0, 1, 0, gamma, h);
+        REQUIRE(close(taken, -std::expm1(-gamma * h), 0, 1e-11));
+    }
+}
+
 PROPERTY("at rest and without a force a point stays where it is") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
