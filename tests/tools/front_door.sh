@@ -28,6 +28,18 @@ test_alone_and_help_only_talk() {
     expect 7 course list --help  # built, the program has more to say
 }
 
+test_every_command_that_the_help_names_is_handed_over() {
+    new_machine 0
+    have_all
+    course --help | grep -o '^  ./course [a-z]*' | sed 's|.* ||' | grep -v setup >commands
+    echo solution >>commands  # which stands in the line of hint
+    [ "$(lines commands)" -gt 10 ] || fail 'the help names too few'
+    while read -r command; do
+        expect 7 course "$command" 1
+        is "$(cat out)" "handed over: $command 1"
+    done <commands
+}
+
 test_unknown_words_are_refused_before_anything_is_installed() {
     new_machine 0
     expect 2 course turo
