@@ -43,7 +43,10 @@ struct Wire<Eigen::Quaternion<T>> {
         return Eigen::Quaternion<T>(Wire<Coefficients>::take(reader));
     }
     static std::string show(Reader& reader) {
-        return "{x, y, z, w " + show_row<T>(reader, 4) + "}";
+        std::string parts;
+        for (const char* const name : {"{x ", ", y ", ", z ", ", w "})
+            parts += name + Wire<T>::show(reader);
+        return parts + "}";
     }
 };
 
