@@ -13,14 +13,13 @@
 //
 // An angle of 1e-9 is a turn, too. A spin of 1e-14 turns the body when h is long enough. A step may
 // take a hundred thousand turns; then only rounding may cost digits. q and -q are one attitude,
-// and you may return either. Quaterniond(w, x, y, z) has the cosine first; the checker shows x, y,
-// z, w.
+// and you may return either. Quaterniond(w, x, y, z) has the cosine first; coeffs() has it last.
 //
 // Example: q = Quaterniond(0.8, 0, 0, 0.6), omega = (3, 0, 0) and h = 0.5 give
 // Quaterniond(0.5854, 0.5453, 0.4090, 0.4390), all rounded.
 //
-// What is checked: no spin, no time; the length; where the axis points; by what angle a point goes
-// round it, which way, after many turns as well as for tiny angles; slow spins; two steps in a row;
+// What is checked: no time; the length; where the axis points; by what angle a point goes round it,
+// which way, after many turns as well as for tiny angles; slow spins, and none; two steps in a row;
 // the answer turns with the scene.
 
 #include "exercise_eigen.hpp"

@@ -29,6 +29,10 @@ Catch::Session& catch2() {
     return one;
 }
 
+bool is_finite(const Numbers& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
 // How far one answer lies from another, relative to the larger. Where both are NaN, or infinite
 // alike, they agree.
 double apart(const Numbers& a, const Numbers& b) {
@@ -73,7 +77,10 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
         verdict_.trace = ended_->trace;
     }
     if (verdict_.kind == Kind::wrong || verdict_.kind == Kind::not_finite)
-        verdict_.misconception = diagnose(exercise);
+        verdict_.misconception = diagnose(exercise, false);
+    // Answers that are not finite came after what is told, and are another fault.
+    if (verdict_.kind == Kind::wrong && verdict_.misconception.empty())
+        verdict_.misconception = diagnose(exercise, true);
     if (spoken_) {
         verdict_.arguments = spoken_->arguments(last_.arguments);
         if (!last_.result.empty()) verdict_.result = spoken_->result(last_.result);
@@ -101,7 +108,7 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
         end(Ended(Kind::left_early, "The answer was not made as its type demands"));
     if (calls_.size() < 100'000) calls_.push_back({arguments, result});
     if (verdict_.kind == Kind::pass) last_ = {arguments, result};
-    if (!std::all_of(result.begin(), result.end(), [](double x) { return std::isfinite(x); })) {
+    if (!is_finite(result)) {
         if (!ended_ && verdict_.kind == Kind::pass) ended_ = Ended(Kind::not_finite, "");
         throw Ended(Kind::not_finite, "");
     }
@@ -116,14 +123,15 @@ void Session::looked_at(const std::string& property, bool holds) {
     verdict_.property = property;
 }
 
-// The known mistake that would have answered every call just so. What roundoff does to two ways of
+// The known mistake that would have answered every call just so, or every one with a finite answer. What roundoff does to two ways of
 // writing the same mistake, single precision included, is far below 1e-4.
-std::string Session::diagnose(const std::string& exercise) const {
+std::string Session::diagnose(const std::string& exercise, bool of_finite_answers) const {
     std::string nearest;
     double least = 1e-4;
     for (const Mistake& mistake : mistakes_of(exercise)) {
         double worst = 0;
         for (const Call& call : calls_) {
+            if (of_finite_answers && !is_finite(call.result)) continue;
             worst = std::max(worst, apart(call.result, mistake.answer(call.arguments)));
             if (worst >= least) break;
         }

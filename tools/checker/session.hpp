@@ -48,7 +48,7 @@ public:
     std::uint64_t seed() const { return seed_; }
 
 private:
-    std::string diagnose(const std::string& exercise) const;
+    std::string diagnose(const std::string& exercise, bool of_finite_answers) const;
 
     Answer answer_;
     std::uint64_t seed_ = 0;

@@ -51,13 +51,11 @@ Spin draw_spin(Draw& draw) {
 
 }  // namespace
 
-PROPERTY("without spin, or in no time, the attitude stays as it is") {
+PROPERTY("in no time the attitude stays as it is") {
     Draw draw;
     for (int i = 0; i < 30; ++i) {
         const Spin spin = draw_spin(draw);
         REQUIRE(same(learner(spin.q, spin.omega, 0), spin.q, 1e-14));
-        REQUIRE(same(learner(spin.q, Vector3d::Zero(), spin.h), spin.q, 1e-14));
-        REQUIRE(same(learner(spin.q, Vector3d::Zero(), 0), spin.q, 1e-14));
     }
 }
 
@@ -102,6 +100,16 @@ PROPERTY("a slow spin adds up over a long time, and a tiny angle is a turn, too"
         const double slow = draw.log(1e-14, 1e-13), speed = draw.log(0.1, 100);
         REQUIRE(Spin(draw, slow, draw.sign() * draw.log(0.1, 6)).goes_round(draw));
         REQUIRE(Spin(draw, speed, draw.sign() * draw.log(1e-10, 1e-4)).goes_round(draw));
+    }
+}
+
+// Behind the others: what is wrong for every spin is told before what is wrong for none.
+PROPERTY("a body that does not spin stays as it is, for however long") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const Spin spin = draw_spin(draw);
+        REQUIRE(same(learner(spin.q, Vector3d::Zero(), spin.h), spin.q, 1e-14));
+        REQUIRE(same(learner(spin.q, Vector3d::Zero(), 0), spin.q, 1e-14));
     }
 }
 
