@@ -11,6 +11,9 @@
 //   torque    in world coordinates, in N m; may be zero
 //   returns   angular acceleration in world coordinates, in rad/s²
 //
+// What Eigen offers for this: a.cwiseProduct(b) multiplies and a.cwiseQuotient(b) divides component
+// by component, a.cross(b) is a × b, and q * v turns a vector.
+//
 // Example: a ship with inertia = (2, 4, 5) is turned by a quarter about z: its own x axis is the
 // world's y axis. With omega = (0, 3, 2) and torque = (2, 6, 5) the answer is (−4, 3, 1).
 //
