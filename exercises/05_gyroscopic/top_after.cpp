@@ -10,7 +10,7 @@
 //   along     moment about the axis of symmetry, z, in kg m² (above zero, at most 2 across). The
 //             two are equal for a sphere
 //   omega     angular velocity at the start, in the body's own axes, in rad/s; may be zero, along
-//             z, or across it
+//             z, across it, or nearly along z: a wobble of 1e-12 rad/s goes round, too
 //   t         how much later, in s; zero or negative (earlier), too
 //   returns   angular velocity then, in the body's own axes, which have turned with the body, in
 //             rad/s. Exact but for rounding
@@ -19,7 +19,7 @@
 //
 // What is checked: no time; spheres, spin along the axis and spin across it; what stays; which way
 // the rest turns; two flights in a row, and back; Euler's equations, at any time; how long a turn
-// takes; bodies that are nearly round.
+// takes; tiny wobbles; bodies that are nearly round.
 
 #include "exercise_eigen.hpp"
 

@@ -123,6 +123,18 @@ PROPERTY("each half of a turn, at the rate of the start, turns the part across e
     }
 }
 
+// Euler's equations are linear in the part across.
+PROPERTY("a tiny wobble goes round just as a large one does") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Top top(draw);
+        const double t = draw.real(-5, 5), tiny = draw.log(1e-12, 1e-11);
+        const Vector3d across = across_part(top.omega), along = top.omega - across;
+        const Vector3d later = learner(top.across, top.along, along + tiny * across, t);
+        REQUIRE(close(across_part(later), tiny * across_part(top.after(t)), 1e-12));
+    }
+}
+
 PROPERTY("a nearly round top changes slowly, in proportion to what its moments differ by") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
