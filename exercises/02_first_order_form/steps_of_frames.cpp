@@ -8,7 +8,7 @@
 // most_steps. If there is a whole step or more left to pay then, whole steps are dropped until less
 // than one step is owed, and that remainder stays owed.
 //
-//   frames      how long each frame took, in s, zero or more; the list may be empty
+//   frames      how long each frame took, in s: from zero to a million steps; the list may be empty
 //   step        length of a step, above zero, in s
 //   most_steps  the most that one frame may take, 1 or more
 //   returns     how many steps each frame took: as many numbers as there are frames
@@ -19,7 +19,8 @@
 // What is checked: one number for each frame; frames that are longer than a step, as long, and
 // shorter, if only by the last bit; the simulation is never ahead of the clock, and less than one
 // step behind it; the cap; after a hitch the remainder is kept and whole steps are not. All times
-// that are drawn are binary fractions, which add and subtract without rounding.
+// that are drawn are binary fractions, which add and subtract without rounding. One hitch lasts for
+// nearly a million steps.
 
 #include "exercise.hpp"
 
