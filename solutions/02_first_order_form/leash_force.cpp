@@ -17,10 +17,10 @@
 // Example: x = (3, 0, 4) and v = (1, 7, 2) with k = 10, c = 2 and length = 4 give (−8.64, 0,
 // −11.52).
 //
-// What is checked: a slack leash, one that is just as long as at rest, and a ball at its owner's
-// place; at rest the spring pulls back along the leash; what moves across does not matter; no
-// damping, and little; the damper takes just the energy that it should; no pushing; the force turns
-// with the scene.
+// What is checked: a slack leash, one as long as at rest, one longer by a hair, one of no rest
+// length, and a ball at its owner's place; at rest the spring pulls back along the leash; what moves
+// across does not matter; no damping, and little; the damper takes just the energy that it should;
+// no pushing; the force turns with the scene.
 
 #include "exercise_eigen.hpp"
 
