@@ -21,14 +21,16 @@
 //   returns   true where a body can have them as its moments
 //
 // You need no tolerance: the plates in the tests are whole numbers times a power of two, which add
-// up without rounding. You may use one, up to a billionth of the largest moment.
+// up without rounding. You may use one, up to a billionth of the largest moment: a share of it, not
+// a fixed number, which would be all that a small body has.
 //
 // Example: is_a_body({4, 5, 8}) is true. So is is_a_body({4, 5, 9}): a plate. is_a_body({4, 5, 10})
 // is false.
 //
 // What is checked: clouds of masses are bodies, and so are flat plates, whichever way they lie; a
-// moment that is a little or much too large; moments that are zero or negative; from where to where
-// a third moment may go; the unit and the order of the axes do not matter.
+// moment that is a little or much too large, of large and of tiny bodies; moments that are zero or
+// negative; from where to where a third moment may go; the unit and the order of the axes do not
+// matter.
 
 #include "exercise_eigen.hpp"
 
