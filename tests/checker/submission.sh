@@ -8,10 +8,7 @@ export STAGE_SOURCE="$source" STAGE_BUILD="$build" STAGE_CMAKE=true STAGE_CTEST=
 begin=$(date +%s)
 said=$("$course" check "$exercise" --file "$file" --json) && status=0 || status=$?
 got=$(echo "$said" | sed -n 's/.*"verdict":"\([a-z_]*\)".*/\1/p')
-case "|$verdict|" in  # A|B: one of them, as it depends on who runs it
-*"|$got|"*) ;;
-*) echo "must be $verdict, but is $said"; exit 1 ;;
-esac
+[ "$got" = "$verdict" ] || { echo "must be $verdict, but is $said"; exit 1; }
 expected=1
 [ "$got" != pass ] || expected=0
 [ "$got" != course_error ] || expected=3

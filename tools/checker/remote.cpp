@@ -9,6 +9,7 @@
 #include <random>
 
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -63,6 +64,7 @@ void limit(int resource, std::size_t amount) {
     // It counts all that the user runs, which is less than all that the machine runs.
     struct sysinfo machine {};
     if (sysinfo(&machine) == 0) limit(RLIMIT_NPROC, machine.procs + limits.threads);
+    prctl(PR_CAPBSET_DROP, CAP_SYS_PTRACE);  // by which root reaches into any process
     start_no_processes();
     char name[] = "worker";
     char* arguments[] = {name, nullptr};

@@ -4,9 +4,11 @@
 #include <csignal>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
+#include <sys/prctl.h>
 
 #include "places.hpp"
 #include "process.hpp"
@@ -98,6 +100,16 @@ std::map<std::string, std::string> read_lines(const std::string& said) {
     return values;
 }
 
+// What the learner's code has printed; nothing where it has put something else in the file's place,
+// of which nobody knows whether it has an end.
+std::optional<std::string> printed_in(const fs::path& file) {
+    std::error_code error;
+    const auto type = fs::symlink_status(file, error).type();
+    if (type == fs::file_type::not_found) return "";
+    if (type != fs::file_type::regular) return {};
+    return contents(file);
+}
+
 // The learner's code runs beside check, which it may end, or write in its place: what check says
 // counts only where its exit status says the same.
 bool meddled_with(const Outcome& outcome, const std::string& verdict) {
@@ -141,11 +153,14 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
         link.push_back(word);
     if (!succeeds(link, workshop, verdict)) return ended("does_not_compile");
 
+    // The learner's code is not to reach our files through /proc: what we print is the verdict.
+    prctl(PR_SET_DUMPABLE, 0);
     const Outcome outcome = run_within(
         {commands.check, exercise.name, worker.string(), std::to_string(seed), printed.string()},
         {30});
     auto said = read_lines(outcome.said);
-    if (fs::exists(printed)) verdict.printed = contents(printed);
+    const auto text = printed_in(printed);
+    verdict.printed = text.value_or("");
     if (said["verdict"] == "wrong" || said["verdict"] == "not_finite")
         verdict.property = said["property"];
     verdict.misconception = said["misconception"];
@@ -154,6 +169,11 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     verdict.result = said["result"];
     if (meddled_with(outcome, said["verdict"])) {
         verdict.detail = "The program ended the checker, or wrote in its place";
+        verdict.arguments = "(…)";
+        return ended("left_early");
+    }
+    if (!text) {
+        verdict.detail = "The program replaced the file that holds what it prints";
         verdict.arguments = "(…)";
         return ended("left_early");
     }
