@@ -49,9 +49,10 @@ struct Advice {
     double longest_step;           ///< the longest stable step, s; infinite where there is no limit
     double growth_per_step;        ///< what a step multiplies the amplitude by in the long run
     double growth_per_second;      ///< the same for a second of game time
-    double energy_drift;           ///< the energy after a second over what it should be, minus one
+    double energy_ratio;           ///< the energy after a second over what it should be
+    double energy_drift;           ///< that minus one
     double period_error;           ///< the period over the exact one, minus one
-    double rate_error;             ///< |ln λ / h − μ| / |μ|: see advise()
+    double rate_error;             ///< how wrong the motion's frequency and decay are: see advise()
     double cost;                   ///< force evaluations and solves in a second of game time
     double accurate_step = 0;      ///< the longest step whose rate error is as small as wanted, s; or 0
     double accurate_cost = 0;      ///< what that costs, evaluations and solves a second; 0 if there is none
@@ -111,13 +112,20 @@ inline Complex principal(const std::vector<Complex>& all, long double zeta, long
     });
 }
 
-// By how much the rate of the motion is wrong, its frequency and its decay together.
+// How wrong the motion is: its exponent ln λ / h, or the spring that has both such exponents. Of that
+// spring their sum is −2ζ'ω' and their product ω'², and it is as wrong as ω' and ζ'ω' are. Near ζ = 1,
+// where the two exponents meet, they are split by the root of any change of the spring: so one exponent
+// says too much there, and far beyond, where the fast one is soon over, the spring does. The smaller
+// counts.
 template <class Method>
-double rate_error(const Method& method, double zeta, double s) {
-    const Complex exact = exact_rate(zeta);
-    const Complex lambda = principal(multipliers(method, zeta, s), zeta, s);
-    return static_cast<double>(std::abs(std::log(lambda) / static_cast<long double>(s) - exact) /
-                               std::abs(exact));
+double rate_error(const Method& method, long double zeta, long double s) {
+    const auto all = multipliers(method, zeta, s);  // BDF2's come in pairs, the principal one first
+    const Complex a = std::log(all.front()) / s, b = std::log(all[all.size() / 2]) / s;
+    const long double frequency = std::abs(std::sqrt(a * b) - 1.0L);
+    const long double damping = std::abs(a + b + 2 * zeta) / (2 * std::max(zeta, 1.0L));
+    const Complex exact = exact_rate(zeta), rate = std::log(principal(all, zeta, s)) / s;
+    return static_cast<double>(
+        std::fmin(std::hypot(frequency, damping), std::abs(rate - exact) / std::abs(exact)));
 }
 
 // The largest s up to which the rate is as good as wanted. The error rises with s from zero; a coarse
@@ -153,7 +161,7 @@ Advice advise(const Method& method, const DampedSpring<double>& spring, double h
     const double nan = std::numeric_limits<double>::quiet_NaN();
     if (!takes_damping<Method> && spring.zeta > 0)
         return {method.name, Verdict::refused, "has no velocity to hand to the damper",
-                nan, nan, nan, nan, nan, nan, nan};
+                nan, nan, nan, nan, nan, nan, nan, nan};
 
     const double s = spring.omega * h, zeta = spring.zeta;
     const StabilityLimit limit = stability_limit(method, zeta);
@@ -169,8 +177,9 @@ Advice advise(const Method& method, const DampedSpring<double>& spring, double h
     advice.longest_step = limit.value / spring.omega;
     advice.growth_per_step = static_cast<double>(largest);
     advice.growth_per_second = static_cast<double>(std::exp(std::log(largest) / h));
-    advice.energy_drift =
-        static_cast<double>(std::expm1(2 * (std::log(largest) - exact.real() * s) / h));
+    const long double energy_rate = 2 * (std::log(largest) - exact.real() * s) / h;
+    advice.energy_ratio = static_cast<double>(std::exp(energy_rate));
+    advice.energy_drift = static_cast<double>(std::expm1(energy_rate));
     advice.period_error = exact.imag() > 0 && lambda.imag() > 0
                               ? static_cast<double>(exact.imag() * s / std::arg(lambda) - 1)
                               : nan;
@@ -192,16 +201,22 @@ Advice advise(const Method& method, const DampedSpring<double>& spring, double h
 ///
 /// Growth, period and energy are those of the step's eigenvalues. Of the motion e^(μt) a step makes
 /// e^((ln λ / h) t), so |ln λ / h − μ| / |μ| is how wrong its rate is, frequency and decay together: 1 %
-/// turns a swing into one whose period, or whose loss per radian, is off by 1 %. (The positions
-/// of semi-implicit Euler lie on a swing of the right size; its velocities, half a step early, are
-/// not judged.) `wanted` is how small that may be: the longest step is found for which it is.
+/// turns a swing into one whose period, or whose loss per radian, is off by 1 %. Near ζ = 1 the two
+/// rates of a spring meet, and tiny changes of it drive them far apart. There the step's motion is
+/// compared as a whole: it is that of another spring, ω' and ζ', and the error is |ω' − ω|/ω and
+/// |ζ'ω' − ζω|/ω together (beyond ζ = 1 the latter is |ζ'ω' − ζω|/(ζω)). The smaller of the two errors
+/// counts. (The positions of semi-implicit Euler lie on a swing of the right size; its velocities, half a
+/// step early, are not judged.) `wanted` is how large it may be: the longest step is found for which it
+/// is no larger.
 ///
 /// A force evaluation and a solve are counted as equally dear. Throws `std::invalid_argument` where
-/// ω or h is not above zero and finite, or `wanted` is not between 1e-8 and 0.5.
+/// ω or h is not above zero and finite, where ωh is below 1e-12 (a step then changes nothing but the last
+/// digits) or not finite, or `wanted` is not between 1e-8 and 0.5.
 inline std::vector<Advice> advise(const DampedSpring<double>& spring, double h, double wanted = 0.01) {
     positive("omega", spring.omega);
     positive("step", h);
     if (!std::isfinite(spring.omega * h)) refuse("step", h, "so short that omega times it is finite");
+    if (spring.omega * h < 1e-12) refuse("step", h, "so long that omega times it is 1e-12 or more");
     if (!(wanted >= 1e-8 && wanted <= 0.5)) refuse("accuracy", wanted, "from 1e-8 to 0.5");
     std::vector<Advice> all;
     const auto add = [&](const auto& method) {

@@ -21,6 +21,8 @@ test_bad_input_is_refused_by_its_name_and_rule() {
     refuses 'zeta = -1: must be finite and zero or more' --omega 3 --zeta -1
     refuses 'step = 0: must be finite and greater than zero' --omega 3 --step 0
     refuses 'rate = inf: ' --omega 3 --rate inf
+    refuses 'step = 1e-300: must be so long that omega times it is 1e-12 or more' --omega 1e-300 --step 1e-300
+    refuses 'step times spin = 0: ' --inertia 1,2,3 --spin 1e-300,0,0 --step 1e-300
     refuses 'stiffness = 0: ' --stiffness 0 --mass 1
     refuses 'mass = -1: ' --stiffness 1 --mass -1
     refuses 'accuracy = 0: ' --omega 3 --accuracy 0
@@ -31,6 +33,19 @@ test_bad_input_is_refused_by_its_name_and_rule() {
     refuses 'At least 3 required' --inertia 1,2 --spin 1,0,0
 }
 
+test_an_empty_word_is_no_number() {
+    refuses "--omega: '' is no number" --omega ''
+    for option in --stiffness --mass --zeta --damping --step --rate --accuracy; do
+        refuses "$option: '' is no number" --omega 3 $option ''
+        refuses "$option: '' is no number" $option '' --omega 3
+    done
+    refuses '--omega' --omega= --zeta 0
+    for option in --inertia --spin; do
+        refuses "$option" --inertia 1,2,3 --spin 1,0,0 $option ''
+    done
+    refuses '--spin' --inertia 1,2,3 --spin 1,,0
+}
+
 test_two_words_for_the_same_are_refused() {
     refuses 'give one of them' --omega 1 --stiffness 3 --mass 1
     refuses 'belong together' --stiffness 3
@@ -39,6 +54,7 @@ test_two_words_for_the_same_are_refused() {
     refuses 'give one of them' --omega 3 --step 1 --rate 60
     refuses 'belong together' --inertia 1,2,3
     refuses 'a spring or a spinning body' --inertia 1,2,3 --spin 1,1,1 --omega 3
+    refuses '--accuracy belongs to a spring' --inertia 1,2,3 --spin 1,1,1 --accuracy 1
 }
 
 # verdict METHOD: what the JSON in `out` says of it.
@@ -82,6 +98,17 @@ test_people_are_told_what_programs_are_told() {
         "$(sed -n '1p;2p;3p;4p' told)"
     says out 'the cheapest is'
     says out 'four steps a swing'
+}
+
+# Without a damper implicit Euler keeps 1/(1 + (ωh)²) of the energy a step.
+test_little_energy_is_told_as_it_is() {
+    expect 0 course advise --omega 100 --rate 60
+    says out 'x 2.3e-35'
+    silent_on out 'x 0 '
+    expect 0 course advise --omega 10000 --zeta 1 --rate 1000
+    says out 'x 1e-308 and less'
+    silent_on out 'x 0 '
+    silent_on out 'amplitude x 0.'
 }
 
 test_a_spinning_plank() {

@@ -68,6 +68,7 @@ Json as_json(const Advice& advice) {
             {"growth_per_second", finite(advice.growth_per_second)},
             {"growth_per_step", finite(advice.growth_per_step)},
             {"period_error_percent", finite(100 * advice.period_error)},
+            {"energy_per_second", finite(advice.energy_ratio)},
             {"energy_drift_percent_per_second", finite(100 * advice.energy_drift)},
             {"error_percent", finite(100 * advice.rate_error)},
             {"longest_step", finite(advice.longest_step)},
@@ -77,9 +78,10 @@ Json as_json(const Advice& advice) {
             {"reason", advice.reason}};
 }
 
-// What the energy has become after a second, over what it should be.
-std::string energy(const Advice& advice) {
-    return std::isnan(advice.energy_drift) ? "-" : "x " + number(1 + advice.energy_drift, "%.2g");
+// What something becomes in a second, over what it was. Zero is what no double can hold.
+std::string factor(double value, const char* format = "%.3g") {
+    if (std::isnan(value)) return "-";
+    return "x " + (value < 1e-308 ? "1e-308 and less" : number(value, format));
 }
 
 void print(const std::vector<Advice>& all, const timestep::DampedSpring<double>& spring, double h,
@@ -88,10 +90,10 @@ void print(const std::vector<Advice>& all, const timestep::DampedSpring<double>&
     const double decay = spring.zeta < 1 ? spring.zeta : 1 / timestep::detail::fast_decay(spring.zeta);
     const std::string steps = spring.zeta < 1 ? number(swing / h) + " steps a swing" : "no swing";
     std::printf("ω = %s rad/s, ζ = %s, h = %s s: ωh = %s, %s.\nThe true motion: in a second the "
-                "amplitude x %s.\n\n",
+                "amplitude %s.\n\n",
                 number(omega).c_str(), number(spring.zeta).c_str(), number(h).c_str(),
                 number(omega * h, "%.4g").c_str(), steps.c_str(),
-                number(std::exp(-decay * omega)).c_str());
+                factor(std::exp(-decay * omega)).c_str());
     std::printf("%s%s%s%s%s%s\n", padded("method", 34).c_str(), padded("verdict", 19).c_str(),
                 padded("amplitude/s", 18).c_str(), padded("energy/s", 18).c_str(),
                 padded("period", 13).c_str(), "cost/s");
@@ -99,11 +101,10 @@ void print(const std::vector<Advice>& all, const timestep::DampedSpring<double>&
         const std::string off = std::isnan(advice.period_error)
                                     ? "-"
                                     : number(100 * advice.period_error, "%+.2g") + " %";
-        const std::string growth =
-            std::isnan(advice.growth_per_second) ? "-" : "x " + number(advice.growth_per_second);
         std::printf("%s%s%s%s%s%s\n", padded(advice.method, 34).c_str(),
-                    padded(words(advice.verdict), 19).c_str(), padded(growth, 18).c_str(),
-                    padded(energy(advice), 18).c_str(), padded(off, 13).c_str(),
+                    padded(words(advice.verdict), 19).c_str(),
+                    padded(factor(advice.growth_per_second), 18).c_str(),
+                    padded(factor(advice.energy_ratio, "%.2g"), 18).c_str(), padded(off, 13).c_str(),
                     number(advice.cost).c_str());
     }
     std::printf("\nWhy, and up to which step:\n");
@@ -126,15 +127,16 @@ void print(const std::vector<Advice>& all, const timestep::DampedSpring<double>&
 void advise_spring(const Question& question, bool json) {
     const auto spring = spring_of(question);
     const double h = step_of(question);
-    if (!(question.accuracy >= 1e-6 && question.accuracy <= 50))
-        timestep::refuse("accuracy", question.accuracy, "from 1e-6 to 50 percent");
-    const auto all = timestep::advise(spring, h, question.accuracy / 100);
+    const double accuracy = question.accuracy.value_or(1);
+    if (!(accuracy >= 1e-6 && accuracy <= 50))
+        timestep::refuse("accuracy", accuracy, "from 1e-6 to 50 percent");
+    const auto all = timestep::advise(spring, h, accuracy / 100);
     if (json) {
         Json answer = Json::array();
         for (const auto& advice : all) answer.push_back(as_json(advice));
         std::printf("%s\n", answer.dump(2).c_str());
     } else {
-        print(all, spring, h, question.accuracy);
+        print(all, spring, h, accuracy);
     }
 }
 
@@ -180,6 +182,7 @@ void advise_body(const Question& question, bool json) {
     if (question.inertia.empty() || question.spin.empty()) refuse("--inertia and --spin belong together");
     if (question.omega || question.stiffness || question.mass || question.zeta || question.damping)
         refuse("a spring or a spinning body: ask for one of them");
+    if (question.accuracy) refuse("--accuracy belongs to a spring: of a body only gains are told");
     const auto& I = question.inertia;
     const timestep::PrincipalInertia<double> inertia(I[0], I[1], I[2]);
     double spin = 0;

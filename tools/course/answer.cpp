@@ -31,7 +31,10 @@ void declare_advise(CLI::App& app, Asked& asked) {
     const auto advise = app.add_subcommand("advise", "will it blow up? Every method on your numbers");
     Question& question = asked.question;
     const auto number = [&](const char* flag, auto& value, const char* unit, const char* words) {
-        advise->add_option(flag, value, words)->type_name(unit);
+        // CLI11's own optional takes '' for no word.
+        advise->add_option(flag, value, words)->type_name(unit)->check([](const std::string& word) {
+            return word.empty() ? "'' is no number" : "";
+        });
     };
     number("--omega", question.omega, "RAD/S", "angular frequency of a spring, or:");
     number("--stiffness", question.stiffness, "N/M", "its stiffness, with --mass");

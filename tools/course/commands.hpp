@@ -49,7 +49,7 @@ struct Question {
     std::optional<double> omega, stiffness, mass, damping, zeta;  ///< rad/s, N/m, kg, N s/m, no unit
     std::optional<double> step, rate;                             ///< s, 1/s
     std::vector<double> inertia, spin;                            ///< kg m², rad/s
-    double accuracy = 1;                                          ///< percent
+    std::optional<double> accuracy;                               ///< percent; 1 where not given
 };
 
 /// What every method makes of it: will it blow up, what does it cost, how wrong is it?
