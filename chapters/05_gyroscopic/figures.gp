@@ -2,7 +2,7 @@ load style
 
 # How large the torque is, all round.
 call figure "torque.svg" 640 400
-set xlabel "direction of ω between the shortest and the longest side (°)"
+set xlabel "ω turned from the shortest side towards the longest by (°)"
 set ylabel "gyroscopic torque (N m)"
 set xrange [0:180]
 set yrange [-2:48]
@@ -97,7 +97,7 @@ set yrange [-15:15]
 set ytics 10
 set xtics 2 format ""
 unset xlabel
-set ylabel "ω (rad/s)"
+set ylabel "ω (rad/s)" offset 1.5,0
 set key at screen 0.99,0.995 right horizontal maxrows 1 reverse Left samplen 2 width -3 font ",15"
 do for [name in "exact explicit dropped implicit passive"] {
     set label 1 name at graph 0.01,0.12 left front textcolor rgb ink

@@ -26,8 +26,9 @@ double angle_between(const Quaternion<double>& a, const Quaternion<double>& b) {
 
 void torque(const Settings&, lab::Findings& out) {
     out.section("The gyroscopic torque");
-    const auto brick = box(12.0, 1.0, 2.0, 3.0);
-    const auto dice = cube(12.0, 2.0);
+    const double mass = 12;
+    const auto brick = box(mass, 1.0, 2.0, 3.0);
+    const auto dice = cube(mass, 2.0);
     const V omega(1, 2, 2);
     const V L = brick.momentum(omega);
     std::printf("  a box of 12 kg, 1 x 2 x 3 m: I = (%g, %g, %g) kg m^2\n", brick.moments.x(),
@@ -53,16 +54,19 @@ void torque(const Settings&, lab::Findings& out) {
     out.check("sphere_compiles_nothing", !decltype(ball)::gyroscopic && rolled.omega == omega,
               "a ball is stepped by a solver without any code, and keeps its spin bit for bit");
 
-    // ω in the plane of the box's first and last axis, all round.
+    // ω in the plane of the box's first and last axis, half round.
+    const double spin = 3;
     auto& table = out.table("torque.tsv", {"direction", "box", "cube"});
     double largest = 0;
     for (int i = 0; i <= 180; ++i) {
         const double angle = i * pi / 180;
-        const V w(3 * std::cos(angle), 0, 3 * std::sin(angle));
+        const V w(spin * std::cos(angle), 0, spin * std::sin(angle));
         const double of_box = w.cross(brick.momentum(w)).norm();
         largest = std::max(largest, of_box);
         table.row({double(i), of_box, w.cross(dice.momentum(w)).norm()});
     }
+    out.number("torque_mass", mass, "kg", "mass of the box and of the cube");
+    out.number("torque_spin", spin, "rad/s", "the length of ω as it is turned");
     out.check("box_torque_off_axis", largest > 1,
               "the box has a torque where it spins between its axes");
 

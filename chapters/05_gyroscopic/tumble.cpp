@@ -60,7 +60,8 @@ Shorter passive_with(double h, const PrincipalInertia<double>& brick,
 
 void tumble(const Settings& settings, lab::Findings& out) {
     out.section("A box turns over");
-    const auto brick = box(1.0, 1.0, 2.0, 3.0);
+    const double mass = 1;
+    const auto brick = box(mass, 1.0, 2.0, 3.0);
     const auto start = spinning(settings.tilt, settings.spin, settings.tilt);
     const ExactFreeBody<double> exact(brick, start);
     const double E0 = kinetic_energy(brick, start), L0 = angular_momentum(brick, start).norm();
@@ -86,6 +87,12 @@ void tumble(const Settings& settings, lab::Findings& out) {
     out.number("tumble_seconds", seconds, "s", "length of the run");
     out.number("tumble_spin", settings.spin, "rad/s", "spin about the middle axis");
     out.number("tumble_tilt", settings.tilt, "rad/s", "spin about the other two");
+    out.number("tumble_mass", mass, "kg", "mass of the box");
+    const V I = brick.moments;
+    out.text("tumble_moments",
+             "(" + words("%.3g", I.x()) + ", " + words("%.3g", I.y()) + ", " +
+                 words("%.3g", I.z()) + ") kg m²",
+             "its moments about x, y and z");
     out.number("tumble_moment", L0 * L0 / E0 / 2, "kg m²", "L²/2E, exactly");
     out.number("tumble_middle", brick.moments.y(), "kg m²", "the middle moment");
     out.number("tumble_largest", brick.moments.x(), "kg m²", "the largest moment");
@@ -148,7 +155,6 @@ void tumble(const Settings& settings, lab::Findings& out) {
             // The tilt grows to the spin like e^(σt), σ² = ω²(I₁ − I₂)(I₂ − I₃)/(I₁I₃). Implicit Euler
             // multiplies it by 1/(1 − hσ) a step: the share hσ/2 too fast, and less as the tilt grows.
             // The passive step takes L from the old state, and is some of h|ω| too slow.
-            const V I = brick.moments;
             const double sigma = settings.spin * std::sqrt((I.x() - I.y()) * (I.y() - I.z()) /
                                                            (I.x() * I.z()));
             const double early = turns && !seen.at.empty() ? 1 - seen.at[0] / truth.at[0] : 1;

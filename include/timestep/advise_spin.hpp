@@ -169,7 +169,7 @@ inline SpinAdvice advise_spin(const ConvergedGyroscopic& solver, const Principal
 inline SpinAdvice advise_spin(const PassiveGyroscopic& solver, const PrincipalInertia<double>&, double,
                               double h) {
     SpinAdvice advice = spin_advice(solver.name, h, 2);
-    advice.reason = "|√I ω| never grows: (1 − [k]) y₂ = y₁ with a skew [k]";
+    advice.reason = "|√I ω| never grows: with s = √I ω the step is s₂ − k × s₂ = s₁";
     return advice;
 }
 

@@ -20,12 +20,12 @@ struct PassiveGyroscopic {
     static constexpr const char* name = "passive";  ///< for tables and keys
     static constexpr int order = 1;                 ///< of the error after a whole run
 
-    // In y = √I ω the energy is ½|y|², and with k₁ = h L₁/√(I₂I₃) and so on round the equation is
-    //     y₂ − k × y₂ = y₁.
-    // No energy is added: k × y₂ is at right angles to y₂, so |y₁|² = |y₂|² + |k × y₂|².
-    // Solved, by a dot and a cross product with k: y₂ = (y₁ + k × y₁ + (k·y₁) k) / (1 + k·k). Back in ω,
-    // with the moments U whose product is one, l = h U ω₁, and explicit Euler's ratios a, that is
-    //     ω₂ = (ω₁ − h a∘(yz, zx, xy) + (l·l) U ω₁) / (1 + l·U l)  with ω₁ = (x, y, z).
+    // In s = √I ω the energy is ½|s|², and with k_x = h L_x/√(I_y I_z) and so on round the equation is
+    //     s₂ − k × s₂ = s₁.
+    // No energy is added: k × s₂ is at right angles to s₂, so |s₁|² = |s₂|² + |k × s₂|².
+    // Solved, by a dot and a cross product with k: s₂ = (s₁ + k × s₁ + (k·s₁) k) / (1 + k·k). Back in ω,
+    // with the moments U whose product is one, l = h U ω₁, and a_x = h (I_z − I_y)/I_x, that is
+    //     ω₂ = (ω₁ − p + (l·l) U ω₁) / (1 + l·U l)  with ω₁ = (x, y, z), p = (a_x yz, a_y zx, a_z xy).
     // We divide first, so that no product overflows that the division would tame.
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     /// [step]
