@@ -94,13 +94,17 @@ private:
     // as many modes as it has pieces that no spring ties to a wall; so many are zero exactly.
     /// [modes]
     void find_modes(const Vector& masses, const Matrix& stiffness, int zeros) {
-        // The size is not told to the compiler: one solver for all rows, compiled once.
+        // S is tridiagonal as K is: its two diagonals are all that the solver needs. It wants them
+        // scaled, as it squares. The size is not told to the compiler: one solver for all rows.
         using AnySize = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
         const Vector root = masses.cwiseSqrt();
         const Vector over_root = root.cwiseInverse();
-        const AnySize s = over_root.asDiagonal() * stiffness * over_root.asDiagonal();
-        const Eigen::SelfAdjointEigenSolver<AnySize> solver(s);
-        const Vector omega_squared = solver.eigenvalues();
+        const Matrix s = over_root.asDiagonal() * stiffness * over_root.asDiagonal();
+        const Real largest = s.cwiseAbs().maxCoeff();
+        const Real scale = largest > 0 ? largest : Real(1);
+        Eigen::SelfAdjointEigenSolver<AnySize> solver(N);
+        solver.computeFromTridiagonal(s.diagonal() / scale, s.diagonal(-1) / scale);
+        const Vector omega_squared = solver.eigenvalues() * scale;
         const Matrix q = solver.eigenvectors();
         frequencies_ = omega_squared.cwiseMax(Real(0)).cwiseSqrt();
         frequencies_.head(zeros).setZero();
