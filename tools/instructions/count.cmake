@@ -1,18 +1,39 @@
 # Counts instructions a step: cmake -DSTEPS=program -DSPINS=program -DVALGRIND=… -DOUT=folder [-DHOLD=ON]
-#     -P count.cmake
-# Two runs of different length are counted; what start and end cost drops out of the difference.
-# With HOLD, fails where the library takes more than 1.05 times the hand-written loop, or semi-implicit
+#     [-DCOUNTED=folder] -P count.cmake
+# Two runs of different length are counted; what start and end cost drops out of the difference. Where
+# COUNTED, the OUT of an earlier run, is younger than the programs, its numbers are taken and nothing is
+# counted. With HOLD, fails where the library takes more than 1.05 times the hand-written loop, or semi-implicit
 # Euler more than 1.05 times explicit Euler (N29).
 
 cmake_minimum_required(VERSION 3.25)
 
-function(instructions program what count result)
+# What valgrind counts for `program`'s `what` in so many steps.
+function(count_run program what steps result)
   execute_process(COMMAND "${VALGRIND}" --tool=callgrind --callgrind-out-file=/dev/null
-    "${program}" ${what} ${count} ERROR_VARIABLE report OUTPUT_QUIET RESULT_VARIABLE status)
+    "${program}" ${what} ${steps} ERROR_VARIABLE report OUTPUT_QUIET RESULT_VARIABLE status)
   if(NOT status EQUAL 0 OR NOT report MATCHES "Collected : ([0-9]+)")
     message(FATAL_ERROR "callgrind on ${what}: ${report}")
   endif()
   set(${result} ${CMAKE_MATCH_1} PARENT_SCOPE)
+endfunction()
+
+# Instructions a step of `what`, the number called `name`.
+if(COUNTED AND EXISTS "${COUNTED}/done" AND "${COUNTED}/done" IS_NEWER_THAN "${STEPS}"
+   AND "${COUNTED}/done" IS_NEWER_THAN "${SPINS}")
+  file(READ "${COUNTED}/numbers.tsv" earlier)
+endif()
+function(instructions program what name result)
+  if(DEFINED earlier)
+    if(NOT earlier MATCHES "\n${name}\t([0-9]+)\t")
+      message(FATAL_ERROR "${COUNTED}/numbers.tsv: ${name} was not counted")
+    endif()
+    set(${result} ${CMAKE_MATCH_1} PARENT_SCOPE)
+    return()
+  endif()
+  count_run("${program}" "${what}" 1000 short)
+  count_run("${program}" "${what}" 2000 long)
+  math(EXPR a_step "(${long} - ${short} + 500) / 1000")
+  set(${result} ${a_step} PARENT_SCOPE)
 endfunction()
 
 file(MAKE_DIRECTORY "${OUT}")
@@ -32,9 +53,7 @@ foreach(method IN LISTS methods scenes)
   foreach(what ${method} hand_${method})
     set(shown "not measured")
     if(VALGRIND)
-      instructions("${STEPS}" ${what} 1000 short)
-      instructions("${STEPS}" ${what} 2000 long)
-      math(EXPR ${what} "(${long} - ${short} + 500) / 1000")
+      instructions("${STEPS}" ${what} ${what} ${what})
       set(shown ${${what}})
     endif()
     set(shown_${what} "${shown}")
@@ -75,9 +94,7 @@ foreach(body ball capsule box any)
   foreach(solver explicit iteration passive)
     set(shown "not measured")
     if(VALGRIND)
-      instructions("${SPINS}" "${solver};${body}" 1000 short)
-      instructions("${SPINS}" "${solver};${body}" 2000 long)
-      math(EXPR shown "(${long} - ${short} + 500) / 1000")
+      instructions("${SPINS}" "${solver};${body}" ${solver}_${body} shown)
       if(HOLD AND body STREQUAL "ball" AND shown GREATER 3)
         message(SEND_ERROR "${solver}: a ball has no gyroscopic torque, yet costs ${shown} instructions a step")
       endif()
