@@ -1,14 +1,14 @@
 # One misuse: SOURCE compiles as it is; with -DMISUSE it does not, and the first error is the line
-# that SOURCE promises after "// error: ". Called with COMPILER, SOURCE, INCLUDE and EIGEN.
+# that SOURCE promises after "// error: ". Called with COMPILER, SOURCE, INCLUDE, EIGEN and READY.
 cmake_minimum_required(VERSION 3.25)
+include("${CMAKE_CURRENT_LIST_DIR}/flags.cmake")
 
 file(STRINGS "${SOURCE}" promise REGEX "^// error: timestep: " ENCODING UTF-8)
 string(REPLACE "// error: " "" promise "${promise}")
 if(NOT promise)
   message(FATAL_ERROR "${SOURCE}: must promise the message, in a line // error: timestep: …")
 endif()
-set(compile "${COMPILER}" -std=c++20 -Wall -Wextra -Wpedantic -Werror
-            -fsyntax-only "-I${INCLUDE}" -isystem "${EIGEN}" "${SOURCE}")
+set(compile ${compile} ${use_ready} -fsyntax-only "-I${INCLUDE}" "${SOURCE}")
 
 execute_process(COMMAND ${compile} RESULT_VARIABLE status OUTPUT_VARIABLE output
   ERROR_VARIABLE output)
