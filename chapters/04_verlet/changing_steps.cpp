@@ -1,5 +1,6 @@
 // A step that changes: plain Verlet fails, and two repairs are measured.
 
+#include <array>
 #include <cstdio>
 #include <random>
 #include <utility>
@@ -60,14 +61,38 @@ bool blows_up(double a, double b, const Step& step) {
     return !(std::fabs(now.x) < 1e6);
 }
 
-// The order that error(count of steps) shows over the shorter half of the steps tried.
+const int last = 20;
+int count_of(int i) {
+    return 2 * int(std::lround(10 * std::pow(2.0, i / 2.0)));
+}
+
+// The mean errors of each of the forms with count_of(0) … count_of(last) steps of lengths by
+// chance, the same lengths for all.
+template <class... Step>
+auto mean_errors(const Step&... step) {
+    std::array<std::vector<double>, sizeof...(Step)> mean;
+    std::mt19937 random(1);
+    for (int i = 0; i <= last; ++i) {
+        std::array<double, sizeof...(Step)> sum{};
+        for (int k = 0; k < draws; ++k) {
+            const auto h = steps_by_chance(count_of(i), random);
+            std::size_t form = 0;
+            ((sum[form++] += position_error(h, step)), ...);
+        }
+        for (std::size_t form = 0; form < sum.size(); ++form)
+            mean[form].push_back(sum[form] / draws);
+    }
+    return mean;
+}
+
+// The order that the error(i) of count_of(i) steps shows over the shorter half of the steps tried.
 template <class Error>
 double order(const std::string& file, const Error& error_with, lab::Findings& out) {
     auto& table = out.table(file, {"step", "error"});
     std::vector<double> h, error;
-    for (int i = 0; i <= 20; ++i) {
-        const int count = 2 * int(std::lround(10 * std::pow(2.0, i / 2.0)));
-        const double off = error_with(count);
+    for (int i = 0; i <= last; ++i) {
+        const int count = count_of(i);
+        const double off = error_with(i);
         table.row({seconds / count, off});
         if (i >= 12) h.push_back(seconds / count), error.push_back(off);
     }
@@ -88,21 +113,17 @@ void changing_steps(const Settings&, lab::Findings& out) {
     const auto with_velocity = [](const auto& model, const auto&, const auto& s1, double,
                                   double h2) { return velocity_verlet.step(model, s1, h2); };
     bool each_leaves = true, all_stay = true;
+    const auto by_chance = mean_errors(plain, scaled, corrected, with_velocity);
+    std::size_t form = 0;
     const auto both = [&](const std::string& name, const auto& step, double wanted,
                           const char* says) {
         const double turn = order(
             "turn_" + name + ".tsv",
-            [&](int count) { return position_error(steps_in_turn(count), step); }, out);
-        std::mt19937 random(1);
+            [&](int i) { return position_error(steps_in_turn(count_of(i)), step); }, out);
         const double chance = order(
             "chance_" + name + ".tsv",
-            [&](int count) {
-                double sum = 0;
-                for (int i = 0; i < draws; ++i)
-                    sum += position_error(steps_by_chance(count, random), step);
-                return sum / draws;
-            },
-            out);
+            [&](int i) { return by_chance[form][static_cast<std::size_t>(i)]; }, out);
+        ++form;
         std::printf("  %-16s order %5.2f with steps long and short in turn, %5.2f by chance\n",
                     name.c_str(), turn, chance);
         const auto hundredths = [](double value) { return std::round(100 * value) / 100 + 0.0; };

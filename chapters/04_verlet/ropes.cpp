@@ -25,8 +25,8 @@ Rope<Vector2d> level() {
     return {Vector2d(0, 0), Vector2d(1, 0), links, link, Projectile(Vector2d(0, -g))};
 }
 
-// How much too long the rope hangs once it is at rest. Its slowest motion fades sweep by sweep, as much
-// in many steps with one as in few with many: in 7200 of them below 1e-8 of it.
+// How much too long the rope hangs once it is at rest. Its slowest motion fades sweep by sweep, as
+// much in many steps with one as in few with many: in 7200 of them below 1e-8 of it.
 double stretch_at_rest(double rate, int sweeps) {
     Rope rope = hanging();
     for (int n = 0; n < 7200 / sweeps; ++n) rope.step(1 / rate, sweeps);

@@ -17,8 +17,8 @@ namespace {
 
 const Projectile gravity(Vector2d(0, -9.81));
 
-// After 7200 sweeps the slowest motion of 20 links has less than 1e-8 of the whole left, measured: it
-// fades sweep by sweep, in however few steps.
+// After 7200 sweeps the slowest motion of 20 links has less than 1e-8 of the whole left, measured:
+// it fades sweep by sweep, in however few steps.
 double stretch_at_rest(double rate, int sweeps, std::size_t links) {
     Rope rope(Vector2d(0, 0), Vector2d(0, -1), links, 0.1, gravity);
     for (int n = 0; n < 7200 / sweeps; ++n) rope.step(1 / rate, sweeps);
