@@ -31,6 +31,9 @@ esac"
     offer_tool doxygen doxygen
     offer_tool valgrind valgrind
     offer_tool clang clang++
+    echo "printf '#!/bin/sh\necho $folder/usr/clang\n' >'$folder/bin/clang++'
+mkdir -p '$folder/usr/clang/lib/linux'; : >'$folder/usr/clang/lib/linux/libclang_rt.asan-x86_64.a'" \
+        >apt/libclang-rt-dev
     offer_tool chromium chromium
     offer_tool chromium-driver chromedriver
     offer_file libeigen3-dev include/eigen3/Eigen/Core
