@@ -61,10 +61,12 @@ struct Wire<T> {
 /// "a, b, c" of so many values.
 template <class T>
 std::string show_row(Reader& reader, std::size_t size) {
+    const std::size_t first = size > 20 ? 10 : size, last = size > 20 ? 2 : 0;
     std::string row;
     for (std::size_t i = 0; i < size; ++i) {
-        if (i > 0) row += ", ";
-        row += Wire<T>::show(reader);
+        const std::string one = Wire<T>::show(reader);
+        const bool shown = i < first || i >= size - last;
+        if (shown || i == first) row += (i > 0 ? ", " : "") + (shown ? one : "…");
     }
     return row;
 }

@@ -88,6 +88,18 @@ std::string said_markdown(Context& context, const Directive& directive) {
            "</pre>\\endhtmlonly\n";
 }
 
+// A bar in a formula becomes TeX's; any other would end the cell.
+std::string with_bars_kept(const std::string& cell) {
+    std::string kept;
+    bool formula = false;
+    for (const char c : cell) {
+        if (c == '$') formula = !formula;
+        if (c == '|' && !formula) kept += '\\';
+        kept += c;
+    }
+    return kept;
+}
+
 std::string table_markdown(Context& context, const Directive& directive) {
     if (directive.arguments.size() != 1) {
         throw std::invalid_argument{"a table is {{table file.tsv}}"};
@@ -105,7 +117,7 @@ std::string table_markdown(Context& context, const Directive& directive) {
         body += "|";
         for (const std::string& cell : row) {
             // Words may hold formulas and Markdown: the cell is filled like the page itself.
-            body += " " + (parse_number(cell) ? typeset(cell, "") : cell) + " |";
+            body += " " + (parse_number(cell) ? typeset(cell, "") : with_bars_kept(cell)) + " |";
         }
         body += "\n";
     }

@@ -28,7 +28,9 @@ Number look_up(Context& context, std::string reference) {
 
 std::string number_markdown(Context& context, const std::string& reference) {
     const Number number = look_up(context, reference);
-    return "<span class=\"number\" title=\"" + attribute(number.meaning) + "\">" +
+    // A sentence may be broken at the end of a line, a number or a name may not.
+    const char* kind = number.value.size() > 40 ? "words" : "number";
+    return "<span class=\"" + std::string(kind) + "\" title=\"" + attribute(number.meaning) + "\">" +
            typeset(number.value, number.unit) + "</span>";
 }
 

@@ -66,6 +66,12 @@ TEST_CASE("a picture and a film of one name have ids and titles of their own") {
                ContainsSubstring("another figure on this page has the id fig-sweep-film"));
 }
 
+TEST_CASE("a bar in a table's cell does not end the cell") {
+    Course course;
+    course.write("runs/03_springs/run/bars.tsv", "what\n|R| = 1 where $|x| < 2$\n");
+    CHECK(course.fill_paragraph("{{table bars.tsv}}").find("\\|R\\| = 1 where") != std::string::npos);
+}
+
 TEST_CASE("code, the run and tables are quoted") {
     const Course course;
     const std::string page = course.fill_paragraph("{{run: Order}}\n\n{{table costs.tsv}}");
