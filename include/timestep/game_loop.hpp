@@ -30,11 +30,11 @@ public:
 
     /// Call once a frame with the seconds since the last one. Calls `simulate(h)` for each step
     /// that is due and returns how many there were. Throws `std::invalid_argument` when `passed`
-    /// is negative or not finite.
+    /// is negative or not finite, or more than a number can hold with what is owed.
     /// [frame]
     template <class Simulate>
     long frame(Real passed, Simulate&& simulate) {
-        owed_ += not_negative("frame time", passed);
+        owed_ = not_negative("time owed", owed_ + not_negative("frame time", passed));
         long count = 0;
         for (; owed_ >= step_ && count < most_steps_; ++count) {
             simulate(step_);

@@ -64,6 +64,15 @@ real_of<X> magnitude(const X& x) {
         return x.norm();
 }
 
+/// The same where the squares of the parts are too large or too small for numbers, at twice the cost.
+template <class X>
+real_of<X> safe_magnitude(const X& x) {
+    if constexpr (std::is_floating_point_v<X>)
+        return magnitude(x);
+    else
+        return x.stableNorm();
+}
+
 /// x / |x|, the direction of x: for a number its sign. Zero has none and stays zero. Right for short
 /// vectors too: divided by their largest part first, as their squares would underflow.
 template <class X>

@@ -25,16 +25,16 @@ namespace timestep {
 template <class X, class Function, class Jacobian>
 X newton_raphson(X x, const Function& f, const Jacobian& jacobian) {
     const real_of<X> digits = 4 * std::numeric_limits<real_of<X>>::epsilon();
-    real_of<X> largest = magnitude(x);
+    real_of<X> largest = safe_magnitude(x);
     X residual = f(x);
     for (int i = 0; i < 50; ++i) {
         X correction = solve(jacobian(x), residual);
         X next = x - correction;
-        real_of<X> size = magnitude(correction);
+        real_of<X> size = safe_magnitude(correction);
         X left = residual;
         while (size > digits * largest) {
             left = f(next);
-            if (magnitude(left) < magnitude(residual)) break;
+            if (safe_magnitude(left) < safe_magnitude(residual)) break;
             correction /= 2;
             size /= 2;
             next = x - correction;
@@ -42,7 +42,7 @@ X newton_raphson(X x, const Function& f, const Jacobian& jacobian) {
         if (!(size > digits * largest)) return next;  // also when it is a NaN
         x = next;
         residual = left;
-        largest = std::max(largest, magnitude(x));
+        largest = std::max(largest, safe_magnitude(x));
     }
     return x;
 }

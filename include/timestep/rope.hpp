@@ -30,9 +30,10 @@ public:
         if (links == 0) throw std::invalid_argument("links: must be one or more");
         if (!is_finite(top)) throw std::invalid_argument("top: must be a finite place");
         positive("length of the direction", Real(along.norm()));
-        for (std::size_t i = 0; i <= links; ++i)
-            now_.push_back({0, top + Real(i) * link * direction(along), X::Zero()});
-        before_ = now_;
+        for (std::size_t i = 0; i <= links; ++i) {
+            const X x = top + Real(i) * link * direction(along);
+            points_.push_back({x, x});
+        }
     }
 
     /// One step of length h, the same in every step: Verlet, and `sweeps` times all links. Throws
@@ -40,27 +41,34 @@ public:
     /// [step]
     void step(Real h, int sweeps) {
         positive("step", h), not_negative("sweeps", Real(sweeps));
-        for (std::size_t i = 1; i < now_.size(); ++i) {
-            const State<X> next = verlet.step(gravity_, before_[i], now_[i], h);
-            before_[i] = now_[i];
-            now_[i] = next;
+        for (std::size_t i = 1; i < points_.size(); ++i) {
+            auto& [x, before] = points_[i];
+            const X next = 2 * x - before + h * h * acceleration(gravity_, x);
+            before = x;
+            x = next;
         }
         for (int n = 0; n < sweeps; ++n)
-            for (std::size_t i = 1; i < now_.size(); ++i) put_right(i);
+            for (std::size_t i = 1; i < points_.size(); ++i) put_right(i);
     }
     /// [step]
 
-    /// The points, from the one that is held; their `v` means nothing.
-    const std::vector<State<X>>& points() const { return now_; }
+    /// A point of the rope.
+    struct Point {
+        X x;       ///< where it is, m
+        X before;  ///< and where it was a step ago, from where it came
+    };
+    /// The points, from the one that is held.
+    const std::vector<Point>& points() const { return points_; }
 
     /// The velocity of point i in the middle of the last step of length h, m/s.
-    X velocity(std::size_t i, Real h) const { return (now_[i].x - before_[i].x) / h; }
+    X velocity(std::size_t i, Real h) const { return (points_[i].x - points_[i].before) / h; }
 
     /// How much longer than its links the rope is: 0 is right, 0.1 is a tenth too long.
     Real stretch() const {
         Real length = 0;
-        for (std::size_t i = 1; i < now_.size(); ++i) length += (now_[i].x - now_[i - 1].x).norm();
-        return length / (link_ * Real(now_.size() - 1)) - 1;
+        for (std::size_t i = 1; i < points_.size(); ++i)
+            length += (points_[i].x - points_[i - 1].x).norm();
+        return length / (link_ * Real(points_.size() - 1)) - 1;
     }
 
 private:
@@ -68,8 +76,8 @@ private:
     // move. Two points in one place have no direction and stay.
     /// [link]
     void put_right(std::size_t i) {
-        X& a = now_[i - 1].x;
-        X& b = now_[i].x;
+        X& a = points_[i - 1].x;
+        X& b = points_[i].x;
         const X apart = b - a;
         const X excess = apart - link_ * direction(apart);
         if (i > 1) a += excess / 2;
@@ -79,7 +87,7 @@ private:
 
     Projectile<X> gravity_;
     Real link_;
-    std::vector<State<X>> before_, now_;
+    std::vector<Point> points_;
 };
 
 }  // namespace timestep

@@ -32,6 +32,17 @@ struct RunTypes {
     static_assert(std::is_invocable_v<Observe&, const S&>,
                   "timestep: observe is called with each state, as in [](const auto& state) { }");
 };
+
+// The numbers that a step's formulas hold: h², and of a linear force h² ∂a/∂x and h ∂a/∂v.
+template <class Model, class S>
+void check_step(const Model& model, const S& s, real_of<S> h) {
+    bool good = is_finite(h * h);
+    if constexpr (requires { requires LinearForce<Model, std::decay_t<decltype(s.x)>>; })
+        good = good && is_finite(h * h * slope_x(model, s.x, s.v)) &&
+               is_finite(h * slope_v(model, s.x, s.v));
+    if (!good)
+        refuse("step", h, "so short that its square, and that times the force's slope, is finite");
+}
 }  // namespace detail
 /// \endcond
 
@@ -39,8 +50,9 @@ struct RunTypes {
 /// `observe(state)` with the start and after each step.
 ///
 /// The inputs are looked at once, here: throws `std::invalid_argument` when the step is not a
-/// finite number above zero, the count is negative or the start is not finite. Whether the result
-/// is finite is for the caller to ask, with is_finite(): some methods blow up, and a course shows it.
+/// finite number above zero, the count is negative or the start is not finite; and when h², or for a
+/// linear force h² ∂a/∂x or h ∂a/∂v, is too large for a number. Whether the result is finite is for the
+/// caller to ask, with is_finite(): some methods blow up, and a course shows it.
 template <class Method, class Model, class S, class Count, class Observe>
 S run(const Method& method, const Model& model, const S& start, real_of<S> h, Count steps,
       Observe&& observe) {
@@ -48,6 +60,7 @@ S run(const Method& method, const Model& model, const S& start, real_of<S> h, Co
     positive("step", h);
     not_negative("steps", static_cast<double>(steps));
     if (!is_finite(start)) throw std::invalid_argument("start: must be a finite state");
+    detail::check_step(model, start, h);
 
     observe(start);
     if (steps == 0) return start;
@@ -77,5 +90,28 @@ template <class Method, class Model, class S, class Count>
 S run(const Method& method, const Model& model, const S& start, real_of<S> h, Count steps) {
     return run(method, model, start, h, steps, [](const S&) {});
 }
+
+/// A run whose result has been looked at.
+template <class S>
+struct CheckedRun {
+    S state;          ///< the last one
+    long blew_up_at;  ///< the first step after which the state was not finite; 0 if it always was
+};
+
+/// The same run, and one look at its result. One is enough: a step adds to what is there, and of what
+/// is not a finite number no sum is one again. (Verlet's velocity is no part of the sum; its positions
+/// are.) Only a run that has blown up is repeated, with a look at each state, to say when.
+/// [checked]
+template <class Method, class Model, class S, class Count>
+CheckedRun<S> checked_run(const Method& method, const Model& model,
+                          const S& start, real_of<S> h, Count steps) {
+    const S end = run(method, model, start, h, steps);
+    if (is_finite(end)) return {end, 0};
+    long finite_states = 0;  // the start, and those until the run blew up
+    run(method, model, start, h, steps,
+        [&](const S& s) { finite_states += is_finite(s); });
+    return {end, finite_states};
+}
+/// [checked]
 
 }  // namespace timestep

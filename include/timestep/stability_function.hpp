@@ -1,60 +1,82 @@
 #pragma once
 /// \file
-/// The stability function R(z) of a method: what a step multiplies e^(λt) by, where z = hλ.
+/// What a step does to a decay: the stability function R(z) of every method that has one (N60, N62).
 ///
-/// Every linear scene is a sum of motions e^(λt), each with a complex rate λ of its own: Re λ < 0 decays,
-/// and Im λ swings. On ẏ = λy a step of a method becomes y₂ = R(hλ) y₁. The motion itself is multiplied by
-/// e^z, and R is the method's stand-in for it. Where |R(z)| ≤ 1 the method is stable (N62).
+/// On ẏ = λ y a step of length h is a multiplication, y₂ = R(z) y₁, and all that it depends on is
+/// z = hλ, a complex number. The exact motion multiplies by e^z. A linear scene is a sum of such
+/// motions, so the method is stable on it where |R(z)| ≤ 1 for the z of each.
 ///
-/// Methods that treat position and velocity in different ways (semi-implicit Euler, Verlet) have none: they
-/// are no methods for ẏ = λy. Their step is a matrix; see stability.hpp.
+/// Semi-implicit Euler and the methods of Verlet's kind have no R: they treat position and velocity
+/// differently, and a first-order system does not say which is which. For them see stability.hpp.
 
 #include <complex>
 
-#include <timestep/methods.hpp>
+#include <timestep/methods/bdf2.hpp>
+#include <timestep/methods/explicit_euler.hpp>
+#include <timestep/methods/heun.hpp>
+#include <timestep/methods/implicit_euler.hpp>
+#include <timestep/methods/implicit_midpoint.hpp>
+#include <timestep/methods/midpoint.hpp>
+#include <timestep/methods/runge_kutta_4.hpp>
 
 namespace timestep {
 
-/// [functions]
-/// y₂ = y₁ + z y₁
-template <class Real>
-std::complex<Real> stability_function(const ExplicitEuler&, std::complex<Real> z) {
-    return Real(1) + z;
-}
-/// y₂ = y₁ + z y₂
-template <class Real>
-std::complex<Real> stability_function(const ImplicitEuler&, std::complex<Real> z) {
-    return Real(1) / (Real(1) - z);
-}
-/// y₂ = y₁ + z (y₁ + y₂)/2
-template <class Real>
-std::complex<Real> stability_function(const ImplicitMidpoint&, std::complex<Real> z) {
-    return (Real(1) + z / Real(2)) / (Real(1) - z / Real(2));
-}
-/// y₂ = y₁ + z (y₁ + z/2 y₁): the Taylor series of e^z up to z²
-template <class Real>
-std::complex<Real> stability_function(const Midpoint&, std::complex<Real> z) {
-    return Real(1) + z * (Real(1) + z / Real(2));
-}
-/// Two stages of order two: the same as midpoint.
-template <class Real>
-std::complex<Real> stability_function(const Heun&, std::complex<Real> z) {
-    return stability_function(midpoint, z);
-}
-/// Four stages of order four: the Taylor series up to z⁴/24
-template <class Real>
-std::complex<Real> stability_function(const RungeKutta4&, std::complex<Real> z) {
-    return Real(1) + z * (Real(1) + z / Real(2) * (Real(1) + z / Real(3) * (Real(1) + z / Real(4))));
-}
-/// [functions]
+/// z = hλ, and what a step multiplies by.
+using Complex = std::complex<double>;
 
-// BDF2 steps from two states: 3y₂ − 4y₁ + y₀ = 2z y₂. A motion that is multiplied by r each step has
-// (3 − 2z) r² − 4r + 1 = 0, and so r = (2 ± √(1 + 2z))/(3 − 2z) = 1/(2 ∓ √(1 + 2z)).
-/// BDF2: the root that is near e^z for small z. The other one is the smaller of the two wherever
-/// Re √(1 + 2z) > 0, which is everywhere.
-template <class Real>
-std::complex<Real> stability_function(const Bdf2&, std::complex<Real> z) {
-    return Real(1) / (Real(2) - std::sqrt(Real(1) + Real(2) * z));
+/// Explicit Euler, y₂ = y₁ + h λ y₁: the series of e^z as far as z.
+/// [explicit]
+inline Complex stability_function(const ExplicitEuler&, Complex z) { return 1.0 + z; }
+/// [explicit]
+
+/// Midpoint, y₂ = y₁ + z (y₁ + z/2 y₁): as far as z².
+/// [two stages]
+inline Complex stability_function(const Midpoint&, Complex z) { return 1.0 + z + z * z / 2.0; }
+/// [two stages]
+
+/// Heun, y₂ = y₁ + z/2 (y₁ + (1 + z) y₁): on a linear scene the midpoint method by another way.
+/// [heun]
+inline Complex stability_function(const Heun&, Complex z) { return 1.0 + z + z * z / 2.0; }
+/// [heun]
+
+/// RK4: as far as z⁴.
+/// [four stages]
+inline Complex stability_function(const RungeKutta4&, Complex z) {
+    return 1.0 + z + z * z / 2.0 + z * z * z / 6.0 + z * z * z * z / 24.0;
+}
+/// [four stages]
+
+/// Implicit Euler, y₂ = y₁ + z y₂.
+/// [implicit]
+inline Complex stability_function(const ImplicitEuler&, Complex z) { return 1.0 / (1.0 - z); }
+/// [implicit]
+
+/// Implicit midpoint, y₂ = y₁ + z (y₁ + y₂)/2.
+/// [implicit midpoint]
+inline Complex stability_function(const ImplicitMidpoint&, Complex z) {
+    return (1.0 + z / 2.0) / (1.0 - z / 2.0);
+}
+/// [implicit midpoint]
+
+// 3y₂ − 4y₁ + y₀ = 2z y₂ is solved by yₙ = Rⁿ where (3 − 2z) R² − 4R + 1 = 0. The roots are
+// (2 ± w)/(3 − 2z) with w = √(1 + 2z); and 3 − 2z = 4 − w² = (2 + w)(2 − w).
+/// BDF2, over two steps: there are two factors, and this is the larger one, which is left in the long
+/// run.
+/// [bdf2]
+inline Complex stability_function(const Bdf2&, Complex z) {
+    return 1.0 / (2.0 - std::sqrt(1.0 + 2.0 * z));
+}
+/// [bdf2]
+
+/// Has the method a stability function?
+template <class Method>
+concept HasStabilityFunction = requires(const Method& m, Complex z) { stability_function(m, z); };
+
+/// Calls `visit(method)` for each method that has one: the explicit ones, then those that solve.
+template <class Visit>
+void for_each_stability_function(const Visit& visit) {
+    visit(explicit_euler), visit(midpoint), visit(heun), visit(runge_kutta_4);
+    visit(implicit_euler), visit(implicit_midpoint), visit(bdf2);
 }
 
 }  // namespace timestep

@@ -55,10 +55,13 @@ inline StabilityLimit stability_limit(const ExplicitEuler&, double zeta) {
     return {2 / detail::fast_decay(zeta), "2 / (ζ + √(ζ² − 1))"};
 }
 
-/// Semi-implicit Euler: T = 2 − 2ζs − s², D = 1 − 2ζs, and 1 + T + D = 4 − 4ζs − s².
+/// [semi-implicit]
+/// Semi-implicit Euler: T = 2 − 2ζs − s², D = 1 − 2ζs, and so
+/// 1 + T + D = 4 − 4ζs − s², which must not be negative.
 inline StabilityLimit stability_limit(const SemiImplicitEuler&, double zeta) {
     return {2 / (std::hypot(1, zeta) + zeta), "2 (√(1 + ζ²) − ζ)"};
 }
+/// [semi-implicit]
 
 /// With the damping at the new velocity the sign of ζ turns: T = (2 + 2ζs − s²)/(1 + 2ζs),
 /// D = 1/(1 + 2ζs), and 1 + T + D = 0 where 4 + 4ζs = s².

@@ -13,15 +13,15 @@ namespace timestep {
 ///
 /// After the term in hⁿ the series is off by h⁽ⁿ⁺¹⁾/(n+1)! times the next derivative at some point
 /// in between.
+///
+/// Added up from the far end, f + h (f′ + h/2 (f″ + …)): no power of h stands alone, so none can be too
+/// large for a number where its term is not.
 /// [series]
 template <std::floating_point Real, std::size_t Extent>
 Real taylor(std::span<const Real, Extent> derivatives, Real h) {
     Real sum = 0;
-    Real factor = 1;  // hᵏ/k!
-    for (std::size_t k = 0; k < derivatives.size(); ++k) {
-        sum += factor * derivatives[k];
-        factor *= h / static_cast<Real>(k + 1);
-    }
+    for (std::size_t k = derivatives.size(); k-- > 0;)
+        sum = derivatives[k] + h / static_cast<Real>(k + 1) * sum;
     return sum;
 }
 /// [series]

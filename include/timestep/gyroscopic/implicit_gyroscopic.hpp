@@ -24,7 +24,7 @@ struct ImplicitGyroscopic {
     TIMESTEP_INLINE
     Vector3<Real> step(const FullInertia<Real>& inertia,
                        const Vector3<Real>& omega, Real h) const {
-        const Matrix3<Real>& I = inertia.matrix;
+        const Matrix3<Real>& I = inertia.unit;  // so scaled that no determinant underflows
         const Vector3<Real> L = I * omega;
         const Vector3<Real> residual = h * omega.cross(L);
         const Matrix3<Real> J = I + h * (skew(omega) * I - skew(L));

@@ -34,7 +34,7 @@ struct DampedSpring {
         using std::sqrt;
         const Real root_k = sqrt(positive("stiffness", k));
         const Real root_m = sqrt(positive("mass", m));
-        return DampedSpring(root_k / root_m, not_negative("damping", c) / (2 * root_k * root_m));
+        return DampedSpring(root_k / root_m, not_negative("damping", c) / (root_k * root_m) / 2);
     }
 
     /// −ω² x − 2ζω v, m/s²
@@ -65,6 +65,7 @@ private:
         const Real gamma = zeta * omega;
         const Real beta = omega * sqrt((1 - zeta) * (1 + zeta));
         const auto e = real_of<X>(exp(-gamma * t));
+        if (e == 0) return {start.t + t, e * start.x, e * start.v};  // at rest; βt may be infinite
         const auto c = real_of<X>(e * cos(beta * t));
         const auto s = real_of<X>(beta > 0 ? e * sin(beta * t) / beta : e * t);
         const auto gamma_s = real_of<X>(gamma * s), pull = real_of<X>(omega * omega * s);

@@ -25,7 +25,7 @@ struct Projectile {
 
     /// The exact state a time `t` after `start`: y₀ + v₀ t + ½ a t², a parabola.
     State<X> exact(const State<X>& start, real_of<X> t) const {
-        return {start.t + t, start.x + t * start.v + t * t / 2 * gravity, start.v + t * gravity};
+        return {start.t + t, start.x + t * start.v + t / 2 * (t * gravity), start.v + t * gravity};
     }
 };
 

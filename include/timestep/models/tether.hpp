@@ -35,7 +35,8 @@ struct Tether {
     /// [model]
 
     /// ∂a/∂x = −ω² (1 − L/|x| (1 − u uᵀ)): along the tether that of a spring. Across it L/|x| grows
-    /// without limit towards the origin; at the origin, where there is no direction, it counts as 0.
+    /// without limit towards the origin; where it is no number, at the origin and next to it, it counts
+    /// as 0.
     template <class X>
     auto slope_x(const X& x) const {
         using Number = real_of<X>;
@@ -44,10 +45,9 @@ struct Tether {
         } else {
             using Slope = decltype(outer(x, x));
             const X u = direction(x);
-            const Number r = u.dot(x);  // |x|, without squares that underflow
-            const Number share = r > Number(0) ? Number(length) / r : Number(0);
-            return Slope(-omega * omega *
-                         (identity<Slope>() - share * (identity<Slope>() - outer(u, u))));
+            Number across = Number(omega * omega * length) / u.dot(x);  // ω² L/|x|, without |x|²
+            if (!is_finite(across)) across = 0;
+            return Slope(across * (identity<Slope>() - outer(u, u)) - omega * omega * identity<Slope>());
         }
     }
 

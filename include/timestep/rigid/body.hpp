@@ -10,6 +10,8 @@ namespace timestep {
 /// The state of a body that turns about its centre of mass.
 template <class Real>
 struct RigidState {
+    using Scalar = Real;   ///< the real number type
+
     Real t;                ///< time, s
     Quaternion<Real> q;    ///< attitude: q v q* is in world coordinates what v is in the body's
     Vector3<Real> omega;   ///< angular velocity in world coordinates, rad/s

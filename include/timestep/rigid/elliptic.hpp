@@ -39,7 +39,8 @@ Elliptic<Real> jacobi(Real u, Real m1) {
         a = mean;
     }
     const Real sine = sin(a * u), cosine = cos(a * u);
-    if (sine * sine == 0) return {sine / a, cosine, Real(1)};
+    // So small that c² would overflow, and no digit of dn differ from 1.
+    if (sine * sine < std::numeric_limits<Real>::min()) return {sine / a, cosine, Real(1)};
     Real c = cosine / sine, dn = 1;
     while (rounds-- > 0) {
         const Real c1 = c;

@@ -57,7 +57,8 @@ ExactFreeBody<Real>::ExactFreeBody(const PrincipalInertia<Real>& inertia,
     : start_(start) {
     using std::abs, std::copysign, std::sqrt;
     const V body = start.q.conjugate() * start.omega;
-    const V& all = inertia.moments;
+    // Only the moments' ratios matter; a power of two changes no digit of them.
+    const V all = inertia.moments / std::exp2(Real(std::ilogb(inertia.moments.maxCoeff())));
     // Axes by their moments: small, middle, large. The curve goes round the large one when
     // |L|² > 2 E I_middle, else round the small one.
     int order[3] = {0, 1, 2};

@@ -140,6 +140,7 @@ struct FullInertia {
     using Scalar = Real;                       ///< the real number type
     static constexpr bool gyroscopic = true;  ///< has the body a gyroscopic torque at all?
     Matrix3<Real> matrix;                     ///< kg m²
+    Matrix3<Real> unit;                       ///< the matrix over a power of two, its largest number 1 to 2
     Matrix3<Real> inverse;                    ///< its inverse
     Matrix3<Real> axes;                       ///< the principal axes, in its columns
     PrincipalInertia<Real> principal;         ///< the moments about those axes
@@ -150,6 +151,7 @@ struct FullInertia {
     explicit FullInertia(const Matrix3<Real>& I)
         : matrix(checked(I)), axes(eigen(I).eigenvectors()), principal(of(eigen(I).eigenvalues())) {
         if (axes.determinant() < 0) axes.col(0) = -axes.col(0);  // a rotation, no reflection
+        unit = matrix / std::exp2(Real(std::ilogb(matrix.cwiseAbs().maxCoeff())));
         inverse = axes * principal.moments.cwiseInverse().asDiagonal() * axes.transpose();
     }
 

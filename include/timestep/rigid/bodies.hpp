@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// Many bodies, sorted by what their inertia needs.
+
+#include <cstddef>
+#include <tuple>
+#include <vector>
+
+#include <timestep/rigid/body_scene.hpp>
+
+namespace timestep {
+
+/// One vector a kind of body: `Bodies<double, Ball, Staff, Crate> all;`
+///
+/// Each kind is stepped in a loop of its own. So the question "what kind is this body?" is asked
+/// once, by the compiler, and not once a body and step; and the loop over the balls holds no
+/// instruction that only a crate needs.
+template <class Real, class... Kinds>
+class Bodies {
+public:
+    /// A body and its motion.
+    template <class Kind>
+    struct Member {
+        Kind body;            ///< what it is
+        Motion<Real> motion;  ///< what it does
+    };
+
+    /// Adds a body to the others of its kind.
+    template <class Kind>
+    void add(const Kind& body, const Motion<Real>& start) {
+        of<Kind>().push_back({body, start});
+    }
+
+    /// All bodies of one kind, in the order in which they were added.
+    template <class Kind>
+    std::vector<Member<Kind>>& of() {
+        return std::get<std::vector<Member<Kind>>>(groups_);
+    }
+    /// The same, to read.
+    template <class Kind>
+    const std::vector<Member<Kind>>& of() const {
+        return std::get<std::vector<Member<Kind>>>(groups_);
+    }
+
+    /// How many there are of all kinds.
+    std::size_t size() const { return (of<Kinds>().size() + ...); }
+
+    /// Steps every body by `h` seconds in `scene`: kind after kind.
+    /// [step]
+    template <class Scene>
+    void step(const Scene& scene, Real h) {
+        const auto step_all = [&](auto& group) {
+            for (auto& [body, motion] : group) scene.step(body, motion, h);
+        };
+        (step_all(of<Kinds>()), ...);
+    }
+    /// [step]
+
+private:
+    std::tuple<std::vector<Member<Kinds>>...> groups_;
+};
+
+}  // namespace timestep

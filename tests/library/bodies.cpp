@@ -1,0 +1,138 @@
+// A body's step put together from terms, and bodies sorted by kind.
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <timestep/gyroscopic/passive_gyroscopic.hpp>
+#include <timestep/rigid/bodies.hpp>
+#include <timestep/rigid/shapes.hpp>
+
+using namespace timestep;
+using Catch::Matchers::Message;
+using V = Vector3<double>;
+
+namespace {
+
+struct Ball {
+    UniformInertia<double> inertia;
+    double mass, radius;
+};
+struct Box {
+    PrincipalInertia<double> inertia;
+};
+struct Nothing {};  // a body that has nothing but its motion
+
+Motion<double> lying(const Ball& ball, const V& v) {
+    return {{0, Quaternion<double>::Identity(), V::Zero()}, V(0, 0, ball.radius), v};
+}
+
+const Ball ball{sphere(2.0, 0.1), 2, 0.1};
+
+}  // namespace
+
+TEST_CASE("terms of a body's scene refuse numbers that make no sense", "[library][ch6]") {
+    CHECK_THROWS_AS(Weight(std::nan("")), std::invalid_argument);
+    CHECK_THROWS_MATCHES(Ground(-0.5), std::invalid_argument,
+                         Message("friction = -0.5: must be finite and zero or more"));
+    CHECK_THROWS_AS(RollingResistance(-0.1), std::invalid_argument);
+}
+
+// v_n = −n h g exactly but for n roundings; x = −h² g n(n + 1)/2, each of n sums rounded once:
+// within n ε of its size.
+TEST_CASE("a scene of weight alone is a fall, and asks the body for nothing", "[library][ch6]") {
+    const BodyScene scene{Weight(9.81)};
+    Motion<double> m{{0, Quaternion<double>::Identity(), V(0, 0, 1)}, V::Zero(), V(1, 0, 0)};
+    const double h = 0.01;
+    for (int n = 0; n < 100; ++n) scene.step(Nothing{}, m, h);
+    const double eps = std::numeric_limits<double>::epsilon();
+    CHECK(std::fabs(m.v.z() + 9.81) <= 100 * eps * 9.81);
+    CHECK(std::fabs(m.x.z() + 9.81 * h * h * 100 * 101 / 2) <= 200 * eps * 5);
+    CHECK(std::fabs(m.x.x() - 1) <= 100 * eps);
+    CHECK(m.turning.omega == V(0, 0, 1));
+}
+
+// Sliding, a ball of ⅖ m r² keeps its angular momentum about a point of the plane: it rolls when
+// v = 5/7 v₀, whatever the friction. Every impulse changes v by p/m and r ω by 5/2 p/m, so the sum
+// v + 2/5 r ω stays to roundoff, and the last step stops the sliding exactly.
+TEST_CASE("a sliding ball rolls at five sevenths of its speed", "[library][ch6]") {
+    const BodyScene scene{Weight(9.81), Ground(0.3)};
+    Motion<double> m = lying(ball, V(7, 0, 0));
+    for (int n = 0; n < 2000; ++n) scene.step(ball, m, 0.001);
+    CHECK(std::fabs(m.v.x() - 5) < 1e-11);
+    CHECK(std::fabs(ball.radius * m.turning.omega.y() - 5) < 1e-11);
+    CHECK(std::fabs(m.x.z() - ball.radius) < 1e-13);  // it neither sinks nor hops
+}
+
+// Resistance turns with c r N against ω, friction passes it on: a = c g / (1 + 2/5). So all but
+// 0.01 of 1 m/s is gone after 0.99 (7/5)/(c g) s; the step makes it late or early by a few steps at
+// the most. In the end resistance stops ω in one step, and friction leaves 5/7 of v: 100 steps
+// leave (5/7)^100 < 1e-14.
+TEST_CASE("rolling resistance stops a ball, at five sevenths of c g", "[library][ch6]") {
+    const double c = 0.05, h = 0.001;
+    const BodyScene scene{Weight(9.81), Ground(0.5), RollingResistance(c)};
+    Motion<double> m = lying(ball, V(1, 0, 0));
+    m.turning.omega.y() = 1 / ball.radius;
+    while (m.v.x() > 0.01 && m.turning.t < 10) scene.step(ball, m, h);
+    CHECK(std::fabs(m.turning.t - 0.99 * 1.4 / (c * 9.81)) < 5 * h);
+    for (int n = 0; n < 130; ++n) scene.step(ball, m, h);
+    CHECK(m.v.norm() < 1e-12);
+}
+
+TEST_CASE("a ball in the air neither rubs nor rolls", "[library][ch6]") {
+    const BodyScene all{Weight(9.81), Ground(0.5), RollingResistance(0.1)};
+    const BodyScene weight_only{Weight(9.81)};
+    Motion<double> a = lying(ball, V(3, 1, 4)), b = a;
+    a.turning.omega = b.turning.omega = V(1, 2, 3);
+    for (int n = 0; n < 700; ++n) all.step(ball, a, 0.001), weight_only.step(ball, b, 0.001);
+    CHECK(a.x == b.x);
+    CHECK(a.turning.omega == b.turning.omega);
+}
+
+namespace {
+// A solver that cannot be compiled: whoever steps with it, does not compile.
+struct Poison {
+    template <class Inertia, class Real>
+    Vector3<Real> step(const Inertia&, const Vector3<Real>& omega, Real) const {
+        static_assert(Inertia::gyroscopic && !Inertia::gyroscopic, "gyroscopic code was compiled");
+        return omega;
+    }
+};
+}  // namespace
+
+TEST_CASE("a group of balls compiles no gyroscopic code", "[library][N41][ch6]") {
+    Bodies<double, Ball> balls;
+    balls.add(ball, lying(ball, V(1, 0, 0)));
+    balls.of<Ball>()[0].motion.turning.omega = V(1, 2, 3);
+    balls.step(BodyScene{Weight(9.81), Gyroscopic(Poison{})}, 0.01);  // this line compiles
+    CHECK(balls.of<Ball>()[0].motion.turning.omega == V(1, 2, 3));
+}
+
+TEST_CASE("sorted bodies move as each does alone, to the last bit", "[library][ch6]") {
+    const BodyScene scene{Weight(9.81), Gyroscopic(passive_gyroscopic)};
+    Bodies<double, Ball, Box> bodies;
+    std::vector<Motion<double>> balls, boxes;
+    const Box crate{box(3.0, 1.0, 2.0, 3.0)};
+    for (int i = 0; i < 5; ++i) {
+        Motion<double> m = lying(ball, V(i, 1, 0));
+        m.turning.omega = V(i, 5, -2);
+        bodies.add(ball, m), balls.push_back(m);
+        bodies.add(crate, m), boxes.push_back(m);
+    }
+    CHECK(bodies.size() == 10);
+    for (int n = 0; n < 50; ++n) {
+        bodies.step(scene, 0.01);
+        for (auto& m : balls) scene.step(ball, m, 0.01);
+        for (auto& m : boxes) scene.step(crate, m, 0.01);
+    }
+    for (int i = 0; i < 5; ++i) {
+        CHECK(bodies.of<Ball>()[i].motion.x == balls[i].x);
+        CHECK(bodies.of<Ball>()[i].motion.turning.q.coeffs() == balls[i].turning.q.coeffs());
+        CHECK(bodies.of<Box>()[i].motion.x == boxes[i].x);
+        CHECK(bodies.of<Box>()[i].motion.turning.omega == boxes[i].turning.omega);
+        CHECK(bodies.of<Box>()[i].motion.turning.q.coeffs() == boxes[i].turning.q.coeffs());
+    }
+    CHECK(bodies.of<Box>()[1].motion.turning.omega != V(1, 5, -2));  // the boxes do tumble
+}
