@@ -1,0 +1,5 @@
+#include "exercise.hpp"
+
+double amplification(double re, double im, double theta, double h) {
+    return std::exp(h * re);
+}

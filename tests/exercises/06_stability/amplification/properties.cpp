@@ -1,0 +1,141 @@
+#include "amplification.hpp"
+
+#include "property.hpp"
+
+EXERCISE(amplification);
+
+namespace {
+
+using Complex = std::complex<double>;
+
+// What a few roundings make of the answer: of 1 + (1 - theta) z, which may cancel, over what it is
+// divided by.
+double roundoff(Complex z, double theta) {
+    return 1e-14 * (1 + (1 - theta) * std::abs(z)) / std::abs(1.0 - theta * z);
+}
+
+// z of any direction; far enough from where the step has no answer, and from where R is zero.
+Complex draw_z(Draw& draw, double theta, double low, double high) {
+    for (;;) {
+        const Complex z = std::polar(draw.log(low, high), draw.real(-4, 4));
+        const double answer = std::abs(1.0 - theta * z), zero = std::abs(1.0 + (1 - theta) * z);
+        if (answer > 0.05 && zero > 0.05) return z;
+    }
+}
+
+double draw_step(Draw& draw) {
+    return draw.log(1e-6, 100);
+}
+
+double size(Complex z, double theta, double h) {
+    return learner(z.real() / h, z.imag() / h, theta, h);
+}
+
+}  // namespace
+
+PROPERTY("a step of zero, and a motion that stands still, are multiplied by one") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const double theta = draw.real(0, 1);
+        REQUIRE(learner(draw.real(-100, 100), draw.real(-100, 100), theta, 0) == 1);
+        REQUIRE(learner(0, 0, theta, draw_step(draw)) == 1);
+    }
+}
+
+// The sign of y2 is not told.
+PROPERTY("for a pure decay, y2 is what the equation of the method asks for") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const double theta = draw.real(0, 1), h = draw_step(draw), y1 = 1;
+        const double z = -draw.log(1e-6, 1e6), y2 = size(z, theta, h);
+        const auto missing = [&](double y) {
+            return std::fabs(y - y1 - ((1 - theta) * z * y1 + theta * z * y));
+        };
+        REQUIRE(std::min(missing(y2), missing(-y2)) <= 1e-13 * (1 - z));
+    }
+}
+
+PROPERTY("at the ends of the slider it is what explicit and implicit Euler multiply by") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const double h = draw_step(draw);
+        const Complex z = draw_z(draw, 0, 1e-6, 1e6), y1 = 1, explicit_y2 = y1 + z * y1;
+        REQUIRE(close(size(z, 0, h), std::abs(explicit_y2), 0, roundoff(z, 0)));
+        const Complex w = draw_z(draw, 1, 1e-6, 1e6);  // y1 = y2 - z y2
+        REQUIRE(close(std::abs(y1 - w * y1) * size(w, 1, h), 1, 1e-13));
+    }
+}
+
+PROPERTY("a step is explicit Euler for its first part and implicit Euler for the rest") {
+    Draw draw;
+    for (int i = 0; i < 200; ++i) {
+        const double theta = draw.real(0, 1), h = draw_step(draw);
+        const Complex z = draw_z(draw, theta, 1e-6, 1e6);
+        const double first = size((1 - theta) * z, 0, h), rest = size(theta * z, 1, h);
+        REQUIRE(close(size(z, theta, h), first * rest, 0, 4 * roundoff(z, theta)));
+    }
+}
+
+PROPERTY("half way, a swing without damping keeps its size, and with damping it dies") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double h = draw_step(draw), swing = draw.sign() * draw.log(1e-6, 1e6);
+        REQUIRE(close(size(Complex(0, swing), 0.5, h), 1, 1e-13));
+        const double part = draw.log(1e-3, 1);
+        const Complex left(-part * std::fabs(swing), swing);
+        if (std::abs(swing) > 1e-5 && std::abs(swing) < 1e5) REQUIRE(size(left, 0.5, h) < 1);
+    }
+}
+
+// |1 + (1 - theta) z| = |1 - theta z| where 2 Re z + (1 - 2 theta) |z|² = 0.
+PROPERTY("the border between growth and death is a circle through 0 and 2/(2 theta - 1)") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const double theta = 0.5 + draw.sign() * draw.real(0.01, 0.5), h = draw_step(draw);
+        const double centre = 1 / (2 * theta - 1);
+        // From 0.1 on: near z = 0 inside and outside are too close to call.
+        const Complex way = std::polar(1.0, draw.sign() * draw.real(0.1, 3.1));
+        const auto at = [&](double radius) { return centre + radius * std::fabs(centre) * way; };
+        REQUIRE(close(size(at(1), theta, h), 1, 0, 4 * roundoff(at(1), theta)));
+        // On the right the circle has the region of growth inside, on the left that of death.
+        const double inside = size(at(0.99), theta, h), outside = size(at(1.01), theta, h);
+        REQUIRE((theta > 0.5 ? inside > 1 : inside < 1));
+        REQUIRE((theta > 0.5 ? outside < 1 : outside > 1));
+    }
+}
+
+// R(z) - e^z is (theta - 1/2) z² at first, and -z³/12 for theta = 1/2.
+PROPERTY("for short steps it nears what the true motion multiplies by, fastest half way") {
+    Draw draw;
+    for (int i = 0; i < 40; ++i) {
+        const double h = draw_step(draw), angle = draw.real(-0.3, 0.3);
+        const Complex z = std::polar(0.004, std::numbers::pi + angle);
+        const double aside = 0.5 + draw.sign() * draw.real(0.2, 0.5);
+        const auto error = [&](double theta, double part) {
+            return std::fabs(size(part * z, theta, h) - std::exp(part * z.real()));
+        };
+        REQUIRE(close(order(error(aside, 1), error(aside, 0.5)), 2, 0, 0.1));
+        REQUIRE(close(order(error(0.5, 1), error(0.5, 0.5)), 3, 0, 0.1));
+    }
+}
+
+PROPERTY("far out it is the same in every direction, the quotient of the two parts of the slider") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double theta = draw.real(0.1, 1), h = draw_step(draw);
+        const Complex z = std::polar(draw.log(1e5, 1e6), draw.real(-4, 4));
+        // What is left out is 1/(theta z) of it, and 1/(theta |z|).
+        REQUIRE(close(size(z, theta, h) * theta, 1 - theta, 0, 4e-4 / theta));
+    }
+}
+
+PROPERTY("only h times lambda counts, and a motion that turns the other way is multiplied alike") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double theta = draw.real(0, 1), h = draw_step(draw);
+        const Complex z = draw_z(draw, theta, 1e-6, 1e6);
+        const double one = size(z, theta, h), tolerance = 2 * roundoff(z, theta);
+        REQUIRE(close(size(z, theta, draw_step(draw)), one, 0, tolerance));
+        REQUIRE(close(size(std::conj(z), theta, h), one, 0, tolerance));
+    }
+}

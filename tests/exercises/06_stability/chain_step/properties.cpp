@@ -1,0 +1,167 @@
+#include "chain_step.hpp"
+
+#include "property.hpp"
+
+EXERCISE(chain_step);
+
+namespace {
+
+using Masses = std::vector<State<double>>;
+
+// x in metres, v in metres a step: then h² k/m is all that tells one chain from another.
+struct Chain {
+    double m, h, stiff;  // stiff = h² k/m
+    Masses s;
+
+    Chain(Draw& draw, int masses, double stiff)
+        : m(draw.log(1e-3, 1e3)), h(draw.log(1e-3, 1)), stiff(stiff) {
+        const double t = draw.real(0, 1), speed = draw.sign() > 0 ? 1 : 1 + std::sqrt(stiff);
+        for (int i = 0; i < masses; ++i)
+            s.push_back({t, draw.real(-1, 1), speed * draw.real(-1, 1) / h});
+    }
+    double k() const { return stiff * m / (h * h); }
+    Masses answer() const {
+        const Masses next = learner(s, m, k(), h);
+        REQUIRE(next.size() == s.size());
+        return next;
+    }
+    // How much longer a link is than at rest, the one above mass i.
+    static double longer(const Masses& s, std::size_t i) {
+        return i == s.size() ? 0 : s[i].x - (i > 0 ? s[i - 1].x : 0);
+    }
+    // Over m/h².
+    double energy(const Masses& s) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < s.size(); ++i)
+            sum += h * s[i].v * h * s[i].v + stiff * longer(s, i) * longer(s, i);
+        return sum / 2;
+    }
+    // The largest of x and of h v.
+    double size() const {
+        double size = 0;
+        for (const auto& [t, x, v] : s) size = std::max({size, std::fabs(x), std::fabs(h * v)});
+        return size;
+    }
+    // Does each mass obey the equations? What is missing is compared with the terms: x2 is the
+    // difference of two numbers of the size of x1 and is multiplied by 4 h² k/m.
+    bool is_step(const Masses& next) const {
+        const double largest = size();
+        for (std::size_t i = 0; i < s.size(); ++i) {
+            const double force = longer(next, i + 1) - longer(next, i);
+            const double missing = h * (next[i].v - s[i].v) - stiff * force;
+            if (!close(missing, 0, 0, 1e-10 * (1 + 4 * stiff) * largest)) return false;
+            if (!close(next[i].x, s[i].x + h * next[i].v, 0, 1e-12 * largest)) return false;
+            if (!close(next[i].t, s[i].t + h, 0, 1e-14)) return false;
+        }
+        return true;
+    }
+};
+
+double draw_stiff(Draw& draw) {
+    return draw.log(1e-3, 1e6);
+}
+
+}  // namespace
+
+PROPERTY("in no time nothing happens, and without stiffness all masses fly on") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const Chain chain(draw, draw.integer(1, 8), draw_stiff(draw));
+        const Masses same = learner(chain.s, chain.m, chain.k(), 0);
+        REQUIRE(same.size() == chain.s.size());
+        for (std::size_t j = 0; j < same.size(); ++j) {
+            REQUIRE(same[j].t == chain.s[j].t);
+            REQUIRE(close(same[j].x, chain.s[j].x, 1e-14));
+            REQUIRE(close(same[j].v, chain.s[j].v, 1e-14));
+        }
+        const Chain free(draw, draw.integer(1, 8), 0);
+        REQUIRE(free.is_step(free.answer()));
+    }
+}
+
+PROPERTY("one mass alone is a spring") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const Chain chain(draw, 1, draw_stiff(draw));
+        const auto [t, x, v] = chain.s[0];
+        const State<double> next = chain.answer()[0];
+        const double kick = -chain.stiff * x / chain.h;
+        REQUIRE(close(next.v, (v + kick) / (1 + chain.stiff), 0, 1e-12 * chain.size() / chain.h));
+        REQUIRE(close(next.x, x + chain.h * next.v, 0, 1e-12 * chain.size()));
+        REQUIRE(close(next.t, t + chain.h, 0, 1e-14));
+    }
+}
+
+PROPERTY("of two masses to five, each obeys the equations at the end of the step") {
+    Draw draw;
+    for (int i = 0; i < 40; ++i) {
+        const Chain chain(draw, draw.integer(2, 5), draw_stiff(draw));
+        REQUIRE(chain.is_step(chain.answer()));
+    }
+}
+
+PROPERTY("of six masses and more, each does, too") {
+    Draw draw;
+    for (int i = 0; i < 40; ++i) {
+        const Chain chain(draw, draw.integer(6, i < 20 ? 12 : 60), draw_stiff(draw));
+        REQUIRE(chain.is_step(chain.answer()));
+    }
+}
+
+PROPERTY("only the link to the ship changes the momentum of all masses together") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const Chain chain(draw, draw.integer(2, 50), draw.log(1e-3, 10));
+        const Masses next = chain.answer();
+        double change = chain.stiff * Chain::longer(next, 0);
+        for (std::size_t j = 0; j < next.size(); ++j)
+            change += chain.h * (next[j].v - chain.s[j].v);
+        REQUIRE(close(change, 0, 0, 1e-8 * chain.size()));
+    }
+}
+
+// x_i = sin(i q) with q = (2 j - 1) pi/(2 n + 1): zero at the top, and what would be below the last
+// mass has the same x. Its neighbours pull each mass back with 4 k sin²(q/2) x.
+PROPERTY("a pattern in which the chain swings stays that pattern, and shrinks as a spring does") {
+    Draw draw;
+    for (int i = 0; i < 40; ++i) {
+        const int n = draw.integer(2, 60), j = draw.integer(1, n);
+        const double q = (2 * j - 1) * std::numbers::pi / (2 * n + 1);
+        Chain chain(draw, n, draw_stiff(draw));
+        const double away = draw.real(-1, 1), speed = draw.real(-1, 1) / chain.h;
+        for (int mass = 0; mass < n; ++mass) {
+            const double part = std::sin((mass + 1) * q);
+            auto& [t, x, v] = chain.s[static_cast<std::size_t>(mass)];
+            x = away * part;
+            v = speed * part;
+        }
+        const Masses next = chain.answer();
+        const double fast = 4 * chain.stiff * std::sin(q / 2) * std::sin(q / 2);  // h² omega²
+        const double v2 = (speed - fast * away / chain.h) / (1 + fast);
+        for (int mass = 0; mass < n; ++mass) {
+            const double part = std::sin((mass + 1) * q);
+            const double right = v2 * part, v = next[static_cast<std::size_t>(mass)].v;
+            REQUIRE(close(v, right, 0, 1e-9 * chain.size() / chain.h));
+        }
+    }
+}
+
+PROPERTY("no step adds energy") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Chain chain(draw, draw.integer(1, 30), draw_stiff(draw));
+        REQUIRE(chain.energy(chain.answer()) <= chain.energy(chain.s) * (1 + 1e-9));
+    }
+}
+
+// x2 is what the slowest pattern leaves of x1 + h v1, 1/(1 + h² omega²) of it: of five masses
+// h² omega² is 0.08 h² k/m.
+PROPERTY("a very stiff chain is in its place after one step") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const Chain chain(draw, draw.integer(1, 5), 1e6);
+        const Masses next = chain.answer();
+        for (std::size_t j = 0; j < next.size(); ++j)
+            REQUIRE(close(next[j].x, 0, 0, 1e-4 * chain.size()));
+    }
+}

@@ -1,0 +1,137 @@
+#include "next_step.hpp"
+
+#include "property.hpp"
+
+EXERCISE(next_step);
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double draw_h(Draw& draw) {
+    return draw.log(1e-9, 1e6);
+}
+
+double draw_tolerance(Draw& draw) {
+    return draw.log(1e-12, 1e6);
+}
+
+// A motion that ends at `end`, and a step of it is off by C h^(order + 1). C is such that the two
+// halves of a step of `right` are off by the tolerance.
+struct Motion {
+    Motion(Draw& draw, double right)
+        : order(draw.integer(1, 8)),
+          tolerance(draw_tolerance(draw)),
+          sign(draw.sign()),
+          end(draw.real(-3, 3) * tolerance),
+          right(right) {}
+
+    // What a whole step of h is off by: 2^order times the halves.
+    double off(double h) const { return sign * tolerance * std::pow(h / right, order + 1); }
+    double whole(double h) const { return end + std::exp2(order) * off(h); }
+    double halves(double h) const { return end + off(h); }
+    double next(double h) const { return learner(whole(h), halves(h), h, tolerance, order); }
+
+    int order;
+    double tolerance, sign, end, right;
+};
+
+}  // namespace
+
+PROPERTY("results that agree to the last bit let the step grow to five times its length") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const double same = draw.real(-10, 10), h = draw_h(draw);
+        const double next = learner(same, same, h, draw_tolerance(draw), draw.integer(1, 8));
+        REQUIRE(close(next, 5 * h, 1e-12));
+    }
+}
+
+PROPERTY("results that are not finite make the step a fifth of its length") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const double x = draw.real(-10, 10), h = draw_h(draw), tolerance = draw_tolerance(draw);
+        const int order = draw.integer(1, 8);
+        const double far = draw.sign() * infinity, none = not_a_number;
+        const std::array<double, 2> results[] = {{none, x}, {x, none},  {none, none}, {far, x},
+                                                 {x, far},  {far, far}, {far, -far},  {far, none}};
+        for (const auto& [whole, halves] : results)
+            REQUIRE(close(learner(whole, halves, h, tolerance, order), h / 5, 1e-12));
+    }
+}
+
+PROPERTY("the next step is at most five times as long, and a fifth at least, whatever the error") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const double h = draw_h(draw), tolerance = draw_tolerance(draw);
+        const int order = draw.integer(1, 8);
+        // A fifth or five times would need an error 5^9 times as large or small, at most.
+        const double much = draw.sign() * tolerance * draw.log(1e10, 1e30);
+        REQUIRE(close(learner(much, 0, h, tolerance, order), h / 5, 1e-12));
+        REQUIRE(close(learner(much, -much, h, tolerance, order), h / 5, 1e-12));
+        const double little = draw.sign() * tolerance * draw.log(1e-30, 1e-10);
+        REQUIRE(close(learner(0, little, h, tolerance, order), 5 * h, 1e-12));
+        REQUIRE(close(learner(little, -little, h, tolerance, order), 5 * h, 1e-12));
+        const double any = learner(tolerance * draw.log(1e-10, 1e10), 0, h, tolerance, order);
+        REQUIRE(any >= h / 5 * (1 - 1e-12));
+        REQUIRE(any <= 5 * h * (1 + 1e-12));
+    }
+}
+
+// The results are sums with an end of three tolerances at most, and what they are off by is
+// (1/4)^9 of that at the least: it is known to 1e-10.
+PROPERTY("within the limits the next step is 0.9 times the one that is off by the tolerance") {
+    Draw draw;
+    for (int i = 0; i < 300; ++i) {
+        const double h = draw_h(draw);
+        const Motion motion(draw, h * draw.log(0.23, 5.5));
+        const double next = motion.next(h);
+        REQUIRE(close(std::fabs(motion.off(next / 0.9)), motion.tolerance, 1e-8));
+    }
+}
+
+PROPERTY("twice the step needs 2^(order + 1) times the tolerance") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double whole = draw.real(-5, 5), halves = whole + draw.sign() * draw.real(0.1, 5);
+        const int order = draw.integer(1, 8);
+        // The step is 0.9 times as long with one tolerance, and half of that with the other.
+        const double tolerance = std::fabs(whole - halves) / (std::exp2(order) - 1);
+        const double h = draw_h(draw), longer = learner(whole, halves, h, tolerance, order);
+        const double less = std::ldexp(tolerance, -(order + 1));
+        REQUIRE(close(learner(whole, halves, h, less, order), longer / 2, 1e-12));
+    }
+}
+
+PROPERTY("results in another unit, mirrored, swapped or both farther on, give the same step") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double h = draw_h(draw);
+        const Motion motion(draw, h * draw.log(0.3, 4));
+        const double whole = motion.whole(h), halves = motion.halves(h), next = motion.next(h);
+        const double unit = draw.log(1e-3, 1e3), tolerance = motion.tolerance;
+        const int order = motion.order;
+        const double larger = learner(unit * whole, unit * halves, h, unit * tolerance, order);
+        REQUIRE(close(larger, next, 1e-8));
+        REQUIRE(close(learner(-whole, -halves, h, tolerance, order), next, 1e-12));
+        REQUIRE(close(learner(halves, whole, h, tolerance, order), next, 1e-12));
+        const double on = draw.real(-3, 3) * tolerance;
+        REQUIRE(close(learner(whole + on, halves + on, h, tolerance, order), next, 1e-8));
+        const double slower = draw.log(1e-3, 1e3);
+        REQUIRE(close(learner(whole, halves, slower * h, tolerance, order), slower * next, 1e-12));
+    }
+}
+
+// 0.9 of the right step, from however far: a hundred thousand is seven or eight fives, and the
+// last jump is exact but for the end that is added.
+PROPERTY("from a step far too long or too short, some tries lead to a step that does") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const double right = draw.log(1e-4, 1e1);
+        const Motion motion(draw, right);
+        double h = right * draw.log(1e-4, 1e4);
+        for (int tries = 0; tries < 12; ++tries) h = motion.next(h);
+        REQUIRE(close(h, 0.9 * right, 1e-8));
+    }
+}

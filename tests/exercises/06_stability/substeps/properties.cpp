@@ -1,0 +1,118 @@
+#include "substeps.hpp"
+
+#include "property.hpp"
+
+EXERCISE(substeps);
+
+namespace {
+
+struct Crate {
+    double mass;
+    int springs;
+    double stiffness, frame, share;
+
+    // One for which the whole frame is `steps` times as long as the longest step allowed.
+    Crate(Draw& draw, double steps, double share)
+        : mass(draw.log(1e-6, 1e6)),
+          springs(static_cast<int>(draw.log(1, 1001))),
+          frame(draw.log(1e-4, 1)),
+          share(share) {
+        const double omega = 2 * share * steps / frame;
+        stiffness = mass * omega * omega / springs;
+    }
+    Crate(Draw& draw, double steps) : Crate(draw, steps, draw.log(0.01, 1)) {}
+
+    int answer() const { return learner(mass, springs, stiffness, frame, share); }
+    // omega h with so many steps in a frame.
+    double wh(double steps) const { return std::sqrt(springs * stiffness / mass) * frame / steps; }
+};
+
+// A number of steps that is no whole one, by more than the roundoff of a few operations.
+double draw_steps(Draw& draw, double low, double high) {
+    for (;;) {
+        const double steps = draw.log(low, high);
+        if (std::fabs(steps - std::round(steps)) > 2e-9 * steps) return steps;
+    }
+}
+
+// How far a crate gets that is let go at 1 m, in so many steps.
+double farthest(const Crate& crate, double h, int steps) {
+    double x = 1, v = 0, far = 1;
+    for (int n = 0; n < steps && far < 1e12; ++n) {
+        double force = 0;
+        for (int i = 0; i < crate.springs; ++i) force -= crate.stiffness * x;
+        v += h * force / crate.mass;
+        x += h * v;
+        far = std::max(far, std::fabs(x));
+    }
+    return far;
+}
+
+}  // namespace
+
+PROPERTY("a crate without springs, or with springs that do not pull, takes one step a frame") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const Crate crate(draw, draw_steps(draw, 1, 1e5));
+        REQUIRE(learner(crate.mass, 0, crate.stiffness, crate.frame, crate.share) == 1);
+        REQUIRE(learner(crate.mass, crate.springs, 0, crate.frame, crate.share) == 1);
+    }
+}
+
+PROPERTY("a crate so slow that the whole frame is a short step takes one step a frame") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) REQUIRE(Crate(draw, draw_steps(draw, 1e-6, 1)).answer() == 1);
+}
+
+PROPERTY("with the answer omega h is at most 2 share") {
+    Draw draw;
+    for (int i = 0; i < 200; ++i) {
+        const Crate crate(draw, draw_steps(draw, i % 2 == 0 ? 1 : 100, i % 2 == 0 ? 20 : 1e5));
+        const int steps = crate.answer();
+        REQUIRE(steps >= 1);
+        REQUIRE(crate.wh(steps) <= 2 * crate.share * (1 + 1e-9));
+    }
+}
+
+PROPERTY("with one step fewer omega h is above 2 share") {
+    Draw draw;
+    for (int i = 0; i < 200; ++i) {
+        const Crate crate(draw, draw_steps(draw, i % 2 == 0 ? 1 : 100, i % 2 == 0 ? 20 : 1e5));
+        const int steps = crate.answer();
+        REQUIRE((steps == 1 || crate.wh(steps - 1) > 2 * crate.share * (1 - 1e-9)));
+    }
+}
+
+// A part in 10⁸ is much to a double and nothing to a float.
+PROPERTY("a step that is a little too long is too long, and one that is a little shorter is not") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const int whole = draw.integer(1, 1000);
+        const double off = draw.log(2e-9, 1e-7);
+        REQUIRE(Crate(draw, whole * (1 - off)).answer() == whole);
+        REQUIRE(Crate(draw, whole * (1 + off)).answer() == whole + 1);
+    }
+}
+
+// Halfway between two counts: ωh is 2.05 or more with one step fewer, and a run grows by half or
+// more in each step. With the answer it is 1.95 at most, and a run stays within 1/√(1 − ω²h²/4) < 5
+// of where it was let go.
+PROPERTY("with all of the limit allowed a run stays bounded, and with one step fewer it explodes") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const Crate crate(draw, draw.integer(1, 19) + 0.5, 1);
+        const int steps = crate.answer();
+        REQUIRE(steps >= 2);
+        REQUIRE(farthest(crate, crate.frame / steps, 1000) < 5);
+        REQUIRE(farthest(crate, crate.frame / (steps - 1), 1000) > 1e9);
+    }
+}
+
+PROPERTY("many springs need as many steps as one that is as stiff as all of them") {
+    Draw draw;
+    for (int i = 0; i < 40; ++i) {
+        const Crate crate(draw, draw.integer(1, 100) + draw.real(0.1, 0.9));
+        const double all = crate.springs * crate.stiffness;
+        REQUIRE(learner(crate.mass, 1, all, crate.frame, crate.share) == crate.answer());
+    }
+}

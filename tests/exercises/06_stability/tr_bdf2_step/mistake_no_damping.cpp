@@ -1,0 +1,16 @@
+#include "exercise.hpp"
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x) { return -omega * omega * x; };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x));
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + h, x2, v2};
+}
