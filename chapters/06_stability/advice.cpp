@@ -1,0 +1,176 @@
+// What `./course advise` says of every method, and how often it is right.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include <timestep/advise_spin.hpp>
+
+#include "sections.hpp"
+#include "simulate.hpp"
+
+using namespace timestep;
+
+namespace {
+
+struct Tally {
+    long stable = 0, growing = 0, close = 0, right = 0, wrong = 0;
+};
+
+class Scenes {
+public:
+    explicit Scenes(unsigned seed) : random_(seed) {}
+
+    double even(double low, double high) {
+        return low + (high - low) * std::uniform_real_distribution<double>()(random_);
+    }
+    double even_in_log(double low, double high) { return low * std::pow(high / low, even(0, 1)); }
+
+    // One scene for one method: half of those that have a boundary within 10 % of it.
+    template <class Method>
+    void spring(const Method& method, bool near, Tally& tally) {
+        constexpr bool damped = detail::takes_damping<Method>;
+        const double zeta = damped && even(0, 1) > 0.1 ? even_in_log(0.01, 10) : 0;
+        const double omega = even_in_log(0.1, 1e5);
+        const double limit = stability_limit(method, zeta).value;
+        const bool has_boundary = limit > 0 && std::isfinite(limit);
+        const double s = near && has_boundary ? limit * even(0.9, 1.1) : even_in_log(0.02, 10);
+        const double h = s / omega;
+        const Verdict said = verdict(s, limit);
+        bool grew;
+        if constexpr (damped)
+            grew = grows(method, DampedSpring<double>(omega, zeta), omega, h);
+        else
+            grew = grows(method, Spring<double>(omega), omega, h);
+        count(said, grew, tally);
+        if (said == (grew ? Verdict::stable : Verdict::grows))
+            std::printf("  missed: %s, zeta = %g, omega h = %.6g of %.6g\n", method.name, zeta, s, limit);
+    }
+
+    static void count(Verdict said, bool grew, Tally& tally) {
+        tally.stable += said == Verdict::stable;
+        tally.growing += said == Verdict::grows;
+        tally.close += said == Verdict::too_close_to_call;
+        tally.right += said == (grew ? Verdict::grows : Verdict::stable);
+        tally.wrong += said == (grew ? Verdict::stable : Verdict::grows);
+    }
+
+    PrincipalInertia<double> body() {
+        const auto reach = [&] { return even_in_log(1e-3, 1); };
+        const double A = reach(), B = reach(), C = reach();
+        return {B + C, C + A, A + B};
+    }
+    Vector3<double> direction() {
+        std::normal_distribution<double> normal;
+        return Vector3<double>(normal(random_), normal(random_), normal(random_)).normalized();
+    }
+
+private:
+    std::mt19937_64 random_;
+};
+
+// Can one step raise the energy of this body at this rate of spin? A thousand directions are tried, and
+// the one that the advice itself names.
+template <class Solver>
+bool gains(const Solver& solver, const PrincipalInertia<double>& inertia, double spin, double h,
+           const Vector3<double>& named, Scenes& scenes) {
+    double most = named.isZero() ? 1 : energy_gain(solver, inertia, named, h);
+    for (int i = 0; i < 1000 && !(most > 1 + 1e-12); ++i)
+        most = std::max(most, energy_gain(solver, inertia, Vector3<double>(spin * scenes.direction()), h));
+    return !(most <= 1 + 1e-12);
+}
+
+void add(lab::Table& table, const std::string& what, const Tally& tally) {
+    table.row({what, double(tally.stable), double(tally.growing), double(tally.close),
+               double(tally.right), double(tally.wrong)});
+    std::printf("  %-34s %6ld %6ld %6ld %6ld %6ld\n", what.c_str(), tally.stable, tally.growing,
+                tally.close, tally.right, tally.wrong);
+}
+
+Tally total_of(const std::vector<Tally>& tallies) {
+    Tally total;
+    for (const Tally& t : tallies) {
+        total.stable += t.stable, total.growing += t.growing, total.close += t.close;
+        total.right += t.right, total.wrong += t.wrong;
+    }
+    return total;
+}
+
+}  // namespace
+
+// What the advice is for the spring of the options.
+void your_spring(const Settings& settings, lab::Findings& out) {
+    out.section("Your spring");
+    const DampedSpring<double> spring(settings.omega, settings.zeta);
+    const auto all = advise(spring, settings.step);
+    auto& table = out.table("your_spring.tsv", {"method", "verdict", "a second later", "the formula"});
+    std::printf("  omega = %g rad/s, zeta = %g, h = %.4g s, omega h = %.4g\n", settings.omega,
+                settings.zeta, settings.step, settings.omega * settings.step);
+    for (const Advice& advice : all) {
+        char growth[32] = "–";
+        if (std::isfinite(advice.growth_per_second))
+            std::snprintf(growth, sizeof growth, "× %.2g", advice.growth_per_second);
+        table.row({advice.method, words(advice.verdict), growth, advice.reason});
+        std::printf("  %-34s %-18s %s\n", advice.method.c_str(), words(advice.verdict), growth);
+    }
+    if (const Advice* best = cheapest(all)) {
+        out.text("cheapest", best->method, "the cheapest method that is right to one percent");
+        out.number("cheapest_rate", 1 / best->accurate_step, "Hz", "the steps a second that it takes");
+    }
+}
+
+void advice(const Settings&, lab::Findings& out) {
+    out.section("Ten thousand scenes");
+    std::printf("  %-34s %6s %6s %6s %6s %6s\n", "verdicts and what the simulation says", "stable",
+                "grows", "close", "right", "wrong");
+    auto& table = out.table("advice.tsv", {"scenes of", "stable", "grows", "too close to call", "right", "wrong"});
+    Scenes scenes(6);
+    std::vector<Tally> tallies;
+
+    const auto springs = [&](const auto& method) {
+        Tally tally;
+        for (int i = 0; i < 738; ++i) scenes.spring(method, i % 2 == 0, tally);
+        add(table, method.name, tally);
+        tallies.push_back(tally);
+    };
+    for_each_method(springs);
+    springs(semi_implicit_euler_new_damping);
+    for_each_verlet_method(springs);
+
+    // Spinning bodies: the talk's iteration near its boundary, every solver elsewhere.
+    Tally bodies;
+    for (int i = 0; i < 406; ++i) {
+        const auto inertia = scenes.body();
+        const double spin = scenes.even_in_log(0.1, 100);
+        const double size = scenes.even_in_log(0.01, 10);
+        int which = 0;
+        if (i % 2 == 0) {
+            const double limit = detail::longest_safe_step(inertia, spin);
+            const double h = limit * scenes.even(0.9, 1.1);
+            const auto advised = detail::advise_spin(implicit_gyroscopic, inertia, spin, h);
+            Scenes::count(advised.verdict,
+                          gains(implicit_gyroscopic, inertia, spin, h, advised.worst_spin, scenes), bodies);
+        } else {
+            for_each_gyroscopic([&](const auto& solver) {
+                if (which++ != i / 2 % 6) return;
+                const auto advised = detail::advise_spin(solver, inertia, spin, size / spin);
+                Scenes::count(advised.verdict,
+                              gains(solver, inertia, spin, size / spin, advised.worst_spin, scenes), bodies);
+            });
+        }
+    }
+    add(table, "spinning bodies", bodies);
+    tallies.push_back(bodies);
+    const Tally total = total_of(tallies);
+    add(table, "all", total);
+
+    const double all = double(total.stable + total.growing + total.close);
+    const double decided = double(total.right + total.wrong);
+    out.number("scenes", all, "", "random scenes");
+    out.number("right_share", 100 * total.right / decided, "%", "verdicts that the simulation confirms", 5);
+    out.number("close_share", 100 * total.close / all, "%", "scenes too close to call", 2);
+    out.number("wrong", double(total.wrong), "", "verdicts that the simulation contradicts");
+    out.check("advice_right", total.right >= 0.999 * decided && total.close <= 0.01 * all,
+              "at least 99.9 % of the verdicts are right, and at most 1 % of the scenes too close to call");
+}

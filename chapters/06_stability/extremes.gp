@@ -1,0 +1,27 @@
+# Every method on every extreme input that a run lets in: a cell each, its word a colour and a sign.
+call figure "extremes.svg" 640 680
+set xrange [-0.5:12.5]
+set yrange [20.5:-0.5]
+set border 0
+unset grid
+unset xzeroaxis
+unset yzeroaxis
+set xtics rotate by 40 right scale 0 font ",12" offset 0.6,0
+set ytics scale 0 font ",14"
+set lmargin at screen 0.38
+set rmargin at screen 0.985
+set tmargin at screen 0.985
+set bmargin at screen 0.30
+unset key
+set style fill solid 1.0 border rgb "white"
+# refused, does not compile, exact, bounded, grows, not finite
+colour(word) = word == 0 ? 0xcccccc : word == 1 ? 0xf4f4f4 : word == 2 ? 0x56b4e9 : word == 3 ? 0x009e73 : \
+               word == 4 ? 0xe69f00 : 0xd55e00
+sign(word) = word == 0 ? "✕" : word == 1 ? "–" : word == 2 ? "=" : word == 3 ? "○" : word == 4 ? "↑" : "∞"
+set label 1 "=  exact" at screen 0.02, screen 0.15 tc rgb ink
+set label 2 "○  bounded" at screen 0.02, screen 0.115 tc rgb ink
+set label 3 "↑  grows" at screen 0.02, screen 0.08 tc rgb ink
+set label 4 "∞  not finite, reported" at screen 0.02, screen 0.045 tc rgb ink
+set label 5 "–  does not compile" at screen 0.02, screen 0.185 tc rgb ink
+plot "extremes.tsv" using 1:2:(0.47):(0.45):(colour($3)):xticlabel(4):yticlabel(5) with boxxyerror lc rgb variable, \
+     "" using 1:2:(sign($3)) with labels tc rgb "black" font ",14"

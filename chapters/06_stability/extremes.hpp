@@ -1,0 +1,179 @@
+#pragma once
+// Every method on inputs that no game should have: the cells of a table, each with what theory
+// expects and what the run finds. The chapter's program counts them, and a test checks every one.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <timestep/models/damped_spring.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/run.hpp>
+#include <timestep/stability.hpp>
+#include <timestep/stability_limit.hpp>
+
+namespace extremes {
+
+using namespace timestep;
+
+enum class Word {
+    refused,           // std::invalid_argument, with one line that says why
+    does_not_compile,  // the method has nothing to hand to such a force
+    exact,             // the exact answer, but for roundoff
+    bounded,           // finite, and never larger than theory allows
+    grows,             // finite, and as much larger as theory says
+    reported,          // too large for a number, no later than theory says, and the run says when
+    wrong              // none of these
+};
+
+inline const char* words(Word word) {
+    const char* all[] = {"refused", "does not compile",     "exact", "bounded",
+                         "grows",   "not finite, reported", "wrong"};
+    return all[static_cast<int>(word)];
+}
+
+struct Cell {
+    std::string real, scene, method;
+    Word expected, found;
+    std::string note;  // the message, or the step at which the run blew up
+};
+
+template <class Real>
+inline constexpr bool is_float = sizeof(Real) == sizeof(float);
+// Near the smallest and the largest number that a Real can hold; and one whose square is still a
+// number.
+template <class Real>
+inline constexpr Real tiny = is_float<Real> ? Real(1e-36) : Real(1e-300);
+template <class Real>
+inline constexpr Real huge = 1 / tiny<Real>;
+template <class Real>
+inline constexpr Real stiff = is_float<Real> ? Real(1e16) : Real(1e150);
+template <class Real>
+inline constexpr double eps = std::numeric_limits<Real>::epsilon();
+
+// What theory says of a run.
+struct Theory {
+    Word expected;
+    double size = 1;        // bounded: never larger. exact: no farther from it
+    double log_growth = 0;  // grows: by e to this
+    double latest = 0;      // reported: at this step or before
+};
+
+// The word for a run that came to an end with `size`, from `first` on; `largest` on the way.
+inline Word judge(const Theory& theory, double first, double largest, double last,
+                  long blew_up_at) {
+    if (blew_up_at > 0)
+        return theory.expected == Word::reported && blew_up_at <= theory.latest ? Word::reported
+                                                                                : Word::wrong;
+    if (theory.expected == Word::bounded)
+        return largest <= theory.size ? Word::bounded : Word::wrong;
+    if (theory.expected == Word::exact) return last <= theory.size ? Word::exact : Word::wrong;
+    // What is no eigenvector makes up to a factor 8 of difference once, and roundoff 1 % of the
+    // exponent.
+    const double off = std::log(last) - std::log(first) - theory.log_growth;
+    return theory.expected == Word::grows && theory.log_growth > 4 &&
+                   std::fabs(off) < std::log(8) + 0.01 * theory.log_growth
+               ? Word::grows
+               : Word::wrong;
+}
+
+template <class Model>
+using Make = std::function<Model()>;  // or throws
+template <class S>
+using Size =
+    std::function<double(const S&)>;  // of a state; in exact cells its distance from the right one
+
+// Makes the model, runs it, and finds the word.
+template <class Model, class Method, class S>
+Cell cell(const char* scene, const Method& method, const Make<Model>& make, const S& start,
+          real_of<S> h, long steps, const Theory& theory,
+          const std::type_identity_t<Size<S>>& size) {
+    Cell cell{is_float<real_of<S>> ? "float" : "double",
+              scene,
+              method.name,
+              theory.expected,
+              Word::wrong,
+              ""};
+    try {
+        const Model model = make();
+        double largest = 0;
+        long finite_states = 0;
+        const S end = run(method, model, start, h, steps, [&](const S& s) {
+            largest = std::max(largest, size(s));
+            finite_states += is_finite(s);
+        });
+        // One look at the end finds whatever went wrong on the way.
+        const bool blew_up = !is_finite(end);
+        if (blew_up == (finite_states == steps + 1)) return cell;
+        const long blew_up_at = blew_up ? finite_states : 0;  // the start is one of them
+        cell.found = judge(theory, size(start), largest, size(end), blew_up_at);
+        cell.note = blew_up ? "at step " + std::to_string(blew_up_at) : "";
+    } catch (const std::invalid_argument& refusal) {
+        cell.note = refusal.what();
+        const bool one_line = !cell.note.empty() && cell.note.find('\n') == std::string::npos;
+        cell.found = one_line ? Word::refused : Word::wrong;
+    }
+    return cell;
+}
+
+// Does the method step this force? Those of Verlet's kind have no velocity to hand to it, and
+// damping at the new velocity needs a linear one.
+template <class Method, class Model, class X>
+inline constexpr bool takes = VelocityForce<Model, X>;
+template <class Model, class X>
+inline constexpr bool takes<Verlet, Model, X> = PositionForce<Model, X>;
+template <class Model, class X>
+inline constexpr bool takes<VelocityVerlet, Model, X> = PositionForce<Model, X>;
+template <class Model, class X>
+inline constexpr bool takes<Leapfrog, Model, X> = PositionForce<Model, X>;
+template <class Model, class X>
+inline constexpr bool takes<SemiImplicitEulerNewDamping, Model, X> = LinearForce<Model, X>;
+
+template <class Visit>
+void for_all_methods(const Visit& visit) {
+    for_each_method(visit);
+    visit(semi_implicit_euler_new_damping);
+    for_each_verlet_method(visit);
+}
+
+// By how much a step of ωh = s multiplies in the long run. Plain Verlet goes through the positions
+// of velocity Verlet; BDF2 never grows, and is never asked.
+template <class Method>
+long double growth(const Method& method, long double zeta, long double s) {
+    if constexpr (std::is_same_v<Method, Verlet>)
+        return growth(velocity_verlet, zeta, s);
+    else if constexpr (std::is_same_v<Method, Bdf2>)
+        return 1;
+    else if constexpr (takes<Method, DampedSpring<long double>, long double>)
+        return spectral_radius(step_matrix(method, DampedSpring<long double>(1, zeta), s));
+    else
+        return spectral_radius(step_matrix(method, Spring<long double>(1), s));
+}
+
+// A spring, or several of which the fastest has this ω: the longest stable step decides, and beyond
+// it the larger eigenvalue. A stable state may swell before it settles: the ellipses that it goes
+// round have axes in a ratio of 3.4 at the most, here at ωh = 5/3; 8 leaves room for a start off
+// both axes.
+template <class Real, class Method>
+Theory spring_theory(const Method& method, double omega, double zeta, double h, long steps) {
+    const double s = omega * h;
+    if (s <= stability_limit(method, zeta).value) return {Word::bounded, 8};
+    const double log_step = static_cast<double>(std::log(growth(method, zeta, s)));
+    const double log_largest = std::log(static_cast<double>(std::numeric_limits<Real>::max()));
+    const double log_last = log_step * steps;
+    if (log_last + std::log(8 * std::max(1.0, omega)) < log_largest)
+        return {Word::grows, 0, log_last};
+    if (log_last < log_largest * 1.01 + 3 * log_step)
+        throw std::logic_error("extremes: take more steps");
+    return {Word::reported, 0, 0, log_largest * 1.01 / log_step + 3};
+}
+
+// All cells: of every method on every force, and of every gyroscopic solver on every inertia.
+std::vector<Cell> of_methods();
+std::vector<Cell> of_bodies();
+
+}  // namespace extremes

@@ -1,0 +1,26 @@
+#pragma once
+// What the parts of chapter 6's program share.
+
+#include "lab.hpp"
+
+inline constexpr double pi = 3.141592653589793;
+
+struct Settings {
+    double step = 1.0 / 60;  // s
+    double omega = 100;      // rad/s
+    double zeta = 0.05;      // damping ratio
+};
+
+void your_spring(const Settings&, lab::Findings&);        // advice.cpp
+void definitions(const Settings&, lab::Findings&);        // definitions.cpp
+void regions(const Settings&, lab::Findings&);            // regions.cpp
+void stiff_decay(const Settings&, lab::Findings&);        // stiff_decay.cpp
+void boundary(const Settings&, lab::Findings&);           // boundary.cpp
+void stiff_springs(const Settings&, lab::Findings&);      // stiff_springs.cpp
+void two_scales(const Settings&, lab::Findings&);         // two_scales.cpp
+void prothero_robinson(const Settings&, lab::Findings&);  // prothero.cpp
+void reactions(const Settings&, lab::Findings&);          // reactions.cpp
+void cloth(const Settings&, lab::Findings&);              // cloth.cpp
+void extreme_inputs(const Settings&, lab::Findings&);     // extremes.cpp
+void advice(const Settings&, lab::Findings&);             // advice.cpp
+void leave_out(const Settings&, lab::Findings&);          // leave_out.cpp

@@ -1,0 +1,49 @@
+// The claims of chapter 6 about extreme inputs: every cell of its table ends as theory says.
+#include <catch2/catch_test_macros.hpp>
+
+#include "../../chapters/06_stability/extremes.hpp"
+
+using namespace extremes;
+
+namespace {
+
+void check_all(const std::vector<Cell>& cells) {
+    for (const Cell& cell : cells) {
+        INFO(cell.real << ", " << cell.scene << ", " << cell.method << ": " << cell.note);
+        CHECK(std::string(words(cell.found)) == words(cell.expected));
+        CHECK(cell.expected != Word::wrong);
+        if (cell.found == Word::refused) CHECK(cell.note.find(": must be ") != std::string::npos);
+        if (cell.found == Word::reported) CHECK(cell.note.rfind("at step ", 0) == 0);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("every method ends every extreme scene as theory says", "[N62][ch6]") {
+    const std::vector<Cell> cells = of_methods();
+    CHECK(cells.size() > 1000);
+    check_all(cells);
+}
+
+TEST_CASE("every gyroscopic solver ends every extreme scene as theory says", "[N62][ch6]") {
+    const std::vector<Cell> cells = of_bodies();
+    CHECK(cells.size() > 700);
+    check_all(cells);
+}
+
+// The judge's words are not given away: each needs its own proof.
+TEST_CASE("a cell that ends otherwise than theory says is wrong", "[ch6]") {
+    CHECK(judge({Word::bounded, 2}, 1, 1.5, 1, 0) == Word::bounded);
+    CHECK(judge({Word::bounded, 2}, 1, 2.5, 1, 0) == Word::wrong);
+    CHECK(judge({Word::bounded, 2}, 1, 1.5, 1, 7) == Word::wrong);
+    CHECK(judge({Word::exact, 0}, 1, 0, 0, 0) == Word::exact);
+    CHECK(judge({Word::exact, 0}, 1, 0, 1e-300, 0) == Word::wrong);
+    CHECK(judge({Word::exact, 0}, 1, 0, std::nan(""), 0) == Word::wrong);
+    CHECK(judge({Word::grows, 0, 10}, 1, 0, std::exp(10.0), 0) == Word::grows);
+    CHECK(judge({Word::grows, 0, 10}, 1, 0, std::exp(7.0), 0) == Word::wrong);
+    CHECK(judge({Word::grows, 0, 10}, 1, 0, 1, 0) == Word::wrong);
+    CHECK(judge({Word::reported, 0, 0, 5}, 1, 0, 0, 5) == Word::reported);
+    CHECK(judge({Word::reported, 0, 0, 5}, 1, 0, 0, 6) == Word::wrong);
+    CHECK(judge({Word::reported, 0, 0, 5}, 1, 0, 1, 0) == Word::wrong);
+    CHECK(judge({Word::refused}, 1, 0, 0, 0) == Word::wrong);  // a run that was let in
+}
