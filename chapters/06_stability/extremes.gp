@@ -25,3 +25,12 @@ set label 4 "∞  not finite, reported" at screen 0.02, screen 0.045 tc rgb ink
 set label 5 "–  does not compile" at screen 0.02, screen 0.185 tc rgb ink
 plot "extremes.tsv" using 1:2:(0.47):(0.45):(colour($3)):xticlabel(4):yticlabel(5) with boxxyerror lc rgb variable, \
      "" using 1:2:(sign($3)) with labels tc rgb "black" font ",14"
+# The next figure finds the axes as it expects them.
+unset label
+unset lmargin
+unset rmargin
+unset tmargin
+unset bmargin
+set xtics norotate center scale 0.6 font "" offset 0,0
+set ytics scale 0.6 font ""
+load style

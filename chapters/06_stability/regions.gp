@@ -12,10 +12,10 @@ set xrange [-4.1:4.1]
 set yrange [-3.6:3.6]
 set xtics 2
 set ytics 2
-set multiplot layout 3,2 margins 0.11,0.98,0.09,0.965 spacing 0.06,0.075
+set multiplot layout 3,2 margins 0.135,0.98,0.09,0.965 spacing 0.06,0.075
 runs(id) = sprintf("'decayed_%s.tsv' using 1:2 with points pt 7 ps 0.42 lc rgb ink, 'grew_%s.tsv' using 1:2 with points pt 2 ps 0.42 lw 1.2 lc rgb '#c0392b'", id, id)
 
-set ylabel "imaginary part of hλ"
+set ylabel "imaginary part of hλ" offset 1,0
 set title "explicit Euler" offset 0,-0.7
 outside = runs("explicit_euler")
 plot "outline_explicit_euler.tsv" using 1:2 with filledcurves closed fc rgb "#d55e00" @shade, \
@@ -27,7 +27,7 @@ set object 1 rectangle from graph 0,0 to graph 1,1 fc rgb "#0072b2" @shade behin
 plot "outline_implicit_euler.tsv" using 1:2 with filledcurves closed fc rgb "#ffffff" fs solid noborder, \
      "" using 1:2 with lines @implicit_euler, @outside
 unset object 1
-set ylabel "imaginary part of hλ"
+set ylabel "imaginary part of hλ" offset 1,0
 set title "midpoint, Heun"
 outside = runs("midpoint")
 plot "outline_midpoint.tsv" using 1:2 with filledcurves closed fc rgb "#e69f00" @shade, \
@@ -39,7 +39,7 @@ set object 1 rectangle from graph 0,0 to graph 1,1 fc rgb "#2f4b7c" @shade behin
 plot "outline_bdf2.tsv" using 1:2 with filledcurves closed fc rgb "#ffffff" fs solid noborder, \
      "" using 1:2 with lines @bdf2, @outside
 unset object 1
-set ylabel "imaginary part of hλ"
+set ylabel "imaginary part of hλ" offset 1,0
 set title "RK4"
 set xlabel "real part of hλ"
 outside = runs("runge_kutta_4")
