@@ -107,6 +107,12 @@ void your_spring(const Settings& settings, lab::Findings& out) {
     auto& table = out.table("your_spring.tsv", {"method", "verdict", "a second later", "the formula"});
     std::printf("  omega = %g rad/s, zeta = %g, h = %.4g s, omega h = %.4g\n", settings.omega,
                 settings.zeta, settings.step, settings.omega * settings.step);
+    // Of the true motion the slower part is left in the long run: e^(−ζωt), or the slow one of two decays.
+    const double zeta = settings.zeta;
+    const double slow = zeta < 1 ? zeta : 1 / (zeta + std::sqrt(zeta * zeta - 1));
+    char truth[32];
+    std::snprintf(truth, sizeof truth, "× %.2g", std::exp(-slow * settings.omega));
+    table.row({"the true motion", "", truth, ""});
     for (const Advice& advice : all) {
         char growth[32] = "–";
         if (std::isfinite(advice.growth_per_second))

@@ -3,11 +3,12 @@ call figure "boundary.svg" 640 700
 set logscale xy
 set xrange [0.0035:10]
 set yrange [0.015:60]
-set xtics ("0" 0.005, "0.01" 0.01, "0.1" 0.1, "1" 1, "10" 10)
+set xtics ("0" 0.005, "0.01" 0.01, "0.03" 0.03, "0.1" 0.1, "0.3" 0.3, "1" 1, "3" 3, "10" 10)
 set format y "%g"
 set xlabel "damping ratio ζ\n " offset 0,0.4
 set ylabel "longest stable ωh (rad)"
 set key outside bottom center vertical maxrows 4 reverse Left
+set label 2 "our spring" at 0.05,1.667 point pt 7 ps 0.9 lc rgb ink offset 0.7,-0.6 textcolor rgb ink
 set label 1 "no limit: implicit Euler,\nimplicit midpoint, BDF2" at 0.02,33 left textcolor rgb ink
 plot "edge_semi_implicit_euler__new_damping.tsv" using 1:2 with lines @new_damping title "new damping", \
      "edge_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit Euler", \
@@ -22,7 +23,7 @@ plot "edge_semi_implicit_euler__new_damping.tsv" using 1:2 with lines @new_dampi
      "edge_measured_newton.tsv" using 1:2 with points pt 6 ps 0.8 lc rgb "#e0a800", \
      "edge_measured_explicit_euler.tsv" using 1:2 with points pt 6 ps 0.8 lc rgb "#d55e00", \
      "edge_undamped.tsv" every ::0::2 using (0.005):2 with points pt 4 ps 1.3 lw 1.6 lc rgb "#b15a98" title "Verlets (ζ = 0)"
-unset label 1
+unset label
 unset logscale
 set autoscale
 set xtics autofreq

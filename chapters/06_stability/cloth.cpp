@@ -157,7 +157,7 @@ void price(lab::Findings& out) {
 
     auto& table =
         out.table("cloth_costs.tsv", {"stiffness, N/m", "explicit steps a frame", "explicit, ms",
-                                      "factorised, of it", "gradients to 10⁻⁶", "to 10⁻²"});
+                                      "factorised", "gradients to 10⁻⁶", "to 10⁻²"});
     const char* const names[] = {"10²", "10³", "10⁴", "10⁵", "10⁶"};
     for (std::size_t i = 0; i < stiff.size(); ++i) {
         const Costs& c = stiff[i];
@@ -166,6 +166,17 @@ void price(lab::Findings& out) {
                    words("× %.2g", c.factors / unit), words("× %.2g", c.gradients / unit),
                    words("× %.2g", c.rough / unit)});
     }
+    // Where the two cost the same, between two of these cloths: straight lines in logarithms.
+    double crossing = 0;
+    for (std::size_t i = 1; i < stiff.size(); ++i) {
+        const double before = std::log(stiff[i - 1].factors / stiff[i - 1].many);
+        const double after = std::log(stiff[i].factors / stiff[i].many);
+        if (before > 0 && after <= 0)
+            crossing = double(stiff[i - 1].substeps) *
+                       std::pow(double(stiff[i].substeps) / double(stiff[i - 1].substeps),
+                                before / (before - after));
+    }
+    out.number("cloth_crossing", crossing, "", "explicit steps that cost what factorising costs", 1);
     const Costs &soft = stiff.front(), &usual = stiff[2], &hard = stiff.back();
     out.number("cloth_usual_steps", double(usual.substeps), "",
                "explicit steps a frame, 24 x 24, 1e4 N/m");
