@@ -16,6 +16,7 @@ namespace {
 
 struct Tally {
     long stable = 0, growing = 0, close = 0, right = 0, wrong = 0;
+    long near = 0;  // within 10 % of a boundary
 };
 
 class Scenes {
@@ -27,7 +28,8 @@ public:
     }
     double even_in_log(double low, double high) { return low * std::pow(high / low, even(0, 1)); }
 
-    // One scene for one method: half of those that have a boundary within 10 % of it.
+    // One scene for one method. Those without a boundary make up a quarter of all, so of the others two in
+    // three are put within 10 % of theirs. Below ωh = 0.02 no run of this length shows a slow growth.
     template <class Method>
     void spring(const Method& method, bool near, Tally& tally) {
         constexpr bool damped = detail::takes_damping<Method>;
@@ -38,6 +40,7 @@ public:
         const double s = near && has_boundary ? limit * even(0.9, 1.1) : even_in_log(0.02, 10);
         const double h = s / omega;
         const Verdict said = verdict(s, limit);
+        tally.near += has_boundary && std::fabs(s / limit - 1) <= 0.1;
         bool grew;
         if constexpr (damped)
             grew = grows(method, DampedSpring<double>(omega, zeta), omega, h);
@@ -92,7 +95,7 @@ Tally total_of(const std::vector<Tally>& tallies) {
     Tally total;
     for (const Tally& t : tallies) {
         total.stable += t.stable, total.growing += t.growing, total.close += t.close;
-        total.right += t.right, total.wrong += t.wrong;
+        total.right += t.right, total.wrong += t.wrong, total.near += t.near;
     }
     return total;
 }
@@ -136,7 +139,7 @@ void advice(const Settings&, lab::Findings& out) {
 
     const auto springs = [&](const auto& method) {
         Tally tally;
-        for (int i = 0; i < 738; ++i) scenes.spring(method, i % 2 == 0, tally);
+        for (int i = 0; i < 738; ++i) scenes.spring(method, i % 3 != 0, tally);
         add(table, method.name, tally);
         tallies.push_back(tally);
     };
@@ -154,6 +157,7 @@ void advice(const Settings&, lab::Findings& out) {
         if (i % 2 == 0) {
             const double limit = detail::longest_safe_step(inertia, spin);
             const double h = limit * scenes.even(0.9, 1.1);
+            ++bodies.near;
             const auto advised = detail::advise_spin(implicit_gyroscopic, inertia, spin, h);
             Scenes::count(advised.verdict,
                           gains(implicit_gyroscopic, inertia, spin, h, advised.worst_spin, scenes), bodies);
@@ -175,8 +179,11 @@ void advice(const Settings&, lab::Findings& out) {
     const double decided = double(total.right + total.wrong);
     out.number("scenes", all, "", "random scenes");
     out.number("right_share", 100 * total.right / decided, "%", "verdicts that the simulation confirms", 5);
+    out.number("near_share", 100 * total.near / all, "%", "scenes within 10 % of a boundary", 2);
+    std::printf("  %ld of them within 10 %% of a boundary\n", total.near);
     out.number("close_share", 100 * total.close / all, "%", "scenes too close to call", 2);
     out.number("wrong", double(total.wrong), "", "verdicts that the simulation contradicts");
-    out.check("advice_right", total.right >= 0.999 * decided && total.close <= 0.01 * all,
-              "at least 99.9 % of the verdicts are right, and at most 1 % of the scenes too close to call");
+    out.check("advice_right", total.right >= 0.999 * decided && total.close <= 0.01 * all && total.near >= 0.5 * all,
+              "at least 99.9 % of the verdicts are right, and at most 1 % of the scenes too close to call, where "
+              "half of them are within 10 % of a boundary");
 }

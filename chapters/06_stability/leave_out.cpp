@@ -122,7 +122,7 @@ void leave_out(const Settings&, lab::Findings& out) {
         out.number(key + "_virtual_ratio", m.virtually / m.sorted, "",
                    "time of virtual over sorted, " + key);
         out.number(key + "_alike_ratio", m.alike / m.sorted, "",
-                   "time of boxes only over sorted, " + key);
+                   "time of boxes only over sorted, " + key, 1);
     }
     out.number("crowd", bodies, "", "bodies in a crowd");
 
