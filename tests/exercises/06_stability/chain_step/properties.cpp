@@ -159,7 +159,7 @@ PROPERTY("no step adds energy") {
 PROPERTY("a very stiff chain is in its place after one step") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
-        const Chain chain(draw, draw.integer(1, 5), 1e6);
+        const Chain chain(draw, draw.integer(1, 5), 9e5);
         const Masses next = chain.answer();
         for (std::size_t j = 0; j < next.size(); ++j)
             REQUIRE(close(next[j].x, 0, 0, 1e-4 * chain.size()));

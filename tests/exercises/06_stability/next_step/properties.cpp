@@ -110,16 +110,17 @@ PROPERTY("results in another unit, mirrored, swapped or both farther on, give th
         const double h = draw_h(draw);
         const Motion motion(draw, h * draw.log(0.3, 4));
         const double whole = motion.whole(h), halves = motion.halves(h), next = motion.next(h);
-        const double unit = draw.log(1e-3, 1e3), tolerance = motion.tolerance;
+        const double tolerance = motion.tolerance, another = draw_tolerance(draw);
+        const double unit = another / tolerance;
         const int order = motion.order;
-        const double larger = learner(unit * whole, unit * halves, h, unit * tolerance, order);
-        REQUIRE(close(larger, next, 1e-8));
+        REQUIRE(close(learner(unit * whole, unit * halves, h, another, order), next, 1e-8));
         REQUIRE(close(learner(-whole, -halves, h, tolerance, order), next, 1e-12));
         REQUIRE(close(learner(halves, whole, h, tolerance, order), next, 1e-12));
         const double on = draw.real(-3, 3) * tolerance;
         REQUIRE(close(learner(whole + on, halves + on, h, tolerance, order), next, 1e-8));
-        const double slower = draw.log(1e-3, 1e3);
-        REQUIRE(close(learner(whole, halves, slower * h, tolerance, order), slower * next, 1e-12));
+        const double other_h = draw_h(draw);
+        const double other_next = learner(whole, halves, other_h, tolerance, order);
+        REQUIRE(close(other_next / other_h, next / h, 1e-12));
     }
 }
 
