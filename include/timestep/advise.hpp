@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <complex>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -54,8 +57,10 @@ struct Advice {
     double period_error;           ///< the period over the exact one, minus one
     double rate_error;             ///< how wrong the motion's frequency and decay are: see advise()
     double cost;                   ///< force evaluations and solves in a second of game time
-    double accurate_step = 0;      ///< the longest step whose rate error is as small as wanted, s; or 0
+    double accurate_step = 0;      ///< the longest step that does not ring and whose rate error is as small
+                                   ///< as wanted, s; or 0
     double accurate_cost = 0;      ///< what that costs, evaluations and solves a second; 0 if there is none
+    double ringing = 0;            ///< what a step multiplies the part by that rings, below −1/2; 0: none does
 };
 
 /// \cond
@@ -128,11 +133,42 @@ double rate_error(const Method& method, long double zeta, long double s) {
         std::fmin(std::hypot(frequency, damping), std::abs(rate - exact) / std::abs(exact)));
 }
 
-// The largest s up to which the rate is as good as wanted. The error rises with s from zero; a coarse
-// way up finds an s where it is too large, and bisection the place.
+// What rings: a part that a step turns about and keeps a good deal of. It shakes from frame to frame,
+// which no spring does, and the rate of the slow part knows nothing of it. The bound is −1/2: there seven
+// steps leave 1 % of it, which at 60 Hz is over in a ninth of a second and hardly seen. Farther down it
+// soon takes seconds.
+constexpr long double rings_below = -0.5L;
+
+// The most negative multiplier that rings; 0 where none does. A real one has no swing to follow. A complex
+// one stands for a swing, which turns its sign by itself: it rings where the true motion keeps less than
+// half as much of it (there ζ < 1, and the true one keeps e^(−ζs) a step).
+inline long double ringing(const std::vector<Complex>& all, long double zeta, long double s) {
+    long double most = 0;
+    for (const Complex& each : all) {
+        const bool no_swing = each.imag() == 0 || 2 * std::exp(-zeta * s) < std::abs(each);
+        if (no_swing && each.real() < rings_below) most = std::min(most, each.real());
+    }
+    return most;
+}
+
+// Where it rings, in words. Of two decays with multipliers of different signs the fast one is below zero.
+inline std::string ringing_words(const std::vector<Complex>& all, long double most, double zeta) {
+    const bool one = std::any_of(all.begin(), all.end(), [](const Complex& z) { return z.real() >= 0; });
+    char text[96];
+    std::snprintf(text, sizeof text, "stable, but rings: a step multiplies %s by −%.3g",
+                  zeta < 1 ? "the motion" : one ? "the fast part" : "what should decay",
+                  static_cast<double>(-most));
+    return text;
+}
+
+// The largest s up to which the rate is as good as wanted and nothing rings. The error rises with s from
+// zero; a coarse way up finds an s where it is too large, and bisection the place.
 template <class Method>
 double accurate_to(const Method& method, double zeta, double wanted, double limit) {
-    const auto good = [&](double s) { return s <= limit && rate_error(method, zeta, s) <= wanted; };
+    const auto good = [&](double s) {
+        return s <= limit && rate_error(method, zeta, s) <= wanted &&
+               ringing(multipliers(method, zeta, s), zeta, s) == 0;
+    };
     double low = wanted / (10 + 20 * zeta), high = low;
     if (!good(low)) return 0;
     while (good(high) && high < 1e6) low = high, high *= 1.1;
@@ -143,24 +179,27 @@ double accurate_to(const Method& method, double zeta, double wanted, double limi
     return low;
 }
 
-inline std::string number(double value) {
+inline std::string number(double value, int digits = 4) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
     return text;
 }
 
 // Why it is stable or not, for people.
 inline std::string reason(const StabilityLimit& limit, double s) {
     if (!std::isfinite(limit.value)) return "stable for every step";
-    const char* relation = s < limit.value ? " < " : s > limit.value ? " > " : " = ";
-    return "ωh = " + number(s) + relation + number(limit.value) + " = " + limit.formula;
+    const int digits = number(s) == number(limit.value) ? 7 : 4;  // as many as tell the two apart
+    const std::string left = number(s, digits), right = number(limit.value, digits);
+    const std::string formula = right == limit.formula ? "" : std::string(" = ") + limit.formula;
+    if (left == right) return "ωh = " + left + formula + ", the limit itself";
+    return "ωh = " + left + (s < limit.value ? " < " : " > ") + right + formula;
 }
 
 template <class Method>
 Advice advise(const Method& method, const DampedSpring<double>& spring, double h, double wanted) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     if (!takes_damping<Method> && spring.zeta > 0)
-        return {method.name, Verdict::refused, "has no velocity to hand to the damper",
+        return {method.name, Verdict::refused, "takes forces of the position only",
                 nan, nan, nan, nan, nan, nan, nan, nan};
 
     const double s = spring.omega * h, zeta = spring.zeta;
@@ -174,6 +213,14 @@ Advice advise(const Method& method, const DampedSpring<double>& spring, double h
     advice.method = method.name;
     advice.verdict = verdict(s, limit.value);
     advice.reason = reason(limit, s);
+    if (advice.verdict == Verdict::stable) {
+        const long double most = ringing(all, zeta, s);
+        advice.ringing = static_cast<double>(most);
+        if (most < 0) {
+            const std::string why = ringing_words(all, most, zeta);
+            advice.reason = std::isfinite(limit.value) ? why + "; " + advice.reason : why;
+        }
+    }
     advice.longest_step = limit.value / spring.omega;
     advice.growth_per_step = static_cast<double>(largest);
     advice.growth_per_second = static_cast<double>(std::exp(std::log(largest) / h));
@@ -207,7 +254,10 @@ Advice advise(const Method& method, const DampedSpring<double>& spring, double h
 /// |ζ'ω' − ζω|/ω together (beyond ζ = 1 the latter is |ζ'ω' − ζω|/(ζω)). The smaller of the two errors
 /// counts. (The positions of semi-implicit Euler lie on a swing of the right size; its velocities, half a
 /// step early, are not judged.) `wanted` is how large it may be: the longest step is found for which it
-/// is no larger.
+/// is no larger, and with which nothing rings.
+///
+/// A stable method may still **ring**: a step multiplies a part that should decay by less than −1/2, and it
+/// shakes from step to step. Then the advice says so.
 ///
 /// A force evaluation and a solve are counted as equally dear. Throws `std::invalid_argument` where
 /// ω or h is not above zero and finite, where ωh is below 1e-12 (a step then changes nothing but the last
@@ -228,13 +278,28 @@ inline std::vector<Advice> advise(const DampedSpring<double>& spring, double h, 
     return all;
 }
 
-/// Of the methods that reach the wanted accuracy the one that does so at the least cost; null where
-/// none does.
-inline const Advice* cheapest(const std::vector<Advice>& all) {
+/// The longest step that is as right as wanted and no longer than `longest`, in seconds; 0 if there is none.
+inline double best_step(const Advice& advice, double longest) {
+    return std::min(advice.accurate_step, longest);
+}
+
+/// What the method costs a second at best_step().
+inline double best_cost(const Advice& advice, double longest) {
+    const double step = best_step(advice, longest);
+    return step > 0 ? advice.accurate_cost * (advice.accurate_step / step) : 0;
+}
+
+/// Of the methods that reach the wanted accuracy the one that does so at the least cost, with steps no
+/// longer than `longest`; of equally dear ones the one with the smaller error. Null where none does.
+inline const Advice* cheapest(const std::vector<Advice>& all,
+                              double longest = std::numeric_limits<double>::infinity()) {
     const Advice* best = nullptr;
-    for (const Advice& advice : all)
-        if (advice.accurate_cost > 0 && (!best || advice.accurate_cost < best->accurate_cost))
-            best = &advice;
+    for (const Advice& advice : all) {
+        if (!(advice.accurate_cost > 0)) continue;
+        const double ratio = best ? best_cost(advice, longest) / best_cost(*best, longest) : 0;
+        const bool alike = std::abs(ratio - 1) < 1e-9;
+        if (alike ? advice.rate_error < best->rate_error : ratio < 1) best = &advice;
+    }
     return best;
 }
 

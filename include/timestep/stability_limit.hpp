@@ -96,7 +96,7 @@ inline StabilityLimit two_stages_limit(double zeta) {
     return {rising_root([&](double s) {
                 return ((s / 4 - zeta) * s + 2 * zeta * zeta) * s - 2 * zeta;
             }),
-            "the s with s³/4 − ζs² + 2ζ²s = 2ζ"};
+            "the s = ωh with s³/4 − ζs² + 2ζ²s = 2ζ"};
 }
 }  // namespace detail
 /// \endcond
@@ -128,7 +128,7 @@ inline StabilityLimit stability_limit(const RungeKutta4&, double zeta) {
                 for (int i = 7; i >= 0; --i) value = value * s + sum[i];
                 return value;
             }),
-            "the s at which |1 + z + z²/2 + z³/6 + z⁴/24| = 1"};
+            "the s = ωh at which |1 + z + z²/2 + z³/6 + z⁴/24| = 1"};
 }
 
 /// Implicit Euler: D = 1/(1 + 2ζs + s²). There is no limit.

@@ -214,6 +214,101 @@ TEST_CASE("a step that is right to 1 % shows a motion that is", "[library][I13][
     }
 }
 
+// The slow part is right at steps of hours; the fast one is multiplied by nearly −1 and shakes for ages.
+TEST_CASE("a step at which a fast decay rings is not called right, and the advice says that it rings", "[library][I13][I15]") {
+    const auto very = advise(DampedSpring<double>(10.0, 1e6), 1.0 / 60);
+    CHECK(of(very, "implicit midpoint").verdict == Verdict::stable);
+    CHECK(std::abs(of(very, "implicit midpoint").ringing + 1) < 1e-4);
+    CHECK(of(very, "implicit midpoint").accurate_step < 4e-7);  // R(z) = −1/2 at z = −6, of 2e7 a second
+    CHECK(of(very, "implicit midpoint").accurate_step > 2e-7);
+    CHECK(of(very, "implicit midpoint").reason == "stable, but rings: a step multiplies the fast part by −1");
+    CHECK(cheapest(very)->method != "implicit midpoint");
+
+    const auto some = advise(DampedSpring<double>(5.0, 20.0), 1.0 / 60);
+    CHECK(of(some, "implicit midpoint").ringing == 0);  // −0.25: over in a few steps
+    CHECK(std::abs(of(some, "implicit midpoint").accurate_step - 0.03002) < 1e-5);  // 6 over 199.87
+    CHECK(of(advise(DampedSpring<double>(5.0, 20.0), 2.74), "implicit midpoint").reason ==
+          "stable, but rings: a step multiplies the fast part by −0.993");
+    const Advice* best = cheapest(some, 1.0 / 60);
+    CHECK(best_step(*best, 1.0 / 60) <= 1.0 / 60);
+    CHECK(std::abs(best_cost(*best, 1.0 / 60) / 120 - 1) < 1e-9);
+    for (const char* name : {"implicit Euler", "BDF2"}) {
+        CHECK(of(very, name).ringing == 0);
+        CHECK(of(some, name).ringing == 0);
+    }
+}
+
+// The advice's word against the run: a kick, and how often the velocity turns its sign. A multiplier below
+// −1/2 that is real turns it at every step, a complex one at two of three; the true motion after a kick
+// turns once where it swings no more.
+TEST_CASE("what is said to ring turns its sign step by step, and an implicit Euler never does", "[library][I13]") {
+    std::mt19937_64 numbers(11);
+    std::uniform_real_distribution<double> even;
+    long ringing = 0, methods = 0;
+    const auto turns = [&](const auto& method, const auto& spring, double h) {
+        int count = 0;
+        double before = 0;
+        run(method, spring, State<double>{0, 0, 1}, h, 9, [&](const State<double>& state) {
+            count += before * state.v < 0;
+            before = state.v;
+        });
+        return count;
+    };
+    const auto measure = [&](const auto& method) {
+        if constexpr (!detail::takes_damping<std::remove_cvref_t<decltype(method)>>) return;
+        else {
+            bool any = false;
+            for (int i = 0; i < 500; ++i) {
+                const DampedSpring<double> spring(1.0, 0.6 * std::pow(200, even(numbers)));
+                const double h = std::pow(10, -3 + 6 * even(numbers));
+                const Advice advice = detail::advise(method, spring, h, 0.01);
+                if (advice.verdict != Verdict::stable) continue;
+                CAPTURE(method.name, spring.zeta, h, advice.reason);
+                if (advice.ringing < 0) {
+                    CHECK(advice.ringing < -0.5);
+                    CHECK(advice.reason.starts_with("stable, but rings"));
+                    CHECK(turns(method, spring, h) >= 4);
+                    CHECK(advice.accurate_step < h);
+                    any = true, ++ringing;
+                } else {
+                    CHECK(advice.reason.find("rings") == std::string::npos);
+                }
+                if constexpr (std::is_same_v<std::remove_cvref_t<decltype(method)>, ImplicitEuler>)
+                    if (spring.zeta > 1) CHECK(turns(method, spring, h) <= 1);
+            }
+            methods += any;
+        }
+    };
+    for_each_method(measure);
+    measure(semi_implicit_euler_new_damping);
+    measure(newton);
+    CHECK(ringing > 60);
+    CHECK(methods >= 4);  // explicit Euler, both semi-implicit ones, implicit midpoint, the constant force
+}
+
+TEST_CASE("no step longer than the asked one is recommended, and its cost is that of the step", "[library][I13][I15]") {
+    for (const double zeta : {0.0, 0.2, 3.0, 50.0})
+        for (const double h : {1e-4, 0.01, 0.1, 3.0}) {
+            const auto all = advise(DampedSpring<double>(10.0, zeta), h);
+            const Advice* best = cheapest(all, h);
+            REQUIRE(best != nullptr);
+            CHECK(best_step(*best, h) <= h);
+            CHECK(best_step(*best, h) <= best->accurate_step);
+            for (const Advice& other : all)
+                if (other.accurate_cost > 0) CHECK(best_cost(*best, h) <= best_cost(other, h) * (1 + 1e-9));
+        }
+    // At a short step those that cost one evaluation are the cheapest, and equally dear.
+    CHECK(cheapest(advise(DampedSpring<double>(10.0, 0.0), 0.001), 0.001)->cost < 1001);
+}
+
+TEST_CASE("the reason tells a step from the limit, and the limit by one number", "[library][I13]") {
+    const auto why = [](double h) { return of(advise(DampedSpring<double>(10.0, 0.0), h), "Verlet").reason; };
+    CHECK(why(0.2) == "ωh = 2, the limit itself");
+    CHECK(why(0.1) == "ωh = 1 < 2");
+    CHECK(why(0.20000001) == "ωh = 2, the limit itself");
+    CHECK(why(0.19999) == "ωh = 1.9999 < 2");
+}
+
 // Half of the energy a step: far below what the ratio less one can say.
 TEST_CASE("the energy that is left is told however little it is", "[library][I13]") {
     const Advice advice = of(advise(DampedSpring<double>(60.0, 0.0), 1.0 / 60), "implicit Euler");
