@@ -133,6 +133,12 @@ double rate_error(const Method& method, long double zeta, long double s) {
         std::fmin(std::hypot(frequency, damping), std::abs(rate - exact) / std::abs(exact)));
 }
 
+inline std::string number(double value, int digits = 4) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
+}
+
 // What rings: a part that a step turns about and keeps a good deal of. It shakes from frame to frame,
 // which no spring does, and the rate of the slow part knows nothing of it. The bound is −1/2: there seven
 // steps leave 1 % of it, which at 60 Hz is over in a ninth of a second and hardly seen. Farther down it
@@ -154,11 +160,10 @@ inline long double ringing(const std::vector<Complex>& all, long double zeta, lo
 // Where it rings, in words. Of two decays with multipliers of different signs the fast one is below zero.
 inline std::string ringing_words(const std::vector<Complex>& all, long double most, double zeta) {
     const bool one = std::any_of(all.begin(), all.end(), [](const Complex& z) { return z.real() >= 0; });
-    char text[96];
-    std::snprintf(text, sizeof text, "stable, but rings: a step multiplies %s by −%.3g",
-                  zeta < 1 ? "the motion" : one ? "the fast part" : "what should decay",
-                  static_cast<double>(-most));
-    return text;
+    const std::string by = number(static_cast<double>(-most), 3);
+    return std::string("stable, but rings: a step multiplies ") +
+           (zeta < 1 ? "the motion" : one ? "the fast part" : "what should decay") + " by " +
+           (by == "1" ? "nearly −1" : "−" + by);
 }
 
 // The largest s up to which the rate is as good as wanted and nothing rings. The error rises with s from
@@ -179,18 +184,13 @@ double accurate_to(const Method& method, double zeta, double wanted, double limi
     return low;
 }
 
-inline std::string number(double value, int digits = 4) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
-    return text;
-}
-
 // Why it is stable or not, for people.
 inline std::string reason(const StabilityLimit& limit, double s) {
     if (!std::isfinite(limit.value)) return "stable for every step";
     const int digits = number(s) == number(limit.value) ? 7 : 4;  // as many as tell the two apart
     const std::string left = number(s, digits), right = number(limit.value, digits);
-    const std::string formula = right == limit.formula ? "" : std::string(" = ") + limit.formula;
+    const std::string words = limit.formula, link = words.starts_with("the ") ? ", " : " = ";
+    const std::string formula = right == words ? "" : link + words;
     if (left == right) return "ωh = " + left + formula + ", the limit itself";
     return "ωh = " + left + (s < limit.value ? " < " : " > ") + right + formula;
 }

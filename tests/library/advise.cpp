@@ -215,13 +215,13 @@ TEST_CASE("a step that is right to 1 % shows a motion that is", "[library][I13][
 }
 
 // The slow part is right at steps of hours; the fast one is multiplied by nearly −1 and shakes for ages.
-TEST_CASE("a step at which a fast decay rings is not called right, and the advice says that it rings", "[library][I13][I15]") {
+TEST_CASE("a step at which a fast decay rings is not right, and the advice says so", "[library][I13][I15]") {
     const auto very = advise(DampedSpring<double>(10.0, 1e6), 1.0 / 60);
     CHECK(of(very, "implicit midpoint").verdict == Verdict::stable);
     CHECK(std::abs(of(very, "implicit midpoint").ringing + 1) < 1e-4);
     CHECK(of(very, "implicit midpoint").accurate_step < 4e-7);  // R(z) = −1/2 at z = −6, of 2e7 a second
     CHECK(of(very, "implicit midpoint").accurate_step > 2e-7);
-    CHECK(of(very, "implicit midpoint").reason == "stable, but rings: a step multiplies the fast part by −1");
+    CHECK(of(very, "implicit midpoint").reason == "stable, but rings: a step multiplies the fast part by nearly −1");
     CHECK(cheapest(very)->method != "implicit midpoint");
 
     const auto some = advise(DampedSpring<double>(5.0, 20.0), 1.0 / 60);

@@ -14,7 +14,7 @@ refuses() {
 }
 
 test_bad_input_is_refused_by_its_name_and_rule() {
-    refuses 'a spring (--omega) or a spinning body'
+    refuses 'a spring (--omega, or --stiffness with --mass) or a spinning body'
     refuses 'omega = nan: must be finite and greater than zero' --omega nan
     refuses 'omega = -3: must be finite and greater than zero' --omega -3
     refuses 'omega = 0: ' --omega 0
@@ -103,12 +103,60 @@ test_people_are_told_what_programs_are_told() {
 # Without a damper implicit Euler keeps 1/(1 + (ωh)²) of the energy a step.
 test_little_energy_is_told_as_it_is() {
     expect 0 course advise --omega 100 --rate 60
-    says out 'x 2.3e-35'
-    silent_on out 'x 0 '
+    says out '× 2.3e-35'
+    silent_on out '× 0 '
     expect 0 course advise --omega 10000 --zeta 1 --rate 1000
-    says out 'x 1e-308 and less'
-    silent_on out 'x 0 '
-    silent_on out 'amplitude x 0.'
+    says out '× 1e-308 and less'
+    silent_on out '× 0 '
+    silent_on out 'amplitude × 0.'
+}
+
+# The fast part decays 400 times faster than the slow one, and implicit midpoint hardly lets it.
+test_what_rings_is_said_and_not_recommended() {
+    expect 0 course advise --omega 5 --zeta 20 --step 2.74
+    says out 'stable, but rings: a step multiplies the fast part by −0.993'
+    silent_on out 'steps of 2.74 s'
+    expect 0 course advise --omega 10 --zeta 1000000
+    says out 'stable, but rings: a step multiplies the fast part by nearly −1'
+    silent_on out 'the cheapest is implicit midpoint'
+    expect 0 course advise --omega 5 --zeta 20 --step 2.74 --json
+    is "$(grep -c '"ringing": -0.99' out)" 1
+    is "$(grep -c '"ringing": null' out)" 12
+    is "$(verdict 'implicit midpoint')" stable
+}
+
+test_no_step_longer_than_the_asked_one_is_recommended() {
+    expect 0 course advise --omega 5 --zeta 20 --rate 60
+    says out 'At your rate, within 1 %: implicit Euler; implicit midpoint; BDF2;'
+    says out 'To be right to 1 % at steps no longer than yours, the cheapest is '
+    says out 'steps of 0.0167 s, 60 a second, cost 120 a second'
+    expect 0 course advise --omega 100 --zeta 0.05 --rate 60
+    says out 'At your rate, within 1 %: none.'
+    says out 'Right to 1 %: frequency and decay rate ζω are off by 1 % of ω at most (that is 20 %'
+    expect 0 course advise --omega 100 --zeta 0.05 --step 0.001
+    says out 'At your step, within 1 %: '
+    says out 'steps of 0.001 s, 1e+03 a second'
+    expect 0 course advise --omega 10
+    says out 'At 60 steps a second, within 1 %: '
+    says out 'steps of 0.0483 s, 20.7 a second'
+}
+
+test_the_words_are_those_of_what_they_mean() {
+    expect 0 course advise --omega 100 --zeta 0.05 --rate 60
+    says out 'it may die too slowly: × 60 is energy that should be gone (implicit midpoint)'
+    says out 'ωh = 1.667 > 0.8, the s = ωh with s³/4'
+    says out 'takes forces of the position only'
+    is "$(grep -cE '^(explicit Euler|midpoint|Heun|Newton) .* - +[0-9]+$' out)" 4
+    expect 0 course advise --omega 10
+    silent_on out 'die too slowly'
+    silent_on out 'h < 0 s'
+    says out '> 0 = 2ζ: no step is short enough'
+    expect 0 course advise --omega 10 --step 0.2
+    says out 'ωh = 2, the limit itself'
+    silent_on out '= 2 = 2,'
+    expect 0 course advise --omega 10 --zeta 0.7 --step 2
+    says out '× 19 '
+    is "$(grep -c 'e+[0-9]* %' out)" 0
 }
 
 test_a_spinning_plank() {

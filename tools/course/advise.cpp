@@ -36,6 +36,12 @@ std::string number(double value, const char* format = "%.3g") {
 // JSON knows neither NaN nor infinity.
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+// More or less by so many percent; from ten times on the factor.
+std::string more(double fraction) {
+    if (fraction >= 9) return "× " + (fraction < 1e6 ? number(fraction + 1, "%.0f") : number(fraction + 1));
+    return number(100 * fraction, std::abs(fraction) < 0.995 ? "%+.2g" : "%+.0f") + " %";
+}
+
 double step_of(const Question& question) {
     if (question.step && question.rate) refuse("--step and --rate say the same: give one of them");
     if (question.step) return timestep::positive("step", *question.step);
@@ -75,17 +81,77 @@ Json as_json(const Advice& advice) {
             {"cost", finite(advice.cost)},
             {"accurate_step", advice.accurate_step > 0 ? Json(advice.accurate_step) : Json(nullptr)},
             {"accurate_cost", advice.accurate_cost > 0 ? Json(advice.accurate_cost) : Json(nullptr)},
+            {"ringing", advice.ringing < 0 ? Json(advice.ringing) : Json(nullptr)},
             {"reason", advice.reason}};
 }
 
 // What something becomes in a second, over what it was. Zero is what no double can hold.
 std::string factor(double value, const char* format = "%.3g") {
     if (std::isnan(value)) return "-";
-    return "x " + (value < 1e-308 ? "1e-308 and less" : number(value, format));
+    return "× " + (value < 1e-308 ? "1e-308 and less" : number(value, format));
 }
 
-void print(const std::vector<Advice>& all, const timestep::DampedSpring<double>& spring, double h,
+// Up to which step it is stable: nothing to say where that is every step, or where there is none to take.
+std::string up_to(double longest_step) {
+    if (longest_step == 0) return ": no step is short enough";
+    return std::isfinite(longest_step) ? ", h < " + number(longest_step) + " s" : "";
+}
+
+// Stable is not right: one that keeps four times the energy, twice the amplitude, is seen to.
+void print_slow_death(const std::vector<Advice>& all) {
+    const Advice* worst = nullptr;
+    for (const auto& advice : all)
+        if (advice.verdict == timestep::Verdict::stable && advice.energy_ratio > (worst ? worst->energy_ratio : 4))
+            worst = &advice;
+    if (worst)
+        std::printf("\nStable, and yet it may die too slowly: %s is energy that should be gone (%s).\n",
+                    factor(worst->energy_ratio, "%.2g").c_str(), worst->method.c_str());
+}
+
+// The step of the question, and whether it was given.
+struct Step {
+    double h;
+    std::string name;  // for people
+    bool given;
+};
+
+// Which methods are right at this step, which one reaches that most cheaply, and what right means.
+void print_right(const std::vector<Advice>& all, const timestep::DampedSpring<double>& spring,
+                 const Step& asked, double accuracy) {
+    const std::string percent = number(accuracy) + " %";
+    std::string right;
+    for (const auto& advice : all)
+        if (advice.accurate_step >= asked.h) right += (right.empty() ? "" : "; ") + advice.method;
+    std::printf("%s", wrapped(asked.name + ", within " + percent + ": " + (right.empty() ? "none" : right) + ".", 0)
+                          .c_str());
+    const double longest = asked.given ? asked.h : std::numeric_limits<double>::infinity();
+    if (const Advice* best = cheapest(all, longest)) {
+        const double step = best_step(*best, longest);
+        std::printf("To be right to %s%s, the cheapest is %s:\nsteps of %s s, %s a second, cost %s a second.\n",
+                    percent.c_str(), asked.given ? " at steps no longer than yours" : "",
+                    bold(best->method).c_str(), number(step).c_str(), number(1 / step).c_str(),
+                    number(best_cost(*best, longest)).c_str());
+    } else {
+        std::printf("No method is right to %s at any step.\n", percent.c_str());
+    }
+    // See timestep::advise() for what is measured.
+    if (spring.zeta == 0)
+        std::printf("Right to %s: the frequency, and the rate at which the swing grows or dies, are off by %s of ω "
+                    "at\nmost. After many swings the amplitude may be farther off.\n",
+                    percent.c_str(), percent.c_str());
+    else if (spring.zeta < 1)
+        std::printf("Right to %s: frequency and decay rate ζω are off by %s of ω at most (that is %s %% of the "
+                    "decay\nrate itself). After many swings the amplitude may be farther off.\n",
+                    percent.c_str(), percent.c_str(), number(accuracy / spring.zeta).c_str());
+    else
+        std::printf("Right to %s: the rate of the slow decay, or both ω and ζω, are within %s, and nothing rings. "
+                    "After\nmuch decay the amplitude may be farther off.\n",
+                    percent.c_str(), percent.c_str());
+}
+
+void print(const std::vector<Advice>& all, const timestep::DampedSpring<double>& spring, const Step& asked,
            double accuracy) {
+    const double h = asked.h;
     const double omega = spring.omega, swing = 2 * pi / omega;
     const double decay = spring.zeta < 1 ? spring.zeta : 1 / timestep::detail::fast_decay(spring.zeta);
     const std::string steps = spring.zeta < 1 ? number(swing / h) + " steps a swing" : "no swing";
@@ -98,27 +164,23 @@ void print(const std::vector<Advice>& all, const timestep::DampedSpring<double>&
                 padded("amplitude/s", 18).c_str(), padded("energy/s", 18).c_str(),
                 padded("period", 13).c_str(), "cost/s");
     for (const auto& advice : all) {
-        const std::string off = std::isnan(advice.period_error)
-                                    ? "-"
-                                    : number(100 * advice.period_error, "%+.2g") + " %";
+        // What grows has no period worth a number.
+        const bool none = std::isnan(advice.period_error) || advice.verdict == timestep::Verdict::grows;
+        const std::string off = none ? "-" : more(advice.period_error);
         std::printf("%s%s%s%s%s%s\n", padded(advice.method, 34).c_str(),
                     padded(words(advice.verdict), 19).c_str(),
                     padded(factor(advice.growth_per_second), 18).c_str(),
                     padded(factor(advice.energy_ratio, "%.2g"), 18).c_str(), padded(off, 13).c_str(),
                     number(advice.cost).c_str());
     }
+    print_slow_death(all);
     std::printf("\nWhy, and up to which step:\n");
     for (const auto& advice : all)
         std::printf("  %s%s%s\n", padded(advice.method, 34).c_str(), advice.reason.c_str(),
-                    std::isfinite(advice.longest_step)
-                        ? (", h < " + number(advice.longest_step) + " s").c_str()
-                        : "");
+                    up_to(advice.longest_step).c_str());
     std::printf("\nAmplitude: what a second multiplies it by in the long run. Energy: after a second, over what "
                 "it\nshould be. Period: how much too long. Cost: force evaluations and solves.\n\n");
-    if (const Advice* best = cheapest(all))
-        std::printf("To be right to %s %%, the cheapest is %s: steps of %s s, cost %s a second.\n",
-                    number(accuracy).c_str(), bold(best->method).c_str(),
-                    number(best->accurate_step).c_str(), number(best->accurate_cost).c_str());
+    print_right(all, spring, asked, accuracy);
     if (spring.zeta < 1)
         std::printf("The talk's rule of thumb, four steps a swing, allows %s s: your step is %s.\n",
                     number(swing / 4).c_str(), h <= swing / 4 ? "within it" : "longer");
@@ -136,7 +198,8 @@ void advise_spring(const Question& question, bool json) {
         for (const auto& advice : all) answer.push_back(as_json(advice));
         std::printf("%s\n", answer.dump(2).c_str());
     } else {
-        print(all, spring, h, accuracy);
+        const char* name = question.step ? "At your step" : question.rate ? "At your rate" : "At 60 steps a second";
+        print(all, spring, {h, name, question.step || question.rate}, accuracy);
     }
 }
 
@@ -157,6 +220,11 @@ Json as_json(const SpinAdvice& advice) {
             {"reason", advice.reason}};
 }
 
+std::string longest_in_words(double step) {
+    if (step == 0) return "none";
+    return std::isfinite(step) ? number(step) + " s" : "no limit";
+}
+
 void print(const std::vector<SpinAdvice>& all, double spin, double h) {
     std::printf("|ω| = %s rad/s, h = %s s: h|ω| = %s. Can one step raise the energy, in any direction?\n\n",
                 number(spin).c_str(), number(h).c_str(), number(h * spin, "%.4g").c_str());
@@ -164,18 +232,17 @@ void print(const std::vector<SpinAdvice>& all, double spin, double h) {
                 padded("worst step", 14).c_str(), padded("longest step", 14).c_str(), "cost/s");
     for (const auto& advice : all) {
         const double added = advice.worst_gain - 1;
-        const bool limited = std::isfinite(advice.longest_step);
         std::printf("%s%s%s%s%s\n", padded(advice.method, 26).c_str(),
                     padded(words(advice.verdict), 19).c_str(),
-                    padded(added > 1e-12 ? number(100 * added, "%+.2g") + " %" : "none", 14).c_str(),
-                    padded(limited ? number(advice.longest_step) + " s" : "no limit", 14).c_str(),
+                    padded(added > 1e-12 ? more(added) : "none", 14).c_str(),
+                    padded(longest_in_words(advice.longest_step), 14).c_str(),
                     number(advice.cost).c_str());
     }
     std::printf("\nWhy:\n");
     for (const auto& advice : all)
         std::printf("  %s%s\n", padded(advice.method, 26).c_str(), advice.reason.c_str());
-    std::printf("\nWorst step: what it adds to the energy. Cost: torques and solves; the converged one takes as "
-                "many\niterations as it needs.\n");
+    std::printf("\nWorst step: what it adds to the energy, or multiplies it by. Cost: torques and solves; the "
+                "converged\none takes as many iterations as it needs.\n");
 }
 
 void advise_body(const Question& question, bool json) {
@@ -207,7 +274,7 @@ void advise(const Question& question, bool json) {
         else if (question.omega || question.stiffness || question.mass)
             advise_spring(question, json);
         else
-            refuse("a spring (--omega) or a spinning body (--inertia and --spin) is needed");
+            refuse("a spring (--omega, or --stiffness with --mass) or a spinning body (--inertia with --spin) is needed");
     } catch (const std::invalid_argument& error) {
         throw Stop(Status::bad_use, error.what());
     }
