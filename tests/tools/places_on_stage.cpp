@@ -12,8 +12,10 @@ const Places& places() {
         const char* value = std::getenv(name);
         return std::string(value ? value : "");
     };
+    static const auto patience = from_environment("STAGE_COMPILER_SECONDS");
     static const Places stage{from_environment("STAGE_SOURCE"), from_environment("STAGE_BUILD"),
-                              from_environment("STAGE_CMAKE"), from_environment("STAGE_CTEST")};
+                              from_environment("STAGE_CMAKE"), from_environment("STAGE_CTEST"),
+                              patience.empty() ? Places{}.compiler_seconds : std::stoi(patience)};
     return stage;
 }
 

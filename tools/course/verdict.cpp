@@ -48,10 +48,14 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
 
 // Runs the compiler; false where it refuses, or has not come to an end.
 bool succeeds(const Words& command, const Workshop& workshop, Verdict& verdict) {
-    const Outcome outcome = run_within(command, {20, 4096, 64, workshop.folder().string()});
+    const int seconds = places().compiler_seconds;
+    const Outcome outcome =
+        run_within(command, {double(seconds), 4096, 64, workshop.folder().string()});
     if (outcome.said.find("No space left on device") != std::string::npos)
         throw Stop(Status::bad_use, places().build.string() + ": no space left on the device");
-    if (outcome.too_slow) verdict.compiler += "The compiler had not come to an end after 20 s.\n";
+    if (outcome.too_slow)
+        verdict.compiler +=
+            "The compiler had not come to an end after " + std::to_string(seconds) + " s.\n";
     if (outcome.said.find("File size limit exceeded") != std::string::npos)
         verdict.compiler += "What the compiler makes of the file is larger than 64 MB.\n";
     verdict.compiler += outcome.said;
