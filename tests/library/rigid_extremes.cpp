@@ -56,6 +56,23 @@ TEST_CASE("a spin of 1e20 or 1e-25 in float is neither lost nor infinite", "[lib
     CHECK(a.cwiseAbs2().dot(moments) <= w.cwiseAbs2().dot(moments) * (1 + 8 * 1.2e-7));
 }
 
+// Its equations are solved by products of two of their coefficients, which are about hω. Where those
+// are no numbers, following the root gets no farther.
+TEST_CASE("the converged solver ends, however large hω is", "[library][N48]") {
+    const PrincipalInertia<float> small(1, 2, 2.5f);
+    const PrincipalInertia<double> big(1, 2, 2.5);
+    const F f(0.48f, 0.6f, 0.64f);
+    const V d(0.48, 0.6, 0.64);
+    CHECK(converged_gyroscopic.step(small, F(1e18f * f), 100.0f).hasNaN());
+    CHECK(converged_gyroscopic.step(big, V(1e150 * d), 1e6).hasNaN());
+    // (hω)² and ω² are no numbers.
+    CHECK(converged_gyroscopic.step(small, F(1e30f * f), 100.0f).hasNaN());
+    CHECK(converged_gyroscopic.step(big, V(1e200 * d), 100.0).hasNaN());
+    // As long as they are, all of the spin that is left is about the middle axis.
+    CHECK((converged_gyroscopic.step(small, F(1e16f * f), 100.0f) / 1e16f - F(0, 0.6f, 0)).norm() < 1e-6f);
+    CHECK((converged_gyroscopic.step(big, V(1e50 * d), 100.0) / 1e50 - V(0, 0.6, 0)).norm() < 1e-15);
+}
+
 // Half a turn is what is left of so fast a spin: q₂ = (0, u) q₁, with the axis u.
 TEST_CASE("an attitude keeps its length as long as a square does not overflow", "[library][N42]") {
     const Quaternion<float> one = Quaternion<float>::Identity();

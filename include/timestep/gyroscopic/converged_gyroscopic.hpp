@@ -13,6 +13,7 @@ namespace timestep {
 /// The ω₂ with I(ω₂ − ω₁) + h ω₂ × Iω₂ = 0, to the last digit (N48). Never adds energy (N51), damps
 /// as much as the talk's single iteration does where that one is stable, and costs several times as
 /// much. The course has it to tell what is Newton-Raphson's fault and what is implicit Euler's.
+/// Where (hω)² is too large for a number it gives back NaN.
 struct ConvergedGyroscopic {
     static constexpr const char* name = "implicit, converged";  ///< for tables and keys
     static constexpr int order = 1;                             ///< of the error after a whole run
@@ -52,14 +53,18 @@ struct ConvergedGyroscopic {
 private:
     // For long steps Newton-Raphson may miss the root from y₁. So we follow the root from h = 0, where
     // it is y₁, as h grows: each stretch starts from the root of the one before, is halved when it
-    // fails, and doubled when it does not.
+    // fails, and doubled when it does not. NaN when it gets no farther: a stretch that changes no
+    // digit, or as many of them as would halve 1 to the smallest number and double it back, twice.
     /// [continuation]
     template <class Real>
     static Vector3<Real> follow(const Vector3<Real>& hg, const Vector3<Real>& y1) {
         Vector3<Real> y = y1;
         Real done = 0, stretch = 1;
-        while (done < 1 && stretch > 0) {
+        int stretches = 4 * std::numeric_limits<Real>::max_exponent;
+        while (done < 1) {
             const Real next = std::min(Real(1), done + stretch);
+            if (next == done || --stretches == 0)
+                return Vector3<Real>::Constant(std::numeric_limits<Real>::quiet_NaN());
             if (Vector3<Real> root = y; newton(Vector3<Real>(next * hg), y1, root)) {
                 y = root;
                 done = next;
