@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <tuple>
 
 #include <timestep/checks.hpp>
@@ -21,6 +22,27 @@ struct Motion {
     Vector3<Real> v;           ///< its velocity, m/s
 };
 
+/// \cond
+namespace detail {
+template <class Term>
+inline constexpr bool is_ground = false;
+template <class Term>
+inline constexpr bool needs_load = false;
+
+// Does nothing that needs the load of the ground come before the ground?
+template <class... Terms>
+consteval bool ground_comes_first() {
+    const bool ground[] = {is_ground<Terms>..., false}, needs[] = {needs_load<Terms>..., false};
+    bool needed = false, good = true;
+    for (std::size_t i = 0; i < sizeof...(Terms); ++i) {
+        if (ground[i]) good = good && !needed;
+        needed = needed || needs[i];
+    }
+    return good;
+}
+}  // namespace detail
+/// \endcond
+
 /// All that acts on a body, in this order:
 /// `BodyScene{Weight(9.81), Gyroscopic(passive_gyroscopic)}` is debris in the air,
 /// `BodyScene{Weight(9.81), Ground(0.5), RollingResistance(0.01)}` a ball on a lawn.
@@ -31,6 +53,9 @@ struct Motion {
 /// ground asks for no radius.
 template <class... Terms>
 class BodyScene {
+    static_assert(detail::ground_comes_first<Terms...>(),
+                  "timestep: in a BodyScene RollingResistance comes after Ground, whose load it needs");
+
 public:
     /// Copies the terms, which have checked their parameters themselves.
     explicit BodyScene(const Terms&... terms) : terms_(terms...) {}
@@ -154,5 +179,14 @@ struct RollingResistance {
     }
     /// [rolling]
 };
+
+/// \cond
+namespace detail {
+template <class Real>
+inline constexpr bool is_ground<Ground<Real>> = true;
+template <class Real>
+inline constexpr bool needs_load<RollingResistance<Real>> = true;
+}  // namespace detail
+/// \endcond
 
 }  // namespace timestep
