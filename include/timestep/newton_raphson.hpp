@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include <timestep/checks.hpp>
 #include <timestep/linear_solve.hpp>
 
 namespace timestep {
@@ -14,8 +15,9 @@ namespace timestep {
 /// The tangent at x is f(x) + J(x) (x₂ − x); its root is the next x. Near a simple root the number of
 /// right digits doubles each time. Far from it, where the function bends, the tangent's root may be worse
 /// than x itself; then half of the way is tried, and half again, until f(x) shrinks. So a function that
-/// rises everywhere is solved from anywhere. One that does not may end in a place where |f| is least and
-/// not zero; or after 50 corrections: then the x that is returned is no root.
+/// rises everywhere is solved from anywhere, if 50 corrections get there. After as many it ends, or in a
+/// place where |f| is least and not zero: then the x that is returned is no root. Where the tangent is
+/// too steep for numbers, it is NaN: nobody knows the way.
 ///
 /// It stops when a correction is some ε times the largest size that x has had on the way: near a root
 /// at zero, x itself would be no measure. It is meant for starts of about the size of the root, as a
@@ -28,7 +30,9 @@ X newton_raphson(X x, const Function& f, const Jacobian& jacobian) {
     real_of<X> largest = safe_magnitude(x);
     X residual = f(x);
     for (int i = 0; i < 50; ++i) {
-        X correction = solve(jacobian(x), residual);
+        const auto& tangent = jacobian(x);
+        if (!is_finite(tangent)) return X(std::numeric_limits<real_of<X>>::quiet_NaN() * x);
+        X correction = solve(tangent, residual);
         X next = x - correction;
         real_of<X> size = safe_magnitude(correction);
         X left = residual;

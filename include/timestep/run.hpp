@@ -4,6 +4,7 @@
 
 #include <timestep/checks.hpp>
 #include <timestep/forces.hpp>
+#include <timestep/linear_solve.hpp>
 
 namespace timestep {
 
@@ -33,13 +34,19 @@ struct RunTypes {
                   "timestep: observe is called with each state, as in [](const auto& state) { }");
 };
 
-// The numbers that a step's formulas hold: h², and of a linear force h² ∂a/∂x and h ∂a/∂v.
+// The numbers that a step's formulas hold: h²; of a linear force 1 − h ∂a/∂v − h² ∂a/∂x, by which an
+// implicit step divides; of a first-order system that has a slope, 1 − h ∂f/∂y at the start. (A
+// slope that is itself no number, as that of √y at zero, harms no explicit method.)
 template <class Model, class S>
 void check_step(const Model& model, const S& s, real_of<S> h) {
     bool good = is_finite(h * h);
     if constexpr (requires { requires LinearForce<Model, std::decay_t<decltype(s.x)>>; })
-        good = good && is_finite(h * h * slope_x(model, s.x, s.v)) &&
-               is_finite(h * slope_v(model, s.x, s.v));
+        good = good &&
+               is_finite(implicit_matrix(h, slope_v(model, s.x, s.v), slope_x(model, s.x, s.v)));
+    if constexpr (requires { model.slope_y(s.t, s.y); }) {
+        const auto& slope = model.slope_y(s.t, s.y);
+        good = good && (!is_finite(slope) || is_finite(implicit_matrix(h, slope, real_of<S>(0))));
+    }
     if (!good)
         refuse("step", h, "so short that its square, and that times the force's slope, is finite");
 }
@@ -51,8 +58,9 @@ void check_step(const Model& model, const S& s, real_of<S> h) {
 ///
 /// The inputs are looked at once, here: throws `std::invalid_argument` when the step is not a
 /// finite number above zero, the count is negative or the start is not finite; and when h², or for a
-/// linear force h² ∂a/∂x or h ∂a/∂v, is too large for a number. Whether the result is finite is for the
-/// caller to ask, with is_finite(): some methods blow up, and a course shows it.
+/// linear force 1 − h ∂a/∂v − h² ∂a/∂x, or for a first-order system h ∂f/∂y at the start, is too large
+/// for a number. Whether the result is finite is for the caller to ask, with is_finite(): some methods
+/// blow up, and a course shows it.
 template <class Method, class Model, class S, class Count, class Observe>
 S run(const Method& method, const Model& model, const S& start, real_of<S> h, Count steps,
       Observe&& observe) {

@@ -14,6 +14,8 @@
 #include <timestep/methods.hpp>
 #include <timestep/models/coupled_springs.hpp>
 #include <timestep/models/damped_spring.hpp>
+#include <timestep/models/decay.hpp>
+#include <timestep/models/drag.hpp>
 #include <timestep/models/pendulum.hpp>
 #include <timestep/models/projectile.hpp>
 #include <timestep/models/tether.hpp>
@@ -180,6 +182,48 @@ TEST_CASE("a run refuses a step whose square, or that times the force's slope, i
                                                Eigen::Matrix<double, 1, 1>(0.0)},
             1e10, 1),
         std::invalid_argument);
+    // h²ω² and 2ζωh are numbers; 1 + both, by which an implicit step divides, is none.
+    CHECK_THROWS_AS(run(implicit_euler, DampedSpring(1.1e154, 0.59e154), start, 1.0, 1),
+                    std::invalid_argument);
+    CHECK_NOTHROW(run(implicit_euler, DampedSpring(1.1e154, 0.1e154), start, 1.0, 1));
+    // Of a first-order system h λ.
+    const FirstOrder<double> one{0, 1};
+    CHECK_THROWS_AS(run(implicit_euler, Decay(-1e300), one, 1e10, 1), std::invalid_argument);
+    CHECK_THROWS_AS(run(explicit_euler, Decay(-1e300), one, 1e10, 1), std::invalid_argument);
+    CHECK_NOTHROW(run(implicit_euler, Decay(-1e300), one, 1e8, 1));
+    // √y has a slope everywhere but at its start.
+    struct Root {
+        double operator()(double, double y) const { return std::sqrt(y); }
+        double slope_y(double, double y) const { return 0.5 / std::sqrt(y); }
+    };
+    CHECK(run(explicit_euler, Root(), FirstOrder<double>{0, 0}, 0.1, 10).y == 0);
+}
+
+// Divided by an infinite slope nothing would be left of the force, and the body would fly on.
+TEST_CASE("an implicit method does not ignore a force whose slope is no number", "[library][N62]") {
+    const State<double> flying{0, 0, 1}, hanging{0, 1, 0};
+    const auto reports = [](const auto& method, const auto& model, const auto& start, double h) {
+        INFO(method.name);
+        CHECK(checked_run(method, model, start, h, 10).blew_up_at > 0);
+    };
+    const auto both = [&](const auto& method) {
+        reports(method, Drag(1.7e308), flying, 1.0 / 64);
+        reports(method, Pendulum(1e145), hanging, 1e10);
+    };
+    both(implicit_euler);
+    both(implicit_midpoint);
+    both(bdf2);
+    CHECK(std::isnan(implicit_euler.step(Decay(-1e300), FirstOrder<double>{0, 1}, 1e10).y));
+}
+
+TEST_CASE("Newton-Raphson does not take an infinite slope for a root", "[library][N26]") {
+    using V = Eigen::Vector2d;
+    CHECK(std::isnan(newton_raphson(
+        1.0, [](double) { return 1.0; }, [](double) { return INFINITY; })));
+    const V x = newton_raphson(
+        V(1, 2), [](const V& u) { return u; },
+        [](const V&) { return Eigen::Matrix2d(V(1, INFINITY).asDiagonal()); });
+    CHECK(x.hasNaN());
 }
 
 TEST_CASE("a checked run says at which step it left the numbers", "[library][N62]") {
