@@ -3,10 +3,12 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <span>
+#include <vector>
 
 #include <Eigen/Dense>
 #include <timestep/game_loop.hpp>
@@ -239,6 +241,19 @@ TEST_CASE("a checked run says at which step it left the numbers", "[library][N62
     const auto two =
         checked_run(bdf2, Spring(1.0), State<double>{0, 1e308, 0}, 1.0, 10);  // 4 x₁ overflows
     CHECK(two.blew_up_at == 2);
+}
+
+// Its velocity overflows, as h/2 a is as large as numbers are, and no step reads it.
+TEST_CASE("a checked run of Verlet sees a velocity that comes back", "[library][N62]") {
+    const Pendulum<double> pendulum(1.2546922744040933e154);
+    const State<double> start{0, -1.0151444107220793e308, 1.3161350939390919e308};
+    const double h = 0.32583071412838954;
+    std::vector<bool> finite;
+    const auto see = [&](const State<double>& s) { finite.push_back(is_finite(s)); };
+    CHECK(is_finite(run(verlet, pendulum, start, h, 4, see)));
+    const auto first = std::find(finite.begin(), finite.end(), false) - finite.begin();
+    REQUIRE(first < 4);
+    CHECK(checked_run(verlet, pendulum, start, h, 4).blew_up_at == first);
 }
 
 // One look at the end is enough because of this.
