@@ -61,7 +61,10 @@ struct Theory {
     double size = 1;        // bounded: never larger. exact: no farther from it
     double log_growth = 0;  // grows: by e to this
     double latest = 0;      // reported: at this step or before
+    const char* named = ""; // refused: what the message says is bad, as in "step = 0: must be …"
 };
+
+inline Theory refused(const char* named) { return {Word::refused, 1, 0, 0, named}; }
 
 // The word for a run that came to an end with `size`, from `first` on; `largest` on the way.
 inline Word judge(const Theory& theory, double first, double largest, double last,
@@ -87,6 +90,12 @@ template <class S>
 using Size =
     std::function<double(const S&)>;  // of a state; in exact cells its distance from the right one
 
+// Does the message begin with what is bad?
+inline bool names(const std::string& message, const std::string& named) {
+    return !named.empty() && (message.rfind(named + " = ", 0) == 0 ||
+                              message.rfind(named + ": ", 0) == 0);
+}
+
 // Makes the model, runs it, and finds the word.
 template <class Model, class Method, class S>
 Cell cell(const char* scene, const Method& method, const Make<Model>& make, const S& start,
@@ -106,7 +115,7 @@ Cell cell(const char* scene, const Method& method, const Make<Model>& make, cons
             largest = std::max(largest, size(s));
             finite_states += is_finite(s);
         });
-        // One look at the end finds whatever went wrong on the way.
+        // One look at the end finds whatever went wrong on the way: so it must be, in every cell.
         const bool blew_up = !is_finite(end);
         if (blew_up == (finite_states == steps + 1)) return cell;
         const long blew_up_at = blew_up ? finite_states : 0;  // the start is one of them
@@ -114,8 +123,8 @@ Cell cell(const char* scene, const Method& method, const Make<Model>& make, cons
         cell.note = blew_up ? "at step " + std::to_string(blew_up_at) : "";
     } catch (const std::invalid_argument& refusal) {
         cell.note = refusal.what();
-        const bool one_line = !cell.note.empty() && cell.note.find('\n') == std::string::npos;
-        cell.found = one_line ? Word::refused : Word::wrong;
+        const bool one_line = cell.note.find('\n') == std::string::npos;
+        cell.found = one_line && names(cell.note, theory.named) ? Word::refused : Word::wrong;
     }
     return cell;
 }
