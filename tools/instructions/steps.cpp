@@ -58,8 +58,8 @@ template <class Method>
         const double x2 = v + h / 2 * v1, v2 = k * (x + h / 2 * x1);
         const double x3 = v + h / 2 * v2, v3 = k * (x + h / 2 * x2);
         const double x4 = v + h * v3, v4 = k * (x + h * x3);
-        x += h * ((x1 + 2 * (x2 + x3) + x4) / 6);
-        v += h * ((v1 + 2 * (v2 + v3) + v4) / 6);
+        x = x + h / 6 * x1 + h / 3 * (x2 + x3) + h / 6 * x4;
+        v = v + h / 6 * v1 + h / 3 * (v2 + v3) + h / 6 * v4;
     }
     return x;
 }

@@ -19,8 +19,9 @@ struct ExplicitEuler {
     template <class Model, class X>
     State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
         const auto& [t1, x1, v1] = state1;
-        const X v2 = v1 + h * acceleration(model, x1, v1);
+        const X a1 = acceleration(model, x1, v1);
         const X x2 = x1 + h * v1;
+        const X v2 = v1 + h * a1;
         return {t1 + h, x2, v2};
     }
     /// [step]

@@ -22,9 +22,9 @@ struct VelocityVerlet {
     State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
         const auto& [t1, x1, v1] = state1;
         const X a1 = acceleration(model, x1);
-        const X x2 = x1 + h * v1 + h * h / 2 * a1;
+        const X x2 = x1 + (h * v1 + h * h / 2 * a1);
         const X a2 = acceleration(model, x2);
-        const X v2 = v1 + h / 2 * (a1 + a2);
+        const X v2 = v1 + h / 2 * a1 + h / 2 * a2;
         return {t1 + h, x2, v2};
     }
     /// [step]
