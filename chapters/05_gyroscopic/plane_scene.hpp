@@ -10,11 +10,12 @@
 #include <timestep/gyroscopic/implicit_gyroscopic.hpp>
 #include <timestep/gyroscopic/no_gyroscopic.hpp>
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
+#include <timestep/rigid/plane.hpp>
 #include <timestep/rigid/shapes.hpp>
 
-#include "plane.hpp"
-
 namespace scene {
+
+namespace plane = timestep::plane;
 
 // Calls `use(key, name, solver)` for each; the key is that of style.gp.
 template <class Use>
@@ -43,15 +44,6 @@ inline plane::Capsule<timestep::UniformInertia<double>> ball() {
 
 inline plane::Ground ground(double rolling, plane::Arms arms = plane::Arms::middle) {
     return {9.81, 0.5, rolling, arms};
-}
-
-// Put on the plane, or `height` above it.
-template <class Inertia>
-plane::Motion placed(const plane::Capsule<Inertia>& body, const plane::Attitude& q,
-                     const plane::V& omega, double height = 0) {
-    return {{0, q, omega},
-            {0, 0, height + body.radius + std::fabs(body.end(q, 0).z())},
-            plane::V::Zero()};
 }
 
 // On one end, a twentieth of a radian off upright; the spin halfway between its axis and the plane.

@@ -22,15 +22,22 @@ struct ConvergedGyroscopic {
     // g = (I₃ − I₂, I₁ − I₃, I₂ − I₁)/√(I₁I₂I₃). (Below, U are the moments with the product one.)
     // No energy is added: g sums to zero, so the middle term is at right angles to y₂, and
     // |y₂|² = y₂·y₁ ≤ |y₂| |y₁|.
-    /// One step of `h` seconds; `omega` in body coordinates, rad/s.
-    template <class Real>
-    Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const {
+    /// One step of `h` seconds; `omega` in body coordinates, rad/s. Calls `iterated()` after each
+    /// iteration.
+    template <class Real, class Iterated>
+    Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega, Real h,
+                       const Iterated& iterated) const {
         const Vector3<Real>& U = inertia.unit;
         const Vector3<Real> g = U.cwiseProduct(inertia.ratio);
         const Vector3<Real> r = U.cwiseSqrt();
         const Vector3<Real> y1 = r.cwiseProduct(omega);
-        return follow(Vector3<Real>(h * g), y1).cwiseQuotient(r);
+        return follow(Vector3<Real>(h * g), y1, iterated).cwiseQuotient(r);
+    }
+    /// The same, and nobody counts.
+    template <class Real>
+    Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
+                       Real h) const {
+        return step(inertia, omega, h, [] {});
     }
 
     /// The same where two moments are equal: linear, so one iteration is the solution.
@@ -56,8 +63,9 @@ private:
     // fails, and doubled when it does not. NaN when it gets no farther: a stretch that changes no
     // digit, or as many of them as would halve 1 to the smallest number and double it back, twice.
     /// [continuation]
-    template <class Real>
-    static Vector3<Real> follow(const Vector3<Real>& hg, const Vector3<Real>& y1) {
+    template <class Real, class Iterated>
+    static Vector3<Real> follow(const Vector3<Real>& hg, const Vector3<Real>& y1,
+                                const Iterated& iterated) {
         Vector3<Real> y = y1;
         Real done = 0, stretch = 1;
         int stretches = 4 * std::numeric_limits<Real>::max_exponent;
@@ -65,7 +73,7 @@ private:
             const Real next = std::min(Real(1), done + stretch);
             if (next == done || --stretches == 0)
                 return Vector3<Real>::Constant(std::numeric_limits<Real>::quiet_NaN());
-            if (Vector3<Real> root = y; newton(Vector3<Real>(next * hg), y1, root)) {
+            if (Vector3<Real> root = y; newton(Vector3<Real>(next * hg), y1, root, iterated)) {
                 y = root;
                 done = next;
                 stretch *= 2;
@@ -79,8 +87,9 @@ private:
 
     // Newton-Raphson from `y`; has it found the root? One more iteration after the residual is down
     // to roundoff takes what is left of it.
-    template <class Real>
-    static bool newton(const Vector3<Real>& hg, const Vector3<Real>& y1, Vector3<Real>& y) {
+    template <class Real, class Iterated>
+    static bool newton(const Vector3<Real>& hg, const Vector3<Real>& y1, Vector3<Real>& y,
+                       const Iterated& iterated) {
         const Real roundoff = 8 * std::numeric_limits<Real>::epsilon() * y1.cwiseAbs().maxCoeff();
         bool found = false;
         for (int iteration = 0; iteration < 12; ++iteration) {
@@ -92,6 +101,7 @@ private:
             const Vector3<Real> column2(hg.x() * y.z(), 1, hg.z() * y.x());
             const Vector3<Real> column3(hg.x() * y.y(), hg.y() * y.x(), 1);
             y -= solve3(column1, column2, column3, residual);
+            iterated();
         }
         return false;
     }

@@ -1,74 +1,91 @@
 #pragma once
-// A capsule on a plane: gravity, two contacts, friction and rolling resistance around any way to
-// treat the gyroscopic torque. `step` is a whole physics engine for one body.
+/// \file
+/// A capsule on a plane: gravity, two contacts, friction and rolling resistance around any way to
+/// treat the gyroscopic torque. `step` is a whole physics engine for one body.
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <timestep/gyroscopic/old_inertia.hpp>
 #include <timestep/rigid/body.hpp>
+#include <timestep/rigid/body_scene.hpp>
 
-namespace plane {
+/// \namespace timestep::plane
+/// A capsule, the plane z = 0 that carries it, and one step of the two, in `double`.
+namespace timestep::plane {
 
-using V = timestep::Vector3<double>;
-using M = timestep::Matrix3<double>;
-using Attitude = timestep::Quaternion<double>;
-using Turning = timestep::RigidState<double>;
-using Flat = Eigen::Vector2d;  // the part of a vector along the plane
+using V = Vector3<double>;                ///< a vector, world coordinates
+using M = Matrix3<double>;                ///< a matrix, world coordinates
+using Attitude = Quaternion<double>;      ///< from body to world coordinates
+using Turning = RigidState<double>;       ///< time, attitude and angular velocity
+using Motion = timestep::Motion<double>;  ///< and the centre of mass with its velocity
+using Flat = Eigen::Vector2d;             ///< the part of a vector along the plane
 
-// Where a contact takes its lever arm from: the attitude at the start of the step, as engines do,
-// or the middle between that and the one at its end.
-enum class Arms { start, middle };
-
-// The plane z = 0.
-struct Ground {
-    double gravity = 9.81;  // m/s², downwards
-    double friction = 0.5;  // Coulomb's coefficient
-    double rolling = 0.1;   // of rolling resistance, in radii; 0 switches it off
-    Arms arms = Arms::middle;
+/// Where a contact takes its lever arm from: the attitude at the start of the step, as engines do,
+/// or the middle between that and the one at its end.
+enum class Arms {
+    start,  ///< as it was
+    middle  ///< as it is on average
 };
 
-// A capsule along the body's z axis; with half_length = 0 a ball.
+/// The plane z = 0.
+struct Ground {
+    double gravity = 9.81;     ///< m/s², downwards
+    double friction = 0.5;     ///< Coulomb's coefficient
+    double rolling = 0.1;      ///< of rolling resistance, in radii; 0 switches it off
+    Arms arms = Arms::middle;  ///< of the contacts
+};
+
+/// A capsule along the body's z axis; with `half_length` = 0 a ball.
 template <class Inertia>
 struct Capsule {
-    Inertia inertia;     // kg m²
-    double mass;         // kg
-    double radius;       // m
-    double half_length;  // m, from the centre to the centres of the half balls
+    Inertia inertia;     ///< kg m²
+    double mass;         ///< kg
+    double radius;       ///< m
+    double half_length;  ///< m, from the centre to the centres of the half balls
 
+    /// How many half balls may touch the plane.
     int ends() const { return half_length > 0 ? 2 : 1; }
+    /// From the centre of mass to the centre of the half ball `i`.
     V end(const Attitude& q, int i) const {
         return q * V(0, 0, i == 0 ? half_length : -half_length);
     }
 };
 
-struct Motion {
-    Turning turning;
-    V x;  // the centre of mass, m
-    V v;  // its velocity, m/s
-};
-
-// What the plane did to the body in a step, all in N s but for the last two.
+/// What the plane did in a step to one end of the body.
 struct Contact {
-    V arm = V::Zero();             // from the centre of mass, m
-    double gap = 0;                // between half ball and plane at the start of the step, m
-    double normal = 0;             // impulse away from the plane
-    Flat friction = Flat::Zero();  // and along it
-    M response = M::Zero();        // change of velocity at the contact by a unit impulse, 1/kg
+    V arm = V::Zero();             ///< from the centre of mass, m
+    double gap = 0;                ///< between half ball and plane at the start of the step, m
+    double normal = 0;             ///< impulse away from the plane, N s
+    Flat friction = Flat::Zero();  ///< and along it, N s
+    M response = M::Zero();        ///< change of velocity at the contact by a unit impulse, 1/kg
 };
+/// And to all of it.
 struct Contacts {
-    std::array<Contact, 2> at;
-    int count = 0;
-    Flat rolling = Flat::Zero();  // angular impulse, N m s
-    double sunk = 0;              // how far the body had to be lifted out of the plane, m
+    std::array<Contact, 2> at;    ///< the ends
+    int count = 0;                ///< how many there are
+    Flat rolling = Flat::Zero();  ///< angular impulse, N m s
+    double sunk = 0;              ///< how far the body had to be lifted out of the plane, m
 };
 
+/// Kinetic and potential energy, J; none where a ball lies still.
 template <class Inertia>
 double energy(const Capsule<Inertia>& body, const Ground& ground, const Motion& m) {
     return kinetic_energy(body.inertia, m.turning) +
            body.mass * (m.v.squaredNorm() / 2 + ground.gravity * (m.x.z() - body.radius));
 }
 
+/// The body at rest but for its spin `omega`, put on the plane or `height` above it.
+template <class Inertia>
+Motion placed(const Capsule<Inertia>& body, const Attitude& q, const V& omega, double height = 0) {
+    return {{0, q, omega},
+            {0, 0, height + body.radius + std::fabs(body.end(q, 0).z())},
+            V::Zero()};
+}
+
+/// \cond
+namespace detail {
 // The two places in a step where the ways to treat the torque differ. All but the old inertia
 // change ω first and the attitude afterwards; that one keeps ω, and changes it with the attitude.
 template <class Gyroscopic, class Inertia>
@@ -76,16 +93,15 @@ V spun(const Gyroscopic& solver, const Inertia& inertia, const Turning& s, doubl
     return after_gyroscopic_torque(solver, inertia, s.q, s.omega, h);
 }
 template <class Inertia>
-V spun(const timestep::OldInertia&, const Inertia&, const Turning& s, double) {
+V spun(const OldInertia&, const Inertia&, const Turning& s, double) {
     return s.omega;
 }
 template <class Gyroscopic, class Inertia>
 Turning moved(const Gyroscopic&, const Inertia&, const Turning& s, double h) {
-    return {s.t + h, timestep::turned(s.q, s.omega, h), s.omega};
+    return {s.t + h, turned(s.q, s.omega, h), s.omega};
 }
 template <class Inertia>
-Turning moved(const timestep::OldInertia& solver, const Inertia& inertia, const Turning& s,
-              double h) {
+Turning moved(const OldInertia& solver, const Inertia& inertia, const Turning& s, double h) {
     return turn(solver, inertia, s, h);
 }
 
@@ -93,24 +109,28 @@ inline Flat within(double limit, const Flat& impulse) {
     const double length = impulse.norm();
     return length > limit ? Flat(impulse * (limit / length)) : impulse;
 }
+}  // namespace detail
+/// \endcond
 
-// Sequential impulses: each contact in turn is given the impulse that it would need if it were
-// alone, and after some rounds all of them agree. Sums are clamped, not their increments: a contact
-// may take back what an earlier round gave it.
-//
-// normal    the gap must not close beyond zero: v_n ≥ −gap/h, impulse ≥ 0, and only one of them
-//           other than zero. No bouncing.
-// friction  stops the sliding, up to Coulomb's μ times the normal impulse.
-// rolling   stops the turning about the axes in the plane, up to coefficient × radius × normal
-//           impulse: the plane gives way a little, and pushes that far in front of the centre.
-//           Turning about the normal is not rolling and is left alone.
+/// The contacts' impulses, and what they make of the velocities.
+///
+/// Sequential impulses: each contact in turn is given the impulse that it would need if it were
+/// alone, and after some rounds all of them agree. Sums are clamped, not their increments: a contact
+/// may take back what an earlier round gave it.
+///
+/// - normal: the gap must not close beyond zero: v_n ≥ −gap/h, impulse ≥ 0, and only one of them
+///   other than zero. No bouncing.
+/// - friction: stops the sliding, up to Coulomb's μ times the normal impulse.
+/// - rolling: stops the turning about the axes in the plane, up to coefficient × radius × normal
+///   impulse: the plane gives way a little, and pushes that far in front of the centre.
+///   Turning about the normal is not rolling and is left alone.
 inline void solve(Contacts& contacts, double mass, const M& inverse_inertia, const Ground& ground,
                   double radius, double h, V& v, V& omega) {
     const Eigen::Matrix2d roll = inverse_inertia.topLeftCorner<2, 2>().inverse();
     std::array<Eigen::Matrix2d, 2> slide;
     for (int i = 0; i < contacts.count; ++i) {
         Contact& c = contacts.at[i];
-        const M arm = timestep::skew(c.arm);
+        const M arm = skew(c.arm);
         c.response = M::Identity() / mass - arm * inverse_inertia * arm;
         slide[i] = c.response.topLeftCorner<2, 2>().inverse();
     }
@@ -131,33 +151,34 @@ inline void solve(Contacts& contacts, double mass, const M& inverse_inertia, con
             pressed += normal;
 
             const Flat sliding = velocity().head<2>();
-            const Flat friction = within(ground.friction * normal, c.friction - slide[i] * sliding);
+            const Flat friction =
+                detail::within(ground.friction * normal, c.friction - slide[i] * sliding);
             const Flat more = friction - c.friction;
             push({more.x(), more.y(), 0});
             c.friction = friction;
         }
         const Flat turning = omega.head<2>();
         const Flat rolling =
-            within(ground.rolling * radius * pressed, contacts.rolling - roll * turning);
+            detail::within(ground.rolling * radius * pressed, contacts.rolling - roll * turning);
         const Flat more = rolling - contacts.rolling;
         omega += inverse_inertia * V(more.x(), more.y(), 0);
         contacts.rolling = rolling;
     }
 }
 
-// One step of semi-implicit Euler: forces, contacts, positions (N46). Gravity and the impulses are
-// explicit, the gyroscopic torque is what its solver makes of it.
-//
 // The arm in the middle: `turned` takes the body's point e to e₂ with e₂ − e = h ω × (e + e₂)/2,
 // with no error. So with (e + e₂)/2 as its arm the gap at the end of the step is gap + h v_n, with
 // no error either; with e it is another one, by about h²|ω × (ω × e)|/2, and who lifts the body out
 // of the plane by that works against gravity, step after step. e₂ needs the ω that the contacts
 // have yet to find: so they are solved a few times, each time from the start with the last ω.
+/// One step of `h` seconds, of semi-implicit Euler: forces, contacts, positions (N46). Gravity and
+/// the impulses are explicit, the gyroscopic torque is what its solver makes of it. `contacts` is
+/// written only.
 template <class Gyroscopic, class Inertia>
 Motion step(const Gyroscopic& solver, const Capsule<Inertia>& body, const Ground& ground,
             const Motion& m1, double h, Contacts& contacts) {
     const V v1 = m1.v - h * ground.gravity * V::UnitZ();
-    const V omega1 = spun(solver, body.inertia, m1.turning, h);
+    const V omega1 = detail::spun(solver, body.inertia, m1.turning, h);
     const M R = m1.turning.q.toRotationMatrix();
     M inverse;
     for (int i = 0; i < 3; ++i)
@@ -166,23 +187,23 @@ Motion step(const Gyroscopic& solver, const Capsule<Inertia>& body, const Ground
     V v, omega = omega1;
     const int passes = ground.arms == Arms::start ? 1 : 4;
     for (int pass = 0; pass < passes; ++pass) {
-        const Attitude q2 = timestep::turned(m1.turning.q, omega, h);
+        const Attitude q2 = turned(m1.turning.q, omega, h);
         contacts = {};
         contacts.count = body.ends();
-        //! [arms]
+        /// [arms]
         for (int i = 0; i < body.ends(); ++i) {
             const V e = body.end(m1.turning.q, i), e2 = body.end(q2, i);
             const V middle = ground.arms == Arms::start ? e : V((e + e2) / 2);
             contacts.at[i].arm = middle - body.radius * V::UnitZ();
             contacts.at[i].gap = m1.x.z() + e.z() - body.radius;
         }
-        //! [arms]
+        /// [arms]
         v = v1, omega = omega1;
         solve(contacts, body.mass, inverse, ground, body.radius, h, v, omega);
     }
 
     const Turning turning{m1.turning.t, m1.turning.q, omega};
-    Motion m2{moved(solver, body.inertia, turning, h), m1.x + h * v, v};
+    Motion m2{detail::moved(solver, body.inertia, turning, h), m1.x + h * v, v};
     for (int i = 0; i < body.ends(); ++i)
         contacts.sunk =
             std::max(contacts.sunk, body.radius - m2.x.z() - body.end(m2.turning.q, i).z());
@@ -190,4 +211,4 @@ Motion step(const Gyroscopic& solver, const Capsule<Inertia>& body, const Ground
     return m2;
 }
 
-}  // namespace plane
+}  // namespace timestep::plane
