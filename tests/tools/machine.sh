@@ -21,7 +21,10 @@ for word; do last=\$word; case \$word in
         echo \"Setting up \$word (1.0) ...\"; . '$folder/apt/'\$word; } ;;
 esac; done"
     stand_in apt-cache "case \$1 in
-policy) echo '  Candidate: '\$(cat '$folder/catch2_version') ;;
+policy) case \$2 in
+    catch2) echo '  Candidate: '\$(cat '$folder/catch2_version') ;;
+    *) echo '  Candidate: 6.4.1+dfsg1-3' ;;
+    esac ;;
 madison) echo ' catch2 | 2.13.10-1 | http://mirror.example/debian bookworm/main amd64 Packages' ;;
 esac"
     echo 3.7.1-1 >catch2_version
@@ -43,6 +46,11 @@ mkdir -p '$folder/usr/clang/lib/linux'; : >'$folder/usr/clang/lib/linux/libclang
     offer_file libcli11-dev include/CLI/CLI.hpp
     offer_file nlohmann-json3-dev include/nlohmann/json.hpp
     offer_file python3-selenium lib/python3/dist-packages/selenium/__init__.py
+    offer_file libboost-dev include/boost/numeric/odeint.hpp
+    offer_file libgsl-dev include/gsl/gsl_odeiv2.h
+    offer_file libsundials-dev include/arkode/arkode_erkstep.h
+    offer_file libbullet-dev include/bullet/BulletDynamics/Dynamics/btRigidBody.h
+    offer_file libode-dev include/ode/ode.h
     echo "cp '$folder/cmake_3.25.1' '$folder/bin/cmake'" >apt/cmake
     make_cmake 3.25.1
 }
