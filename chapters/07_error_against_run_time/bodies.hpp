@@ -1,0 +1,115 @@
+#pragma once
+// Rigid bodies as entries of a contest, ours and other people's.
+
+#include <string>
+
+#include <timestep/gyroscopic.hpp>
+#include <timestep/methods/runge_kutta_4.hpp>
+#include <timestep/rigid/free_body.hpp>
+
+#include "entries.hpp"
+
+namespace contest {
+
+// A rotation matrix: nine numbers. Two attitudes with an angle α between them are 2√2 sin(α/2) apart;
+// with √2 as the size of the scene the error is 2 sin(α/2), the angle in radians while it is small, and
+// never more than 2.
+inline constexpr double radian = 1.4142135623730951;
+
+template <class Real>
+Place place(const timestep::Matrix3<Real>& R) {
+    const timestep::Matrix3<double> numbers = R.template cast<double>();
+    return Place(numbers.data(), numbers.data() + 9);
+}
+
+// A `Body` is copied for every run. restart() puts it back to the start, which matters where the copy
+// shares what it points to; step(h) steps it; count(work, h), called before, counts what that step
+// asks for; place() tells where it is, and number() any number that depends on all steps.
+template <class Body>
+Entry stepped(const std::string& method, const std::string& library, const Body& at_start) {
+    Entry e{method, library, {}, {}, {}};
+    e.track = [=](long steps) {
+        Track track;
+        Body body = at_start;
+        body.restart();
+        for (int mark = 0; mark < marks; ++mark) {
+            for (long i = 0; i < steps / marks; ++i) body.step(duration / double(steps));
+            track.push_back(body.place());
+        }
+        return track;
+    };
+    e.run = [=](long steps) {
+        const double h = duration / double(steps);
+        Body body = at_start;
+        body.restart();
+        for (long i = 0; i < steps; ++i) body.step(h);
+        sink = double(body.number());
+    };
+    e.work = [=](long steps) {
+        const double h = duration / double(steps);
+        Work work;
+        Body body = at_start;
+        body.restart();
+        for (; work.steps < steps; ++work.steps) {
+            body.count(work, h);
+            body.step(h);
+        }
+        return work;
+    };
+    return e;
+}
+
+// What one step asks for: the gyroscopic torque ω × Iω is the force of a free body, and a solve is one
+// of three equations, by a formula or not.
+template <class Solver, class Inertia, class Real>
+void count(Work& work, const Solver& solver, const Inertia& inertia,
+           const timestep::RigidState<Real>& s, Real h) {
+    using namespace timestep;
+    if constexpr (std::is_same_v<Solver, ConvergedGyroscopic> &&
+                  std::is_same_v<Inertia, PrincipalInertia<Real>>) {
+        const Vector3<Real> in_body = s.q.conjugate() * s.omega;
+        solver.step(inertia, in_body, h, [&] { ++work.evaluations, ++work.solves; });
+    } else {
+        const bool has_torque =
+            !std::is_same_v<Solver, NoGyroscopic> && !std::is_same_v<Solver, OldInertia>;
+        work.evaluations += has_torque;
+        work.solves += has_torque && !std::is_same_v<Solver, ExplicitGyroscopic>;
+    }
+}
+
+// Any gyroscopic solver of the course, with its update of the attitude.
+template <class Solver, class Inertia>
+struct Turning {
+    using Real = typename Inertia::Scalar;
+    Solver solver;
+    Inertia inertia;
+    timestep::RigidState<Real> start, s = start;
+
+    void restart() { s = start; }
+    void step(double h) { s = turn(solver, inertia, s, Real(h)); }
+    void count(Work& work, double h) const { contest::count(work, solver, inertia, s, Real(h)); }
+    Place place() const { return contest::place<Real>(s.q.toRotationMatrix()); }
+    Real number() const { return s.q.w(); }
+};
+
+// Runge-Kutta 4 on attitude and ω in one array. It leaves the rotations by its error, and is brought
+// back once a step.
+template <class Inertia>
+struct TurningByRungeKutta {
+    timestep::FreeBody<Inertia> model;
+    timestep::RigidState<double> start;
+    timestep::FirstOrder<typename timestep::FreeBody<Inertia>::Y> s = timestep::stacked(start);
+
+    void restart() { s = timestep::stacked(start); }
+    void step(double h) {
+        s = timestep::attitude_scaled(timestep::runge_kutta_4.step(model, s, h));
+    }
+    void count(Work& work, double h) const {
+        const auto counted = [&](double t, const auto& y) { return ++work.evaluations, model(t, y); };
+        timestep::runge_kutta_4.step(counted, s, h);
+    }
+    Place place() const { return contest::place<double>(unstacked(s).q.toRotationMatrix()); }
+    double number() const { return s.y[3]; }
+};
+
+}  // namespace contest

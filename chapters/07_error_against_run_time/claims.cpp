@@ -1,0 +1,245 @@
+// What the page says of the diagrams, looked up in the points.
+
+#include <cmath>
+#include <cstdio>
+
+#include <timestep/methods.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/rigid/free_body.hpp>
+#include <timestep/rigid/shapes.hpp>
+#include <timestep/run.hpp>
+
+#include "sections.hpp"
+
+using namespace contest;
+
+namespace {
+
+// The points of one method in one scene, steps growing shorter.
+std::vector<Point> line(const std::vector<Point>& points, const std::string& method,
+                        const std::string& library) {
+    std::vector<Point> line;
+    for (const Point& p : points)
+        if (p.method == method && p.library == library) line.push_back(p);
+    return line;
+}
+
+// The point of that many steps a second; a NaN of an error where there is none.
+Point at(const std::vector<Point>& line, double rate) {
+    for (const Point& p : line)
+        if (std::fabs(p.step * rate - 1) < 1e-6) return p;
+    Point none;
+    none.error_max = none.seconds = std::nan("");
+    return none;
+}
+
+// Seconds for an accuracy, by this method alone.
+double seconds_to(const std::vector<Point>& line, double accuracy) {
+    return cheapest(line, accuracy, [](const Point&) { return true; }).seconds;
+}
+
+void percent(lab::Findings& out, const std::string& name, double share,
+             const std::string& meaning) {
+    out.number(name, 100 * share, "%", meaning, share < 1 ? 2 : 3);
+}
+
+// The slope between 960 and 3840 steps a second.
+double slope(const std::vector<Point>& line) {
+    return std::log2(at(line, 960).error_max / at(line, 3840).error_max) / 2;
+}
+
+void springs(const All& all, lab::Findings& out) {
+    const auto& spring = all.at("spring");
+    const auto of = [&](const char* method) { return line(spring, method, "Timestep"); };
+    const auto semi = of("semi-implicit Euler"), verlet = of("Verlet"), rk4 = of("Runge-Kutta 4");
+    out.check(
+        "slopes",
+        std::fabs(slope(semi) - 1) < 0.05 && std::fabs(slope(verlet) - 2) < 0.05 &&
+            std::fabs(std::log2(at(rk4, 60).error_max / at(rk4, 240).error_max) / 2 - 4) < 0.1,
+        "the lines of semi-implicit Euler, Verlet and RK4 have the slopes 1, 2 and 4");
+    percent(out, "semi_60", at(semi, 60).error_max,
+            "error of semi-implicit Euler at 60 Hz on the spring");
+    percent(out, "verlet_60", at(verlet, 60).error_max, "error of Verlet at 60 Hz on the spring");
+    percent(out, "rk4_15", at(rk4, 15).error_max, "error of RK4 at 15 Hz on the spring");
+    out.check("verlet_by_half_a_step", at(verlet, 60).error_max < 0.3 * at(semi, 60).error_max,
+              "on the spring Verlet at 60 Hz is several times as accurate as semi-implicit Euler");
+    // Started with the velocity of half a step before, semi-implicit Euler is Verlet.
+    const timestep::Spring model(2 * 3.141592653589793);
+    const double h = 1.0 / 60;
+    const timestep::State start{0, 1.0, 0.0};
+    const timestep::State earlier{0, 1.0, 0.0 - h / 2 * model.acceleration(1.0)};
+    out.check("half_a_step_before",
+              std::fabs(run(timestep::semi_implicit_euler, model, earlier, h, 230).x -
+                        run(timestep::verlet, model, start, h, 230).x) < 1e-12,
+              "with the velocity of half a step before the start semi-implicit Euler goes where "
+              "Verlet goes");
+    const double floor = [&] {
+        double least = 1;
+        for (const Point& p : rk4) least = std::min(least, p.error_max);
+        return least;
+    }();
+    out.number("floor", floor, "", "the least error of RK4 on the spring", 1);
+    out.check("floor", floor < 1e-12 && rk4.back().error_max > floor,
+              "RK4 reaches the floor of double: shorter steps than the best make it worse");
+    const auto single = line(spring, "Runge-Kutta 4", "Timestep, float");
+    double least = 1;
+    for (const Point& p : single) least = std::min(least, p.error_max);
+    out.number("float_floor", least, "", "the least error of RK4 in float on the spring", 1);
+    double rate = 7.5;  // up to here float is as good as double
+    while (at(single, rate).error_max < 1.1 * at(rk4, rate).error_max) rate *= 2;
+    out.number("float_rate", rate, "Hz", "rate from which on RK4 in float is worse than in double");
+    out.check("float_floor", least > 1e-7 && at(single, 60).error_max < 1e-4,
+              "in float RK4 comes no nearer than some 1e-6, whatever the step");
+
+    const auto& stiff = all.at("stiff_spring");
+    const auto stiff_semi = line(stiff, "semi-implicit Euler", "Timestep");
+    percent(out, "stiff_semi_60", at(stiff_semi, 60).error_max,
+            "error of semi-implicit Euler at 60 Hz, stiff spring");
+    out.check(
+        "stiff_nobody_at_60",
+        [&] {
+            for (const Point& p : stiff)
+                if (p.library == "Timestep" && p.step > 0.016 && p.error_max < 0.5) return false;
+            return true;
+        }(),
+        "no method of the course is right at 60 Hz about where a spring of 100 rad/s is");
+
+    const auto& two = all.at("two_time_scales");
+    const auto middle = line(two, "implicit midpoint", "Timestep");
+    percent(out, "two_midpoint_60", at(middle, 60).error_max,
+            "error of implicit midpoint at 60 Hz, two time scales");
+    out.check(
+        "two_needs_implicit",
+        at(middle, 60).error_max < 0.1 &&
+            at(line(two, "semi-implicit Euler", "Timestep"), 60).diverged &&
+            at(line(two, "Runge-Kutta 4", "Timestep"), 60).diverged,
+        "at 60 Hz implicit midpoint follows the slow motion, and explicit methods have blown up");
+}
+
+void bounces(const All& all, lab::Findings& out) {
+    const auto& smooth = all.at("drag");
+    const auto& ball = all.at("bouncing_ball");
+    const auto of = [](const auto& points, const char* method) {
+        return line(points, method, "Timestep");
+    };
+    const auto rk4 = of(ball, "Runge-Kutta 4"), semi = of(ball, "semi-implicit Euler");
+    percent(out, "bounce_semi_60", at(semi, 60).error_max,
+            "error of semi-implicit Euler at 60 Hz, bouncing");
+    percent(out, "bounce_rk4_60", at(rk4, 60).error_max, "error of RK4 at 60 Hz, bouncing");
+    const double smooth_rk4 = at(of(smooth, "Runge-Kutta 4"), 60).error_max;
+    out.number("drag_rk4_60", smooth_rk4, "", "error of RK4 at 60 Hz, no bounce", 1);
+    out.check("bounces_level",
+              at(rk4, 60).error_max > 0.5 * at(semi, 60).error_max &&
+                  smooth_rk4 < 1e-4 * at(of(smooth, "semi-implicit Euler"), 60).error_max,
+              "where a ball bounces RK4 is no better than semi-implicit Euler; where it only "
+              "flies, ten thousand times");
+    out.number("bounce_rk4_cost", seconds_to(rk4, 0.01) / seconds_to(semi, 0.01), "",
+               "time of RK4 over semi-implicit Euler for 1 %, bouncing", 2);
+    out.number("drag_rk4_cost",
+               seconds_to(of(smooth, "Runge-Kutta 4"), 0.001) /
+                   seconds_to(of(smooth, "semi-implicit Euler"), 0.001),
+               "", "time of RK4 over semi-implicit Euler for 0.1 %, no bounce", 1);
+}
+
+// What semi-implicit Euler takes for ten percent, less what the best takes, where nothing is stiff.
+void ten_percent(const All& all, lab::Findings& out) {
+    double most = 0;
+    for (const char* scene :
+         {"projectile", "drag", "spring", "damped_spring", "spring_3d", "bouncing_ball"}) {
+        const auto& points = all.at(scene);
+        const double semi = seconds_to(line(points, "semi-implicit Euler", "Timestep"), 0.1);
+        const auto ours = [](const Point& p) { return p.library == "Timestep"; };
+        most = std::max(most, semi - cheapest(points, 0.1, ours).seconds);
+    }
+    out.number("ten_percent_loss", most * 1e6, "µs",
+               "what semi-implicit Euler takes longer than the best to ten percent, at most", 2);
+}
+
+// The longest h|ω| of a few for which RK4 does not add energy to the box.
+double longest_rk4_spin() {
+    const auto inertia = timestep::box(12.0, 1.0, 2.0, 3.0);
+    const timestep::FreeBody body(inertia);
+    double longest = 0;
+    for (const double h : {0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4}) {
+        timestep::RigidState<double> s{
+            0, timestep::Quaternion<double>::Identity(), {0.25, 10, 0.25}};
+        const double before = kinetic_energy(inertia, s);
+        auto y = stacked(s);
+        for (int i = 0; i < 1000; ++i)
+            y = stacked(
+                timestep::unstacked(attitude_scaled(timestep::runge_kutta_4.step(body, y, h))));
+        const double after = kinetic_energy(inertia, timestep::unstacked(y));
+        if (!(after < 1.01 * before)) break;
+        longest = h * s.omega.norm();
+    }
+    return longest;
+}
+
+void spins(const All& all, lab::Findings& out) {
+    out.number("spin_rk4_limit", longest_rk4_spin(), "",
+               "the longest h|omega| of RK4 on the box, of seven tried", 2);
+    const auto& box = all.at("dzhanibekov");
+    const auto of = [&](const char* method) { return line(box, method, "Timestep"); };
+    const auto rk4 = of("Runge-Kutta 4"), talk = of("implicit, one iteration"),
+               converged = of("implicit, converged");
+    const Point slow = at(rk4, 15), fast = at(talk, 960);
+    percent(out, "spin_rk4_15", slow.error_max, "error of RK4 at 15 Hz, free box");
+    percent(out, "spin_talk_60", at(talk, 60).error_max,
+            "error of the talk's solver at 60 Hz, free box");
+    percent(out, "spin_talk_960", fast.error_max, "error of the talk's solver at 960 Hz, free box");
+    out.number("spin_time_ratio", fast.seconds / slow.seconds, "",
+               "time of the talk's solver at 960 Hz over RK4 at 15 Hz", 2);
+    out.check("spin_rk4_wins", slow.error_max < fast.error_max,
+              "on a free box RK4 at 15 Hz is nearer to the truth than the talk's solver at 960 Hz");
+    out.check("more_iterations", at(talk, 240).error_max < 1.05 * at(converged, 240).error_max,
+              "more Newton iterations bring a tumbling box no nearer to the truth");
+    out.number("spin_converged_gain", at(talk, 240).error_max / at(converged, 240).error_max, "",
+               "error of one iteration over that of many, 240 Hz", 3);
+    out.number("spin_converged_cost", at(converged, 240).seconds / at(talk, 240).seconds, "",
+               "time of many iterations over one, 240 Hz", 2);
+}
+
+}  // namespace
+
+void on_ice(const All& all, lab::Findings& out) {
+    const auto& ice = all.at("capsule_on_plane");
+    const auto passive = line(ice, "passive", "Timestep"),
+               air = line(ice, "Runge-Kutta 4 in the air, passive", "Timestep");
+    percent(out, "ice_passive_60", at(passive, 60).error_max, "error of passive at 60 Hz, ice");
+    percent(out, "ice_rk4_60", at(air, 60).error_max,
+            "error of passive with RK4 in the air at 60 Hz, ice");
+    out.check("ice_level", at(air, 60).error_max > 0.5 * at(passive, 60).error_max,
+              "on ice RK4 in the air gains nothing");
+}
+
+// RK4 on the spring at 240 Hz: how long others take for the same steps, with ours as one.
+void peers(const All& all, lab::Findings& out) {
+    const auto& spring = all.at("spring");
+    const Point mine = at(line(spring, "Runge-Kutta 4", "Timestep"), 240);
+    const struct {
+        const char *name, *method, *library;
+    } others[] = {{"rk4_odeint", "Runge-Kutta 4", "Boost.odeint"},
+                  {"rk4_gsl", "Runge-Kutta 4, doubled", "GSL"},
+                  {"rk4_sundials", "Runge-Kutta 4", "SUNDIALS"}};
+    std::string there;
+    for (const auto& [name, method, library] : others) {
+        const Point p = at(line(spring, method, library), 240);
+        const std::string meaning = std::string("time of RK4, ") + library + " over ours";
+        if (std::isnan(p.seconds)) {
+            out.text(name, "(not installed)", meaning);
+            continue;
+        }
+        out.number(name, p.seconds / mine.seconds, "", meaning, 2);
+        there += (there.empty() ? "" : ", ") + std::string(library);
+    }
+    out.text("peers", there.empty() ? "none" : there, "libraries that were there");
+}
+
+void claims(const All& all, lab::Findings& out) {
+    springs(all, out);
+    bounces(all, out);
+    ten_percent(all, out);
+    spins(all, out);
+    on_ice(all, out);
+    peers(all, out);
+}

@@ -1,0 +1,80 @@
+// A body in a world of ODE's, alone and without gravity.
+
+#include "spin_peers.hpp"
+
+#ifdef TIMESTEP_WITH_ODE
+
+#include <memory>
+
+#include <ode/ode.h>
+
+#include "bodies.hpp"
+
+namespace contest {
+
+namespace {
+
+// A world with one body. ODE is started with the first and stopped with the last.
+struct World {
+    dWorldID world;
+    dBodyID body;
+
+    explicit World(const Moments& inertia) {
+        dInitODE2(0);
+        world = dWorldCreate();
+        body = dBodyCreate(world);
+        dMass mass;
+        const auto& I = inertia.moments;
+        dMassSetParameters(&mass, 1, 0, 0, 0, I.x(), I.y(), I.z(), 0, 0, 0);
+        dBodySetMass(body, &mass);
+        dBodySetGyroscopicMode(body, 1);
+        dWorldQuickStep(world, 0.01);  // it asks for its memory in the first step
+    }
+    ~World() {
+        dWorldDestroy(world);
+        dCloseODE();
+    }
+    World(const World&) = delete;
+};
+
+// ODE steps worlds, not bodies: the time is that of finding the bodies that touch (none), of the
+// solver for contacts (there are none), and of the body. Its gyroscopic solver is the passive step's
+// rule (I − h[L]) ω₂ = Iω₁, in world coordinates with two 3×3 inverses; and the attitude it turns as
+// we do, q + h/2 ω q scaled back, unless dBodySetFiniteRotationMode asks for the exponential map.
+struct OdeBody {
+    std::shared_ptr<World> in;
+    Start start;
+
+    void restart() {
+        const dQuaternion q{start.q.w(), start.q.x(), start.q.y(), start.q.z()};
+        dBodySetQuaternion(in->body, q);
+        dBodySetAngularVel(in->body, start.omega.x(), start.omega.y(), start.omega.z());
+    }
+    void step(double h) { dWorldQuickStep(in->world, h); }
+    void count(Work& work, double) const { ++work.evaluations, ++work.solves; }
+    Place place() const {
+        const dReal* R = dBodyGetRotation(in->body);  // three rows of four
+        Place place;                                  // column by column, as ours
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) place.push_back(R[4 * j + i]);
+        return place;
+    }
+    double number() const { return dBodyGetQuaternion(in->body)[0]; }
+};
+
+}  // namespace
+
+void enter_ode(Scene& scene, const Moments& inertia, const Start& start, const std::string& which) {
+    const OdeBody body{std::make_shared<World>(inertia), start};
+    scene.entries.push_back(stepped("passive" + which + ", in a world's step", "ODE", body));
+}
+
+}  // namespace contest
+
+#else
+
+namespace contest {
+void enter_ode(Scene&, const Moments&, const Start&, const std::string&) {}
+}  // namespace contest
+
+#endif

@@ -1,0 +1,15 @@
+#pragma once
+// What the parts of chapter 7's program share.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "contest.hpp"
+#include "lab.hpp"
+
+using All = std::map<std::string, std::vector<contest::Point>>;  // by the scene's id
+
+All diagrams(const std::string& one_scene, lab::Findings&);  // diagrams.cpp
+void claims(const All&, lab::Findings&);                     // claims.cpp
+void fooled(lab::Findings&);                                  // fooled.cpp
