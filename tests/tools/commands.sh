@@ -5,8 +5,8 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/stage.sh"
 
 test_bad_use_is_one_line_and_status_2() {
-    for words in '' turo '--json' 'list --jsn' 'list 3' 'run' 'run 3 4' 'run 3 --out' 'tour -- --step' 'hint' 'solution' 'reset' 'bench' 'check --sed 3' 'check 1.1 1.2' \
-        advise 'advise --omega nan' 'bench latency --rounds 0' 'bench latency --rounds many'; do
+    for words in '' turo '--json' 'list --jsn' 'list 3' 'run' 'run 3 4' 'run 3 --out' 'tour -- --step' 'hint' 'solution' 'reset' 'check --sed 3' 'check 1.1 1.2' \
+        advise 'advise --omega nan' 'bench lattency' 'bench --scene' 'bench loops --quick' 'bench latency --rounds 0' 'bench latency --rounds many'; do
         # shellcheck disable=SC2086
         expect 2 course $words
         is "$(lines err)" 1

@@ -25,6 +25,7 @@ struct Asked {
     std::string seed, file, out;  // empty is a value, too: whether they were given, CLI11 knows
     std::vector<std::string> chapter_options;
     Question question;
+    Contest contest;
 };
 
 void declare_advise(CLI::App& app, Asked& asked) {
@@ -50,6 +51,27 @@ void declare_advise(CLI::App& app, Asked& asked) {
     number("--rate", question.rate, "HZ", "steps a second; neither given: 60");
     number("--accuracy", question.accuracy, "PERCENT", "how wrong the motion may be (1)");
     advise->add_flag("--json", asked.json, "as JSON, for programs");
+}
+
+void declare_bench(CLI::App& app, Asked& asked) {
+    const auto bench = app.add_subcommand("bench", "error against run time, every method in every scene");
+    Contest& contest = asked.contest;
+    bench->add_flag("--quick", contest.quick, "a minute in all, without counting instructions");
+    bench->add_option("--scene", contest.scenes, "this scene only; may be given again")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    bench->add_flag("--again", contest.again, "measure again what has been measured");
+    bench->add_flag("--json", contest.json, "every run as JSON, for programs");
+    bench->add_option("--out", asked.out, "leave results (CSV) and figures in this folder")->type_name("DIR");
+    bench->footer(
+        "Each scene is kept when it is measured: a run that was stopped goes on after the last one. Results\n"
+        "of another compiler, flags, CPU or program are not taken over.");
+    bench->require_subcommand(0, 1);
+    bench->add_subcommand("loops", "the library beside loops written by hand, and the targets");
+    bench->add_subcommand("gyroscopic", "the gyroscopic solvers beside Bullet's, and the target");
+    bench->add_subcommand("latency", "from a saved file to its verdict")
+        ->add_option("--rounds", asked.rounds, "checks of each exercise")
+        ->check(CLI::Range(1, 1000));
 }
 
 void declare(CLI::App& app, Asked& asked) {
@@ -91,11 +113,7 @@ void declare(CLI::App& app, Asked& asked) {
     with_exercise("hint", "the next hint to an exercise").second->required();
     with_exercise("solution", "the course's answer beside yours, after a pass").second->required();
     with_exercise("reset", "make your file what it was at the beginning").second->required();
-    const auto bench = app.add_subcommand("bench", "measure");
-    bench->require_subcommand(1);
-    bench->add_subcommand("latency", "from a saved file to its verdict")
-        ->add_option("--rounds", asked.rounds, "checks of each exercise")
-        ->check(CLI::Range(1, 1000));
+    declare_bench(app, asked);
     declare_advise(app, asked);
     app.add_subcommand("site", "bring the site up to date and say where it is")
         ->add_flag("--open", asked.open, "open it in the browser");
@@ -127,6 +145,22 @@ std::optional<std::uint64_t> seed_from(const std::optional<std::string>& given) 
         throw Stop(Status::bad_use, "--seed " + (word.empty() ? "''" : word) +
                                         ": must be a whole number from 0 to 2^64 - 1");
     return seed;
+}
+
+void answer_bench(const CLI::App& bench, Asked& asked) {
+    const auto others = bench.get_subcommands();
+    if (others.empty()) {
+        asked.contest.out = given(bench, "--out", asked.out);
+        course::bench(asked.contest);
+        return;
+    }
+    const std::string name = others.front()->get_name();
+    for (const char* option : {"--quick", "--scene", "--again", "--json", "--out"})
+        if (bench.get_option(option)->count() > 0)
+            throw Stop(Status::bad_use, std::string(option) + ": bench " + name + " does not take it" + see_help);
+    if (name == "loops") bench_loops();
+    if (name == "gyroscopic") bench_gyroscopic();
+    if (name == "latency") bench_latency(asked.rounds);
 }
 
 }  // namespace
@@ -166,7 +200,7 @@ Status answer(int argc, char** argv) {
     if (app.got_subcommand("hint")) hint(asked.exercise);
     if (app.got_subcommand("solution")) solution(asked.exercise);
     if (app.got_subcommand("reset")) reset(asked.exercise);
-    if (app.got_subcommand("bench")) bench_latency(asked.rounds);
+    if (const auto command = app.get_subcommand("bench"); *command) answer_bench(*command, asked);
     if (app.got_subcommand("advise")) advise(asked.question, asked.json);
     if (app.got_subcommand("site")) site(asked.open);
     flush();

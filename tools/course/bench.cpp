@@ -1,15 +1,64 @@
-// course bench latency
+// course bench: the contest of chapter 7, the tables of targets, and what a check takes
 
 #include <algorithm>
 #include <cstdio>
 
 #include "build.hpp"
 #include "commands.hpp"
+#include "places.hpp"
+#include "process.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
 #include "verdict.hpp"
 
 namespace course {
+
+namespace {
+
+// The same source under two sets of flags, one after the other.
+void run_pair(const std::string& name) {
+    const std::vector<std::string> programs{name + "_O2", name + "_O3_native"};
+    ProgressLine progress;
+    build(programs, progress);
+    for (const auto& program : programs) {
+        progress.now("running " + program);
+        std::string said;
+        const int status = listen(
+            {(places().build / "tools/bench" / program).string()},
+            [&](std::string_view text) { said += text; }, [&] { progress.tick(); });
+        progress.clear();
+        std::fprintf(status == 0 ? stdout : stderr, "%s", said.c_str());
+        if (status != 0) throw Stop(static_cast<Status>(status), "");
+    }
+}
+
+}  // namespace
+
+void bench(const Contest& contest) {
+    {
+        ProgressLine progress;
+        build({"bench"}, progress);
+    }
+    const auto folder = places().build / "runs" / (contest.quick ? "bench_quick" : "bench");
+    std::vector<std::string> command{(places().build / "tools/bench/bench").string(), "--out",
+                                     contest.out.value_or(folder.string())};
+    if (contest.quick) command.push_back("--quick");
+    if (contest.json) command.push_back("--json");
+    if (contest.again) command.push_back("--again");
+    for (const auto& scene : contest.scenes) {
+        command.push_back("--scene");
+        command.push_back(scene);
+    }
+    hand_over(command);
+}
+
+void bench_loops() {
+    run_pair("bench_loops");
+}
+
+void bench_gyroscopic() {
+    run_pair("bench_gyroscopic");
+}
 
 // The course's own answers are checked, round by round, so that a busy moment touches every
 // exercise.

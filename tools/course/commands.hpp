@@ -41,6 +41,22 @@ void solution(const std::string& exercise);
 /// Makes the learner's file what it was at the beginning; the answer is kept.
 void reset(const std::string& exercise);
 
+/// What is asked of `bench`: which scenes, how hard to try, where the results go.
+struct Contest {
+    bool quick = false, json = false, again = false;
+    std::optional<std::string> out;   ///< a folder; none given: in the build folder
+    std::vector<std::string> scenes;  ///< none given: all
+};
+
+/// Every method in every scene, error against run time.
+void bench(const Contest& contest);
+
+/// What the library costs over a loop written by hand, and over Boost.odeint's.
+void bench_loops();
+
+/// What a gyroscopic solver costs beside Bullet's.
+void bench_gyroscopic();
+
 /// How long it takes from a saved file to its verdict.
 void bench_latency(int rounds);
 

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -30,6 +31,14 @@ struct Running {
     int output;
 };
 
+// Returns only where it fails.
+void become(const std::vector<std::string>& command) {
+    std::vector<char*> words;
+    for (const auto& word : command) words.push_back(const_cast<char*>(word.c_str()));
+    words.push_back(nullptr);
+    execvp(words[0], words.data());
+}
+
 // `prepare` is done in the new process.
 Running start(const std::vector<std::string>& command, const std::function<void()>& prepare) {
     int ends[2];
@@ -44,10 +53,7 @@ Running start(const std::vector<std::string>& command, const std::function<void(
     prepare();
     dup2(ends[1], STDOUT_FILENO);
     dup2(ends[1], STDERR_FILENO);
-    std::vector<char*> words;
-    for (const auto& word : command) words.push_back(const_cast<char*>(word.c_str()));
-    words.push_back(nullptr);
-    execvp(words[0], words.data());
+    become(command);
     const std::string line = command[0] + ": " + std::strerror(errno) + "\n";
     if (write(STDERR_FILENO, line.data(), line.size()) < 0) _exit(126);
     _exit(127);
@@ -105,6 +111,12 @@ void confine(const Allowance& allowance) {
 }
 
 }  // namespace
+
+void hand_over(const std::vector<std::string>& command) {
+    std::fflush(stdout);
+    become(command);
+    throw Stop(Status::missing, command[0] + ": " + std::strerror(errno));
+}
 
 int listen(const std::vector<std::string>& command,
            const std::function<void(std::string_view)>& heard,

@@ -17,6 +17,10 @@ int listen(
     const std::vector<std::string>& command, const std::function<void(std::string_view)>& heard,
     const std::function<void()>& silence = [] {});
 
+/// Becomes this program, with all that this one has: terminal, output, process. Throws Stop where it
+/// cannot be started.
+[[noreturn]] void hand_over(const std::vector<std::string>& command);
+
 /// How much a program may take. 0: as much as it likes.
 struct Allowance {
     double seconds;

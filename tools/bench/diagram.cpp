@@ -1,0 +1,119 @@
+#include <cctype>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include <unistd.h>
+
+#include "files.hpp"
+#include "process.hpp"
+#include "stop.hpp"
+#include "tables.hpp"
+
+namespace bench {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// As gnuplot reads a text between single quotes.
+std::string quoted(const std::string& text) {
+    std::string words = "'";
+    for (const char c : text) words += c == '\'' ? std::string("''") : std::string(1, c);
+    return words + "'";
+}
+
+// "Runge-Kutta 4" has its looks in style.gp by the name runge_kutta_4.
+std::string style_of(const std::string& method) {
+    std::string name;
+    for (const char c : method)
+        name += std::isalnum(static_cast<unsigned char>(c))
+                    ? char(std::tolower(static_cast<unsigned char>(c)))
+                    : '_';
+    return name;
+}
+
+bool same_entry(const contest::Point& a, const contest::Point& b) {
+    return a.method == b.method && a.library == b.library;
+}
+
+// Where the points of an entry end that begin at this one: after how many.
+std::size_t end_of(const Measured& measured, std::size_t first) {
+    std::size_t end = first;
+    while (end < measured.points.size() && same_entry(measured.points[first], measured.points[end]))
+        ++end;
+    return end;
+}
+
+// Every entry a line: ours as in all figures, other libraries each in a colour of its own.
+std::string script(const fs::path& csv, const fs::path& svg, const Measured& measured) {
+    const char* const colours[] = {"#666666", "#cc79a7", "#4c72b0",
+                                   "#8172b3", "#937860", "#64b5cd"};
+    std::ostringstream text;
+    text << "style = " << quoted(BENCH_STYLE) << "\nload style\n"
+         << "call figure " << quoted(svg.string()) << " 980 640\n"
+         << "set datafile separator comma\n"
+         << "set rmargin screen 0.66\nset key at screen 0.68,0.97 left top reverse Left noenhanced "
+            "maxrows 40 font ',12' spacing 0.9 samplen 3\n"
+         << "set title " << quoted(measured.title) << " noenhanced\n"
+         << "set logscale xy\nset format '10^{%L}'\nset yrange [1e-17:200]\n"
+         << "set xlabel 'time of a run (s)'\nset ylabel 'largest error, as a share of the scene'\n";
+    std::string plots;
+    std::map<std::string, std::size_t> libraries;
+    int entries = 0;
+    for (std::size_t i = 0; i < measured.points.size(); ++i) {
+        const auto& p = measured.points[i];
+        if (i > 0 && same_entry(p, measured.points[i - 1])) continue;
+        const bool ours = p.library == "Timestep";
+        const std::string look = "look" + std::to_string(entries++);
+        const std::string name = style_of(p.method);
+        const auto library = libraries.emplace(p.library, libraries.size()).first->second;
+        text << look << " = "
+             << (ours ? "exists(\"" + name + "\") ? value(\"" + name + "\") : " : "")
+             << "\"lc rgb '" << colours[(ours ? std::size_t(entries) : library) % 6]
+             << "' lw 1.2 dt " << (ours ? "1" : "(6,3)") << "\"\n";
+        // Row 0 holds the names of the columns. What diverged lies at the upper edge; no error is
+        // no place on a logarithm.
+        plots +=
+            (plots.empty() ? "plot " : ", \\\n  ") + quoted(csv.string()) +
+            " every ::" + std::to_string(i + 1) + "::" + std::to_string(end_of(measured, i)) +
+            " using 7:(strcol(10) eq 'true' ? 100 : $6 > 1e-16 ? $6 : 1e-16) with linespoints @" +
+            look + " pt " + std::to_string(ours ? 7 : 4 + entries % 10) + " ps 0.5 title " +
+            quoted(ours ? p.method : p.method + ", " + p.library);
+    }
+    text << plots << "\n";
+    return text.str();
+}
+
+bool is_whole(const fs::path& svg) {
+    std::ifstream file(svg);
+    std::string line, last;
+    while (std::getline(file, line))
+        if (!line.empty()) last = line;
+    return last.ends_with("</svg>");
+}
+
+}  // namespace
+
+bool draw(const fs::path& csv, const Measured& measured) {
+    const fs::path svg = fs::path(csv).replace_extension(".svg");
+    const std::string beside =
+        (csv.parent_path() / ("." + svg.stem().string() + "." + std::to_string(getpid()))).string();
+    const fs::path fresh = beside + ".svg", commands = beside + ".gp";
+    course::write_whole(commands, script(csv, fresh, measured));
+    std::string said;
+    const int status = course::listen({"gnuplot", commands.string()},
+                                      [&](std::string_view text) { said += text; });
+    std::error_code error, ignored;
+    fs::remove(commands, ignored);
+    const bool whole = status == 0 && is_whole(fresh);
+    if (whole) fs::rename(fresh, svg, error);
+    if (whole && !error) return true;
+    fs::remove(fresh, ignored);
+    if (status == 127) return false;
+    std::fprintf(stderr, "%s", said.c_str());
+    throw course::Stop(course::Status::bad_use, svg.string() + ": could not be drawn");
+}
+
+}  // namespace bench
