@@ -1,0 +1,116 @@
+#include "crossover.hpp"
+
+#include "property.hpp"
+
+EXERCISE(crossover);
+
+namespace {
+
+using Run = std::array<double, 2>;
+
+// The run of the same method that is off by `error`: a run that takes f times as long has an error
+// f^order times smaller.
+Run at_error(const Run& run, int order, double error) {
+    return {run[0] * std::pow(run[1] / error, 1.0 / order), error};
+}
+
+struct Contest {
+    explicit Contest(Draw& draw)
+        : a{draw.log(1e-9, 1e3), draw.log(1e-12, 1)},
+          p(draw.integer(1, 3)),
+          b{draw.log(1e-9, 1e3), draw.log(1e-12, 1)},
+          q(draw.integer(p + 1, 4)) {}
+
+    Run crossing() const { return learner(a, p, b, q); }
+
+    Run a;
+    int p;
+    Run b;
+    int q;
+};
+
+bool same(const Run& one, const Run& other, double relative) {
+    return close(one[0], other[0], relative) && close(one[1], other[1], relative);
+}
+
+// With orders three and four the error goes with the twelfth power of the seconds and the fourth of
+// an error: some hundred roundoffs, and as many again if it is found by logarithms of up to 450.
+constexpr double roundoff = 1e-10;
+
+}  // namespace
+
+PROPERTY("where both runs took the same time for the same error, there the lines cross") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Contest contest(draw);
+        REQUIRE(same(learner(contest.a, contest.p, contest.a, contest.q), contest.a, roundoff));
+    }
+}
+
+PROPERTY("for the error you return, both methods need the time you return") {
+    Draw draw;
+    for (int i = 0; i < 200; ++i) {
+        const Contest contest(draw);
+        const auto [seconds, error] = contest.crossing();
+        REQUIRE(seconds > 0);
+        REQUIRE(error > 0);
+        REQUIRE(close(at_error(contest.a, contest.p, error)[0], seconds, roundoff));
+        REQUIRE(close(at_error(contest.b, contest.q, error)[0], seconds, roundoff));
+    }
+}
+
+PROPERTY("for a smaller error the method of higher order is faster, for a larger one the other") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Contest contest(draw);
+        const double error = contest.crossing()[1], much = draw.log(1.1, 100);
+        const auto a_is_faster = [&](double wanted) {
+            return at_error(contest.a, contest.p, wanted)[0] <
+                   at_error(contest.b, contest.q, wanted)[0];
+        };
+        REQUIRE(!a_is_faster(error / much));
+        REQUIRE(a_is_faster(error * much));
+    }
+}
+
+PROPERTY("with twice the steps in a run, or any other number, the lines cross where they did") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Contest contest(draw);
+        const auto [a, p, b, q] = contest;
+        const Run crossing = contest.crossing();
+        const Run twice_a{2 * a[0], std::ldexp(a[1], -p)}, twice_b{2 * b[0], std::ldexp(b[1], -q)};
+        REQUIRE(same(learner(twice_a, p, b, q), crossing, roundoff));
+        REQUIRE(same(learner(a, p, twice_b, q), crossing, roundoff));
+        const Run other_a = at_error(a, p, a[1] * draw.log(0.01, 100));
+        const Run other_b = at_error(b, q, b[1] * draw.log(0.01, 100));
+        REQUIRE(same(learner(other_a, p, other_b, q), crossing, 10 * roundoff));
+    }
+}
+
+// f (E/E')^(1/q) = (E/E')^(1/p)
+PROPERTY("dearer steps of the higher order move the crossing along the line of the other") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Contest contest(draw);
+        const auto [a, p, b, q] = contest;
+        const double dearer = draw.log(1.1, 10);
+        const double error = contest.crossing()[1] * std::pow(dearer, -1.0 * p * q / (q - p));
+        const Run moved = learner(a, p, {dearer * b[0], b[1]}, q);
+        REQUIRE(same(moved, at_error(a, p, error), roundoff));
+    }
+}
+
+PROPERTY("in milliseconds and centimetres the lines cross at the same place") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Contest contest(draw);
+        const auto [a, p, b, q] = contest;
+        const auto [seconds, error] = contest.crossing();
+        const double ms = 1000, cm = 100;
+        REQUIRE(same(learner({ms * a[0], a[1]}, p, {ms * b[0], b[1]}, q), {ms * seconds, error},
+                     roundoff));
+        REQUIRE(same(learner({a[0], cm * a[1]}, p, {b[0], cm * b[1]}, q), {seconds, cm * error},
+                     roundoff));
+    }
+}

@@ -1,0 +1,136 @@
+#include "fair_ratio.hpp"
+
+#include "property.hpp"
+
+EXERCISE(fair_ratio);
+
+namespace {
+
+using Rounds = std::vector<std::array<double, 3>>;
+
+// What the loop costs, and by how much more the solvers cost than the loop.
+struct Costs {
+    explicit Costs(Draw& draw) : loop(draw.log(1e-6, 1e-2)) {
+        for (double& cost : solver) cost = loop * draw.log(0.02, 50);
+    }
+
+    double ratio() const { return solver[0] / solver[1]; }
+    std::array<double, 3> quiet() const { return {loop + solver[0], loop + solver[1], loop}; }
+
+    double loop;
+    std::array<double, 2> solver{};
+};
+
+std::size_t draw_place(Draw& draw, std::size_t size) {
+    return static_cast<std::size_t>(draw.integer(0, static_cast<int>(size) - 1));
+}
+
+// In each column all rounds but one are disturbed, by a little or by much. Every other time whole
+// rounds are slow as well, but for the three that tell.
+Rounds disturbed(Draw& draw, const std::array<double, 3>& quiet, int least, int most) {
+    Rounds rounds(static_cast<std::size_t>(draw.integer(least, most)), quiet);
+    std::array<std::size_t, 3> spared{};
+    for (std::size_t& round : spared) round = draw_place(draw, rounds.size());
+    const bool throttled = draw.sign() > 0;
+    for (std::size_t round = 0; round < rounds.size(); ++round) {
+        const double slow = throttled ? draw.real(1, 3) : 1;
+        for (std::size_t i = 0; i < 3; ++i)
+            if (round != spared[i]) rounds[round][i] *= slow * (1 + draw.log(1e-3, 10));
+    }
+    return rounds;
+}
+
+void shuffle(Draw& draw, Rounds& rounds) {
+    for (std::size_t i = rounds.size(); i > 1; --i)
+        std::swap(rounds[i - 1], rounds[draw_place(draw, i)]);
+}
+
+// A solver's own time is 0.002 of what is timed or more: that makes 500 times a time's roundoff.
+// And a ratio found as one plus a difference, be it 0.0004, has some thousand times that.
+constexpr double roundoff = 1e-9;
+
+}  // namespace
+
+PROPERTY("one round is enough where nothing disturbs, and more of them change nothing") {
+    Draw draw;
+    for (int i = 0; i < 40; ++i) {
+        const Costs costs(draw);
+        REQUIRE(close(learner({costs.quiet()}), costs.ratio(), roundoff));
+        const Rounds rounds(static_cast<std::size_t>(draw.integer(2, 9)), costs.quiet());
+        REQUIRE(close(learner(rounds), costs.ratio(), roundoff));
+    }
+}
+
+PROPERTY("a solver takes as long as itself, also where every round but one is disturbed") {
+    Draw draw;
+    for (int i = 0; i < 40; ++i) {
+        Costs costs(draw);
+        costs.solver[1] = costs.solver[0];
+        REQUIRE(close(learner({costs.quiet()}), 1, roundoff));
+        REQUIRE(close(learner(disturbed(draw, costs.quiet(), 2, 20)), 1, roundoff));
+    }
+}
+
+PROPERTY("one disturbance changes nothing, be it in A, in B, in the empty loop, or in all") {
+    Draw draw;
+    for (int i = 0; i < 80; ++i) {
+        const Costs costs(draw);
+        Rounds rounds(static_cast<std::size_t>(draw.integer(3, 9)), costs.quiet());
+        auto& round = rounds[i % 3 == 0 ? 0 : draw_place(draw, rounds.size())];
+        if (i % 4 == 3)
+            for (double& time : round) time *= 2;
+        else
+            round[static_cast<std::size_t>(i % 4)] *= 1 + draw.log(0.01, 100);
+        REQUIRE(close(learner(rounds), costs.ratio(), roundoff));
+    }
+}
+
+PROPERTY("where all rounds but one are disturbed, for each another one, the ratio stays") {
+    Draw draw;
+    for (int i = 0; i < 150; ++i) {
+        const Costs costs(draw);
+        REQUIRE(close(learner(disturbed(draw, costs.quiet(), 2, 25)), costs.ratio(), roundoff));
+    }
+}
+
+PROPERTY("in another order of the rounds, and with A and B swapped, it is the same measurement") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Costs costs(draw);
+        Rounds rounds = disturbed(draw, costs.quiet(), 2, 25);
+        const double ratio = learner(rounds);
+        shuffle(draw, rounds);
+        REQUIRE(close(learner(rounds), ratio, roundoff));
+        for (auto& [a, b, empty] : rounds) std::swap(a, b);
+        REQUIRE(close(learner(rounds) * ratio, 1, roundoff));
+    }
+}
+
+PROPERTY("a slower loop or clock, and other units of time, do not show in the ratio") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Costs costs(draw);
+        Rounds rounds = disturbed(draw, costs.quiet(), 2, 25);
+        const double ratio = learner(rounds), more = costs.loop * draw.log(0.1, 10);
+        for (auto& round : rounds)
+            for (double& time : round) time += more;
+        REQUIRE(close(learner(rounds), ratio, roundoff));
+        const double unit = draw.log(1e-2, 30);
+        for (auto& round : rounds)
+            for (double& time : round) time *= unit;
+        REQUIRE(close(learner(rounds), ratio, roundoff));
+    }
+}
+
+PROPERTY("A over B, and B over a third solver, together make A over the third") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Costs costs(draw);
+        const double third = costs.loop * draw.log(0.02, 50);
+        const auto [a, b, empty] = costs.quiet();
+        const double a_b = learner(disturbed(draw, {a, b, empty}, 2, 20));
+        const double b_c = learner(disturbed(draw, {b, empty + third, empty}, 2, 20));
+        const double a_c = learner(disturbed(draw, {a, empty + third, empty}, 2, 20));
+        REQUIRE(close(a_b * b_c, a_c, roundoff));
+    }
+}

@@ -1,0 +1,184 @@
+#include "land_and_bounce.hpp"
+
+#include "property.hpp"
+
+EXERCISE(land_and_bounce);
+
+namespace {
+
+// A ball in the air, rising or falling.
+struct Ball {
+    explicit Ball(Draw& draw)
+        : s{draw.real(0, 100), draw.log(1e-3, 1e2), draw.sign() * draw.log(1e-2, 50)},
+          g(draw.log(1, 25)),
+          e(draw.real(0.1, 0.95)) {}
+
+    double impact() const { return std::sqrt(s.v * s.v + 2 * g * s.x); }  // its speed
+    double fall() const { return (s.v + impact()) / g; }                  // time until then
+    double flight() const { return 2 * e * impact() / g; }                // from bounce to bounce
+    double all_bounces() const { return flight() / (1 - e); }             // with e below 1
+    double energy() const { return s.v * s.v / 2 + g * s.x; }
+    State<double> after(double h) const { return learner(s, g, e, h); }
+
+    State<double> s;
+    double g, e;
+};
+
+double energy(const State<double>& s, double g) {
+    return s.v * s.v / 2 + g * s.x;
+}
+
+// How far off a learner may be at rest, and where bounces are slower than that.
+constexpr double still = 1e-6;
+
+bool is_at(const State<double>& s, double t, double x, double v, double size_x, double size_v,
+           double absolute) {
+    return close(s.t, t, 1e-12) && close(s.x, x, 0, 1e-10 * size_x + absolute) &&
+           close(s.v, v, 0, 1e-10 * size_v + absolute);
+}
+
+// Sizes are those of the flight: its top and its landing. A thousand bounces make a thousand times
+// their roundoff.
+bool is_at(const Ball& ball, const State<double>& s, double t, double x, double v,
+           double absolute = 0) {
+    return is_at(s, t, x, v, ball.energy() / ball.g, ball.impact(), absolute);
+}
+
+// What comes next cannot begin below the ground, not even by a rounding.
+State<double> on_or_above(State<double> s) {
+    s.x = std::max(0.0, s.x);
+    return s;
+}
+
+}  // namespace
+
+PROPERTY("a ball that does not come down within the step flies as if there were no ground") {
+    Draw draw;
+    for (int i = 0; i < 80; ++i) {
+        Ball ball(draw);
+        if (i % 4 == 0) ball.s = {ball.s.t, 0, std::fabs(ball.s.v)};  // from the ground
+        if (i % 4 == 1) ball.e = i % 8 == 1 ? 0 : 1;
+        const double h = ball.fall() * draw.real(0.01, 0.99);
+        const double x = ball.s.x + ball.s.v * h - ball.g * h * h / 2, v = ball.s.v - ball.g * h;
+        REQUIRE(is_at(ball, ball.after(h), ball.s.t + h, x, v));
+    }
+}
+
+PROPERTY("a ball that lies on the ground stays there, whatever the step") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const double t = draw.real(0, 100), g = draw.log(1, 25), h = draw.log(1e-4, 1e3);
+        const double e = i % 3 == 0 ? 0 : i % 3 == 1 ? 1 : draw.real(0.1, 0.95);
+        REQUIRE(is_at(learner({t, 0, 0}, g, e, h), t + h, 0, 0, 0, 0, still));
+    }
+}
+
+PROPERTY("after one bounce a ball that was dropped comes back to e^2 of its height") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        Ball ball(draw);
+        ball.s.v = 0;
+        if (i % 5 == 0) ball.e = 1;
+        const double h = ball.fall() + ball.flight() / 2;
+        REQUIRE(is_at(ball, ball.after(h), ball.s.t + h, ball.e * ball.e * ball.s.x, 0));
+    }
+}
+
+PROPERTY("until the second bounce the ball has e^2 of its energy, and gravity slows it down") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        Ball ball(draw);
+        if (i % 5 == 0) ball.e = 1;
+        const double since = ball.flight() * draw.real(0.02, 0.98);
+        const State<double> s = ball.after(ball.fall() + since);
+        REQUIRE(s.x >= 0);
+        REQUIRE(close(energy(s, ball.g), ball.e * ball.e * ball.energy(), 1e-9));
+        REQUIRE(close(s.v, ball.e * ball.impact() - ball.g * since, 0, 1e-10 * ball.impact()));
+    }
+}
+
+PROPERTY("a ball on the ground that moves down bounces at once, as if it were on its way up") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        Ball ball(draw);
+        if (i % 3 == 0) ball.e = 1;
+        const double v = std::fabs(ball.s.v), t = ball.s.t;
+        const double h = 2 * v / ball.g * draw.log(0.01, i % 3 == 0 ? 10 : 2);
+        const State<double> up = learner({t, 0, ball.e * v}, ball.g, ball.e, h);
+        const State<double> down = learner({t, 0, -v}, ball.g, ball.e, h);
+        REQUIRE(is_at(down, up.t, up.x, up.v, v * v / ball.g, v, still));
+    }
+}
+
+// The n-th bounce is fall + (1 + e + ... + e^(n - 1)) flight after the start, for n = 0, 1, 2 ... .
+// Balls whose last bounces are faster than a hundredth.
+PROPERTY("after n bounces, all in one step, the ball has e^(2 n) of its energy") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        Ball ball(draw);
+        if (i % 2 == 0) ball.s.x = draw.real(5, 100), ball.e = draw.real(0.6, 0.95);
+        double h = ball.fall(), flight = ball.flight(), speed = ball.e * ball.impact();
+        double energy_left = ball.energy() * ball.e * ball.e;
+        for (int more = draw.integer(0, 60); more > 0 && ball.e * speed > 0.01; --more) {
+            h += flight;
+            flight *= ball.e;
+            speed *= ball.e;
+            energy_left *= ball.e * ball.e;
+        }
+        const double since = flight * draw.real(0.05, 0.95);
+        const State<double> s = ball.after(h + since);
+        REQUIRE(s.x >= 0);
+        REQUIRE(close(energy(s, ball.g), energy_left, 1e-5));
+        REQUIRE(close(s.v, speed - ball.g * since, 0, 1e-5 * speed));
+    }
+}
+
+PROPERTY("when the time of all its bounces is over, the ball lies still") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        Ball ball(draw);
+        if (i % 5 == 0) ball.e = 0;
+        const double h = ball.fall() + ball.all_bounces() * draw.real(1.01, 3) + draw.log(1e-3, 10);
+        REQUIRE(is_at(ball.after(h), ball.s.t + h, 0, 0, 0, 0, still));
+    }
+}
+
+PROPERTY("with e = 1 nothing is lost: after any number of whole bounces it flies as it did") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        Ball ball(draw);
+        ball.e = 1;
+        ball.s.x = draw.log(0.1, 100);
+        const double h = ball.flight() * draw.integer(1, i % 2 == 0 ? 8 : 900);
+        REQUIRE(is_at(ball, ball.after(h), ball.s.t + h, ball.s.x, ball.s.v));
+    }
+}
+
+PROPERTY("one step is as good as two, wherever it is cut, with many bounces or none") {
+    Draw draw;
+    for (int i = 0; i < 150; ++i) {
+        Ball ball(draw);
+        double bounces = ball.all_bounces();
+        if (i % 5 == 0) ball.e = 1, bounces = 20 * ball.flight();
+        if (i % 5 == 1) ball.e = 0, bounces = 0;
+        const double h = (ball.fall() + bounces) * draw.log(0.01, 1.2), cut = draw.real(0, 1) * h;
+        const State<double> one = ball.after(h), half = on_or_above(ball.after(cut));
+        const State<double> two = learner(half, ball.g, ball.e, h - cut);
+        REQUIRE(is_at(ball, two, one.t, one.x, one.v, still));
+    }
+}
+
+PROPERTY("at any frame rate the ball is where it is in one long step") {
+    Draw draw;
+    for (int i = 0; i < 15; ++i) {
+        Ball ball(draw);
+        ball.s.x = draw.log(0.1, 10);
+        ball.s.v = draw.real(-5, 5);
+        const int frames = draw.integer(30, 150);
+        const double h = 1.0 / draw.integer(30, 144);
+        State<double> s = ball.s;
+        for (int frame = 0; frame < frames; ++frame) s = on_or_above(learner(s, ball.g, ball.e, h));
+        const State<double> one = ball.after(frames * h);
+        REQUIRE(is_at(ball, s, one.t, one.x, one.v, 10 * still));
+    }
+}

@@ -1,0 +1,176 @@
+#include "replay_fits.hpp"
+
+#include "property.hpp"
+
+EXERCISE(replay_fits);
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A scene, and the truth at its marks.
+struct Flight {
+    explicit Flight(Draw& draw, int least_marks = 1, double least_accuracy = 1e-9)
+        : size(draw.log(1e-3, 1e4)), accuracy(draw.log(least_accuracy, 1)) {
+        const int marks = draw.integer(least_marks, 40);
+        for (int mark = 0; mark < marks; ++mark) exact.push_back(size * draw.real(-3, 3));
+    }
+
+    // The truth, off by `much` of what is allowed, at every mark to a side of its own.
+    std::vector<double> off(Draw& draw, double much) const {
+        std::vector<double> x = exact;
+        for (double& height : x) height += draw.sign() * much * accuracy * size;
+        return x;
+    }
+
+    std::vector<double> exact;
+    double size, accuracy;
+};
+
+// The first mark, the last, or any.
+std::size_t draw_mark(Draw& draw, int i, std::size_t marks) {
+    const int last = static_cast<int>(marks) - 1;
+    return static_cast<std::size_t>(i % 3 == 0 ? 0 : i % 3 == 1 ? last : draw.integer(0, last));
+}
+
+}  // namespace
+
+PROPERTY("a perfect replay is within any accuracy, also within zero") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const Flight flight(draw);
+        REQUIRE(learner(flight.exact, flight.exact, flight.size, flight.accuracy));
+        REQUIRE(learner(flight.exact, flight.exact, flight.size, 0));
+    }
+}
+
+PROPERTY("a replay off by half of what is allowed at every mark is within, by twice it is not") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Flight flight(draw, 1, 1e-3);
+        REQUIRE(learner(flight.off(draw, 0.5), flight.exact, flight.size, flight.accuracy));
+        REQUIRE(!learner(flight.off(draw, 2), flight.exact, flight.size, flight.accuracy));
+        REQUIRE(!learner(flight.off(draw, 2), flight.exact, flight.size, 0));
+    }
+}
+
+PROPERTY("one mark that is very far off is enough, where all others are perfect") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Flight flight(draw, 4, 1e-3);
+        std::vector<double> x = flight.exact;
+        const double much = 1.5 * std::sqrt(static_cast<double>(x.size()));
+        x[draw_mark(draw, i, x.size())] += draw.sign() * much * flight.accuracy * flight.size;
+        REQUIRE(!learner(x, flight.exact, flight.size, flight.accuracy));
+    }
+}
+
+// Heights are rounded to 1e-16 of 3 sizes, a millionth of the accuracy.
+PROPERTY("as far off as is allowed but for a thousandth is within, and a thousandth more is not") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const Flight flight(draw);
+        const double less = draw.real(0.1, 0.999), more = draw.log(1.001, 10);
+        REQUIRE(learner(flight.off(draw, less), flight.exact, flight.size, flight.accuracy));
+        REQUIRE(!learner(flight.off(draw, more), flight.exact, flight.size, flight.accuracy));
+    }
+}
+
+PROPERTY("one mark a bit too far off is enough, the first, the last or any, to either side") {
+    Draw draw;
+    for (int i = 0; i < 150; ++i) {
+        const Flight flight(draw, 2);
+        std::vector<double> x = flight.off(draw, i % 2 == 0 ? 0 : draw.real(0, 0.9));
+        const std::size_t bad = draw_mark(draw, i, x.size());
+        const double more = draw.sign() * draw.log(1.001, 3) * flight.accuracy * flight.size;
+        x[bad] = flight.exact[bad] + more;
+        REQUIRE(!learner(x, flight.exact, flight.size, flight.accuracy));
+    }
+}
+
+PROPERTY("a replay with a height that is infinite is not within any accuracy") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Flight flight(draw);
+        std::vector<double> x = flight.off(draw, draw.real(0, 0.9));
+        x[draw_mark(draw, i, x.size())] = draw.sign() * infinity;
+        REQUIRE(!learner(x, flight.exact, flight.size, flight.accuracy));
+        REQUIRE(!learner(x, flight.exact, flight.size, 0));
+    }
+}
+
+PROPERTY("a replay that is NaN from some mark on, to the end, is not within any accuracy") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Flight flight(draw);
+        std::vector<double> x = flight.off(draw, draw.real(0, 0.9));
+        for (std::size_t mark = draw_mark(draw, i, x.size()); mark < x.size(); ++mark)
+            x[mark] = not_a_number;
+        REQUIRE(!learner(x, flight.exact, flight.size, flight.accuracy));
+        REQUIRE(!learner(x, flight.exact, flight.size, 0));
+    }
+}
+
+PROPERTY("a replay that is NaN at one mark, whichever it is, is not within any accuracy") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const Flight flight(draw);
+        std::vector<double> x = flight.off(draw, draw.real(0, 0.9));
+        x[draw_mark(draw, i, x.size())] = not_a_number;
+        REQUIRE(!learner(x, flight.exact, flight.size, flight.accuracy));
+        x[draw_mark(draw, i, x.size())] += flight.size;
+        REQUIRE(!learner(x, flight.exact, flight.size, flight.accuracy));
+    }
+}
+
+PROPERTY("a replay that broke off is not within, however well it fits as far as it goes") {
+    Draw draw;
+    for (int i = 0; i < 40; ++i) {
+        const Flight flight(draw);
+        std::vector<double> x = flight.off(draw, draw.real(0, 0.9));
+        x.resize(i % 4 == 0 ? 0 : draw_mark(draw, i, x.size()));
+        REQUIRE(!learner(x, flight.exact, flight.size, flight.accuracy));
+    }
+}
+
+// All are binary fractions: the error and the product of size and accuracy are not rounded.
+PROPERTY("an error just as large as the accuracy is within, and one larger by a hair is not") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double size = std::ldexp(1, draw.integer(-9, 13));
+        const double accuracy = std::ldexp(1, -draw.integer(0, 29)), error = size * accuracy;
+        std::vector<double> exact(static_cast<std::size_t>(draw.integer(1, 20)));
+        for (double& height : exact) height = draw.integer(-1000, 1000) * error;
+        std::vector<double> x = exact;
+        for (double& height : x) height += draw.integer(-1, 1) * error;
+        const std::size_t mark = draw_mark(draw, i, x.size());
+        const double side = draw.sign();
+        x[mark] = exact[mark] + side * error;
+        REQUIRE(learner(x, exact, size, accuracy));
+        x[mark] = exact[mark] + side * error * (1 + 1e-9);
+        REQUIRE(!learner(x, exact, size, accuracy));
+    }
+}
+
+// Twice all lengths, or half of them, is exact. The flight moved is not; but its errors are half of
+// what is allowed, or twice.
+PROPERTY("in another unit, or moved to another height, a replay fits as well as before") {
+    Draw draw;
+    for (int i = 0; i < 80; ++i) {
+        Flight flight(draw);
+        std::vector<double> x = flight.off(draw, 0.5);
+        const bool within = i % 2 == 0;
+        if (!within) x[draw_mark(draw, i / 2, x.size())] += flight.accuracy * flight.size * 3;
+        REQUIRE(learner(x, flight.exact, flight.size, flight.accuracy) == within);
+        const double unit = std::ldexp(1, draw.integer(-3, 3));
+        const double up = draw.sign() * draw.log(1, 30) * flight.size;
+        std::vector<double> other_x = x, other_exact = flight.exact;
+        for (double& height : other_x) height *= unit;
+        for (double& height : other_exact) height *= unit;
+        REQUIRE(learner(other_x, other_exact, unit * flight.size, flight.accuracy) == within);
+        for (double& height : x) height += up;
+        for (double& height : flight.exact) height += up;
+        REQUIRE(learner(x, flight.exact, flight.size, flight.accuracy) == within);
+    }
+}

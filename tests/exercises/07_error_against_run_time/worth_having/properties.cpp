@@ -1,0 +1,207 @@
+#include "worth_having.hpp"
+
+#include "property.hpp"
+
+EXERCISE(worth_having);
+
+namespace {
+
+using Point = std::array<double, 2>;
+using Points = std::vector<Point>;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool usable(const Point& point) {
+    return std::isfinite(point[0]) && std::isfinite(point[1]);
+}
+
+bool beats(const Point& a, const Point& b) {
+    return usable(a) && a[0] <= b[0] && a[1] <= b[1] && a != b;
+}
+
+// Every other list is drawn from few values, zero among them: they are often the same.
+Points draw_points(Draw& draw, int i, int most = 30) {
+    Points points(static_cast<std::size_t>(draw.integer(1, most)));
+    const double second = draw.log(1e-6, 1), metre = draw.log(1e-9, 1);
+    const int coarse = draw.integer(2, 8);
+    for (auto& [seconds, error] : points) {
+        seconds = i % 2 == 0 ? second * draw.integer(0, coarse) : draw.log(1e-6, 1e2);
+        error = i % 2 == 0 ? metre * draw.integer(0, coarse) : draw.log(1e-14, 1);
+    }
+    return points;
+}
+
+std::size_t draw_place(Draw& draw, std::size_t size) {
+    return static_cast<std::size_t>(draw.integer(0, static_cast<int>(size) - 1));
+}
+
+// Seconds of a setting that blew up: few, so that nobody is faster, or as usual, or none.
+double draw_seconds(Draw& draw) {
+    return draw.sign() > 0 ? draw.log(1e-9, 1e3) : 0;
+}
+
+// The settings returned, none where an answer is not a place in the list.
+Points settings(const std::vector<int>& places, const Points& points) {
+    Points chosen;
+    for (const int place : places) {
+        if (place < 0 || place >= static_cast<int>(points.size())) return {};
+        chosen.push_back(points[static_cast<std::size_t>(place)]);
+    }
+    return chosen;
+}
+
+// Are the same settings worth having where some that blew up stand among them?
+template <class Wild>
+bool changes_nothing(Draw& draw, int i, const Wild& wild) {
+    Points points = draw_points(draw, i, 20);
+    const Points before = settings(learner(points), points);
+    for (int more = draw.integer(1, 8); more > 0; --more) {
+        const auto place = static_cast<std::ptrdiff_t>(draw_place(draw, points.size() + 1));
+        points.insert(points.begin() + place, wild());
+    }
+    const std::vector<int> worth = learner(points);
+    return worth.size() == before.size() && settings(worth, points) == before;
+}
+
+}  // namespace
+
+PROPERTY("of no settings none is worth having, and a single one that did not blow up is") {
+    Draw draw;
+    REQUIRE(learner({}).empty());
+    for (int i = 0; i < 20; ++i) {
+        REQUIRE(learner(draw_points(draw, i, 1)) == std::vector<int>{0});
+    }
+}
+
+PROPERTY("what is returned are places in the list, none of them twice, and the fastest first") {
+    Draw draw;
+    for (int i = 0; i < 80; ++i) {
+        const Points points = draw_points(draw, i);
+        const std::vector<int> worth = learner(points);
+        REQUIRE(!worth.empty());
+        const Points chosen = settings(worth, points);
+        REQUIRE(chosen.size() == worth.size());
+        for (std::size_t k = 1; k < worth.size(); ++k) {
+            REQUIRE(chosen[k - 1][0] <= chosen[k][0]);
+            if (chosen[k - 1] == chosen[k]) REQUIRE(worth[k - 1] < worth[k]);
+        }
+    }
+}
+
+PROPERTY("where every setting that is slower is more accurate, all of them are worth having") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        std::vector<int> places(i == 0 ? 200 : draw_place(draw, 60) + 1);
+        for (std::size_t k = 0; k < places.size(); ++k) places[k] = static_cast<int>(k);
+        for (std::size_t k = places.size(); k > 1; --k)
+            std::swap(places[k - 1], places[draw_place(draw, k)]);
+        const double order = draw.real(1, 4);
+        Points points(places.size());
+        double seconds = draw.log(1e-6, 1e-3);
+        for (const int place : places) {
+            seconds *= draw.real(1.001, 1.01);
+            points[static_cast<std::size_t>(place)] = {seconds, 1e-9 * std::pow(seconds, -order)};
+        }
+        REQUIRE(learner(points) == places);
+    }
+}
+
+PROPERTY("nobody whom you return is beaten by any other setting") {
+    Draw draw;
+    for (int i = 0; i < 80; ++i) {
+        const Points points = draw_points(draw, i);
+        const Points chosen = settings(learner(points), points);
+        REQUIRE(!chosen.empty());
+        for (const Point& one : chosen)
+            for (const Point& other : points) REQUIRE(!beats(other, one));
+    }
+}
+
+PROPERTY("everybody whom you leave out is beaten by one whom you return") {
+    Draw draw;
+    for (int i = 0; i < 80; ++i) {
+        const Points points = draw_points(draw, i, i == 7 ? 200 : 30);
+        const std::vector<int> worth = learner(points);
+        const Points chosen = settings(worth, points);
+        for (int place = 0; place < static_cast<int>(points.size()); ++place) {
+            const Point& left_out = points[static_cast<std::size_t>(place)];
+            if (std::find(worth.begin(), worth.end(), place) != worth.end()) continue;
+            REQUIRE(std::any_of(chosen.begin(), chosen.end(),
+                                [&](const Point& one) { return beats(one, left_out); }));
+        }
+    }
+}
+
+PROPERTY("of two settings with the same time or the same error, only the better is worth having") {
+    Draw draw;
+    for (int i = 0; i < 40; ++i) {
+        const double seconds = draw.log(1e-6, 1e2), error = draw.log(1e-12, 1);
+        const double hair = i % 2 == 0 ? draw.log(1e-3, 10) : draw.log(1e-13, 1e-11);
+        const Point good{seconds, error}, slow{seconds * (1 + hair), error};
+        const Point bad{seconds, error * (1 + hair)};
+        REQUIRE(learner({good, slow}) == std::vector<int>{0});
+        REQUIRE(learner({slow, good}) == std::vector<int>{1});
+        REQUIRE(learner({good, bad}) == std::vector<int>{0});
+        REQUIRE(learner({bad, good}) == std::vector<int>{1});
+        REQUIRE(learner({slow, bad}) == std::vector<int>{1, 0});
+    }
+}
+
+PROPERTY("twins are both worth having, in the order of the list, or neither is") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        Points points = draw_points(draw, i, 20);
+        const std::vector<int> alone = learner(points);
+        const Points twice = points;
+        points.insert(points.end(), twice.begin(), twice.end());
+        const std::vector<int> worth = learner(points);
+        REQUIRE(worth.size() == 2 * alone.size());
+        for (const int place : alone) {
+            const int twin = place + static_cast<int>(twice.size());
+            const auto first = std::find(worth.begin(), worth.end(), place);
+            REQUIRE(first != worth.end());
+            REQUIRE(std::find(first, worth.end(), twin) != worth.end());
+        }
+    }
+}
+
+PROPERTY("settings that blew up into an infinite error are not worth having, and beat nobody") {
+    Draw draw;
+    REQUIRE(learner({{draw_seconds(draw), infinity}}).empty());
+    for (int i = 0; i < 60; ++i)
+        REQUIRE(changes_nothing(draw, i, [&] { return Point{draw_seconds(draw), infinity}; }));
+}
+
+PROPERTY("settings whose error is NaN are not worth having, and beat nobody") {
+    Draw draw;
+    REQUIRE(learner({{draw_seconds(draw), not_a_number}}).empty());
+    for (int i = 0; i < 60; ++i)
+        REQUIRE(changes_nothing(draw, i, [&] { return Point{draw_seconds(draw), not_a_number}; }));
+}
+
+PROPERTY("settings whose time is NaN or infinite are not worth having, and beat nobody") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double error = i % 3 == 0 ? 0 : i % 3 == 1 ? draw.log(1e-14, 1) : not_a_number;
+        const double seconds = draw.sign() > 0 ? not_a_number : infinity;
+        REQUIRE(learner({{seconds, error}}).empty());
+        REQUIRE(changes_nothing(draw, i, [&] { return Point{seconds, error}; }));
+    }
+}
+
+PROPERTY("a list in another order, or in other units, has the same settings worth having") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        Points points = draw_points(draw, i);
+        const Points before = settings(learner(points), points);
+        Points other = points;  // in units that do not round
+        const double second = std::ldexp(1, draw.integer(-9, 9));
+        const double metre = std::ldexp(1, draw.integer(-9, 9));
+        for (auto& [seconds, error] : other) seconds *= second, error *= metre;
+        REQUIRE(learner(other) == learner(points));
+        for (std::size_t k = points.size(); k > 1; --k)
+            std::swap(points[k - 1], points[draw_place(draw, k)]);
+        REQUIRE(settings(learner(points), points) == before);
+    }
+}
