@@ -1,5 +1,6 @@
 # Plain CMake is enough: configure, build, ctest and the target docs, on a machine that has none of
-# what only the course program, the counts of instructions and the looks of the site need. Warnings are
+# what only the course program, the counts of instructions, the other libraries in chapter 7 and the looks
+# of the site need. Warnings are
 # errors. And under the address and the undefined-behaviour sanitizer nothing is found in the library's
 # and the chapters' tests, nor in any chapter's program as it draws its figures and as it is given bad
 # input: these are compiled with the flags of the preset `sanitize`. (The flags leave out checks of every
@@ -64,10 +65,11 @@ step("configure" "${CMAKE_COMMAND}" --preset strict -S "${ROOT}" -B "${WORK}" ${
   "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
   "-DCMAKE_PROJECT_timestep_INCLUDE=${CMAKE_CURRENT_LIST_DIR}/sanitize.cmake" "-DSANITIZE=${sanitize}"
   -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON
-  -DVALGRIND= -DKATEX= -DAWESOME=)
+  "-DTIMESTEP_WITHOUT=ODEINT;GSL;SUNDIALS;BULLET;ODE" -DVALGRIND= -DKATEX= -DAWESOME=)
 foreach(sentence
     "CLI11 or nlohmann-json not found: the course program is left out"
     "KaTeX not found: formulas stand as TeX source (package libjs-katex)"
+    "GSL not found: it is left out of the diagrams (package libgsl-dev)"
     "doxygen-awesome-css not found: Doxygen's own theme (package doxygen-awesome-css)")
   string(FIND "${said}" "${sentence}" place)
   if(place EQUAL -1)
