@@ -22,5 +22,5 @@
 #include "exercise.hpp"
 
 double step_for_error(double error, double h, int order, double wanted) {
-    return h * std::pow(wanted / error, 1.0 / order);
+    return not_started;  // your answer
 }
