@@ -6,8 +6,8 @@ title_of(id) = id eq "explicit_euler" ? "explicit Euler" : id eq "implicit_euler
     id eq "semi_implicit_euler" ? "semi-implicit Euler" : id eq "runge_kutta_4" ? "Runge–Kutta 4" : \
     id eq "implicit_midpoint" ? "implicit midpoint" : id eq "velocity_verlet" ? "velocity Verlet" : \
     id eq "bdf2" ? "BDF2" : id eq "heun" ? "Heun" : id eq "verlet" ? "Verlet" : \
-    id eq "implicit__one_iteration" ? "one iteration" : id eq "implicit__converged" ? "converged" : \
-    id eq "passive__arms_of_the_start" ? "passive, cheaper" : \
+    id eq "implicit__one_iteration" ? "one iteration (talk)" : id eq "implicit__converged" ? "converged" : \
+    id eq "passive__arms_of_the_start" ? "passive, arms of the start" : \
     id eq "runge_kutta_4_in_the_air__passive" ? "RK4 in the air" : id
 style_of(id) = id eq "explicit" ? explicit_gyroscopic : id eq "dropped" ? no_gyroscopic : \
     id eq "implicit__one_iteration" ? implicit_gyroscopic : id eq "implicit__converged" ? converged_gyroscopic : \
@@ -21,7 +21,7 @@ do for [id in ARG2] {
         ARG1, mine, style_of(id), title_of(id))
     curves = curves . sprintf(", '' using (%s && strcol(9) eq 'no' && abs($3*60 - 1) < 0.01 ? $6*1e6 : NaN):5 with points pt 7 ps 0.8 %s notitle", \
         mine, colour_of(id))
-    curves = curves . sprintf(", '' using (%s && strcol(9) eq 'yes' ? $6*1e6 : NaN):(2.2) with points pt 2 ps 0.6 lw 1.5 %s notitle", \
+    curves = curves . sprintf(", '' using (%s && strcol(9) eq 'yes' ? $6*1e6 : NaN):(2.2) with points pt 2 ps 0.9 lw 2 %s notitle", \
         mine, colour_of(id))
 }
 eval "plot " . curves

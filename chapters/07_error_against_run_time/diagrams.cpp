@@ -32,8 +32,8 @@ std::string in_words(double seconds) {
 }
 
 std::string in_words(const Cheapest& best) {
-    if (best.method.empty()) return "none";
-    return best.method + " at " + rounded(1 / best.step) + " Hz, " + in_words(best.seconds);
+    if (best.method.empty()) return "not at these rates";
+    return best.method + ", " + rounded(1 / best.step) + " Hz, " + in_words(best.seconds);
 }
 
 void write(const std::vector<Point>& points, lab::Table& table) {
@@ -43,37 +43,71 @@ void write(const std::vector<Point>& points, lab::Table& table) {
                    std::string(p.diverged ? "yes" : "no")});
 }
 
+// What the methods of a table make of 60 Hz: the error, and what a step takes.
+void at_sixty(const All& all, const std::string& file, const std::vector<const char*>& scenes,
+              const std::vector<std::string>& methods, lab::Findings& out) {
+    std::vector<std::string> columns{"scene"};
+    columns.insert(columns.end(), methods.begin(), methods.end());
+    auto& table = out.table(file, columns);
+    for (const char* id : scenes) {
+        std::vector<lab::Cell> row{std::string(id)};
+        for (const std::string& method : methods) {
+            std::string cell = "takes other forces";
+            for (const Point& p : all.at(id))
+                if (ours(p) && p.method == method && p.asked == long(60 * duration)) {
+                    const double percent = 100 * p.error_max;
+                    cell = p.diverged
+                               ? "blows up"
+                               : (percent < 1e-3 ? "below 0.001" : rounded(percent)) + " %, " +
+                                     rounded(p.seconds / double(p.asked) * 1e9) + " ns";
+                }
+            row.push_back(cell);
+        }
+        table.row(row);
+    }
+}
+
 // What a step of each of our methods asks for, and what it takes, at 240 Hz.
 void work_of_a_step(const std::vector<Point>& spring, lab::Findings& out) {
     auto& table = out.table("work.tsv", {"method", "evaluations", "solves", "ns a step"});
     for (const Point& p : spring)
         if (ours(p) && p.asked == 960)
-            table.row({p.method, p.evaluations / 960, p.solves / 960, rounded(p.seconds / 960 * 1e9)});
+            table.row(
+                {p.method, p.evaluations / 960, p.solves / 960, rounded(p.seconds / 960 * 1e9)});
 }
 
 }  // namespace
 
-All diagrams(const std::string& one_scene, lab::Findings& out) {
+All diagrams(const Effort& effort, lab::Findings& out) {
     All all;
     out.section("The cheapest method of ours");
-    auto& best_table = out.table("cheapest.tsv", {"scene", "10 %", "1 %", "0.1 %", "1e-6"});
+    std::printf("  %-17s %-36s %s\n", "", "to 10 %", "to 1 %");
+    auto& best_table =
+        out.table("cheapest.tsv", {"scene", "10 %", "1 %", "0.1 %", "one millionth"});
     for (const auto& [id, make] : all_scenes) {
-        if (one_scene != "all" && one_scene != id) continue;
         const Scene scene = make();
-        const std::vector<Point> points = measure(scene, page);
+        const std::vector<Point> points = measure(scene, effort);
         write(points, out.table(scene.id + ".tsv",
                                 {"method", "library", "step (s)", "final error", "largest error",
                                  "run time (s)", "evaluations", "solves", "diverged"}));
-        std::vector<lab::Cell> row{scene.title};
-        std::printf("  %s\n", scene.title.c_str());
-        for (const double accuracy : accuracies) {
-            const Cheapest best = cheapest(points, accuracy, ours);
-            row.push_back(in_words(best));
-            std::printf("    to %-7.3g%s\n", accuracy, in_words(best).c_str());
-        }
+        std::vector<lab::Cell> row{scene.title + " (" + scene.id + ")"};
+        for (const double accuracy : accuracies)
+            row.push_back(in_words(cheapest(points, accuracy, ours)));
+        std::printf("  %-17s %-36s %s\n", scene.id.c_str(), std::get<std::string>(row[1]).c_str(),
+                    std::get<std::string>(row[2]).c_str());
         best_table.row(row);
         all[scene.id] = points;
     }
-    if (all.contains("spring")) work_of_a_step(all["spring"], out);
+    work_of_a_step(all["spring"], out);
+    at_sixty(
+        all, "sixty.tsv",
+        {"projectile", "drag", "spring", "damped_spring", "spring_3d", "stiff_spring",
+         "two_time_scales", "bouncing_ball"},
+        {"explicit Euler", "semi-implicit Euler", "Verlet", "implicit midpoint", "Runge-Kutta 4"},
+        out);
+    at_sixty(all, "sixty_bodies.tsv", {"dzhanibekov", "symmetric_top"},
+             {"explicit", "implicit, one iteration", "passive", "Runge-Kutta 4"}, out);
+    out.text("processor", lab::processor(), "what the times were measured on");
+    out.text("compiler", lab::compiler(), "what made the program");
     return all;
 }

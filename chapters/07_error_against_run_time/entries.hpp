@@ -21,8 +21,7 @@ Place place(const timestep::State<X>& s) {
         return Place(s.x.begin(), s.x.end());
 }
 
-// Steps a method without growth: too many NaNs and subnormal numbers would time the processor's
-// exceptions. So a run that has blown up is not timed beyond what it is.
+// What the timed run is for.
 template <class State>
 void drain(const State& s) {
     if constexpr (std::is_arithmetic_v<decltype(s.x)>)

@@ -18,8 +18,8 @@ call rooms."diagram.gp" "spring" springs "1e-7"
 unset rmargin
 
 # Two panels, and the key to the right of the second.
-left = "set lmargin at screen 0.1; set rmargin at screen 0.385; set ylabel error_label; set key off"
-right = "set lmargin at screen 0.46; set rmargin at screen 0.745; unset ylabel; set key outside right top vertical samplen 1.5 spacing 1.1"
+left = "set lmargin at screen 0.125; set rmargin at screen 0.4; set ylabel 'largest error' offset 0.5; set key off"
+right = "set lmargin at screen 0.475; set rmargin at screen 0.75; unset ylabel; set key outside right top vertical samplen 1.5 spacing 1.1"
 panels = "set tmargin at screen 0.88; set bmargin at screen 0.2; set xlabel 'run time (µs)'"
 done = "unset multiplot; unset title; unset lmargin; unset rmargin; unset tmargin; unset bmargin"
 

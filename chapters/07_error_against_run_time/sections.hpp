@@ -10,6 +10,6 @@
 
 using All = std::map<std::string, std::vector<contest::Point>>;  // by the scene's id
 
-All diagrams(const std::string& one_scene, lab::Findings&);  // diagrams.cpp
+All diagrams(const contest::Effort&, lab::Findings&);  // diagrams.cpp
 void claims(const All&, lab::Findings&);                     // claims.cpp
 void fooled(lab::Findings&);                                  // fooled.cpp

@@ -15,6 +15,11 @@ namespace lab {
 /// "semi_implicit_euler".
 std::string id(const std::string& name);
 
+/// The processor's name, where the system tells it.
+std::string processor();
+/// The compiler that made this program.
+std::string compiler();
+
 /// One cell of a data file: a number, or a word.
 using Cell = std::variant<double, std::string>;
 

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "files.hpp"
+#include "lab.hpp"
 
 namespace bench {
 
@@ -23,13 +24,6 @@ using Json = nlohmann::ordered_json;
 const char* const columns =
     "scene,method,library,step,error_final,error_max,seconds,evaluations,solves,diverged,"
     "instructions";
-
-std::string cpu() {
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);)
-        if (line.starts_with("model name")) return line.substr(line.find(": ") + 2);
-    return "unknown";
-}
 
 // A program that was compiled anew from other sources is another program.
 std::string fingerprint() {
@@ -74,7 +68,8 @@ std::string as_csv(const Setup& setup, const Measured& measured) {
     std::string text;
     for (const auto& [key, words] : setup) text += "# " + key + ": " + words + "\n";
     text += "# scene: " + measured.title +
-            "\n# reference error: " + exact(measured.reference_error) + "\n" + columns + "\n";
+            "\n# reference error: " + exact(measured.reference_error) +
+            "\n# rows: " + std::to_string(measured.points.size()) + "\n" + columns + "\n";
     for (std::size_t i = 0; i < measured.points.size(); ++i) {
         const Point& p = measured.points[i];
         text += p.scene + ",\"" + p.method + "\",\"" + p.library + "\"";
@@ -117,7 +112,7 @@ Setup setup(const std::string& effort) {
     return {{"effort", effort},
             {"compiler", BENCH_COMPILER},
             {"flags", BENCH_FLAGS},
-            {"cpu", cpu()},
+            {"cpu", lab::processor()},
             {"program", fingerprint()}};
 }
 
@@ -142,10 +137,13 @@ Kept find_kept(const std::filesystem::path& file, const Setup& setup) {
     };
     bool good = after("# scene: ");
     measured.title = rest;
+    double rows = 0;
     good = good && after("# reference error: ") && read(rest, measured.reference_error) &&
-           line == columns;
-    while (good && std::getline(lines, line)) good = read_point(line, measured);
-    if (!good || measured.points.empty()) return {{}, "form"};
+           after("# rows: ") && read(rest, rows) && line == columns;
+    while (good && std::getline(lines, line))
+        good = read_point(line, measured) && measured.points.back().scene == file.stem();
+    if (!good || measured.points.empty() || double(measured.points.size()) != rows)
+        return {{}, "form"};
     return {measured, {}};
 }
 
