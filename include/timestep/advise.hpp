@@ -135,7 +135,11 @@ double rate_error(const Method& method, long double zeta, long double s) {
 
 inline std::string number(double value, int digits = 4) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    const bool plain = std::abs(value) >= 1000 && std::abs(value) < 999999.5 && digits < 7;
+    if (plain)
+        std::snprintf(text, sizeof text, "%.0f", value);
+    else
+        std::snprintf(text, sizeof text, "%.*g", digits, value);
     return text;
 }
 

@@ -116,6 +116,8 @@ test_what_rings_is_said_and_not_recommended() {
     expect 0 course advise --omega 5 --zeta 20 --step 2.74
     says out 'stable, but rings: a step multiplies the fast part by −0.993'
     silent_on out 'steps of 2.74 s'
+    is "$(grep -c '^implicit midpoint  *stable, rings  ' out)" 1
+    says out 'It rings when a part that should decay turns its sign from step to step'
     expect 0 course advise --omega 10 --zeta 1000000
     says out 'stable, but rings: a step multiplies the fast part by nearly −1'
     silent_on out 'the cheapest is implicit midpoint'
@@ -135,20 +137,44 @@ test_no_step_longer_than_the_asked_one_is_recommended() {
     says out 'Right to 1 %: frequency and decay rate ζω are off by 1 % of ω at most (that is 20 %'
     expect 0 course advise --omega 100 --zeta 0.05 --step 0.001
     says out 'At your step, within 1 %: '
-    says out 'steps of 0.001 s, 1e+03 a second'
+    says out 'steps of 0.001 s, 1000 a second'
     expect 0 course advise --omega 10
     says out 'At 60 steps a second, within 1 %: '
-    says out 'steps of 0.0483 s, 20.7 a second'
+    says out 'at steps no longer than 1/60 s, the cheapest is '
+    says out 'steps of 0.0167 s, 60 a second'
+    expect 0 course advise --omega 0.001 --zeta 0.1
+    says out 'steps of 0.0167 s, 60 a second, cost 60 a second'
+    says out 'Equally cheap: explicit Euler; Newton.'
+    silent_on out 'If it only has to'
+}
+
+test_what_only_has_to_look_alive_is_named_where_it_is_cheaper() {
+    expect 0 course advise --omega 12 --zeta 0.7 --rate 30
+    says out 'the cheapest is implicit midpoint'
+    says out 'If it only has to look alive: semi-implicit Euler, new damping at your step,'
+    silent_on out 'too slowly'
+    expect 0 course advise --omega 1000 --zeta 0.1
+    says out 'If it only has to survive: '
+}
+
+test_numbers_below_a_million_are_written_out() {
+    expect 0 course advise --omega 0.001 --zeta 0.1
+    says out 'h < 1810 s'
+    expect 0 course advise --stiffness 60000 --mass 20 --damping 3000 --rate 4321
+    says out ' 4321'
+    silent_on out 'e+03'
 }
 
 test_the_words_are_those_of_what_they_mean() {
     expect 0 course advise --omega 100 --zeta 0.05 --rate 60
-    says out 'it may die too slowly: × 60 is energy that should be gone (implicit midpoint)'
+    says out 'it may die too slowly. Energy that should be gone:'
+    is "$(grep -c '^  implicit midpoint  *× 60$' out)" 1
     says out 'ωh = 1.667 > 0.8, the s = ωh with s³/4'
     says out 'takes forces of the position only'
     is "$(grep -cE '^(explicit Euler|midpoint|Heun|Newton) .* - +[0-9]+$' out)" 4
     expect 0 course advise --omega 10
     silent_on out 'die too slowly'
+    says out 'a mere division'
     silent_on out 'h < 0 s'
     says out '> 0 = 2ζ: no step is short enough'
     expect 0 course advise --omega 10 --step 0.2
@@ -168,6 +194,10 @@ test_a_spinning_plank() {
     is "$(verdict 'implicit, one iteration')" stable
     expect 0 course advise --inertia 1,1,1 --spin 0,0,60
     is "$(grep -c ' stable ' out)" 6
+    silent_on out 'does not tumble'
+    expect 0 course advise --inertia 0.758,0.787,0.0313 --spin 0,0,20
+    is "$(grep -c '^explicit  *grows  *[+]7.4 %  *every step gains' out)" 1
+    is "$(grep -c '^dropped  *stable  *no gain  *no limit  *0, and does not tumble' out)" 1
 }
 
 begin "$@"

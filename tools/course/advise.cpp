@@ -1,5 +1,6 @@
 // course advise
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -7,6 +8,7 @@
 
 #include <timestep/advise_spin.hpp>
 
+#include "advise_words.hpp"
 #include "commands.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
@@ -25,22 +27,8 @@ constexpr double pi = 3.141592653589793;
     throw Stop(Status::bad_use, line + " (./course advise --help)");
 }
 
-std::string number(double value, const char* format = "%.3g") {
-    if (std::isnan(value)) return "-";
-    if (std::isinf(value)) return "1e308 and more";
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
-
 // JSON knows neither NaN nor infinity.
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-// More or less by so many percent; from ten times on the factor.
-std::string more(double fraction) {
-    if (fraction >= 9) return "× " + (fraction < 1e6 ? number(fraction + 1, "%.0f") : number(fraction + 1));
-    return number(100 * fraction, std::abs(fraction) < 0.995 ? "%+.2g" : "%+.0f") + " %";
-}
 
 double step_of(const Question& question) {
     if (question.step && question.rate) refuse("--step and --rate say the same: give one of them");
@@ -85,27 +73,43 @@ Json as_json(const Advice& advice) {
             {"reason", advice.reason}};
 }
 
-// What something becomes in a second, over what it was. Zero is what no double can hold.
-std::string factor(double value, const char* format = "%.3g") {
-    if (std::isnan(value)) return "-";
-    return "× " + (value < 1e-308 ? "1e-308 and less" : number(value, format));
-}
-
 // Up to which step it is stable: nothing to say where that is every step, or where there is none to take.
 std::string up_to(double longest_step) {
     if (longest_step == 0) return ": no step is short enough";
     return std::isfinite(longest_step) ? ", h < " + number(longest_step) + " s" : "";
 }
 
-// Stable is not right: one that keeps four times the energy, twice the amplitude, is seen to.
+// Stable is not right: one that keeps four times the energy, twice the amplitude, is seen to, while
+// there is a hundredth of the start to be seen.
 void print_slow_death(const std::vector<Advice>& all) {
-    const Advice* worst = nullptr;
+    std::string slow;
     for (const auto& advice : all)
-        if (advice.verdict == timestep::Verdict::stable && advice.energy_ratio > (worst ? worst->energy_ratio : 4))
-            worst = &advice;
-    if (worst)
-        std::printf("\nStable, and yet it may die too slowly: %s is energy that should be gone (%s).\n",
-                    factor(worst->energy_ratio, "%.2g").c_str(), worst->method.c_str());
+        if (advice.verdict == timestep::Verdict::stable && advice.energy_ratio > 4 &&
+            advice.growth_per_second >= 0.01)
+            slow += "  " + padded(advice.method, 34) + factor(advice.energy_ratio, "%.2g") + "\n";
+    if (!slow.empty())
+        std::printf("\nStable, and yet it may die too slowly. Energy that should be gone:\n%s", slow.c_str());
+}
+
+// Force evaluations and solves of systems a second at the asked step. New damping only divides.
+double work(const Advice& advice) {
+    return advice.method == timestep::semi_implicit_euler_new_damping.name ? advice.cost / 2 : advice.cost;
+}
+
+// The one that is stable at the asked step with the least work, and does not ring; of those alike the
+// one that stands the longest step, then the nearest to the truth.
+const Advice* survivor(const std::vector<Advice>& all) {
+    const auto better = [](const Advice& a, const Advice& b) {
+        if (std::abs(work(a) / work(b) - 1) > 1e-9) return work(a) < work(b);
+        if (a.longest_step != b.longest_step) return a.longest_step > b.longest_step;
+        return a.rate_error < b.rate_error;
+    };
+    const Advice* best = nullptr;
+    for (const auto& advice : all) {
+        const bool stands = advice.verdict == timestep::Verdict::stable && advice.ringing == 0;
+        if (stands && (!best || better(advice, *best))) best = &advice;
+    }
+    return best;
 }
 
 // The step of the question, and whether it was given.
@@ -114,6 +118,26 @@ struct Step {
     std::string name;  // for people
     bool given;
 };
+
+// What is cheaper still and not right, but stable: if there is such a one.
+void print_survivor(const std::vector<Advice>& all, const timestep::DampedSpring<double>& spring,
+                    const Step& asked, const Advice* right) {
+    const Advice* cheap = survivor(all);
+    if (!cheap || cheap->accurate_step >= asked.h) return;
+    if (right) {
+        const double step = best_step(*right, asked.h);
+        if (work(*cheap) > 0.999 * work(*right) * asked.h / step) return;
+    }
+    // A swing that turns by half or more in a step is no swing on the screen.
+    const bool too_fast = spring.zeta < 1 && spring.omega * asked.h > pi;
+    const double longest = cheap->longest_step;
+    const std::string limit =
+        std::isfinite(longest) ? "stable up to steps of " + number(longest) + " s" : "stable for every step";
+    const std::string words = std::string("If it only has to ") + (too_fast ? "survive" : "look alive") +
+                              ": " + bold(cheap->method) + " at " + (asked.given ? "your step" : "1/60 s") +
+                              ", " + limit + ", off by " + number(100 * cheap->rate_error, "%.2g") + " %.";
+    std::printf("%s", wrapped(words, 0).c_str());
+}
 
 // Which methods are right at this step, which one reaches that most cheaply, and what right means.
 void print_right(const std::vector<Advice>& all, const timestep::DampedSpring<double>& spring,
@@ -124,16 +148,22 @@ void print_right(const std::vector<Advice>& all, const timestep::DampedSpring<do
         if (advice.accurate_step >= asked.h) right += (right.empty() ? "" : "; ") + advice.method;
     std::printf("%s", wrapped(asked.name + ", within " + percent + ": " + (right.empty() ? "none" : right) + ".", 0)
                           .c_str());
-    const double longest = asked.given ? asked.h : std::numeric_limits<double>::infinity();
-    if (const Advice* best = cheapest(all, longest)) {
-        const double step = best_step(*best, longest);
-        std::printf("To be right to %s%s, the cheapest is %s:\nsteps of %s s, %s a second, cost %s a second.\n",
-                    percent.c_str(), asked.given ? " at steps no longer than yours" : "",
-                    bold(best->method).c_str(), number(step).c_str(), number(1 / step).c_str(),
-                    number(best_cost(*best, longest)).c_str());
+    const Advice* best = cheapest(all, asked.h);
+    if (best) {
+        const double step = best_step(*best, asked.h), cost = best_cost(*best, asked.h);
+        std::printf("To be right to %s at steps no longer than %s, the cheapest is %s:\n"
+                    "steps of %s s, %s a second, cost %s a second.\n",
+                    percent.c_str(), asked.given ? "yours" : "1/60 s", bold(best->method).c_str(),
+                    number(step).c_str(), often(1 / step).c_str(), often(cost).c_str());
+        std::string alike;
+        for (const auto& advice : all)
+            if (&advice != best && std::abs(best_cost(advice, asked.h) / cost - 1) < 1e-9)
+                alike += (alike.empty() ? "" : "; ") + advice.method;
+        if (!alike.empty()) std::printf("%s", wrapped("Equally cheap: " + alike + ".", 0).c_str());
     } else {
         std::printf("No method is right to %s at any step.\n", percent.c_str());
     }
+    print_survivor(all, spring, asked, best);
     // See timestep::advise() for what is measured.
     if (spring.zeta == 0)
         std::printf("Right to %s: the frequency, and the rate at which the swing grows or dies, are off by %s of ω "
@@ -147,6 +177,11 @@ void print_right(const std::vector<Advice>& all, const timestep::DampedSpring<do
         std::printf("Right to %s: the rate of the slow decay, or both ω and ζω, are within %s, and nothing rings. "
                     "After\nmuch decay the amplitude may be farther off.\n",
                     percent.c_str(), percent.c_str());
+    const bool any =
+        std::any_of(all.begin(), all.end(), [](const Advice& each) { return each.ringing < 0; });
+    if (spring.zeta >= 1 || any)
+        std::printf("It rings when a part that should decay turns its sign from step to step and keeps "
+                    "more than\nhalf of its size.\n");
 }
 
 void print(const std::vector<Advice>& all, const timestep::DampedSpring<double>& spring, const Step& asked,
@@ -168,10 +203,10 @@ void print(const std::vector<Advice>& all, const timestep::DampedSpring<double>&
         const bool none = std::isnan(advice.period_error) || advice.verdict == timestep::Verdict::grows;
         const std::string off = none ? "-" : more(advice.period_error);
         std::printf("%s%s%s%s%s%s\n", padded(advice.method, 34).c_str(),
-                    padded(words(advice.verdict), 19).c_str(),
+                    padded(advice.ringing < 0 ? "stable, rings" : words(advice.verdict), 19).c_str(),
                     padded(factor(advice.growth_per_second), 18).c_str(),
                     padded(factor(advice.energy_ratio, "%.2g"), 18).c_str(), padded(off, 13).c_str(),
-                    number(advice.cost).c_str());
+                    often(advice.cost).c_str());
     }
     print_slow_death(all);
     std::printf("\nWhy, and up to which step:\n");
@@ -179,7 +214,8 @@ void print(const std::vector<Advice>& all, const timestep::DampedSpring<double>&
         std::printf("  %s%s%s\n", padded(advice.method, 34).c_str(), advice.reason.c_str(),
                     up_to(advice.longest_step).c_str());
     std::printf("\nAmplitude: what a second multiplies it by in the long run. Energy: after a second, over what "
-                "it\nshould be. Period: how much too long. Cost: force evaluations and solves.\n\n");
+                "it\nshould be. Period: how much too long. Cost: force evaluations and solves. A\nsolve counts one, "
+                "even if it is a mere division as with new damping.\n\n");
     print_right(all, spring, asked, accuracy);
     if (spring.zeta < 1)
         std::printf("The talk's rule of thumb, four steps a swing, allows %s s: your step is %s.\n",
@@ -221,22 +257,23 @@ Json as_json(const SpinAdvice& advice) {
 }
 
 std::string longest_in_words(double step) {
-    if (step == 0) return "none";
+    if (step == 0) return "every step gains";
     return std::isfinite(step) ? number(step) + " s" : "no limit";
 }
 
-void print(const std::vector<SpinAdvice>& all, double spin, double h) {
+void print(const std::vector<SpinAdvice>& all, double spin, double h, bool torque) {
     std::printf("|ω| = %s rad/s, h = %s s: h|ω| = %s. Can one step raise the energy, in any direction?\n\n",
                 number(spin).c_str(), number(h).c_str(), number(h * spin, "%.4g").c_str());
     std::printf("%s%s%s%s%s\n", padded("method", 26).c_str(), padded("verdict", 19).c_str(),
-                padded("worst step", 14).c_str(), padded("longest step", 14).c_str(), "cost/s");
+                padded("worst step", 14).c_str(), padded("longest step", 18).c_str(), "cost/s");
     for (const auto& advice : all) {
         const double added = advice.worst_gain - 1;
+        const bool dropped = advice.method == timestep::no_gyroscopic.name;
         std::printf("%s%s%s%s%s\n", padded(advice.method, 26).c_str(),
                     padded(words(advice.verdict), 19).c_str(),
-                    padded(added > 1e-12 ? more(added) : "none", 14).c_str(),
-                    padded(longest_in_words(advice.longest_step), 14).c_str(),
-                    number(advice.cost).c_str());
+                    padded(added > 1e-12 ? more(added) : "no gain", 14).c_str(),
+                    padded(longest_in_words(advice.longest_step), 18).c_str(),
+                    (often(advice.cost) + (dropped && torque ? ", and does not tumble" : "")).c_str());
     }
     std::printf("\nWhy:\n");
     for (const auto& advice : all)
@@ -261,7 +298,7 @@ void advise_body(const Question& question, bool json) {
         for (const auto& advice : all) answer.push_back(as_json(advice));
         std::printf("%s\n", answer.dump(2).c_str());
     } else {
-        print(all, spin, h);
+        print(all, spin, h, !inertia.ratio.isZero());
     }
 }
 
