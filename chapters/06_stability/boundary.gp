@@ -8,8 +8,9 @@ set format y "%g"
 set xlabel "damping ratio ζ\n " offset 0,0.4
 set ylabel "longest stable ωh (rad)"
 set key outside bottom center vertical maxrows 4 reverse Left
-set label 2 "our spring" at 0.05,1.667 point pt 7 ps 0.9 lc rgb ink right offset -0.7,-0.1 textcolor rgb ink
+set label 2 "our spring" at 0.05,1.667 point pt 7 ps 0.9 lc rgb ink right offset 0.6,-1 textcolor rgb ink
 set label 1 "no limit: implicit Euler,\nimplicit midpoint, BDF2" at 0.02,33 left textcolor rgb ink
+set label 3 "new damping" at 2.2,13 right textcolor rgb "#007a58"
 plot "edge_semi_implicit_euler__new_damping.tsv" using 1:2 with lines @new_damping title "new damping", \
      "edge_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit Euler", \
      "edge_runge_kutta_4.tsv" using 1:2 with lines @runge_kutta_4 title "RK4", \

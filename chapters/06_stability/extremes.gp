@@ -18,15 +18,19 @@ set style fill solid 1.0 border rgb "white"
 colour(word) = word == 0 ? 0xcccccc : word == 1 ? 0xf4f4f4 : word == 2 ? 0x56b4e9 : word == 3 ? 0x009e73 : \
                word == 4 ? 0xe69f00 : 0xd55e00
 sign(word) = word == 0 ? "✕" : word == 1 ? "–" : word == 2 ? "=" : word == 3 ? "○" : word == 4 ? "↑" : "∞"
-set label 1 "=  exact" at screen 0.02, screen 0.15 tc rgb ink
-set label 2 "○  bounded" at screen 0.02, screen 0.115 tc rgb ink
-set label 3 "↑  grows" at screen 0.02, screen 0.08 tc rgb ink
-set label 4 "∞  not finite, reported" at screen 0.02, screen 0.045 tc rgb ink
-set label 5 "–  does not compile" at screen 0.02, screen 0.185 tc rgb ink
+meaning = "'does not compile' exact bounded grows 'not finite, reported'"
+do for [i = 1:5] {
+    y = 0.22 - 0.037 * i
+    set object i rectangle from screen 0.02, screen y - 0.0155 to screen 0.06, screen y + 0.0155 \
+        fc rgb colour(i) fs solid border rgb "#999999"
+    set label i sign(i) at screen 0.04, screen y center tc rgb "black" font ",14"
+    set label 5 + i word(meaning, i) at screen 0.075, screen y left tc rgb ink
+}
 plot "extremes.tsv" using 1:2:(0.47):(0.45):(colour($3)):xticlabel(4):yticlabel(5) with boxxyerror lc rgb variable, \
      "" using 1:2:(sign($3)) with labels tc rgb "black" font ",14"
 # The next figure finds the axes as it expects them.
 unset label
+unset object
 unset lmargin
 unset rmargin
 unset tmargin

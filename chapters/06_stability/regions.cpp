@@ -128,8 +128,8 @@ void regions(const Settings& settings, lab::Findings& out) {
         return up;
     };
     place(0.6, 0, "swing", " ");
-    place(1.3, 0.7, "damped", " ");
-    place(1.1, 1.6, " ", "hard damping");
+    place(1.3, 0.7, " ", " ");  // the figure writes the names of these two
+    place(1.1, 1.6, " ", " ");
     const Complex z = place(wh, settings.zeta, "our spring", " ");
     out.number("spring_wh", wh, "", "omega h of our spring");
     out.number("spring_zeta", settings.zeta, "", "damping ratio of our spring");

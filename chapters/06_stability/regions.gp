@@ -13,7 +13,8 @@ set yrange [-3.6:3.6]
 set xtics 2
 set ytics 2
 set multiplot layout 3,2 margins 0.135,0.98,0.09,0.965 spacing 0.06,0.075
-runs(id) = sprintf("'decayed_%s.tsv' using 1:2 with points pt 7 ps 0.42 lc rgb ink, 'grew_%s.tsv' using 1:2 with points pt 2 ps 0.42 lw 1.2 lc rgb '#c0392b'", id, id)
+# Crosses are letters: a point's lines are hair-thin in SVG.
+runs(id) = sprintf("'decayed_%s.tsv' using 1:2 with points pt 7 ps 0.42 lc rgb ink, 'grew_%s.tsv' using 1:2:(\"×\") with labels font \":Bold,15\" textcolor rgb '#a31a0a'", id, id)
 
 set ylabel "imaginary part of hλ" offset 1,0
 set title "explicit Euler" offset 0,-0.7
@@ -66,13 +67,17 @@ set ytics 1
 set xlabel "real part of hλ: decay to the left\n " offset 0,0.4
 set ylabel "imaginary part of hλ: swing"
 set key outside bottom center horizontal reverse Left width -5
+set label 1 "damped" at -0.91,0.93 center offset 0,1.1 textcolor rgb ink
+set label 2 "hard damping:\nits fast part" at -3.13,0 right offset -0.6,1.6 textcolor rgb ink
+set label 3 "its slow part" at -0.42,-0.28 right offset 0.6,0 textcolor rgb ink
 plot "outline_runge_kutta_4.tsv" using 1:2 with filledcurves closed fc rgb "#7a4a1e" fs transparent solid 0.12 noborder, \
      "outline_runge_kutta_4.tsv" using 1:2 with lines @runge_kutta_4 title "RK4", \
      "outline_midpoint.tsv" using 1:2 with lines @midpoint title "midpoint", \
      "outline_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "explicit Euler", \
      "plane_scenes.tsv" using 1:2 with points pt 7 ps 0.9 lc rgb ink, \
-     "" using ($1 > -2 && $2 < 1.3 ? $1 : NaN):2:3 with labels left offset 0.8,0.5 textcolor rgb ink font ",16", \
-     "" using ($1 < -2 || $2 > 1.3 ? $1 : NaN):2:3 with labels right offset -0.6,0.8 textcolor rgb ink font ",16"
+     "" using ($1 > -0.1 && $2 < 1.3 ? $1 : NaN):2:3 with labels left offset 0.8,0.5 textcolor rgb ink font ",16", \
+     "" using ($2 > 1.3 ? $1 : NaN):2:3 with labels right offset -0.6,0.8 textcolor rgb ink font ",16"
+unset label
 set size noratio
 set autoscale
 set xtics autofreq

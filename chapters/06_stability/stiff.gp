@@ -81,15 +81,20 @@ plot "damper_fates.tsv" using 1:($3 == 0 ? $2 : NaN) @lives title "swings on", \
 unset multiplot
 
 # A slow motion with a fast pull: error against step.
-call figure "prothero.svg" 640 520
+call figure "prothero.svg" 640 680
 @stiff_clear
 set logscale xy
 set format y "10^{%T}"
-set xrange [5.5e-3:0.12]
+set xrange [5.5e-3:0.17]
+set yrange [1e-13:5e-2]
 set xtics ("1/160" 1.0/160, "1/80" 1.0/80, "1/40" 1.0/40, "1/20" 1.0/20, "1/10" 1.0/10)
 set xlabel "step h (s)\n " offset 0,0.4
 set ylabel "error after 1 s" offset 0.5,0
 set key outside bottom center horizontal reverse Left width -1 maxcols 2
+set label 1 "slope 1" at 0.1,8e-13 left offset 0.5,0 textcolor rgb "#666666"
+set label 2 "2" at 0.1,3.2e-12 left offset 0.5,0 textcolor rgb "#666666"
+set label 3 "3" at 0.1,1.28e-11 left offset 0.5,0 textcolor rgb "#666666"
+do for [p = 1:3] { set arrow p from 0.025,2e-13 to 0.1,2e-13*4**p nohead lc rgb "#8a8a8a" lw 1.5 }
 plot "prothero.tsv" using 1:5 with linespoints @implicit_midpoint pt 4 ps 0.7 title "implicit midpoint, uneven", \
      "" using 1:4 with linespoints @implicit_midpoint pt 7 ps 0.6 title "implicit midpoint", \
      "" using 1:6 with linespoints lc rgb "#e69f00" lw 2.5 dt 1 pt 9 ps 0.7 title "SDIRK, order 3", \
