@@ -107,25 +107,25 @@ void your_spring(const Settings& settings, lab::Findings& out) {
     out.section("Your spring");
     const DampedSpring<double> spring(settings.omega, settings.zeta);
     const auto all = advise(spring, settings.step);
-    auto& table = out.table("your_spring.tsv", {"method", "verdict", "a second later", "the formula"});
+    auto& table = out.table("your_spring.tsv", {"method", "verdict", "a second later", "why"});
     std::printf("  omega = %g rad/s, zeta = %g, h = %.4g s, omega h = %.4g\n", settings.omega,
                 settings.zeta, settings.step, settings.omega * settings.step);
     // Of the true motion the slower part is left in the long run: e^(−ζωt), or the slow one of two decays.
     const double zeta = settings.zeta;
     const double slow = zeta < 1 ? zeta : 1 / (zeta + std::sqrt(zeta * zeta - 1));
-    char truth[32];
-    std::snprintf(truth, sizeof truth, "× %.2g", std::exp(-slow * settings.omega));
-    table.row({"the true motion", "", truth, ""});
+    table.row({"the true motion", "", times(std::exp(-slow * settings.omega)), ""});
     for (const Advice& advice : all) {
-        char growth[32] = "–";
-        if (std::isfinite(advice.growth_per_second))
-            std::snprintf(growth, sizeof growth, "× %.2g", advice.growth_per_second);
-        table.row({advice.method, words(advice.verdict), growth, advice.reason});
-        std::printf("  %-34s %-18s %s\n", advice.method.c_str(), words(advice.verdict), growth);
+        const bool told = std::isfinite(advice.growth_per_second);
+        const std::string growth = told ? times(advice.growth_per_second) : "–";
+        const std::string verdict = advice.ringing < 0 ? "stable, rings" : words(advice.verdict);
+        // Of a limit that is the root of a long equation the number is enough.
+        table.row({advice.method, verdict, growth, advice.reason.substr(0, advice.reason.find(", the "))});
+        std::printf("  %-34s %-18s %s\n", advice.method.c_str(), verdict.c_str(), growth.c_str());
     }
-    if (const Advice* best = cheapest(all)) {
+    if (const Advice* best = cheapest(all, settings.step)) {
         out.text("cheapest", best->method, "the cheapest method that is right to one percent");
-        out.number("cheapest_rate", 1 / best->accurate_step, "Hz", "the steps a second that it takes");
+        out.number("cheapest_rate", 1 / best_step(*best, settings.step), "Hz",
+                   "the steps a second that it takes");
     }
 }
 

@@ -1,5 +1,6 @@
 // A cloth of stiff springs: many small steps, or one that solves a large sparse system?
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -163,8 +164,7 @@ void price(lab::Findings& out) {
         const Costs& c = stiff[i];
         const double unit = std::max(c.many, 1e-3);
         table.row({std::string(names[i]), double(c.substeps), words("%.2f", c.many),
-                   words("× %.2g", c.factors / unit), words("× %.2g", c.gradients / unit),
-                   words("× %.2g", c.rough / unit)});
+                   times(c.factors / unit), times(c.gradients / unit), times(c.rough / unit)});
     }
     // Where the two cost the same, between two of these cloths: straight lines in logarithms.
     double crossing = 0;
@@ -176,7 +176,13 @@ void price(lab::Findings& out) {
                        std::pow(double(stiff[i].substeps) / double(stiff[i - 1].substeps),
                                 before / (before - after));
     }
-    out.number("cloth_crossing", crossing, "", "explicit steps that cost what factorising costs", 1);
+    const double digit = crossing > 0 ? std::pow(10, std::floor(std::log10(crossing))) : 1;
+    out.number("cloth_crossing", digit * std::round(crossing / digit), "",
+               "explicit steps a frame that cost what factorising costs, to one digit");
+    const auto rough_wins = [](const Costs& c) { return c.rough < std::min(c.many, c.factors); };
+    const auto first = std::find_if(stiff.begin(), stiff.end(), rough_wins) - stiff.begin();
+    out.text("cloth_rough_from", first < 5 ? names[first] + std::string(" N/m") : "beyond 10⁶ N/m",
+             "the softest of these cloths for which gradients to one percent are the cheapest");
     const Costs &soft = stiff.front(), &usual = stiff[2], &hard = stiff.back();
     out.number("cloth_usual_steps", double(usual.substeps), "",
                "explicit steps a frame, 24 x 24, 1e4 N/m");

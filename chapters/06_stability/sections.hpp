@@ -1,9 +1,21 @@
 #pragma once
 // What the parts of chapter 6's program share.
 
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
 #include "lab.hpp"
 
 inline constexpr double pi = 3.141592653589793;
+
+// "× 1.5": what is left of something, in two digits, and in plain ones up to a million.
+inline std::string times(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", value);
+    if (value >= 99.5 && value < 1e6) std::snprintf(text, sizeof text, "%.0f", std::strtod(text, nullptr));
+    return std::string("× ") + text;
+}
 
 struct Settings {
     double step = 1.0 / 60;  // s

@@ -29,14 +29,8 @@ std::string outcome(const Method& method, const Model& model, double omega) {
         if (blown == 0 && !(left < 1e6)) blown = n;
         ++n;
     });
-    char text[32];
-    if (blown > 0)
-        std::snprintf(text, sizeof text, "gone at step %ld", blown);
-    else if (left < 1e-6)
-        return "nothing left";
-    else
-        std::snprintf(text, sizeof text, "× %.2g", left);
-    return text;
+    if (blown > 0) return "gone at step " + std::to_string(blown);
+    return left < 1e-6 ? "nothing left" : times(left);
 }
 
 enum Fate { swings, dies, rings, blows_up };

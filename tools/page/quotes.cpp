@@ -5,6 +5,7 @@
 #include "snippet.hpp"
 #include "text.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace page {
@@ -16,17 +17,28 @@ std::string language(const std::string& file) {
     return extension == ".hpp" || extension == ".cpp" ? "cpp" : "";
 }
 
-/// A column is set flush right when all its cells are numbers (or left out).
-bool is_numeric(const Table& table, std::size_t column) {
-    bool any = false;
-    for (const std::vector<std::string>& row : table.rows) {
-        const bool number = parse_number(row[column]).has_value();
-        any = any || number;
-        if (!number && !row[column].empty() && row[column] != "–") {
-            return false;
-        }
+/// A cell as a number, "× 1.5" and "57 %" among them, set so that no line breaks in it. Empty: words.
+std::string number_cell(const std::string& cell) {
+    static const std::string times = "× ", percent = " %";
+    if (parse_number(cell)) {
+        return typeset(cell, "");
     }
-    return any;
+    if (cell.starts_with(times) && parse_number(cell.substr(times.size()))) {
+        return "×\u00a0" + typeset(cell.substr(times.size()), "");
+    }
+    const std::string before = cell.substr(0, cell.size() - std::min(cell.size(), percent.size()));
+    return cell.ends_with(percent) && parse_number(before) ? typeset(before, "%") : "";
+}
+
+/// A column is set flush right when there are numbers in it; the first only when it has no words.
+bool is_numeric(const Table& table, std::size_t column) {
+    bool any = false, words = false;
+    for (const std::vector<std::string>& row : table.rows) {
+        const bool number = !number_cell(row[column]).empty();
+        any = any || number;
+        words = words || (!number && !row[column].empty() && row[column] != "–");
+    }
+    return any && (column > 0 || !words);
 }
 
 }  // namespace
@@ -117,7 +129,8 @@ std::string table_markdown(Context& context, const Directive& directive) {
         body += "|";
         for (const std::string& cell : row) {
             // Words may hold formulas and Markdown: the cell is filled like the page itself.
-            body += " " + (parse_number(cell) ? typeset(cell, "") : with_bars_kept(cell)) + " |";
+            const std::string number = number_cell(cell);
+            body += " " + (number.empty() ? with_bars_kept(cell) : number) + " |";
         }
         body += "\n";
     }

@@ -72,6 +72,14 @@ TEST_CASE("a bar in a table's cell does not end the cell") {
     CHECK(course.fill_paragraph("{{table bars.tsv}}").find("\\|R\\| = 1 where") != std::string::npos);
 }
 
+TEST_CASE("factors and percentages are numbers, flush right also beside words") {
+    Course course;
+    course.write("runs/03_springs/run/factors.tsv",
+                 "what\tleft\tshare\nEuler\t× 1.5\t57 %\nRK4\tgone\t–\n");
+    CHECK_THAT(course.fill_paragraph("{{table factors.tsv}}"),
+               ContainsSubstring("|---|---:|---:|\n| Euler | ×\u00a01.5 | 57\u202f% |\n| RK4 | gone |"));
+}
+
 TEST_CASE("code, the run and tables are quoted") {
     const Course course;
     const std::string page = course.fill_paragraph("{{run: Order}}\n\n{{table costs.tsv}}");
