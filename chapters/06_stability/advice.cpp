@@ -179,6 +179,9 @@ void advice(const Settings&, lab::Findings& out) {
     const double decided = double(total.right + total.wrong);
     out.number("scenes", all, "", "random scenes");
     out.number("right_share", 100 * total.right / decided, "%", "verdicts that the simulation confirms", 5);
+    char share[32];
+    std::snprintf(share, sizeof share, "%.2f %%", 100 * total.right / decided);
+    out.text("right_words", total.wrong == 0 ? "all" : share, "verdicts that the simulation confirms");
     out.number("near_share", 100 * total.near / all, "%", "scenes within 10 % of a boundary", 2);
     std::printf("  %ld of them within 10 %% of a boundary\n", total.near);
     out.number("close_share", 100 * total.close / all, "%", "scenes too close to call", 2);

@@ -71,6 +71,7 @@ void telling(const std::vector<Cell>& cells, lab::Findings& out) {
         out.number(std::string("last_number_") + real, std::atof(step.c_str()), "",
                    std::string("the step at which explicit Euler leaves the numbers of a ") + real);
     }
+    out.number("million_wh", 6.0 / 60, "", "omega h of a million steps");
     out.text("refusal", find(cells, "double", "step huge", "explicit Euler").note,
              "what a run says of a step of 1e300 s");
 }

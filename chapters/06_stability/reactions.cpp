@@ -41,6 +41,18 @@ double first_without_root(long steps) {
     return 2;
 }
 
+// How often x goes through zero with so many even steps of implicit Euler: each is a jump.
+long jumps_of_even_steps(long steps) {
+    double before = 2;
+    long jumps = 0;
+    run(implicit_euler, VanDerPol<double>(1e6), FirstOrder<Pair>{0, Pair(2, 0)}, 2 / double(steps), steps,
+        [&](const auto& s) {
+            jumps += before * s.y(0) < 0;
+            before = s.y(0);
+        });
+    return jumps;
+}
+
 // The references at t = 2 and at t = 1e11 were computed for the Test Set for IVP Solvers (F. Mazzia
 // and C. Magherini, Bari) by RADAU with 19 digits. That at t = 40 agrees to 1e-6 with two runs in
 // the tests, by different methods.
@@ -102,15 +114,22 @@ void van_der_pol(lab::Findings& out) {
         fixed_steps(implicit_midpoint, "implicit midpoint", 200000, table, nullptr);
     const double bdf = fixed_steps(bdf2, "BDF2", 200000, table, nullptr);
 
+    const long even_jumps = jumps_of_even_steps(200000);
+    std::printf("  with 200000 steps implicit Euler jumps %ld times\n", even_jumps);
+
     const double stuck = first_without_root(2000);
     std::printf("  with 2000 steps Newton-Raphson finds no root from t = %.3f s on, at the jump\n",
                 stuck);
     const VanDerPol<double> oscillator(1e6);
     Account account;
     auto& curve = out.table("van_der_pol_adaptive.tsv", {"t", "x"});
+    long jumps = 0;
+    double before = 2;
     const FirstOrder<Pair> end = run_adaptive(oscillator, FirstOrder<Pair>{0, Pair(2, 0)}, 2.0,
                                               1e-4, 1e-4, account, [&](const auto& s) {
                                                   curve.row({s.t, s.y(0)});
+                                                  jumps += before * s.y(0) < 0;
+                                                  before = s.y(0);
                                               });
     const double error = std::fabs(end.y(0) - van_der_pol_at_2(0));
     std::printf("  %-28s %8ld steps: %.1e off; they are %.0e to %.0e s long\n",
@@ -125,6 +144,10 @@ void van_der_pol(lab::Findings& out) {
     out.number("vdp_adaptive_steps", double(account.steps), "", "adaptive steps");
     out.number("vdp_refused", double(account.refused), "", "steps refused");
     out.number("vdp_adaptive_error", error, "", "error of the adaptive run", 2);
+    out.number("vdp_even_jumps", double(even_jumps), "", "jumps with 200000 even steps");
+    out.number("vdp_true_jumps", double(jumps), "", "jumps of the adaptive run");
+    out.check("vdp_jumps", jumps == 2 && even_jumps > 2 * jumps,
+              "with 200000 even steps implicit Euler jumps far more often than the adaptive run");
     out.number("vdp_shortest", account.shortest, "s", "its shortest step", 1);
     out.number("vdp_longest", account.longest, "s", "its longest step", 1);
     out.check("vdp_explicit",
