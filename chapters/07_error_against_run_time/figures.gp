@@ -57,7 +57,7 @@ call rooms."diagram.gp" "symmetric_top" spins "1e-7"
 @done
 
 call figure "ice.svg" 860 480
-set rmargin at screen 0.73
+set rmargin at screen 0.64
 set xlabel time_label
 set ylabel error_label
 set key outside right top vertical samplen 1.5 spacing 1.1
