@@ -23,7 +23,8 @@ namespace timestep {
 enum class Verdict {
     stable,             ///< bounded for ever
     grows,              ///< sooner or later it leaves the screen
-    too_close_to_call,  ///< within a thousandth of the boundary: no stiffness is known better than that
+    too_close_to_call,  ///< within a thousandth of the boundary: no stiffness is known better than
+                        ///< that; or the growth is lost in roundoff
     refused             ///< the method cannot step this scene at all
 };
 
@@ -57,10 +58,12 @@ struct Advice {
     double period_error;           ///< the period over the exact one, minus one
     double rate_error;             ///< how wrong the motion's frequency and decay are: see advise()
     double cost;                   ///< force evaluations and solves in a second of game time
-    double accurate_step = 0;      ///< the longest step that does not ring and whose rate error is as small
-                                   ///< as wanted, s; or 0
+    double accurate_step = 0;      ///< the end of the first stretch of right steps, s; 0: there is none
     double accurate_cost = 0;      ///< what that costs, evaluations and solves a second; 0 if there is none
     double ringing = 0;            ///< what a step multiplies the part by that rings, below −1/2; 0: none does
+    double accurate_from = 0;      ///< where that stretch begins, s: below roundoff is too much
+    double step = 0;               ///< the step that was asked about, s
+    bool right = false;            ///< is that one stable and as accurate as wanted, and nothing rings?
 };
 
 /// \cond
@@ -78,7 +81,15 @@ inline constexpr bool takes_damping<Leapfrog> = false;
 
 using Complex = std::complex<long double>;
 
-// Every eigenvalue of a step with ωh = s: what it multiplies the patterns by that it keeps.
+// μ/ω of the motion e^(μt): −ζ + i √(1 − ζ²), and beyond ζ = 1 the slow one of the two decays.
+inline Complex exact_rate(long double zeta) {
+    if (zeta < 1) return {-zeta, std::sqrt((1 - zeta) * (1 + zeta))};
+    return -1 / (zeta + std::sqrt((zeta - 1) * (zeta + 1)));
+}
+
+// Every eigenvalue of a step with ωh = s: what it multiplies the patterns by that it keeps. The
+// first stands for the motion: of two decays the slow one, of a swing's pair the one that turns
+// forward.
 template <class Method>
 std::vector<Complex> multipliers(const Method& method, long double zeta, long double s) {
     StepMatrix<long double> matrix{};
@@ -96,41 +107,31 @@ inline std::vector<Complex> multipliers(const Verlet&, long double zeta, long do
 // Two steps, so two eigenvalues for each exponent z of the motion: (3 − 2z) λ² − 4λ + 1 = 0.
 inline std::vector<Complex> multipliers(const Bdf2&, long double zeta, long double s) {
     std::vector<Complex> all;
-    const Complex root = std::sqrt(Complex((zeta - 1) * (zeta + 1)));
-    for (const Complex& z : {s * (-zeta + root), s * (-zeta - root)})
+    const Complex rate = exact_rate(zeta);
+    for (const Complex& z : {s * rate, s / rate})  // the product of the two rates is ω²
         for (const Complex& r : {std::sqrt(1.0L + 2.0L * z), -std::sqrt(1.0L + 2.0L * z)})
             all.push_back(1.0L / (2.0L - r));  // (2 + r)/(3 − 2z) = 1/(2 − r), as r² = 1 + 2z
     return all;
-}
-
-// μ/ω of the motion e^(μt): −ζ + i √(1 − ζ²), and beyond ζ = 1 the slow one of the two decays.
-inline Complex exact_rate(long double zeta) {
-    if (zeta < 1) return {-zeta, std::sqrt((1 - zeta) * (1 + zeta))};
-    return -1 / (zeta + std::sqrt((zeta - 1) * (zeta + 1)));
-}
-
-// The eigenvalue that stands for the motion: the nearest to e^(μh).
-inline Complex principal(const std::vector<Complex>& all, long double zeta, long double s) {
-    const Complex exact = std::exp(s * exact_rate(zeta));
-    return *std::min_element(all.begin(), all.end(), [&](const Complex& a, const Complex& b) {
-        return std::abs(a - exact) < std::abs(b - exact);
-    });
 }
 
 // How wrong the motion is: its exponent ln λ / h, or the spring that has both such exponents. Of that
 // spring their sum is −2ζ'ω' and their product ω'², and it is as wrong as ω' and ζ'ω' are. Near ζ = 1,
 // where the two exponents meet, they are split by the root of any change of the spring: so one exponent
 // says too much there, and far beyond, where the fast one is soon over, the spring does. The smaller
-// counts.
+// counts. What a step changes is rounded, in double: where it is a small share of the state, as in a
+// slow decay at a short step, up to 2⁻⁵³ over that share is lost, and at last the whole.
+constexpr long double rounded = 0x1p-53L;
+
 template <class Method>
 double rate_error(const Method& method, long double zeta, long double s) {
-    const auto all = multipliers(method, zeta, s);  // BDF2's come in pairs, the principal one first
+    const auto all = multipliers(method, zeta, s);  // BDF2's come in pairs
     const Complex a = std::log(all.front()) / s, b = std::log(all[all.size() / 2]) / s;
     const long double frequency = std::abs(std::sqrt(a * b) - 1.0L);
     const long double damping = std::abs(a + b + 2 * zeta) / (2 * std::max(zeta, 1.0L));
-    const Complex exact = exact_rate(zeta), rate = std::log(principal(all, zeta, s)) / s;
-    return static_cast<double>(
-        std::fmin(std::hypot(frequency, damping), std::abs(rate - exact) / std::abs(exact)));
+    const Complex exact = exact_rate(zeta);
+    const long double error =
+        std::fmin(std::hypot(frequency, damping), std::abs(a - exact) / std::abs(exact));
+    return static_cast<double>(std::fmax(error, std::fmin(1.0L, rounded / (s * std::abs(exact)))));
 }
 
 inline std::string number(double value, int digits = 4) {
@@ -170,22 +171,36 @@ inline std::string ringing_words(const std::vector<Complex>& all, long double mo
            (by == "1" ? "nearly −1" : "−" + by);
 }
 
-// The largest s up to which the rate is as good as wanted and nothing rings. The error rises with s from
-// zero; a coarse way up finds an s where it is too large, and bisection the place.
+// Is a step with ωh = s stable, as accurate as wanted, and free of ringing?
 template <class Method>
-double accurate_to(const Method& method, double zeta, double wanted, double limit) {
-    const auto good = [&](double s) {
-        return s <= limit && rate_error(method, zeta, s) <= wanted &&
-               ringing(multipliers(method, zeta, s), zeta, s) == 0;
-    };
-    double low = wanted / (10 + 20 * zeta), high = low;
-    if (!good(low)) return 0;
-    while (good(high) && high < 1e6) low = high, high *= 1.1;
+bool is_right(const Method& method, double zeta, double s, double wanted, double limit) {
+    return verdict(s, limit) == Verdict::stable && rate_error(method, zeta, s) <= wanted &&
+           ringing(multipliers(method, zeta, s), zeta, s) == 0;
+}
+
+// The first stretch of s = ωh that are right; zeros where none is.
+struct Stretch {
+    double from = 0, to = 0;
+};
+
+// The error first rises from zero, but it need not go on rising: at longer steps errors of frequency
+// and damping may come to cancel. Those steps are not searched for. We begin where roundoff alone is
+// as much as wanted; a coarse way up finds an s that is no longer right, and bisection the place.
+template <class Method>
+Stretch first_right(const Method& method, double zeta, double wanted, double limit) {
+    const auto good = [&](double s) { return is_right(method, zeta, s, wanted, limit); };
+    const double end = std::min(limit, 100 * (1 + zeta));  // by then the slow decay is over in a step
+    double from = 1.0001 * static_cast<double>(rounded / (wanted * std::abs(exact_rate(zeta))));
+    while (from < end && !good(from)) from *= 1.05;
+    if (!(from < end)) return {};
+    const double small = std::min(wanted / (10 + 20 * zeta), limit / 2);  // the error still rises
+    double low = good(small) ? small : from, high = low;
+    while (good(high)) low = high, high *= 1.05;
     for (int i = 0; i < 40; ++i) {
-        const double middle = (low + high) / 2;
+        const double middle = low + (high - low) / 2;
         (good(middle) ? low : high) = middle;
     }
-    return low;
+    return {from, low};
 }
 
 // Why it is stable or not, for people.
@@ -209,7 +224,7 @@ Advice advise(const Method& method, const DampedSpring<double>& spring, double h
     const double s = spring.omega * h, zeta = spring.zeta;
     const StabilityLimit limit = stability_limit(method, zeta);
     const auto all = multipliers(method, zeta, s);
-    const Complex lambda = principal(all, zeta, s), exact = exact_rate(zeta);
+    const Complex lambda = all.front(), exact = exact_rate(zeta);
     long double largest = 0;
     for (const Complex& each : all) largest = std::max(largest, std::abs(each));
 
@@ -236,8 +251,11 @@ Advice advise(const Method& method, const DampedSpring<double>& spring, double h
                               : nan;
     advice.rate_error = rate_error(method, zeta, s);
     advice.cost = (method.cost.evaluations + method.cost.solves) / h;
-    if (const double longest = accurate_to(method, zeta, wanted, limit.value); longest > 0) {
-        advice.accurate_step = longest / spring.omega;
+    advice.step = h;
+    advice.right = is_right(method, zeta, s, wanted, limit.value);
+    if (const Stretch stretch = first_right(method, zeta, wanted, limit.value); stretch.to > 0) {
+        advice.accurate_from = stretch.from / spring.omega;
+        advice.accurate_step = stretch.to / spring.omega;
         advice.accurate_cost =
             (method.cost.evaluations + method.cost.solves) / advice.accurate_step;
     }
@@ -257,8 +275,13 @@ Advice advise(const Method& method, const DampedSpring<double>& spring, double h
 /// compared as a whole: it is that of another spring, ω' and ζ', and the error is |ω' − ω|/ω and
 /// |ζ'ω' − ζω|/ω together (beyond ζ = 1 the latter is |ζ'ω' − ζω|/(ζω)). The smaller of the two errors
 /// counts. (The positions of semi-implicit Euler lie on a swing of the right size; its velocities, half a
-/// step early, are not judged.) `wanted` is how large it may be: the longest step is found for which it
-/// is no larger, and with which nothing rings.
+/// step early, are not judged.) Roundoff counts too: in double, a step that changes the state only by
+/// a share δ is off by up to 2⁻⁵³/δ.
+///
+/// `wanted` is how large the error may be. A step is **right** if it is stable, the error is no
+/// larger, and nothing rings. Told are whether the step `h` is, and the end of the first stretch of
+/// right steps. Longer ones may be right again, by errors that happen to cancel; of those only `h`
+/// itself is looked at.
 ///
 /// A stable method may still **ring**: a step multiplies a part that should decay by less than −1/2, and it
 /// shakes from step to step. Then the advice says so.
@@ -282,15 +305,19 @@ inline std::vector<Advice> advise(const DampedSpring<double>& spring, double h, 
     return all;
 }
 
-/// The longest step that is as right as wanted and no longer than `longest`, in seconds; 0 if there is none.
-inline double best_step(const Advice& advice, double longest) {
-    return std::min(advice.accurate_step, longest);
+/// The longest step known to be right and no longer than `longest`, in seconds; 0 if there is none.
+inline double best_step(const Advice& advice,
+                        double longest = std::numeric_limits<double>::infinity()) {
+    if (advice.right && advice.step > advice.accurate_step && advice.step <= longest)
+        return advice.step;
+    return advice.accurate_from <= longest ? std::min(advice.accurate_step, longest) : 0;
 }
 
 /// What the method costs a second at best_step().
-inline double best_cost(const Advice& advice, double longest) {
+inline double best_cost(const Advice& advice,
+                        double longest = std::numeric_limits<double>::infinity()) {
     const double step = best_step(advice, longest);
-    return step > 0 ? advice.accurate_cost * (advice.accurate_step / step) : 0;
+    return step > 0 ? advice.cost * (advice.step / step) : 0;
 }
 
 /// Of the methods that reach the wanted accuracy the one that does so at the least cost, with steps no
@@ -299,7 +326,7 @@ inline const Advice* cheapest(const std::vector<Advice>& all,
                               double longest = std::numeric_limits<double>::infinity()) {
     const Advice* best = nullptr;
     for (const Advice& advice : all) {
-        if (!(advice.accurate_cost > 0)) continue;
+        if (!(best_step(advice, longest) > 0)) continue;
         const double ratio = best ? best_cost(advice, longest) / best_cost(*best, longest) : 0;
         const bool alike = std::abs(ratio - 1) < 1e-9;
         if (alike ? advice.rate_error < best->rate_error : ratio < 1) best = &advice;

@@ -1,13 +1,10 @@
-// I13: the advice on a spring and on a spinning body, against what the methods really do.
+// I13: the advice on a spring, against what the methods really do.
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
-#include <numeric>
 
-#include <timestep/advise_spin.hpp>
+#include <timestep/advise.hpp>
 #include <timestep/run.hpp>
-
-#include "random_inertia.hpp"
 
 using namespace timestep;
 
@@ -26,12 +23,6 @@ double growth(const Method& method, double zeta, double s) {
 
 Advice of(const std::vector<Advice>& all, const std::string& method) {
     for (const Advice& advice : all)
-        if (advice.method == method) return advice;
-    FAIL("no advice on " << method);
-    return all.front();
-}
-SpinAdvice of(const std::vector<SpinAdvice>& all, const std::string& method) {
-    for (const SpinAdvice& advice : all)
         if (advice.method == method) return advice;
     FAIL("no advice on " << method);
     return all.front();
@@ -150,157 +141,6 @@ TEST_CASE("Verlet is refused where there is a damper, and advised on where there
     }
 }
 
-// Half the error wanted: a method of order p needs a step shorter by 2^(−1/p).
-TEST_CASE("the step for an accuracy is as long as the method's order says", "[library][I13][I15]") {
-    const DampedSpring<double> spring(10.0, 0.2);
-    const auto coarse = advise(spring, 0.01, 1e-4), fine = advise(spring, 0.01, 1e-4 / 16);
-    const auto order_of = [&](const char* name) {
-        return std::log(16.0) / std::log(of(coarse, name).accurate_step / of(fine, name).accurate_step);
-    };
-    for (const char* name : {"explicit Euler", "implicit Euler", "semi-implicit Euler", "Newton"})
-        CHECK(std::abs(order_of(name) - 1) < 0.05);
-    for (const char* name : {"midpoint", "Heun", "implicit midpoint", "BDF2"})
-        CHECK(std::abs(order_of(name) - 2) < 0.05);
-    CHECK(std::abs(order_of("Runge-Kutta 4") - 4) < 0.1);
-    REQUIRE(cheapest(fine) != nullptr);
-    CHECK(cheapest(fine)->method == "Runge-Kutta 4");
-}
-
-// There the two exponents of the motion are one, and a change of the spring by ε splits them by √ε: a
-// method is not wrong by that.
-TEST_CASE("at ζ = 1 the step for an accuracy is about as long as beside it", "[library][I13][I15]") {
-    std::vector<Advice> before;
-    for (const double zeta : {0.99, 0.9999, 1.0, 1.0001, 1.01}) {
-        const auto all = advise(DampedSpring<double>(10.0, zeta), 0.01, 0.01);
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            if (all[i].verdict == Verdict::refused) continue;
-            CAPTURE(zeta, all[i].method, all[i].accurate_step);
-            CHECK(all[i].accurate_step > 0);
-            if (!before.empty())
-                CHECK(std::abs(std::log(all[i].accurate_step / before[i].accurate_step)) < 0.2);
-        }
-        before = all;
-    }
-}
-
-// Compared with the exact motion through the same two positions, so that where a method has its velocity
-// does not count. A spring that is off by 1 % is off by 4 % in its phase after 4 radians.
-TEST_CASE("a step that is right to 1 % shows a motion that is", "[library][I13][I15]") {
-    for (const double zeta : {0.1, 0.5, 0.9, 0.99, 1.0, 1.01, 1.1}) {
-        const DampedSpring<double> spring(1.0, zeta);
-        const auto measure = [&](const auto& method) {
-            const double h = of(advise(spring, 0.01, 0.01), method.name).accurate_step;
-            CAPTURE(zeta, method.name, h);
-            REQUIRE(h > 0);
-            const auto exact = [&](double x, double v, double t) {
-                return spring.exact(State<double>{0, x, v}, t).x;
-            };
-            std::vector<double> x;
-            const auto steps = std::max(3L, std::lround(4 / h));
-            run(method, spring, State<double>{0, 1, 0.3}, h, steps,
-                [&](const State<double>& s) { x.push_back(s.x); });
-            const double quarter = h * static_cast<double>(x.size() / 4);
-            const double v = (x[x.size() / 4] - exact(1, 0, quarter)) / exact(0, 1, quarter);
-            double off = 0;
-            for (std::size_t n = 0; n < x.size(); ++n)
-                off = std::max(off, std::abs(x[n] - exact(1, v, h * static_cast<double>(n))));
-            CHECK(off < 0.04);
-        };
-        for_each_method([&](const auto& method) {
-            if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(method)>, Bdf2>) measure(method);
-        });
-        measure(semi_implicit_euler_new_damping);
-        measure(newton);
-    }
-}
-
-// The slow part is right at steps of hours; the fast one is multiplied by nearly −1 and shakes for ages.
-TEST_CASE("a step at which a fast decay rings is not right, and the advice says so", "[library][I13][I15]") {
-    const auto very = advise(DampedSpring<double>(10.0, 1e6), 1.0 / 60);
-    CHECK(of(very, "implicit midpoint").verdict == Verdict::stable);
-    CHECK(std::abs(of(very, "implicit midpoint").ringing + 1) < 1e-4);
-    CHECK(of(very, "implicit midpoint").accurate_step < 4e-7);  // R(z) = −1/2 at z = −6, of 2e7 a second
-    CHECK(of(very, "implicit midpoint").accurate_step > 2e-7);
-    CHECK(of(very, "implicit midpoint").reason == "stable, but rings: a step multiplies the fast part by nearly −1");
-    CHECK(cheapest(very)->method != "implicit midpoint");
-
-    const auto some = advise(DampedSpring<double>(5.0, 20.0), 1.0 / 60);
-    CHECK(of(some, "implicit midpoint").ringing == 0);  // −0.25: over in a few steps
-    CHECK(std::abs(of(some, "implicit midpoint").accurate_step - 0.03002) < 1e-5);  // 6 over 199.87
-    CHECK(of(advise(DampedSpring<double>(5.0, 20.0), 2.74), "implicit midpoint").reason ==
-          "stable, but rings: a step multiplies the fast part by −0.993");
-    const Advice* best = cheapest(some, 1.0 / 60);
-    CHECK(best_step(*best, 1.0 / 60) <= 1.0 / 60);
-    CHECK(std::abs(best_cost(*best, 1.0 / 60) / 120 - 1) < 1e-9);
-    for (const char* name : {"implicit Euler", "BDF2"}) {
-        CHECK(of(very, name).ringing == 0);
-        CHECK(of(some, name).ringing == 0);
-    }
-}
-
-// The advice's word against the run: a kick, and how often the velocity turns its sign. A multiplier below
-// −1/2 that is real turns it at every step, a complex one at two of three; the true motion after a kick
-// turns once where it swings no more.
-TEST_CASE("what is said to ring turns its sign step by step, and an implicit Euler never does", "[library][I13]") {
-    std::mt19937_64 numbers(11);
-    std::uniform_real_distribution<double> even;
-    long ringing = 0, methods = 0;
-    const auto turns = [&](const auto& method, const auto& spring, double h) {
-        int count = 0;
-        double before = 0;
-        run(method, spring, State<double>{0, 0, 1}, h, 9, [&](const State<double>& state) {
-            count += before * state.v < 0;
-            before = state.v;
-        });
-        return count;
-    };
-    const auto measure = [&](const auto& method) {
-        if constexpr (!detail::takes_damping<std::remove_cvref_t<decltype(method)>>) return;
-        else {
-            bool any = false;
-            for (int i = 0; i < 500; ++i) {
-                const DampedSpring<double> spring(1.0, 0.6 * std::pow(200, even(numbers)));
-                const double h = std::pow(10, -3 + 6 * even(numbers));
-                const Advice advice = detail::advise(method, spring, h, 0.01);
-                if (advice.verdict != Verdict::stable) continue;
-                CAPTURE(method.name, spring.zeta, h, advice.reason);
-                if (advice.ringing < 0) {
-                    CHECK(advice.ringing < -0.5);
-                    CHECK(advice.reason.starts_with("stable, but rings"));
-                    CHECK(turns(method, spring, h) >= 4);
-                    CHECK(advice.accurate_step < h);
-                    any = true, ++ringing;
-                } else {
-                    CHECK(advice.reason.find("rings") == std::string::npos);
-                }
-                if constexpr (std::is_same_v<std::remove_cvref_t<decltype(method)>, ImplicitEuler>)
-                    if (spring.zeta > 1) CHECK(turns(method, spring, h) <= 1);
-            }
-            methods += any;
-        }
-    };
-    for_each_method(measure);
-    measure(semi_implicit_euler_new_damping);
-    measure(newton);
-    CHECK(ringing > 60);
-    CHECK(methods >= 4);  // explicit Euler, both semi-implicit ones, implicit midpoint, the constant force
-}
-
-TEST_CASE("no step longer than the asked one is recommended, and its cost is that of the step", "[library][I13][I15]") {
-    for (const double zeta : {0.0, 0.2, 3.0, 50.0})
-        for (const double h : {1e-4, 0.01, 0.1, 3.0}) {
-            const auto all = advise(DampedSpring<double>(10.0, zeta), h);
-            const Advice* best = cheapest(all, h);
-            REQUIRE(best != nullptr);
-            CHECK(best_step(*best, h) <= h);
-            CHECK(best_step(*best, h) <= best->accurate_step);
-            for (const Advice& other : all)
-                if (other.accurate_cost > 0) CHECK(best_cost(*best, h) <= best_cost(other, h) * (1 + 1e-9));
-        }
-    // At a short step those that cost one evaluation are the cheapest, and equally dear.
-    CHECK(cheapest(advise(DampedSpring<double>(10.0, 0.0), 0.001), 0.001)->cost < 1001);
-}
-
 TEST_CASE("the reason tells a step from the limit, and the limit by one number", "[library][I13]") {
     const auto why = [](double h) { return of(advise(DampedSpring<double>(10.0, 0.0), h), "Verlet").reason; };
     CHECK(why(0.2) == "ωh = 2, the limit itself");
@@ -328,87 +168,4 @@ TEST_CASE("advice on a spring refuses what is no spring and no step", "[library]
     CHECK_NOTHROW(advise(spring, 1.1e-13));
     CHECK_THROWS_AS(advise(spring, 0.01, 0.0), std::invalid_argument);
     CHECK_THROWS_AS(advise(spring, 0.01, 1.0), std::invalid_argument);
-}
-
-// ---- Spinning bodies -----------------------------------------------------------------------------
-
-TEST_CASE("the search for a gain misses none that darts find", "[library][N51][I13]") {
-    RandomInertia random(7);
-    std::mt19937_64 numbers(8);
-    std::uniform_real_distribution<double> even;
-    for (int n = 0; n < 40; ++n) {
-        const auto inertia = random.inertia<double>(1000);
-        const double size = std::pow(10, -1.5 + 2 * even(numbers));
-        const double found = detail::worst_direction(implicit_gyroscopic, inertia, size, 1.0).gain;
-        double darts = 0;
-        for (int i = 0; i < 4000; ++i)
-            darts = std::max(darts, energy_gain(implicit_gyroscopic, inertia, random.direction<double>(), size));
-        CAPTURE(inertia.moments.transpose(), size, found - 1, darts - 1);
-        CHECK((found > 1 + 1e-12) >= (darts > 1 + 1e-12));
-    }
-}
-
-// The formula of the longest step came from a search, so it is held to another: darts close to the middle
-// axis, where the first gains are needles.
-TEST_CASE("one iteration gains from h|ω| = √(I₁I₃)/(I₃ − I₁) on", "[library][N51][I13]") {
-    RandomInertia random(9);
-    std::mt19937_64 numbers(10);
-    std::uniform_real_distribution<double> even(-1, 1);
-    for (int n = 0; n < 30; ++n) {
-        const auto body = random.inertia<double>(30);
-        int least, most;
-        body.moments.minCoeff(&least), body.moments.maxCoeff(&most);
-        const int middle = 3 - least - most;
-        // Where two moments are nearly equal, the gain is too small to be seen.
-        const double ratio = body.moments[middle] / body.moments[least];
-        if (ratio < 1.1 || body.moments[most] / body.moments[middle] < 1.1) continue;
-        const double limit = detail::longest_safe_step(body, 1);
-        const auto best_at = [&](double size) {
-            double best = 0;
-            for (int i = 0; i < 40000; ++i) {
-                Vector3<double> way = Vector3<double>::Unit(middle);
-                const double wobble = 0.3 * std::pow(even(numbers), 4);
-                way[least] = wobble * even(numbers), way[most] = wobble * even(numbers);
-                best = std::max(best, energy_gain(implicit_gyroscopic, body, Vector3<double>(way.normalized()), size));
-            }
-            return best;
-        };
-        CAPTURE(body.moments.transpose(), limit, best_at(0.998 * limit) - 1, best_at(1.01 * limit) - 1);
-        CHECK(best_at(0.998 * limit) <= 1 + 1e-14);
-        CHECK(best_at(1.01 * limit) > 1 + 1e-12);
-    }
-}
-
-TEST_CASE("a spin's advice is what its named direction does", "[library][N51][I13]") {
-    const PrincipalInertia<double> plank(0.758, 0.787, 0.0313);
-    const double h = 1.0 / 60;
-    for_each_gyroscopic([&](const auto& solver) {
-        CAPTURE(solver.name);
-        const auto advice = of(advise_spin(plank, 60, h), solver.name);
-        if (advice.verdict == Verdict::grows) {
-            const double gain = energy_gain(solver, plank, advice.worst_spin, h);
-            CHECK(gain > 1.01);
-            CHECK(std::abs(gain / advice.worst_gain - 1) < 1e-12);
-            CHECK(std::abs(advice.worst_spin.norm() - 60) < 1e-9);
-        } else {
-            CHECK(advice.worst_gain <= 1 + 1e-12);
-        }
-    });
-}
-
-TEST_CASE("equal moments can gain nothing but by what a torque of zero adds", "[library][N41][I13]") {
-    for (const auto& advice : advise_spin(PrincipalInertia<double>(2, 2, 2), 100, 0.1)) {
-        CAPTURE(advice.method);
-        CHECK(advice.verdict == Verdict::stable);
-    }
-    CHECK(of(advise_spin(PrincipalInertia<double>(1, 1, 0.1), 100, 0.1), "implicit, one iteration").verdict ==
-          Verdict::stable);
-}
-
-TEST_CASE("advice on a spin refuses what is no spin and no step", "[library][I13]") {
-    const PrincipalInertia<double> box(1, 2, 3);
-    CHECK_THROWS_AS(advise_spin(box, 0, 0.01), std::invalid_argument);
-    CHECK_THROWS_AS(advise_spin(box, INFINITY, 0.01), std::invalid_argument);
-    CHECK_THROWS_AS(advise_spin(box, 1, -0.01), std::invalid_argument);
-    CHECK_THROWS_AS(advise_spin(box, 1e300, 1e300), std::invalid_argument);
 }
