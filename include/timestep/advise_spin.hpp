@@ -3,6 +3,9 @@
 /// Can one step raise the energy of my spinning body? For an inertia and a rate of spin, what every way
 /// to treat the gyroscopic torque can do at a given step, in the worst direction (N51, I13).
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,17 +19,19 @@ struct SpinAdvice {
     std::string method;    ///< its name
     Verdict verdict;       ///< grows: in some direction of the spin one step raises the energy
     std::string reason;    ///< why, with numbers
-    double worst_gain;     ///< the largest energy after a step over that before, of all directions
+    double worst_gain;     ///< the largest energy after a step over that before, of all directions;
+                           ///< infinite where it has no bound: worst_spin then gains much
     Vector3<double> worst_spin;  ///< the spin that gains it, rad/s in body coordinates
     double longest_step;   ///< the longest step with which no direction gains, s; infinite for no limit
     double cost;           ///< torques and solves in a second of game time
 };
 
 /// The energy after one step of `h` seconds over the energy before, for a body that spins with `omega`,
-/// rad/s in body coordinates.
+/// rad/s in body coordinates. It depends on the ratios of the moments only.
 template <class Solver>
-double energy_gain(const Solver& solver, const PrincipalInertia<double>& inertia,
+double energy_gain(const Solver& solver, PrincipalInertia<double> inertia,
                    const Vector3<double>& omega, double h) {
+    inertia.moments = inertia.unit;  // moments of any size: no energy overflows
     if constexpr (requires { solver.step(inertia, omega, h); }) {  // in body coordinates, as it is
         const Vector3<double> next = solver.step(inertia, omega, h);
         return kinetic_energy(inertia, next) / kinetic_energy(inertia, omega);
@@ -59,9 +64,10 @@ Worst worst_direction(const Solver& solver, const PrincipalInertia<double>& iner
     Worst worst;
     const auto look = [&](const V& way) {
         const V direction = way.normalized();
-        const double gain = energy_gain(solver, inertia, V(spin * direction), h);
-        if (!(gain <= worst.gain)) worst = {gain, direction};  // a NaN, too
-        return !(worst.gain <= enough);
+        double gain = energy_gain(solver, inertia, V(spin * direction), h);
+        if (std::isnan(gain)) gain = std::numeric_limits<double>::infinity();  // 0/0: no solution
+        if (gain > worst.gain) worst = {gain, direction};
+        return worst.gain > enough;
     };
     // Ratios of two components, from 1e-3 to 1e3.
     for (int i = -9; i <= 9; ++i)
@@ -102,6 +108,17 @@ inline double longest_safe_step(const PrincipalInertia<double>& inertia, double 
     return std::sqrt(least) * std::sqrt(most) / (most - least) / spin;
 }
 
+// From which step on its gain has no bound. The determinant of its equations is, in the order of the
+// moments I₁ < I₂ < I₃ and with a₁, a₃ > 0 > a₂ the ratios of the body,
+//     1 + u² + w² − v² − 2uvw,  u² = −a₂a₃h²ω₁², v² = a₁a₃h²ω₂², w² = −a₁a₂h²ω₃²,
+// where u, v and w have the signs that make the last term what it is. As |2uw| ≤ u² + w² it is at
+// least (1 − |v|)(1 + |v| + u² + w²), above zero for |v| < 1; at v = 1 it is (u − w)², zero at u = w.
+inline double unbounded_step(const PrincipalInertia<double>& inertia, double spin) {
+    const Vector3<double>& a = inertia.ratio;
+    // Of the three products only a₁a₃ is above zero.
+    return 1 / std::sqrt(std::max({a.x() * a.y(), a.y() * a.z(), a.z() * a.x()})) / spin;
+}
+
 inline SpinAdvice spin_advice(const char* method, double h, int work) {
     const double infinity = std::numeric_limits<double>::infinity();
     return {method, Verdict::stable, "", 1, Vector3<double>::Zero(), infinity, work / h};
@@ -113,27 +130,34 @@ void find_worst(SpinAdvice& advice, const Solver& solver, const PrincipalInertia
     const Worst worst = worst_direction(solver, inertia, h * spin, 1);  // |ω| may be any size
     advice.worst_gain = std::max(worst.gain, 1.0);
     advice.worst_spin = spin * worst.direction;
+    if (advice.verdict != Verdict::grows || worst.gain > 1 + more_than_roundoff) return;
+    advice.verdict = Verdict::too_close_to_call;
+    advice.reason += "; here less than 1e-12 of the energy, lost in roundoff";
+}
+
+inline bool no_torque(const PrincipalInertia<double>& inertia) {
+    return (inertia.ratio.array() == 0).all();
 }
 
 inline SpinAdvice advise_spin(const ExplicitGyroscopic& solver, const PrincipalInertia<double>& inertia,
                               double spin, double h) {
     SpinAdvice advice = spin_advice(solver.name, h, 1);
-    if (inertia.ratio.isZero()) return advice.reason = "equal moments: no gyroscopic torque", advice;
-    find_worst(advice, solver, inertia, spin, h);
+    if (no_torque(inertia)) return advice.reason = "equal moments: no gyroscopic torque", advice;
     advice.verdict = Verdict::grows;
     advice.longest_step = 0;
     advice.reason = "each step adds h²/2 |I^(−1/2) (ω × Iω)|²";
+    find_worst(advice, solver, inertia, spin, h);
     return advice;
 }
 
 inline SpinAdvice advise_spin(const OldInertia& solver, const PrincipalInertia<double>& inertia,
                               double spin, double h) {
     SpinAdvice advice = spin_advice(solver.name, h, 1);
-    if (inertia.ratio.isZero()) return advice.reason = "equal moments: no gyroscopic torque", advice;
-    find_worst(advice, solver, inertia, spin, h);
+    if (no_torque(inertia)) return advice.reason = "equal moments: no gyroscopic torque", advice;
     advice.verdict = Verdict::grows;
     advice.longest_step = 0;
     advice.reason = "keeps |L|; the energy may rise up to L² / (2 I_min)";
+    find_worst(advice, solver, inertia, spin, h);
     return advice;
 }
 
@@ -150,11 +174,15 @@ inline SpinAdvice advise_spin(const ImplicitGyroscopic& solver, const PrincipalI
     if ((inertia.ratio.array() == 0).any())
         return advice.reason = "two equal moments: the equations are linear, one iteration solves them",
                advice;
-    find_worst(advice, solver, inertia, spin, h);
     advice.longest_step = longest_safe_step(inertia, spin);
     advice.verdict = verdict(h, advice.longest_step);
     advice.reason = "h|ω| = " + number(h * spin) + (h < advice.longest_step ? " < " : " ≥ ") +
                     number(advice.longest_step * spin) + " = √(I₁I₃) / (I₃ − I₁), least and largest moment";
+    find_worst(advice, solver, inertia, spin, h);
+    if (const double unbounded = unbounded_step(inertia, spin); h >= unbounded) {
+        advice.worst_gain = std::numeric_limits<double>::infinity();
+        advice.reason += "; from " + number(unbounded * spin) + " on without bound";
+    }
     return advice;
 }
 
@@ -179,13 +207,18 @@ inline SpinAdvice advise_spin(const PassiveGyroscopic& solver, const PrincipalIn
 /// What every solver of chapter 5 makes of a body that spins with `spin` rad/s, in any direction, at
 /// steps of `h` seconds. The verdict is whether one step can raise the kinetic energy.
 ///
-/// The direction that gains most is searched for. Gains of less than 1e-12 are roundoff.
-/// Throws `std::invalid_argument` where spin or step is not above zero and finite, or their product.
+/// The direction that gains most is searched for. Gains of less than 1e-12 are roundoff: where a step
+/// adds energy, but no more than that, it is too close to call.
+///
+/// Throws `std::invalid_argument` where spin or step is not above zero and finite, or their product, or
+/// where spin or product is above 1e50: some of the solvers' products would overflow.
 inline std::vector<SpinAdvice> advise_spin(const PrincipalInertia<double>& inertia, double spin,
                                            double h) {
     positive("spin", spin);
     positive("step", h);
     positive("step times spin", h * spin);
+    if (spin > 1e50) refuse("spin", spin, "at most 1e50");
+    if (h * spin > 1e50) refuse("step times spin", h * spin, "at most 1e50");
     std::vector<SpinAdvice> all;
     for_each_gyroscopic(
         [&](const auto& solver) { all.push_back(detail::advise_spin(solver, inertia, spin, h)); });
