@@ -193,7 +193,7 @@ Stretch first_right(const Method& method, double zeta, double wanted, double lim
     double from = 1.0001 * static_cast<double>(rounded / (wanted * std::abs(exact_rate(zeta))));
     while (from < end && !good(from)) from *= 1.05;
     if (!(from < end)) return {};
-    const double small = std::min(wanted / (10 + 20 * zeta), limit / 2);  // the error still rises
+    const double small = wanted / (10 + 20 * zeta);  // up to here the error rises
     double low = good(small) ? small : from, high = low;
     while (good(high)) low = high, high *= 1.05;
     for (int i = 0; i < 40; ++i) {
@@ -308,9 +308,9 @@ inline std::vector<Advice> advise(const DampedSpring<double>& spring, double h, 
 /// The longest step known to be right and no longer than `longest`, in seconds; 0 if there is none.
 inline double best_step(const Advice& advice,
                         double longest = std::numeric_limits<double>::infinity()) {
-    if (advice.right && advice.step > advice.accurate_step && advice.step <= longest)
-        return advice.step;
-    return advice.accurate_from <= longest ? std::min(advice.accurate_step, longest) : 0;
+    const double best =
+        advice.accurate_from <= longest ? std::min(advice.accurate_step, longest) : 0;
+    return advice.right && advice.step <= longest ? std::max(best, advice.step) : best;
 }
 
 /// What the method costs a second at best_step().

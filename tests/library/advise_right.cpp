@@ -170,6 +170,9 @@ TEST_CASE("who asks for less is not offered shorter steps", "[library][I13]") {
         CHECK(of(loose, name).right);
         CHECK(of(loose, name).accurate_step > 1.9e-5);
     }
+    const auto close = advise(DampedSpring<double>(100.0, 0.001), 1.9999e-5, 0.05);
+    CHECK_FALSE(of(close, "explicit Euler").right);  // too close to call
+    CHECK(of(close, "explicit Euler").accurate_step < 1.9981e-5);
 }
 
 // The slow decay's rate is ω/(2ζ). With z = s/(2ζ) implicit Euler's error is 1 − ln(1 + z)/z.
