@@ -67,6 +67,7 @@ Json as_json(const Advice& advice) {
             {"error_percent", finite(100 * advice.rate_error)},
             {"longest_step", finite(advice.longest_step)},
             {"cost", finite(advice.cost)},
+            {"right", advice.right},
             {"accurate_step", advice.accurate_step > 0 ? Json(advice.accurate_step) : Json(nullptr)},
             {"accurate_cost", advice.accurate_cost > 0 ? Json(advice.accurate_cost) : Json(nullptr)},
             {"ringing", advice.ringing < 0 ? Json(advice.ringing) : Json(nullptr)},
@@ -123,7 +124,7 @@ struct Step {
 void print_survivor(const std::vector<Advice>& all, const timestep::DampedSpring<double>& spring,
                     const Step& asked, const Advice* right) {
     const Advice* cheap = survivor(all);
-    if (!cheap || cheap->accurate_step >= asked.h) return;
+    if (!cheap || cheap->right) return;
     if (right) {
         const double step = best_step(*right, asked.h);
         if (work(*cheap) > 0.999 * work(*right) * asked.h / step) return;
@@ -145,7 +146,7 @@ void print_right(const std::vector<Advice>& all, const timestep::DampedSpring<do
     const std::string percent = number(accuracy) + " %";
     std::string right;
     for (const auto& advice : all)
-        if (advice.accurate_step >= asked.h) right += (right.empty() ? "" : "; ") + advice.method;
+        if (advice.right) right += (right.empty() ? "" : "; ") + advice.method;
     std::printf("%s", wrapped(asked.name + ", within " + percent + ": " + (right.empty() ? "none" : right) + ".", 0)
                           .c_str());
     const Advice* best = cheapest(all, asked.h);
@@ -161,7 +162,9 @@ void print_right(const std::vector<Advice>& all, const timestep::DampedSpring<do
                 alike += (alike.empty() ? "" : "; ") + advice.method;
         if (!alike.empty()) std::printf("%s", wrapped("Equally cheap: " + alike + ".", 0).c_str());
     } else {
-        std::printf("No method is right to %s at any step.\n", percent.c_str());
+        const bool never = cheapest(all) == nullptr;
+        std::printf("No method is right to %s at %s.\n", percent.c_str(),
+                    never ? "any step" : asked.given ? "steps no longer than yours" : "steps of 1/60 s or less");
     }
     print_survivor(all, spring, asked, best);
     // See timestep::advise() for what is measured.
@@ -250,6 +253,7 @@ Json as_json(const SpinAdvice& advice) {
             {"growth_per_second", nullptr},  // the spin does not stay in the worst direction
             {"period_error_percent", nullptr},
             {"energy_gain_of_the_worst_step", finite(advice.worst_gain)},
+            {"without_bound", std::isinf(advice.worst_gain)},
             {"worst_spin", spin},
             {"longest_step", finite(advice.longest_step)},
             {"cost", finite(advice.cost)},
@@ -265,13 +269,13 @@ void print(const std::vector<SpinAdvice>& all, double spin, double h, bool torqu
     std::printf("|ω| = %s rad/s, h = %s s: h|ω| = %s. Can one step raise the energy, in any direction?\n\n",
                 number(spin).c_str(), number(h).c_str(), number(h * spin, "%.4g").c_str());
     std::printf("%s%s%s%s%s\n", padded("method", 26).c_str(), padded("verdict", 19).c_str(),
-                padded("worst step", 14).c_str(), padded("longest step", 18).c_str(), "cost/s");
+                padded("worst step", 16).c_str(), padded("longest step", 18).c_str(), "cost/s");
     for (const auto& advice : all) {
         const double added = advice.worst_gain - 1;
         const bool dropped = advice.method == timestep::no_gyroscopic.name;
         std::printf("%s%s%s%s%s\n", padded(advice.method, 26).c_str(),
                     padded(words(advice.verdict), 19).c_str(),
-                    padded(added > 1e-12 ? more(added) : "no gain", 14).c_str(),
+                    padded(std::isinf(added) ? "without bound" : added > 1e-12 ? more(added) : "no gain", 16).c_str(),
                     padded(longest_in_words(advice.longest_step), 18).c_str(),
                     (often(advice.cost) + (dropped && torque ? ", and does not tumble" : "")).c_str());
     }
