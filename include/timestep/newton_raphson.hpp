@@ -16,8 +16,8 @@ namespace timestep {
 /// right digits doubles each time. Far from it, where the function bends, the tangent's root may be worse
 /// than x itself; then half of the way is tried, and half again, until f(x) shrinks. So a function that
 /// rises everywhere is solved from anywhere, if 50 corrections get there. After as many it ends, or in a
-/// place where |f| is least and not zero: then the x that is returned is no root. Where the tangent is
-/// too steep for numbers, it is NaN: nobody knows the way.
+/// place where |f| is least and not zero: then the x that is returned is no root. It is NaN where nobody
+/// knows the way: the tangent is too steep for numbers, or f(x) or the correction is too large.
 ///
 /// It stops when a correction is some ε times the largest size that x has had on the way: near a root
 /// at zero, x itself would be no measure. It is meant for starts of about the size of the root, as a
@@ -31,10 +31,11 @@ X newton_raphson(X x, const Function& f, const Jacobian& jacobian) {
     X residual = f(x);
     for (int i = 0; i < 50; ++i) {
         const auto& tangent = jacobian(x);
-        if (!is_finite(tangent)) return X(std::numeric_limits<real_of<X>>::quiet_NaN() * x);
         X correction = solve(tangent, residual);
-        X next = x - correction;
         real_of<X> size = safe_magnitude(correction);
+        if (!is_finite(tangent) || !is_finite(size + largest))
+            return X(std::numeric_limits<real_of<X>>::quiet_NaN() * x);
+        X next = x - correction;
         X left = residual;
         while (size > digits * largest) {
             left = f(next);
@@ -43,7 +44,7 @@ X newton_raphson(X x, const Function& f, const Jacobian& jacobian) {
             size /= 2;
             next = x - correction;
         }
-        if (!(size > digits * largest)) return next;  // also when it is a NaN
+        if (size <= digits * largest) return next;
         x = next;
         residual = left;
         largest = std::max(largest, safe_magnitude(x));

@@ -104,6 +104,34 @@ TEST_CASE("the converged step is many iterations of the talk's", "[library][N48]
     }
 }
 
+// In steps so short that Newton-Raphson starts all but at the root, and far too many of them.
+TEST_CASE("the converged step is the root that is followed from h = 0", "[library][N48]") {
+    RandomInertia random(9);
+    const PrincipalInertia<double> known(1, 2, 2.5);
+    const V middle = 2.372 * V(0.1178, -0.9875, -0.1045);  // where another root is nearer to ω₁
+    CHECK(std::fabs(kinetic_energy(known, V(converged_gyroscopic.step(known, middle, 1.0))) /
+                        kinetic_energy(known, middle) - 0.932) < 0.001);
+    for (int i = 0; i < 300; ++i) {
+        const auto I = i % 2 ? known : random.inertia<double>(1000);
+        const V omega = std::pow(10, -0.3 + 2.3 * (i % 37) / 36) * random.direction<double>();
+        V w = omega;
+        double farthest = 0;
+        for (int n = 1; n <= 2000; ++n) {
+            const double h = n * n / 4e6;
+            const V before = w;
+            for (int k = 0; k < 4; ++k) {
+                const V L = I.momentum(w);
+                const M J = diagonal(I) + h * (skew(w) * diagonal(I) - skew(L));
+                w -= solve3(J, V(I.momentum(w - omega) + h * w.cross(L)));
+            }
+            farthest = std::max(farthest, (w - before).norm());
+        }
+        INFO("I = " << I.moments.transpose() << ", omega = " << omega.transpose());
+        CHECK(farthest < 0.05 * omega.norm());
+        CHECK((converged_gyroscopic.step(I, omega, 1.0) - w).norm() < 1e-6 * omega.norm());
+    }
+}
+
 TEST_CASE("the passive step solves its equation, and turns the energy's vector", "[library][N51]") {
     RandomInertia random(6);
     for (int i = 0; i < 1000; ++i) {

@@ -3,6 +3,7 @@
 /// Implicit Euler on the gyroscopic torque, solved to the end.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <timestep/rigid/inertia.hpp>
@@ -13,7 +14,10 @@ namespace timestep {
 /// The ω₂ with I(ω₂ − ω₁) + h ω₂ × Iω₂ = 0, to the last digit (N48). Never adds energy (N51), damps
 /// as much as the talk's single iteration does where that one is stable, and costs several times as
 /// much. The course has it to tell what is Newton-Raphson's fault and what is implicit Euler's.
-/// Where (hω)² is too large for a number it gives back NaN.
+///
+/// For long steps several ω₂ solve this. It gives back the one that is ω₁ at h = 0 and moves on
+/// without a jump as h grows. There is one for every h; in the end it turns about the axis that the
+/// exact motion circles. Where (hω)² is too large for a number it gives back NaN.
 struct ConvergedGyroscopic {
     static constexpr const char* name = "implicit, converged";  ///< for tables and keys
     static constexpr int order = 1;                             ///< of the error after a whole run
@@ -58,14 +62,28 @@ struct ConvergedGyroscopic {
     }
 
 private:
-    // For long steps Newton-Raphson may miss the root from y₁. So we follow the root from h = 0, where
-    // it is y₁, as h grows: each stretch starts from the root of the one before, is halved when it
-    // fails, and doubled when it does not. NaN when it gets no farther: a stretch that changes no
-    // digit, or as many of them as would halve 1 to the smallest number and double it back, twice.
+    // For long steps there are several roots, and Newton-Raphson from y₁ may find any of them. Ours
+    // is followed from h = 0, where it is y₁, as h grows: each stretch starts from the root of the
+    // one before, is halved when it fails, and doubled when it does not. NaN when it gets no farther:
+    // a stretch that changes no digit, or as many of them as would halve 1 to the smallest number
+    // and double it back, twice.
+    //
+    // We know our root when we see it. The exact motion circles the axis k of the least or of the
+    // largest moment, and along that one our root keeps the sign of y₁ and at least half of it; no
+    // other root does. For let y be a root, a = y₁, and w = h times the product of y's parts. Then
+    //     yᵢ² − aᵢ yᵢ + gᵢ w = 0,  yᵢ = aᵢ/2 ± √(aᵢ²/4 − gᵢ w),  h = w / product.
+    // At h = 0 all three have the plus and w = 0. Then w goes up or down until one of the square
+    // roots is zero, takes the minus there, and comes back, through zero, to the end on the other
+    // side. Two gᵢ have one sign, those of the least and the largest moment; the square root with
+    // the larger aᵢ²/|gᵢ| never gets to zero. Its i is k (it is where L² − 2E I₂ says), so k keeps
+    // the plus. On the way d ln h / d ln w = 1 + Σ (aᵢ − yᵢ)/(2yᵢ − aᵢ) is nowhere zero: h rises
+    // to infinity and meets each value once. And all other roots with the plus for k lie on the way
+    // for h < 0.
     /// [continuation]
     template <class Real, class Iterated>
     static Vector3<Real> follow(const Vector3<Real>& hg, const Vector3<Real>& y1,
                                 const Iterated& iterated) {
+        const int axis = circled(hg, y1);
         Vector3<Real> y = y1;
         Real done = 0, stretch = 1;
         int stretches = 4 * std::numeric_limits<Real>::max_exponent;
@@ -73,7 +91,9 @@ private:
             const Real next = std::min(Real(1), done + stretch);
             if (next == done || --stretches == 0)
                 return Vector3<Real>::Constant(std::numeric_limits<Real>::quiet_NaN());
-            if (Vector3<Real> root = y; newton(Vector3<Real>(next * hg), y1, root, iterated)) {
+            Vector3<Real> root = y;
+            if (newton(Vector3<Real>(next * hg), y1, root, iterated) &&
+                !(root[axis] / y1[axis] < Real(0.5))) {
                 y = root;
                 done = next;
                 stretch *= 2;
@@ -84,6 +104,16 @@ private:
         return y;
     }
     /// [continuation]
+
+    // The axis that the exact motion circles. The middle moment has the largest |g|: g sums to zero.
+    template <class Real>
+    static int circled(const Vector3<Real>& hg, const Vector3<Real>& y1) {
+        const Vector3<Real> root = hg.cwiseAbs().cwiseSqrt();
+        int middle;
+        root.maxCoeff(&middle);
+        const int i = (middle + 1) % 3, j = (middle + 2) % 3;
+        return std::abs(y1[i]) * root[j] > std::abs(y1[j]) * root[i] ? i : j;
+    }
 
     // Newton-Raphson from `y`; has it found the root? One more iteration after the residual is down
     // to roundoff takes what is left of it.
