@@ -20,7 +20,9 @@
 #include <timestep/models/drag.hpp>
 #include <timestep/models/pendulum.hpp>
 #include <timestep/models/projectile.hpp>
+#include <timestep/models/prothero_robinson.hpp>
 #include <timestep/models/tether.hpp>
+#include <timestep/models/van_der_pol.hpp>
 #include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/run.hpp>
 #include <timestep/taylor.hpp>
@@ -216,6 +218,37 @@ TEST_CASE("an implicit method does not ignore a force whose slope is no number",
     both(implicit_midpoint);
     both(bdf2);
     CHECK(std::isnan(implicit_euler.step(Decay(-1e300), FirstOrder<double>{0, 1}, 1e10).y));
+}
+
+// Newton–Raphson halved an infinite correction for ever.
+TEST_CASE("an implicit run of a force or a result too large for a number ends and says so",
+          "[library][N62]") {
+    using V = Eigen::Vector2d;
+    using Y = FirstOrder<double>;
+    const auto blows_up = [](const auto& method, const auto& model, const auto& start, double h) {
+        return checked_run(method, model, start, h, 300).blew_up_at;
+    };
+    const State<double> fast{0, 0, 1e200};
+    const State<V> far{0, V(1e308, 1e308), V(0, 0)}, fast_2d{0, V(0, 0), V(1e200, 1e200)};
+    const auto all = [&](const auto& method) {
+        INFO(method.name);
+        CHECK(blows_up(method, Drag(1.0), fast, 1.0) == 1);
+        CHECK(blows_up(method, Drag(1.0), fast_2d, 1.0) == 1);
+        CHECK(blows_up(method, Tether(1e100, 1.0), far, 1.0 / 64) == 1);
+        CHECK(blows_up(method, Decay(-100.0), Y{0, 1e308}, 1.0) == 1);
+        CHECK(blows_up(method, ProtheroRobinson(-1e10), Y{0, 1e300}, 1.0) == 1);
+        CHECK(blows_up(method, VanDerPol(1.0), FirstOrder<V>{0, V(1e150, 1e150)}, 1.0) == 1);
+    };
+    all(implicit_euler);
+    all(implicit_midpoint);
+    all(bdf2);
+    struct Cubic {
+        double acceleration(double x) const { return -x * x * x; }
+        double slope_x(double x) const { return -3 * x * x; }
+    };
+    CHECK(blows_up(implicit_euler, Cubic(), State<double>{0, 1e110, 0}, 1.0 / 64) == 1);
+    // Each step multiplies by 20, and 20^237 > 1.8e308.
+    CHECK(blows_up(implicit_euler, Decay(0.95), Y{0, 1}, 1.0) == 237);
 }
 
 TEST_CASE("Newton-Raphson does not take an infinite slope for a root", "[library][N26]") {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include <Eigen/Dense>
 #include <timestep/newton_raphson.hpp>
@@ -84,4 +85,28 @@ TEST_CASE("a NaN ends it at once", "[library]") {
         1.0, [&](double) { return ++evaluations, nan; }, [](double) { return 1.0; });
     CHECK(std::isnan(x));
     CHECK(evaluations == 1);
+}
+
+// Half of infinity is infinity: halving it would never end.
+TEST_CASE("where f(x) or the correction is too large for a number it ends with a NaN", "[library]") {
+    using V = Eigen::Vector2d;
+    const double inf = std::numeric_limits<double>::infinity();
+    int evaluations = 0;
+    const auto few = [&] {
+        if (++evaluations > 1000) throw std::runtime_error("no end");
+    };
+    const auto root = [&](double f, double slope) {
+        return newton_raphson(1.0, [&](double) { return few(), f; }, [&](double) { return slope; });
+    };
+    CHECK(std::isnan(root(inf, 2)));
+    CHECK(std::isnan(root(1e300, 1e-10)));
+    CHECK(std::isnan(root(1, 0)));
+    // In a vector, as well where it is its length that is no number.
+    for (const double huge : {inf, 1.7e308}) {
+        evaluations = 0;
+        const V x = newton_raphson(
+            V(1, 1), [&](const V&) { return few(), V(huge, huge); },
+            [](const V&) { return Eigen::Matrix2d(Eigen::Matrix2d::Identity()); });
+        CHECK(x.hasNaN());
+    }
 }
