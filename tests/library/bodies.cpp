@@ -136,3 +136,51 @@ TEST_CASE("sorted bodies move as each does alone, to the last bit", "[library][c
     }
     CHECK(bodies.of<Box>()[1].motion.turning.omega != V(1, 5, -2));  // the boxes do tumble
 }
+
+TEST_CASE("a body that no scene could step is refused where it is added", "[library][ch6]") {
+    const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
+    const auto add = [](const Ball& bad, const V& v, const V& omega) {
+        Bodies<double, Ball> balls;
+        Motion<double> m = lying(ball, v);
+        m.turning.omega = omega;
+        balls.add(bad, m);
+    };
+    const V still(0, 0, 0);
+    // 1/1e-320 is no number, 1e-200 has no square, and 1e200 none either.
+    for (const double mass : {0.0, -1.0, 1e-320, nan, inf})
+        CHECK_THROWS_AS(add({ball.inertia, mass, 0.1}, still, still), std::invalid_argument);
+    for (const double radius : {0.0, -1.0, 1e-200, 1e200, nan, inf})
+        CHECK_THROWS_AS(add({ball.inertia, 2, radius}, still, still), std::invalid_argument);
+    CHECK_THROWS_MATCHES(
+        add({ball.inertia, 0, 0.1}, still, still), std::invalid_argument,
+        Message("mass = 0: must be finite and greater than zero"));
+    CHECK_THROWS_MATCHES(
+        add({ball.inertia, 2, 1e200}, still, still), std::invalid_argument,
+        Message("radius = 1e+200: must be such that 1/m and r²/I are finite and above zero"));
+    for (const double bad : {1e200, nan, inf}) {
+        CHECK_THROWS_AS(add(ball, V(bad, 0, 0), still), std::invalid_argument);
+        CHECK_THROWS_AS(add(ball, still, V(0, bad, 0)), std::invalid_argument);
+    }
+    CHECK_NOTHROW(add(ball, V(1e150, 0, 0), V(0, 1e150, 0)));
+    CHECK_NOTHROW(checked(Nothing{}));
+}
+
+// Who steps a body that has not been let in shall at least see it.
+TEST_CASE("friction and resistance that cannot be computed are not dropped in silence",
+          "[library][ch6]") {
+    const BodyScene scene{Weight(9.81), Ground(0.5), RollingResistance(0.01)};
+    const double nan = std::nan("");
+    const auto lost = [&](const Ball& body, const V& v, const V& omega) {
+        Motion<double> m = lying(ball, v);
+        m.turning.omega = omega;
+        scene.step(body, m, 0.01);
+        return !is_finite(m.turning) || !is_finite(m.v);
+    };
+    CHECK(lost({ball.inertia, nan, 0.1}, V(1, 0, 0), V(0, 0, 0)));
+    CHECK(lost({ball.inertia, 2, nan}, V(1, 0, 0), V(0, 0, 0)));
+    CHECK(lost(ball, V(1e200, 0, 0), V(0, 0, 0)));
+    CHECK(lost(ball, V(0, 0, 0), V(0, 1e200, 0)));
+    // So fast a spin that the ball does not slide: the contact stands, ω² is no number.
+    CHECK(lost({ball.inertia, 2, 1e-150}, V(0, 0, 0), V(0, 1e160, 0)));
+    CHECK_FALSE(lost(ball, V(1e150, 0, 0), V(0, 1e150, 0)));
+}

@@ -25,10 +25,11 @@ public:
         Motion<Real> motion;  ///< what it does
     };
 
-    /// Adds a body to the others of its kind.
+    /// Adds a body to the others of its kind. Throws `std::invalid_argument`, as `checked` does,
+    /// where a scene could not step it.
     template <class Kind>
     void add(const Kind& body, const Motion<Real>& start) {
-        of<Kind>().push_back({body, start});
+        of<Kind>().push_back({checked(body), checked(start)});
     }
 
     /// All bodies of one kind, in the order in which they were added.

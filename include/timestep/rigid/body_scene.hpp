@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <tuple>
+#include <type_traits>
 
 #include <timestep/checks.hpp>
 #include <timestep/inline.hpp>
@@ -22,23 +24,67 @@ struct Motion {
     Vector3<Real> v;           ///< its velocity, m/s
 };
 
+/// The body, as it came, if a scene can step it: where it has a mass and a radius, they are above
+/// zero, and 1/m and r²/I, by which the ground divides, neither overflow nor vanish. Throws
+/// `std::invalid_argument`. A step itself looks at nothing: whoever steps a body without `Bodies`
+/// asks here once.
+/// [checked]
+template <class Body>
+const Body& checked(const Body& body) {
+    const auto usable = [](const char* name, auto value, auto term) {
+        positive(name, value);
+        if (!is_finite(term) || term == 0)
+            refuse(name, value, "such that 1/m and r²/I are finite and above zero");
+    };
+    if constexpr (requires { body.mass; }) usable("mass", body.mass, 1 / body.mass);
+    if constexpr (requires { body.radius, body.inertia.moment; })
+        usable("radius", body.radius, body.radius * body.radius * (1 / body.inertia.moment));
+    return body;
+}
+/// [checked]
+
+/// The motion, as it came, if all of it is finite and its speeds have squares. Throws
+/// `std::invalid_argument`.
+template <class Real>
+const Motion<Real>& checked(const Motion<Real>& m) {
+    if (!is_finite(m.turning) || !is_finite(m.x) || !is_finite(m.v))
+        throw std::invalid_argument("motion: must be finite, its attitude not zero");
+    for (const Real speed : {m.v.stableNorm(), m.turning.omega.stableNorm()})
+        if (!is_finite(speed * speed)) refuse("speed", speed, "so low that its square is a number");
+    return m;
+}
+
+template <class Real>
+struct Weight;
+template <class Real>
+struct Ground;
+template <class Real>
+struct RollingResistance;
+
 /// \cond
 namespace detail {
 template <class Term>
-inline constexpr bool is_ground = false;
+inline constexpr bool is_weight = false;
+template <class Real>
+inline constexpr bool is_weight<Weight<Real>> = true;
 template <class Term>
-inline constexpr bool needs_load = false;
+inline constexpr bool is_ground = false;
+template <class Real>
+inline constexpr bool is_ground<Ground<Real>> = true;
+template <class Term>
+inline constexpr bool is_rolling = false;
+template <class Real>
+inline constexpr bool is_rolling<RollingResistance<Real>> = true;
 
-// Does nothing that needs the load of the ground come before the ground?
-template <class... Terms>
-consteval bool ground_comes_first() {
-    const bool ground[] = {is_ground<Terms>..., false}, needs[] = {needs_load<Terms>..., false};
-    bool needed = false, good = true;
-    for (std::size_t i = 0; i < sizeof...(Terms); ++i) {
-        if (ground[i]) good = good && !needed;
-        needed = needed || needs[i];
-    }
-    return good;
+// Before which of these terms is the first `true`, and behind which the last? Where there is none:
+// behind all, and before all.
+consteval auto first(std::initializer_list<bool> terms) {
+    return std::find(terms.begin(), terms.end(), true) - terms.begin();
+}
+consteval auto behind_last(std::initializer_list<bool> terms) {
+    std::ptrdiff_t place = 0, behind = 0;
+    for (const bool term : terms) ++place, behind = term ? place : behind;
+    return behind;
 }
 }  // namespace detail
 /// \endcond
@@ -53,8 +99,15 @@ consteval bool ground_comes_first() {
 /// ground asks for no radius.
 template <class... Terms>
 class BodyScene {
-    static_assert(detail::ground_comes_first<Terms...>(),
-                  "timestep: in a BodyScene RollingResistance comes after Ground, whose load it needs");
+    static_assert((std::is_same_v<Terms, std::decay_t<Terms>> && ...),
+                  "timestep: the terms of a BodyScene are neither const nor references");
+    static_assert(detail::first({detail::is_ground<Terms>...}) <=
+                      detail::first({detail::is_rolling<Terms>...}),
+                  "timestep: in a BodyScene RollingResistance comes after Ground, whose load it "
+                  "needs");
+    static_assert(detail::behind_last({detail::is_weight<Terms>...}) <=
+                      detail::first({detail::is_ground<Terms>...}),
+                  "timestep: in a BodyScene Ground comes after Weight, which it has to carry");
 
 public:
     /// Copies the terms, which have checked their parameters themselves.
@@ -132,7 +185,8 @@ struct Ground {
     explicit Ground(Real friction_) : friction(not_negative("friction", friction_)) {}
 
     /// The gap must not close beyond zero: v_z ≥ −gap/h. Needs `body.mass`, `body.radius` and the
-    /// `body.inertia` of a ball.
+    /// `body.inertia` of a ball. Where the square of the contact's velocity is too large for a number,
+    /// NaN.
     /// [ground]
     template <class Body>
     TIMESTEP_INLINE void operator()(const Body& body, Motion<Real>& m, Real& load, Real h) const {
@@ -141,15 +195,15 @@ struct Ground {
         const Real r = body.radius, inverse_inertia = 1 / body.inertia.moment;
         const Real gap = m.x.z() - r;
         const Real lift = -std::max(gap, Real(0)) / h - v.z();
-        if (!(lift > 0)) return;
+        if (lift <= 0) return;  // a NaN goes on, and is seen
         load = body.mass * lift;
         v.z() += lift;
 
         const Real u = v.x() - r * omega.y(), w = v.y() + r * omega.x();  // of the contact
-        const Real speed = std::sqrt(u * u + w * w);
+        const Real square = u * u + w * w, speed = std::sqrt(square);
         const Real stop = speed / (1 / body.mass + r * r * inverse_inertia);  // N s that stop it
-        if (!(stop > 0)) return;
-        const Real share = -std::min(stop, friction * load) / speed;
+        if (stop <= 0) return;
+        const Real share = -std::min(stop, friction * load) * (speed / square);  // NaN if infinite
         const Real px = share * u, py = share * w;
         v.x() += px / body.mass, v.y() += py / body.mass;
         omega.x() += r * inverse_inertia * py, omega.y() -= r * inverse_inertia * px;
@@ -166,27 +220,18 @@ struct RollingResistance {
     /// `coefficient` zero or more. Throws `std::invalid_argument`.
     explicit RollingResistance(Real c) : coefficient(not_negative("rolling resistance", c)) {}
 
-    /// At most as much as stops the turning.
+    /// At most as much as stops the turning. Where ω² is too large for a number, NaN.
     /// [rolling]
     template <class Body>
     TIMESTEP_INLINE void operator()(const Body& body, Motion<Real>& m, Real& load, Real) const {
         Vector3<Real>& omega = m.turning.omega;
         const Real rate = std::sqrt(omega.x() * omega.x() + omega.y() * omega.y());
         const Real most = coefficient * body.radius * load / body.inertia.moment;
-        const Real left = rate > most ? 1 - most / rate : 0;
+        const Real left = rate > most ? (rate - most) / rate : 0;  // NaN if infinite
         omega.x() *= left;
         omega.y() *= left;
     }
     /// [rolling]
 };
-
-/// \cond
-namespace detail {
-template <class Real>
-inline constexpr bool is_ground<Ground<Real>> = true;
-template <class Real>
-inline constexpr bool needs_load<RollingResistance<Real>> = true;
-}  // namespace detail
-/// \endcond
 
 }  // namespace timestep
