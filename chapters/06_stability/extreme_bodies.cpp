@@ -1,6 +1,7 @@
 // The scenes for the solvers and inertias of chapter 5.
 
 #include <timestep/gyroscopic.hpp>
+#include <timestep/rigid/body_scene.hpp>
 
 #include "extremes.hpp"
 
@@ -236,12 +237,95 @@ private:
     std::vector<Cell>& cells_;
 };
 
+// A ball on the ground, as run() takes it: the body is the model.
+template <class Real>
+struct Rolling {
+    using Scalar = Real;
+    Real t;
+    Motion<Real> motion;
+};
+template <class Real>
+bool is_finite(const Rolling<Real>& s) {
+    return is_finite(s.motion.turning) && timestep::is_finite(s.motion.x) && timestep::is_finite(s.motion.v);
+}
+template <class Real>
+struct Ball {
+    UniformInertia<Real> inertia;
+    Real mass, radius;
+};
+template <class Scene>
+struct OnGround {
+    static constexpr const char* name = "a ball on the ground";
+    Scene scene;
+    template <class Real>
+    Rolling<Real> step(const Ball<Real>& ball, const Rolling<Real>& s, Real h) const {
+        Motion<Real> m = s.motion;
+        scene.step(ball, m, h);
+        return {m.turning.t, m};
+    }
+};
+
+template <class Real>
+void on_ground(std::vector<Cell>& cells) {
+    using S = Rolling<Real>;
+    using V = Vector3<Real>;
+    const Real nan = std::numeric_limits<Real>::quiet_NaN(), r = Real(0.5), g = Real(9.81);
+    const Real h = Real(1) / 64;
+    const Real fast = is_float<Real> ? Real(1e16) : Real(1e150);  // its square is a number
+    const auto from = [&](Real v, Real spin, Real z) {
+        return S{0, {{0, Quaternion<Real>::Identity(), V(0, spin, 0)}, V(0, 0, z), V(v, 0, 0)}};
+    };
+    const auto add = [&](const char* name, const auto& scene, Real mass, Real radius, const S& start,
+                         long steps, const Theory& theory, const Size<S>& size) {
+        const auto make = [&] {
+            checked(start.motion);
+            return checked(Ball<Real>{UniformInertia<Real>(Real(0.4) * r * r), mass, radius});
+        };
+        cells.push_back(cell<Ball<Real>>(name, OnGround<decltype(scene)>{scene}, make, start, h, steps, theory, size));
+    };
+    const BodyScene lawn(Weight<Real>(g), Ground<Real>(Real(0.5)), RollingResistance<Real>(Real(0.01)));
+    const auto none = [](const S&) { return 0.0; };
+    const S good = from(1, 0, r);
+    for (const auto& [name, bad] : {std::pair{"mass 0", Real(0)}, {"mass < 0", Real(-1)}, {"mass NaN", nan},
+                                    {"mass subnormal", std::numeric_limits<Real>::denorm_min()}})
+        add(name, lawn, bad, r, good, 10, refused("mass"), none);
+    for (const auto& [name, bad] : {std::pair{"radius 0", Real(0)}, {"radius NaN", nan},
+                                    {"radius tiny", tiny<Real>}, {"radius huge", huge<Real>}})
+        add(name, lawn, 1, bad, good, 10, refused("radius"), none);
+    add("ball's speed huge", lawn, 1, r, from(huge<Real>, 0, r), 10, refused("speed"), none);
+    add("ball's spin huge", lawn, 1, r, from(0, huge<Real>, r), 10, refused("speed"), none);
+    add("ball's height NaN", lawn, 1, r, from(1, 0, nan), 10, refused("motion"), none);
+
+    // Too fast for friction to be felt: v stays, and friction turns the ball, by 5/2 μ g t/r.
+    const BodyScene ground(Weight<Real>(g), Ground<Real>(Real(0.5)));
+    add("ball's speed 1e150", ground, 1, r, from(fast, 0, r), 100, {Word::exact, 100 * 8 * eps<Real>},
+        [=](const S& s) {
+            const double spin = 2.5 * 0.5 * g * double(s.t) / r;
+            const double off = double(s.motion.v.x() / fast - 1);
+            return std::fabs(off) + std::fabs(double(s.motion.turning.omega.y()) - spin) / std::fmax(spin, 1);
+        });
+    // So rough a ground that the sliding ends in a step, at 5/7 of the speed, or at 2/7 of the spin.
+    const BodyScene rough(Weight<Real>(g), Ground<Real>(huge<Real>));
+    const auto rolls = [=](Real v) {
+        return [=](const S& s) {
+            const double x = double(s.motion.v.x() / v), y = double(r * s.motion.turning.omega.y() / v);
+            return s.t > 0 ? std::fabs(x - 1) + std::fabs(y - 1) : 0;
+        };
+    };
+    add("ball's speed 1e150, friction huge", rough, 1, r, from(fast, 0, r), 100,
+        {Word::exact, 100 * 16 * eps<Real>}, rolls(5 * fast / 7));
+    add("ball's spin 1e150, friction huge", rough, 1, r, from(0, fast, r), 100,
+        {Word::exact, 100 * 16 * eps<Real>}, rolls(2 * r * fast / 7));
+}
+
 }  // namespace
 
 std::vector<Cell> of_bodies() {
     std::vector<Cell> cells;
     Bodies<double>(cells).inertias();
     Bodies<float>(cells).inertias();
+    on_ground<double>(cells);
+    on_ground<float>(cells);
     for_each_gyroscopic([&](const auto& solver) {
         Bodies<double>(cells).all(solver);
         Bodies<float>(cells).all(solver);

@@ -10,6 +10,7 @@
 #include <timestep/models/projectile.hpp>
 #include <timestep/models/tether.hpp>
 #include <timestep/scene.hpp>
+#include <timestep/stability_function.hpp>
 
 #include "extremes.hpp"
 
@@ -33,6 +34,7 @@ class Methods {
     static constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
     static constexpr Real inf = std::numeric_limits<Real>::infinity();
     static constexpr Real h = Real(1) / 64;
+    static constexpr Real far = std::numeric_limits<Real>::max() / 5;
 
 public:
     explicit Methods(std::vector<Cell>& cells) : cells_(cells) {}
@@ -94,37 +96,66 @@ private:
         add("drag NaN", method, of<Drag<Real>>(nan), good, h, 10, refused("drag"), size);
     }
 
+    // One that stays bounded must have moved as well: it dies as fast as theory says, or it has
+    // swung to the other side.
     template <class Method>
-    void one_spring(const char* scene, const Method& method, Real omega, Real zeta, const S& start,
-                    Real step, long steps) {
-        const auto size = [omega](const S& s) {
+    void one_spring(const char* scene, const Method& method, Real omega, const S& start, Real step,
+                    long steps) {
+        Real lowest = start.x;
+        const auto size = [&, omega](const S& s) {
+            lowest = std::min(lowest, s.x);
             return std::fabs(double(s.x)) + std::fabs(double(s.v)) / omega;
         };
-        Theory theory = spring_theory<Real>(method, omega, zeta, step, steps);
-        theory.size *= size(start);
-        if (zeta > 0)
-            add(scene, method, of<DampedSpring<Real>>(omega, zeta), start, step, steps, theory,
-                size);
-        else
-            add(scene, method, of<Spring<Real>>(omega), start, step, steps, theory, size);
+        Theory theory = spring_theory<Real>(method, omega, 0, step, steps);
+        const double first = size(start);
+        theory.size *= first;
+        bool dies = false;
+        if constexpr (HasStabilityFunction<Method>) {
+            const double log_last =
+                0.99 * steps * std::log(std::abs(stability_function(
+                                   method, Complex(0, double(omega) * double(step)))));
+            dies = log_last < -3;
+            if (dies)  // to a few of the least numbers
+                theory.last_size = 8 * first * std::exp(log_last) +
+                                   1000 * double(std::numeric_limits<Real>::denorm_min());
+        }
+        add(scene, method, of<Spring<Real>>(omega), start, step, steps, theory, size);
+        Cell& cell = cells_.back();
+        if (cell.found == Word::bounded && !dies && !(lowest < -start.x / 2))
+            cell.found = Word::wrong;
+    }
+
+    // A damper so hard that nothing moves any more: v = −(ω/2ζ) x. The implicit midpoint method keeps
+    // the mean of two velocities there, and so jumps from 0 to twice of it and back; BDF2 starts with
+    // such a step.
+    template <class Method>
+    void hard_damper(const char* scene, const Method& method, Real zeta) {
+        constexpr bool jumps = std::is_same_v<Method, ImplicitMidpoint>;
+        const Theory theory = spring_theory<Real>(method, 1, zeta, h, 100);
+        add(scene, method, of<DampedSpring<Real>>(1, zeta), S{0, 1, 0}, h, 100, theory,
+            [=](const S& s) {
+                const double v = -2 * double(zeta) * double(s.v);  // 1 in theory
+                const long step = std::lround(double(s.t / h));
+                const double expected = jumps ? (step % 2 == 1 ? 2 : 0) : 1;
+                const bool right = step < 10 || std::fabs(v - expected) < 1e-3;
+                return theory.expected != Word::bounded || right ? std::fabs(double(s.x)) : 1e300;
+            });
     }
 
     template <class Method>
     void springs(const Method& method) {
         const S start{0, 1, 0};
-        one_spring("ωh = 5/3", method, 100, 0, start, Real(1) / 60, 1000);
-        one_spring("ω stiff", method, 64 * stiff<Real>, 0, start, h, 100);
-        one_spring("a million steps", method, 6, 0, start, Real(1) / 60, 1'000'000);
-        one_spring("start subnormal", method, 64, 0,
+        one_spring("ωh = 5/3", method, 100, start, Real(1) / 60, 1000);
+        one_spring("ω stiff", method, 64 * stiff<Real>, start, h, 100);
+        one_spring("a million steps", method, 6, start, Real(1) / 60, 1'000'000);
+        one_spring("start subnormal", method, 64,
                    S{0, std::numeric_limits<Real>::min() / 128, 0}, h, 100);
-        // Dampers so hard that nothing moves any more.
-        one_spring("damper 1e30", method, 1, Real(1e30), start, h, 100);
-        one_spring("damper huge, ω = 1", method, 1, huge<Real> / 2, start, h, 100);
+        hard_damper("damper 1e30", method, Real(1e30));
+        hard_damper("damper huge, ω = 1", method, huge<Real> / 2);
 
         // The force itself is too large for a number: no method can know what comes next.
-        add("start huge", method, of<Spring<Real>>(6),
-            S{0, std::numeric_limits<Real>::max() / 5, 0}, h, 100, {Word::reported, 0, 0, 1},
-            [](const S&) { return 0.0; });
+        add("start huge", method, of<Spring<Real>>(6), S{0, far, 0}, h, 100,
+            {Word::reported, 0, 0, 1}, [](const S&) { return 0.0; });
     }
 
     // Answers that are known exactly, most of them from another run.
@@ -223,11 +254,24 @@ private:
                 else
                     return step > 3 ? v / 1e-10 : v;
             });
+        // Forces that are too large for a number, and one that is not: x is far off and stays there.
+        const auto none = [](const auto&) { return 0.0; };
+        add("drag 1e30, start huge", method, of<Drag<Real>>(Real(1e30)), S{0, 0, far}, h, 100,
+            {Word::reported, 0, 0, 1}, none);
+        add("drag, start huge", method, of<Drag<Real>>(1), S{0, 0, far}, h, 100,
+            {Word::reported, 0, 0, 1}, none);
+        add("pendulum's start huge", method, of<Pendulum<Real>>(6), S{0, far, 0}, h, 100,
+            {Word::exact, 100 * 8 * eps<Real>}, [&](const S& s) {
+                const double most = 36 * double(s.t) * 1.01;  // |sin| is 1 or less
+                return std::fabs(double(s.v)) <= most ? std::fabs(double(s.x / far - 1)) : 1;
+            });
         // From a subnormal length, in a plane. Along itself the tether is a spring: x = L (1 − cos
         // ωt) + sin ωt / ω. Methods of order one miss a tenth of the first term in ten steps, a
         // fortieth of the whole. (From rest there, a circle of states solves the implicit equation,
         // and none can be found.)
         using V = Eigen::Matrix<Real, 2, 1>;
+        add("tether, start huge", method, of<Tether<Real>>(6, 1),
+            State<V>{0, V(far, far), V(0, 0)}, h, 100, {Word::reported, 0, 0, 1}, none);
         add("tether's length subnormal", method, of<Tether<Real>>(6, 1),
             State<V>{0, V(std::numeric_limits<Real>::min() / 128, 0), V(1, 0)}, Real(1) / 600, 10,
             {Word::exact, 0.03}, [](const State<V>& s) {
@@ -259,6 +303,16 @@ private:
                               is_implicit<Method> ? Theory{Word::bounded, 1 + 100 * 8 * eps<Real>}
                                                   : Theory{Word::reported, 0, 0, 12},
                               size));
+        cells_.push_back(cell<Decay<Real>>("decay 1e30, start huge", method,
+                                           of<Decay<Real>>(Real(-1e30)), Y{0, far}, h, 100,
+                                           {Word::reported, 0, 0, 1}, size));
+        // It grows by R(0.95) a step, whatever a method makes of that.
+        const double log_step = std::log(std::abs(stability_function(method, 0.95)));
+        const double log_largest = std::log(double(std::numeric_limits<Real>::max()));
+        Theory growth{Word::reported, 0, 0, log_largest * 1.01 / log_step + 3};
+        growth.earliest = log_largest * 0.99 / log_step - 3;
+        cells_.push_back(cell<Decay<Real>>("decay upwards", method, of<Decay<Real>>(Real(0.95)),
+                                           Y{0, 1}, 1, 2000, growth, size));
         cells_.push_back(cell<Decay<Real>>("decay 0", method, of<Decay<Real>>(0), Y{0, 1}, h, 100,
                                            {Word::exact, 0},
                                            [](const Y& s) { return std::fabs(double(s.y) - 1); }));

@@ -78,25 +78,32 @@ void telling(const std::vector<Cell>& cells, lab::Findings& out) {
 
 // What the page says of whole rows.
 void rows(const std::vector<Cell>& cells, lab::Findings& out) {
-    const auto among = [](const std::string& scene, std::initializer_list<const char*> scenes) {
-        return std::find(scenes.begin(), scenes.end(), scene) != scenes.end();
+    // Does it hold of every cell of these scenes? Of a scene that is not there it does not.
+    const auto all_of = [&](std::initializer_list<const char*> scenes, const auto& holds) {
+        return std::all_of(scenes.begin(), scenes.end(), [&](const std::string& scene) {
+            long there = 0, good = 0;
+            for (const Cell& cell : cells)
+                if (cell.scene == scene) ++there, good += holds(cell);
+            return there > 0 && good == there;
+        });
     };
-    bool implicit_alone = true, harmless = true;
-    for (const Cell& cell : cells) {
-        if (among(cell.scene, {"ω stiff", "masses 1 : 1e−30", "drag 1e30"}))
-            implicit_alone &= (cell.found == Word::bounded) ==
-                              among(cell.method, {"implicit Euler", "implicit midpoint", "BDF2"});
-        if (among(cell.scene,
-                  {"step tiny", "ω tiny", "ω = 0", "t + h = t", "lengths × 2ⁿ", "lengths ÷ 2ⁿ"}))
-            harmless &= cell.found == Word::exact;
-    }
+    const bool implicit_alone =
+        all_of({"ω stiff", "masses 1 : 1e−30", "drag 1e30"}, [](const Cell& cell) {
+            const std::string& m = cell.method;
+            return (cell.found == Word::bounded) ==
+                   (m == "implicit Euler" || m == "implicit midpoint" || m == "BDF2");
+        });
+    const bool harmless =
+        all_of({"step tiny", "ω tiny", "ω = 0", "t + h = t", "lengths × 2ⁿ", "lengths ÷ 2ⁿ"},
+               [](const Cell& cell) { return cell.found == Word::exact; });
     out.check("stiff_implicit_alone", implicit_alone,
               "on stiff springs and drag the implicit methods alone stay bounded");
     out.check("scales_harmless", harmless,
               "every method is exact in tiny steps, late in time, and in any unit of length");
 }
 
-// For the figure: a row a scene that not every method refuses, a column a method.
+// For the figure: a row a scene that not every method refuses, a column a method. Of the scenes that
+// start too far off one row says enough, that of the spring.
 void grid(const std::vector<Cell>& cells, lab::Findings& out) {
     auto& table = out.table("extremes.tsv", {"column", "row", "word", "method", "scene"});
     std::map<std::string, int> columns;
@@ -105,7 +112,8 @@ void grid(const std::vector<Cell>& cells, lab::Findings& out) {
         if (cell.real != "double") continue;
         columns.try_emplace(cell.method, int(columns.size()));
         const bool shown = cell.found != Word::refused && cell.found != Word::does_not_compile &&
-                           cell.scene.find("decay") == std::string::npos;
+                           cell.scene.find("decay") == std::string::npos &&
+                           cell.scene.find(" start huge") == std::string::npos;
         if (shown && std::find(scenes.begin(), scenes.end(), cell.scene) == scenes.end())
             scenes.push_back(cell.scene);
     }

@@ -62,18 +62,25 @@ struct Theory {
     double log_growth = 0;  // grows: by e to this
     double latest = 0;      // reported: at this step or before
     const char* named = ""; // refused: what the message says is bad, as in "step = 0: must be …"
+    double last_size = std::numeric_limits<double>::infinity();  // bounded: at the end, at the most
+    double earliest = 1;                                         // reported: not before this step
 };
 
 inline Theory refused(const char* named) { return {Word::refused, 1, 0, 0, named}; }
+
+// The larger of the two; a NaN is larger than any number, for there must be none.
+inline double larger(double a, double b) { return a < b || std::isnan(b) ? b : a; }
 
 // The word for a run that came to an end with `size`, from `first` on; `largest` on the way.
 inline Word judge(const Theory& theory, double first, double largest, double last,
                   long blew_up_at) {
     if (blew_up_at > 0)
-        return theory.expected == Word::reported && blew_up_at <= theory.latest ? Word::reported
-                                                                                : Word::wrong;
+        return theory.expected == Word::reported && blew_up_at >= theory.earliest &&
+                       blew_up_at <= theory.latest
+                   ? Word::reported
+                   : Word::wrong;
     if (theory.expected == Word::bounded)
-        return largest <= theory.size ? Word::bounded : Word::wrong;
+        return largest <= theory.size && last <= theory.last_size ? Word::bounded : Word::wrong;
     if (theory.expected == Word::exact) return last <= theory.size ? Word::exact : Word::wrong;
     // What is no eigenvector makes up to a factor 8 of difference once, and roundoff 1 % of the
     // exponent.
@@ -112,7 +119,7 @@ Cell cell(const char* scene, const Method& method, const Make<Model>& make, cons
         double largest = 0;
         long finite_states = 0;
         const S end = run(method, model, start, h, steps, [&](const S& s) {
-            largest = std::max(largest, size(s));
+            largest = larger(largest, size(s));
             finite_states += is_finite(s);
         });
         // One look at the end finds whatever went wrong on the way: so it must be, in every cell.
@@ -178,7 +185,9 @@ Theory spring_theory(const Method& method, double omega, double zeta, double h, 
         return {Word::grows, 0, log_last};
     if (log_last < log_largest * 1.01 + 3 * log_step)
         throw std::logic_error("extremes: take more steps");
-    return {Word::reported, 0, 0, log_largest * 1.01 / log_step + 3};
+    Theory theory{Word::reported, 0, 0, log_largest * 1.01 / log_step + 3};
+    theory.earliest = (log_largest - std::log(8 * std::max(1.0, omega))) * 0.99 / log_step - 3;
+    return theory;
 }
 
 // All cells: of every method on every force, and of every gyroscopic solver on every inertia.
