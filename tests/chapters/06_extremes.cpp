@@ -45,5 +45,26 @@ TEST_CASE("a cell that ends otherwise than theory says is wrong", "[ch6]") {
     CHECK(judge({Word::reported, 0, 0, 5}, 1, 0, 0, 5) == Word::reported);
     CHECK(judge({Word::reported, 0, 0, 5}, 1, 0, 0, 6) == Word::wrong);
     CHECK(judge({Word::reported, 0, 0, 5}, 1, 0, 1, 0) == Word::wrong);
+    Theory theory{Word::bounded, 2};
+    theory.last_size = 0.5;
+    CHECK(judge(theory, 1, 1.5, 0.4, 0) == Word::bounded);
+    CHECK(judge(theory, 1, 1.5, 0.6, 0) == Word::wrong);
+    theory = {Word::reported, 0, 0, 5};
+    theory.earliest = 3;
+    CHECK(judge(theory, 1, 0, 0, 3) == Word::reported);
+    CHECK(judge(theory, 1, 0, 0, 2) == Word::wrong);
     CHECK(judge({Word::refused}, 1, 0, 0, 0) == Word::wrong);  // a run that was let in
+}
+
+TEST_CASE("a size that is no number is below no bound", "[ch6]") {
+    const auto word = [](double bad_from) {
+        return cell<Spring<double>>(
+                   "", implicit_euler, [] { return Spring<double>(6); }, State<double>{0, 1, 0},
+                   1.0 / 64, 100, {Word::bounded, 2},
+                   [=](const State<double>& s) { return s.t < bad_from ? 1 : std::nan(""); })
+            .found;
+    };
+    CHECK(word(0) == Word::wrong);
+    CHECK(word(1) == Word::wrong);
+    CHECK(word(100) == Word::bounded);
 }

@@ -74,6 +74,19 @@ TEST_CASE("the converged solver ends, however large hω is", "[library][N48]") {
     CHECK((converged_gyroscopic.step(big, V(1e50 * d), 100.0) / 1e50 - V(0, 0, 0.64)).norm() < 1e-15);
 }
 
+// Up to there it stays within its energy, beyond it a run sees it.
+TEST_CASE("the passive step is a number as long as the square of hω is one", "[library][N51]") {
+    const PrincipalInertia<double> big(1, 2, 2.5);
+    const PrincipalInertia<float> small(1, 2, 2.5f);
+    const V d(0.48, 0.6, 0.64);
+    const V after = passive_gyroscopic.step(big, V(1e153 * d), 1.0) / 1e153;
+    CHECK(kinetic_energy(big, after) <= kinetic_energy(big, d) * (1 + 64 * 2.3e-16));
+    CHECK(after.norm() > 0.1);
+    CHECK(passive_gyroscopic.step(big, V(1e155 * d), 1.0).hasNaN());
+    CHECK(passive_gyroscopic.step(small, F(1e18f * d.cast<float>()), 1.0f).allFinite());
+    CHECK(passive_gyroscopic.step(small, F(1e20f * d.cast<float>()), 1.0f).hasNaN());
+}
+
 // Half a turn is what is left of so fast a spin: q₂ = (0, u) q₁, with the axis u.
 TEST_CASE("an attitude keeps its length as long as a square does not overflow", "[library][N42]") {
     const Quaternion<float> one = Quaternion<float>::Identity();

@@ -178,3 +178,27 @@ TEST_CASE("a complex decay turns and shrinks as e^(lambda t)", "[models]") {
     CHECK_THROWS_AS(ComplexDecay(Complex(NAN, 0)), std::invalid_argument);
     CHECK_THROWS_AS(ComplexDecay(Complex(0, INFINITY)), std::invalid_argument);
 }
+
+// Where z⁴ is too large for a number, |R| is infinite, and not a NaN that compares with nothing.
+TEST_CASE("RK4 far out multiplies by more than any number", "[library]") {
+    for (const double size : {1e78, 1e103, 1e150, 1e155, 1e200, 1e308})
+        for (double angle = 0; angle < 6.3; angle += 0.1) {
+            INFO("z = " << size << " e^(i " << angle << ")");
+            CHECK(std::abs(stability_function(runge_kutta_4, std::polar(size, angle))) == INFINITY);
+        }
+    CHECK(std::abs(stability_function(runge_kutta_4, -1e103)) == INFINITY);
+    CHECK(std::abs(stability_function(runge_kutta_4, Complex(0, 1e103))) == INFINITY);
+    // And near by it is the series: its terms are 32/3 and less, rounded a few times each.
+    const double z = -2, series = 1 + z + z * z / 2 + z * z * z / 6 + z * z * z * z / 24;
+    CHECK(std::abs(stability_function(runge_kutta_4, z) - series) < 1e-15);
+}
+
+// z = (3 − 4/R + 1/R²)/2 is the inverse of R; on the unit circle its real part is (1 − cos θ)².
+TEST_CASE("BDF2 is on the unit circle nowhere left of the imaginary axis", "[library][ch6]") {
+    for (double angle = -3.1; angle < 3.15; angle += 0.05) {
+        const Complex R = std::polar(1.0, angle), z = (3.0 - 4.0 / R + 1.0 / (R * R)) / 2.0;
+        const double c = 1 - std::cos(angle);
+        CHECK(std::fabs(z.real() - c * c) < 1e-14);
+        CHECK(std::abs((3.0 - 2.0 * z) * R * R - 4.0 * R + 1.0) < 1e-13);
+    }
+}
