@@ -246,7 +246,8 @@ struct Rolling {
 };
 template <class Real>
 bool is_finite(const Rolling<Real>& s) {
-    return is_finite(s.motion.turning) && timestep::is_finite(s.motion.x) && timestep::is_finite(s.motion.v);
+    const Motion<Real>& m = s.motion;
+    return is_finite(m.turning) && timestep::is_finite(m.x) && timestep::is_finite(m.v);
 }
 template <class Real>
 struct Ball {
@@ -275,18 +276,22 @@ void on_ground(std::vector<Cell>& cells) {
     const auto from = [&](Real v, Real spin, Real z) {
         return S{0, {{0, Quaternion<Real>::Identity(), V(0, spin, 0)}, V(0, 0, z), V(v, 0, 0)}};
     };
-    const auto add = [&](const char* name, const auto& scene, Real mass, Real radius, const S& start,
-                         long steps, const Theory& theory, const Size<S>& size) {
+    const auto add = [&](const char* name, const auto& scene, Real mass, Real radius,
+                         const S& start, long steps, const Theory& theory, const Size<S>& size) {
         const auto make = [&] {
             checked(start.motion);
             return checked(Ball<Real>{UniformInertia<Real>(Real(0.4) * r * r), mass, radius});
         };
-        cells.push_back(cell<Ball<Real>>(name, OnGround<decltype(scene)>{scene}, make, start, h, steps, theory, size));
+        const OnGround<decltype(scene)> method{scene};
+        cells.push_back(cell<Ball<Real>>(name, method, make, start, h, steps, theory, size));
     };
-    const BodyScene lawn(Weight<Real>(g), Ground<Real>(Real(0.5)), RollingResistance<Real>(Real(0.01)));
+    const BodyScene lawn(Weight<Real>(g), Ground<Real>(Real(0.5)),
+                         RollingResistance<Real>(Real(0.01)));
     const auto none = [](const S&) { return 0.0; };
     const S good = from(1, 0, r);
-    for (const auto& [name, bad] : {std::pair{"mass 0", Real(0)}, {"mass < 0", Real(-1)}, {"mass NaN", nan},
+    for (const auto& [name, bad] : {std::pair{"mass 0", Real(0)},
+                                    {"mass < 0", Real(-1)},
+                                    {"mass NaN", nan},
                                     {"mass subnormal", std::numeric_limits<Real>::denorm_min()}})
         add(name, lawn, bad, r, good, 10, refused("mass"), none);
     for (const auto& [name, bad] : {std::pair{"radius 0", Real(0)}, {"radius NaN", nan},
@@ -298,17 +303,19 @@ void on_ground(std::vector<Cell>& cells) {
 
     // Too fast for friction to be felt: v stays, and friction turns the ball, by 5/2 μ g t/r.
     const BodyScene ground(Weight<Real>(g), Ground<Real>(Real(0.5)));
-    add("ball's speed 1e150", ground, 1, r, from(fast, 0, r), 100, {Word::exact, 100 * 8 * eps<Real>},
-        [=](const S& s) {
-            const double spin = 2.5 * 0.5 * g * double(s.t) / r;
-            const double off = double(s.motion.v.x() / fast - 1);
-            return std::fabs(off) + std::fabs(double(s.motion.turning.omega.y()) - spin) / std::fmax(spin, 1);
+    add("ball's speed 1e150", ground, 1, r, from(fast, 0, r), 100,
+        {Word::exact, 100 * 8 * eps<Real>}, [=](const S& s) {
+            const double right = 2.5 * 0.5 * g * double(s.t) / r;
+            const double spin = double(s.motion.turning.omega.y());
+            return std::fabs(double(s.motion.v.x() / fast - 1)) +
+                   std::fabs(spin - right) / std::fmax(right, 1);
         });
-    // So rough a ground that the sliding ends in a step, at 5/7 of the speed, or at 2/7 of the spin.
+    // So rough a ground that sliding ends in a step, at 5/7 of the speed, or at 2/7 of the spin.
     const BodyScene rough(Weight<Real>(g), Ground<Real>(huge<Real>));
     const auto rolls = [=](Real v) {
         return [=](const S& s) {
-            const double x = double(s.motion.v.x() / v), y = double(r * s.motion.turning.omega.y() / v);
+            const double x = double(s.motion.v.x() / v);
+            const double y = double(r * s.motion.turning.omega.y() / v);
             return s.t > 0 ? std::fabs(x - 1) + std::fabs(y - 1) : 0;
         };
     };

@@ -125,9 +125,9 @@ private:
             cell.found = Word::wrong;
     }
 
-    // A damper so hard that nothing moves any more: v = −(ω/2ζ) x. The implicit midpoint method keeps
-    // the mean of two velocities there, and so jumps from 0 to twice of it and back; BDF2 starts with
-    // such a step.
+    // A damper so hard that nothing moves any more: v = −(ω/2ζ) x. The implicit midpoint method
+    // keeps the mean of two velocities there, and so jumps from 0 to twice of it and back; BDF2
+    // starts with such a step.
     template <class Method>
     void hard_damper(const char* scene, const Method& method, Real zeta) {
         constexpr bool jumps = std::is_same_v<Method, ImplicitMidpoint>;
@@ -254,7 +254,7 @@ private:
                 else
                     return step > 3 ? v / 1e-10 : v;
             });
-        // Forces that are too large for a number, and one that is not: x is far off and stays there.
+        // Forces that are too large for a number, and one that is not: far off, x stays there.
         const auto none = [](const auto&) { return 0.0; };
         add("drag 1e30, start huge", method, of<Drag<Real>>(Real(1e30)), S{0, 0, far}, h, 100,
             {Word::reported, 0, 0, 1}, none);

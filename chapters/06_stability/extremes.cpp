@@ -102,8 +102,8 @@ void rows(const std::vector<Cell>& cells, lab::Findings& out) {
               "every method is exact in tiny steps, late in time, and in any unit of length");
 }
 
-// For the figure: a row a scene that not every method refuses, a column a method. Of the scenes that
-// start too far off one row says enough, that of the spring.
+// For the figure: a row a scene that not every method refuses, a column a method. Of the scenes
+// that start too far off one row says enough, that of the spring.
 void grid(const std::vector<Cell>& cells, lab::Findings& out) {
     auto& table = out.table("extremes.tsv", {"column", "row", "word", "method", "scene"});
     std::map<std::string, int> columns;

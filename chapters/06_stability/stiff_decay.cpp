@@ -69,9 +69,9 @@ void decays(lab::Findings& out) {
         "stiff_dies",
         implicit_y[1] > 0 && implicit_y[1] < 0.001 && follows(implicit_y, factor(implicit_euler)),
         "implicit Euler lets a stiff decay die in one step");
-    // On the left |R| is largest on the imaginary axis (maximum principle): the R of the first two has
-    // no pole there, and that of BDF2, which jumps along z < −½, is the larger of two roots in size,
-    // and that size is continuous and bows to the principle as each root's does (it is subharmonic).
+    // On the left |R| is largest on the imaginary axis (maximum principle): the R of the first two
+    // has no pole there. That of BDF2 jumps along z < −½, but it is the larger of two roots, whose
+    // size is continuous and bows to the principle as each root's does (it is subharmonic).
     bool a_stable = true;
     for (double y = 1e-6; y < 1e8; y *= 1.1)
         for (const Complex r :

@@ -15,9 +15,10 @@ namespace timestep {
 /// The tangent at x is f(x) + J(x) (x₂ − x); its root is the next x. Near a simple root the number of
 /// right digits doubles each time. Far from it, where the function bends, the tangent's root may be worse
 /// than x itself; then half of the way is tried, and half again, until f(x) shrinks. So a function that
-/// rises everywhere is solved from anywhere, if 50 corrections get there. After as many it ends, or in a
-/// place where |f| is least and not zero: then the x that is returned is no root. It is NaN where nobody
-/// knows the way: the tangent is too steep for numbers, or f(x) or the correction is too large.
+/// rises everywhere is solved from anywhere, if 50 corrections get there. After as many it ends, or
+/// in a place where |f| is least and not zero: then the x that is returned is no root. It is NaN
+/// where nobody knows the way: the tangent is too steep for numbers, or f(x) or the correction is
+/// too large.
 ///
 /// It stops when a correction is some ε times the largest size that x has had on the way: near a root
 /// at zero, x itself would be no measure. It is meant for starts of about the size of the root, as a

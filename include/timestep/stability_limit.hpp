@@ -9,8 +9,8 @@
 /// The second holds for every method here, the first is broken by a swing that grows, the third by a
 /// state that flips over and over. Below, s = ωh, positions are measured in x and velocities in ω x.
 ///
-/// ζ is that of a DampedSpring: finite, and zero or more. It is not looked at again here; of a negative
-/// ζ or a NaN the formulas say nothing.
+/// ζ is that of a DampedSpring: finite, and zero or more. It is not looked at again here; of a
+/// negative ζ or a NaN the formulas say nothing.
 
 #include <cmath>
 #include <complex>
@@ -138,10 +138,10 @@ inline StabilityLimit stability_limit(const RungeKutta4&, double zeta) {
 inline StabilityLimit stability_limit(const ImplicitEuler&, double) { return detail::no_limit; }
 /// Implicit midpoint: no limit either, as |R(z)| = |1 + z/2|/|1 − z/2| ≤ 1 left of the imaginary axis.
 inline StabilityLimit stability_limit(const ImplicitMidpoint&, double) { return detail::no_limit; }
-/// BDF2: no limit. Its factor R solves (3 − 2z) R² − 4R + 1 = 0, so z = (3 − 4/R + 1/R²)/2; on the unit
-/// circle, R = e^(iθ), Re z = (1 − cos θ)² ≥ 0. So left of the imaginary axis no factor is on the circle,
-/// and both stay inside, where they are for z → −∞. (No method over several steps whose order is above
-/// two has no limit; this is Dahlquist's theorem.)
+/// BDF2: no limit. Its factor R solves (3 − 2z) R² − 4R + 1 = 0, so z = (3 − 4/R + 1/R²)/2; on the
+/// unit circle, R = e^(iθ), Re z = (1 − cos θ)² ≥ 0. So left of the imaginary axis no factor is on
+/// the circle, and both stay inside, where they are for z → −∞. (Dahlquist's theorem is another: of
+/// the methods over several steps that have no limit none is of an order above two.)
 inline StabilityLimit stability_limit(const Bdf2&, double) { return detail::no_limit; }
 
 }  // namespace timestep

@@ -61,7 +61,9 @@ TEST_CASE("a size that is no number is below no bound, though it be one at the e
         return cell<Spring<double>>(
                    "", implicit_euler, [] { return Spring<double>(6); }, State<double>{0, 1, 0},
                    1.0 / 64, 100, {Word::bounded, 2},
-                   [=](const State<double>& s) { return s.t < from || s.t > to ? 1 : std::nan(""); })
+                   [=](const State<double>& s) {
+                       return s.t < from || s.t > to ? 1 : std::nan("");
+                   })
             .found;
     };
     CHECK(word(0, 2) == Word::wrong);

@@ -1,5 +1,5 @@
-// The ground carries what has pulled the body down: of a weight named after it, it would know nothing,
-// and the body would sink.
+// The ground carries what has pulled the body down: of a weight named after it, it would know
+// nothing, and the body would sink.
 // error: timestep: in a BodyScene Ground comes after Weight, which it has to carry
 #include <timestep/rigid/body_scene.hpp>
 

@@ -88,7 +88,7 @@ TEST_CASE("a NaN ends it at once", "[library]") {
 }
 
 // Half of infinity is infinity: halving it would never end.
-TEST_CASE("where f(x) or the correction is too large for a number it ends with a NaN", "[library]") {
+TEST_CASE("where f(x) or the correction is too large it ends with a NaN", "[library]") {
     using V = Eigen::Vector2d;
     const double inf = std::numeric_limits<double>::infinity();
     int evaluations = 0;

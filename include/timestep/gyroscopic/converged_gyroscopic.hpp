@@ -64,9 +64,9 @@ struct ConvergedGyroscopic {
 private:
     // For long steps there are several roots, and Newton-Raphson from y₁ may find any of them. Ours
     // is followed from h = 0, where it is y₁, as h grows: each stretch starts from the root of the
-    // one before, is halved when it fails, and doubled when it does not. NaN when it gets no farther:
-    // a stretch that changes no digit, or as many of them as would halve 1 to the smallest number
-    // and double it back, twice.
+    // one before, is halved when it fails, and doubled when it does not. NaN when it gets no
+    // farther: a stretch that changes no digit, or as many of them as would halve 1 to the smallest
+    // number and double it back, twice.
     //
     // We know our root when we see it. The exact motion circles the axis k of the least or of the
     // largest moment, and along that one our root keeps the sign of y₁ and at least half of it; no
@@ -105,7 +105,7 @@ private:
     }
     /// [continuation]
 
-    // The axis that the exact motion circles. The middle moment has the largest |g|: g sums to zero.
+    // The axis that the exact motion circles. The middle moment has the largest |g|, as Σg = 0.
     template <class Real>
     static int circled(const Vector3<Real>& hg, const Vector3<Real>& y1) {
         const Vector3<Real> root = hg.cwiseAbs().cwiseSqrt();

@@ -185,8 +185,8 @@ struct Ground {
     explicit Ground(Real friction_) : friction(not_negative("friction", friction_)) {}
 
     /// The gap must not close beyond zero: v_z ≥ −gap/h. Needs `body.mass`, `body.radius` and the
-    /// `body.inertia` of a ball. Where the square of the contact's velocity is too large for a number,
-    /// NaN.
+    /// `body.inertia` of a ball. Where the square of the contact's velocity is too large for a
+    /// number, NaN.
     /// [ground]
     template <class Body>
     TIMESTEP_INLINE void operator()(const Body& body, Motion<Real>& m, Real& load, Real h) const {
