@@ -162,8 +162,8 @@ void ten_percent(const All& all, lab::Findings& out) {
     out.number("ten_percent_ratio", ratio, "", "and how many times as long, at most", 2);
     out.number(
         "springs_a_ms",
-        1e-3 / (at(line(all.at("spring"), "semi-implicit Euler", "Timestep"), 60).seconds / 240),
-        "", "steps of semi-implicit Euler in a millisecond", 2);
+        1e-6 / (at(line(all.at("spring"), "semi-implicit Euler", "Timestep"), 60).seconds / 240),
+        "thousand", "steps of semi-implicit Euler in a millisecond", 2);
     out.number("ten_percent_loss", most * 1e6, "µs",
                "what semi-implicit Euler takes longer than the best to ten percent, at most", 2);
 }

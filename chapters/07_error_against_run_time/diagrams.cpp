@@ -26,14 +26,14 @@ std::string rounded(double value) {
 }
 
 std::string in_words(double seconds) {
-    if (seconds < 1e-6) return rounded(seconds * 1e9) + " ns";
-    if (seconds < 1e-3) return rounded(seconds * 1e6) + " µs";
-    return rounded(seconds * 1e3) + " ms";
+    if (seconds < 1e-6) return rounded(seconds * 1e9) + "\u00a0ns";
+    if (seconds < 1e-3) return rounded(seconds * 1e6) + "\u00a0µs";
+    return rounded(seconds * 1e3) + "\u00a0ms";
 }
 
 std::string in_words(const Cheapest& best) {
     if (best.method.empty()) return "not at these rates";
-    return best.method + ", " + rounded(1 / best.step) + " Hz, " + in_words(best.seconds);
+    return best.method + ", " + rounded(1 / best.step) + "\u00a0Hz, " + in_words(best.seconds);
 }
 
 void write(const std::vector<Point>& points, lab::Table& table) {
@@ -52,14 +52,15 @@ void at_sixty(const All& all, const std::string& file, const std::vector<const c
     for (const char* id : scenes) {
         std::vector<lab::Cell> row{std::string(id)};
         for (const std::string& method : methods) {
-            std::string cell = "takes other forces";
+            // A method that is exact to roundoff before it comes to 60 Hz is given no shorter
+            // steps.
+            std::string cell = "does not apply";
             for (const Point& p : all.at(id))
-                if (ours(p) && p.method == method && p.asked == long(60 * duration)) {
+                if (ours(p) && p.method == method && p.asked <= long(60 * duration)) {
                     const double percent = 100 * p.error_max;
-                    cell = p.diverged
-                               ? "blows up"
-                               : (percent < 1e-3 ? "below 0.001" : rounded(percent)) + " %, " +
-                                     rounded(p.seconds / double(p.asked) * 1e9) + " ns";
+                    const std::string error = percent < 1e-3 ? "below 0.001" : rounded(percent);
+                    const std::string time = rounded(p.seconds / double(p.asked) * 1e9);
+                    cell = p.diverged ? "blows up" : error + "\u00a0%, " + time + "\u00a0ns";
                 }
             row.push_back(cell);
         }
@@ -80,8 +81,7 @@ void work_of_a_step(const std::vector<Point>& spring, lab::Findings& out) {
 
 All diagrams(const Effort& effort, lab::Findings& out) {
     All all;
-    out.section("The cheapest method of ours");
-    std::printf("  %-17s %-36s %s\n", "", "to 10 %", "to 1 %");
+    out.section("The cheapest method of ours, to 1 %");
     auto& best_table =
         out.table("cheapest.tsv", {"scene", "10 %", "1 %", "0.1 %", "one millionth"});
     for (const auto& [id, make] : all_scenes) {
@@ -90,12 +90,10 @@ All diagrams(const Effort& effort, lab::Findings& out) {
         write(points, out.table(scene.id + ".tsv",
                                 {"method", "library", "step (s)", "final error", "largest error",
                                  "run time (s)", "evaluations", "solves", "diverged"}));
-        std::vector<lab::Cell> row{scene.title + " (" + scene.id + ")"};
-        for (const double accuracy : accuracies)
-            row.push_back(in_words(cheapest(points, accuracy, ours)));
-        std::printf("  %-17s %-36s %s\n", scene.id.c_str(), std::get<std::string>(row[1]).c_str(),
-                    std::get<std::string>(row[2]).c_str());
-        best_table.row(row);
+        std::string best[4];
+        for (int i = 0; i < 4; ++i) best[i] = in_words(cheapest(points, accuracies[i], ours));
+        best_table.row({scene.title + " (" + scene.id + ")", best[0], best[1], best[2], best[3]});
+        std::printf("  %-17s %s\n", scene.id.c_str(), best[1].c_str());
         all[scene.id] = points;
     }
     work_of_a_step(all["spring"], out);
