@@ -65,7 +65,7 @@ step("configure" "${CMAKE_COMMAND}" --preset strict -S "${ROOT}" -B "${WORK}" ${
   "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
   "-DCMAKE_PROJECT_timestep_INCLUDE=${CMAKE_CURRENT_LIST_DIR}/sanitize.cmake" "-DSANITIZE=${sanitize}"
   -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON
-  "-DTIMESTEP_WITHOUT=ODEINT;GSL;SUNDIALS;BULLET;ODE" -DVALGRIND= -DKATEX= -DAWESOME=)
+  -DTIMESTEP_WITHOUT=ODEINT,GSL,SUNDIALS,BULLET,ODE -DVALGRIND= -DKATEX= -DAWESOME=)
 foreach(sentence
     "CLI11 or nlohmann-json not found: the course program is left out"
     "KaTeX not found: formulas stand as TeX source (package libjs-katex)"

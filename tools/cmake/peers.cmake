@@ -2,7 +2,8 @@
 # is installed, and named where it is not: `timestep_peers` brings those that are there, with
 # TIMESTEP_WITH_ODEINT, TIMESTEP_WITH_GSL, … defined for the sources.
 add_library(timestep_peers INTERFACE)
-set(TIMESTEP_WITHOUT "" CACHE STRING "Libraries to do without though they are installed: GSL;ODE;…")
+set(TIMESTEP_WITHOUT "" CACHE STRING "Libraries to do without though they are installed: GSL,ODE,…")
+string(REPLACE "," ";" TIMESTEP_WITHOUT_LIST "${TIMESTEP_WITHOUT}")
 
 # timestep_peer(NAME words package [HEADER file] [SUFFIX folder] [LIBRARIES name…])
 function(timestep_peer name words package)
@@ -11,7 +12,7 @@ function(timestep_peer name words package)
   mark_as_advanced(TIMESTEP_${name}_HEADERS)
   set(found ON)
   set(libraries "")
-  if(NOT TIMESTEP_${name}_HEADERS OR name IN_LIST TIMESTEP_WITHOUT)
+  if(NOT TIMESTEP_${name}_HEADERS OR name IN_LIST TIMESTEP_WITHOUT_LIST)
     set(found OFF)
   endif()
   foreach(library IN LISTS ARG_LIBRARIES)
