@@ -163,7 +163,7 @@ void ten_percent(const All& all, lab::Findings& out) {
     out.number(
         "springs_a_ms",
         1e-6 / (at(line(all.at("spring"), "semi-implicit Euler", "Timestep"), 60).seconds / 240),
-        "thousand", "steps of semi-implicit Euler in a millisecond", 2);
+        "thousand", "steps of semi-implicit Euler in a millisecond", 3);
     out.number("ten_percent_loss", most * 1e6, "µs",
                "what semi-implicit Euler takes longer than the best to ten percent, at most", 2);
 }
