@@ -25,15 +25,17 @@ function(timestep_sanitize)
     target_link_options(${target} PRIVATE ${flags})
   endforeach()
   # Some sources are hundreds of functions that are called once: optimised, they take two or three times as
-  # long to compile.
+  # long to compile. (What is compiled beforehand is optimised, and not for them.)
   if(TARGET stability)
     set(room "${PROJECT_SOURCE_DIR}/chapters/06_stability")
     set_source_files_properties("${room}/extreme_methods.cpp" "${room}/extreme_bodies.cpp"
-      TARGET_DIRECTORY stability PROPERTIES COMPILE_OPTIONS -O0)
+      TARGET_DIRECTORY stability PROPERTIES COMPILE_OPTIONS -O0
+      SKIP_PRECOMPILE_HEADERS ON)
   endif()
   set(once chapters/02_arrays chapters/06_cloth library/extremes library/linear_solve library/models)
   list(TRANSFORM once PREPEND "${PROJECT_SOURCE_DIR}/tests/")
   list(TRANSFORM once APPEND .cpp)
-  set_source_files_properties(${once} TARGET_DIRECTORY timestep_tests PROPERTIES COMPILE_OPTIONS -O0)
+  set_source_files_properties(${once} TARGET_DIRECTORY timestep_tests PROPERTIES COMPILE_OPTIONS -O0
+    SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 cmake_language(DEFER CALL timestep_sanitize)
