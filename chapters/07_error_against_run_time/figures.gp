@@ -84,7 +84,7 @@ set key outside right top vertical samplen 2 spacing 1.1
 call rooms."axes.gp" "1e-15"
 set xrange [0.05:1e4]
 curves = "0.1 with lines @faint notitle"
-add = "stats 'spring.tsv' skip 1 using (strcol(1) eq method && strcol(2) eq who ? 1 : 0) nooutput; if (STATS_max == 1) { curves = curves . sprintf(\", 'spring.tsv' using (strcol(1) eq '%s' && strcol(2) eq '%s' && strcol(9) eq 'no' ? $6*1e6 : NaN):5 with lines %s title '%s'\", method, who, style, words) }"
+add = "stats 'spring.tsv' skip 1 using (strcol(1) eq method && strcol(2) eq who ? 2 : 1) nooutput; if (STATS_max == 2) { curves = curves . sprintf(\", 'spring.tsv' using (strcol(1) eq '%s' && strcol(2) eq '%s' && strcol(9) eq 'no' ? $6*1e6 : NaN):5 with lines %s title '%s'\", method, who, style, words) }"
 method = "runge_kutta_4"
 who = "Timestep"; style = runge_kutta_4; words = "RK4, Timestep"
 @add
