@@ -77,4 +77,8 @@ struct Cheapest {
 Cheapest cheapest(const std::vector<Point>& points, double accuracy,
                   const std::function<bool(const Point&)>& among);
 
+// In words. Two digits are all that a measured number has: 1234 becomes 1200, and 6.21e-7 s 620 ns.
+std::string rounded(double value);
+std::string time_in_words(double seconds);
+
 }  // namespace contest

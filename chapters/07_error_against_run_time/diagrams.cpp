@@ -17,23 +17,9 @@ bool ours(const Point& p) {
     return p.library == "Timestep";
 }
 
-// Two digits are all that a measured time has: 1234 becomes 1200.
-std::string rounded(double value) {
-    const double unit = value > 0 ? std::pow(10, std::floor(std::log10(value)) - 1) : 1;
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", std::round(value / unit) * unit);
-    return text;
-}
-
-std::string in_words(double seconds) {
-    if (seconds < 1e-6) return rounded(seconds * 1e9) + "\u00a0ns";
-    if (seconds < 1e-3) return rounded(seconds * 1e6) + "\u00a0µs";
-    return rounded(seconds * 1e3) + "\u00a0ms";
-}
-
 std::string in_words(const Cheapest& best) {
     if (best.method.empty()) return "not at these rates";
-    return best.method + ", " + rounded(1 / best.step) + "\u00a0Hz, " + in_words(best.seconds);
+    return best.method + ", " + rounded(1 / best.step) + "\u00a0Hz, " + time_in_words(best.seconds);
 }
 
 void write(const std::vector<Point>& points, lab::Table& table) {

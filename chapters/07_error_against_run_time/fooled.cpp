@@ -22,7 +22,6 @@ namespace {
 constexpr double h = 1.0 / 60;
 const State start{0, 1.0, 0.0};
 const Spring spring(6.0);
-constexpr double pi = 3.141592653589793;
 volatile double sink;
 
 template <class Work>
@@ -126,7 +125,7 @@ void equal_runs(lab::Findings& out) {
                 times[500] / times[0], mean / times[0], times.back() / times[0]);
 }
 
-// 5. A spring at rest is dear: near zero, numbers are subnormal, and many processors take them
+// 5. What has come to rest is dear: near zero, numbers are subnormal, and many processors take them
 // apart by hand.
 void at_rest(lab::Findings& out) {
     const auto time_of = [&](const State<double>& from) {

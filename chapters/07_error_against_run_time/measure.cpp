@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace contest {
@@ -136,6 +137,19 @@ Cheapest cheapest(const std::vector<Point>& points, double accuracy,
         first = end;
     }
     return best;
+}
+
+std::string rounded(double value) {
+    const double unit = value > 0 ? std::pow(10, std::floor(std::log10(value)) - 1) : 1;
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", std::round(value / unit) * unit);
+    return text;
+}
+
+std::string time_in_words(double seconds) {
+    if (seconds < 1e-6) return rounded(seconds * 1e9) + "\u00a0ns";
+    if (seconds < 1e-3) return rounded(seconds * 1e6) + "\u00a0µs";
+    return rounded(seconds * 1e3) + "\u00a0ms";
 }
 
 }  // namespace contest

@@ -8,6 +8,8 @@
 #include "contest.hpp"
 #include "lab.hpp"
 
+inline constexpr double pi = 3.141592653589793;
+
 using All = std::map<std::string, std::vector<contest::Point>>;  // by the scene's id
 
 All diagrams(const contest::Effort&, lab::Findings&);  // diagrams.cpp

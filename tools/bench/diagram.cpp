@@ -1,4 +1,3 @@
-#include <cctype>
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -7,6 +6,7 @@
 #include <unistd.h>
 
 #include "files.hpp"
+#include "lab.hpp"
 #include "process.hpp"
 #include "stop.hpp"
 #include "tables.hpp"
@@ -22,16 +22,6 @@ std::string quoted(const std::string& text) {
     std::string words = "'";
     for (const char c : text) words += c == '\'' ? std::string("''") : std::string(1, c);
     return words + "'";
-}
-
-// "Runge-Kutta 4" has its looks in style.gp by the name runge_kutta_4.
-std::string style_of(const std::string& method) {
-    std::string name;
-    for (const char c : method)
-        name += std::isalnum(static_cast<unsigned char>(c))
-                    ? char(std::tolower(static_cast<unsigned char>(c)))
-                    : '_';
-    return name;
 }
 
 bool same_entry(const contest::Point& a, const contest::Point& b) {
@@ -67,7 +57,7 @@ std::string script(const fs::path& csv, const fs::path& svg, const Measured& mea
         if (i > 0 && same_entry(p, measured.points[i - 1])) continue;
         const bool ours = p.library == "Timestep";
         const std::string look = "look" + std::to_string(entries++);
-        const std::string name = style_of(p.method);
+        const std::string name = lab::id(p.method);
         const auto library = libraries.emplace(p.library, libraries.size()).first->second;
         text << look << " = "
              << (ours ? "exists(\"" + name + "\") ? value(\"" + name + "\") : " : "")

@@ -18,19 +18,13 @@ std::string words(const char* format, double value) {
     return text;
 }
 
-std::string time_in_words(double seconds) {
-    if (seconds < 1e-6) return words("%.3g ns", 1e9 * seconds);
-    if (seconds < 1e-3) return words("%.3g µs", 1e6 * seconds);
-    return words("%.3g ms", 1e3 * seconds);
-}
-
 void print_row(const std::string& first, const Cheapest& best) {
     std::string row = padded(first, 12);
     if (best.method.empty())
         row += "none";
     else
         row += padded(best.method + ", " + best.library, 44) +
-               padded(words("%.3g", 1 / best.step), 10) + time_in_words(best.seconds);
+               padded(words("%.3g", 1 / best.step), 10) + contest::time_in_words(best.seconds);
     std::printf("  %s\n", row.c_str());
 }
 
