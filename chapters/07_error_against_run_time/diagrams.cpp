@@ -1,6 +1,7 @@
 // Every scene's diagram: error against run time, and who is the cheapest at an accuracy.
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 
@@ -17,9 +18,20 @@ bool ours(const Point& p) {
     return p.library == "Timestep";
 }
 
+// On a page a number stays with its unit.
+std::string together(const std::string& words) {
+    std::string all;
+    for (const char c : words)
+        if (c == ' ' && !all.empty() && std::isdigit(static_cast<unsigned char>(all.back())))
+            all += "\u00a0";
+        else
+            all += c;
+    return all;
+}
+
 std::string in_words(const Cheapest& best) {
     if (best.method.empty()) return "not at these rates";
-    return best.method + ", " + rounded(1 / best.step) + "\u00a0Hz, " + time_in_words(best.seconds);
+    return best.method + ", " + rounded(1 / best.step) + " Hz, " + time_in_words(best.seconds);
 }
 
 void write(const std::vector<Point>& points, lab::Table& table) {
@@ -46,9 +58,9 @@ void at_sixty(const All& all, const std::string& file, const std::vector<const c
                     const double percent = 100 * p.error_max;
                     const std::string error = percent < 1e-3 ? "below 0.001" : rounded(percent);
                     const std::string time = rounded(p.seconds / double(p.asked) * 1e9);
-                    cell = p.diverged ? "blows up" : error + "\u00a0%, " + time + "\u00a0ns";
+                    cell = p.diverged ? "blows up" : error + " %, " + time + " ns";
                 }
-            row.push_back(cell);
+            row.push_back(together(cell));
         }
         table.row(row);
     }
@@ -78,7 +90,8 @@ All diagrams(const Effort& effort, lab::Findings& out) {
                                  "run time (s)", "evaluations", "solves", "diverged"}));
         std::string best[4];
         for (int i = 0; i < 4; ++i) best[i] = in_words(cheapest(points, accuracies[i], ours));
-        best_table.row({scene.title + " (" + scene.id + ")", best[0], best[1], best[2], best[3]});
+        best_table.row({scene.title + " (" + scene.id + ")", together(best[0]), together(best[1]),
+                        together(best[2]), together(best[3])});
         std::printf("  %-17s %s\n", scene.id.c_str(), best[1].c_str());
         all[scene.id] = points;
     }

@@ -147,9 +147,9 @@ std::string rounded(double value) {
 }
 
 std::string time_in_words(double seconds) {
-    if (seconds < 1e-6) return rounded(seconds * 1e9) + "\u00a0ns";
-    if (seconds < 1e-3) return rounded(seconds * 1e6) + "\u00a0µs";
-    return rounded(seconds * 1e3) + "\u00a0ms";
+    if (seconds < 1e-6) return rounded(seconds * 1e9) + " ns";
+    if (seconds < 1e-3) return rounded(seconds * 1e6) + " µs";
+    return rounded(seconds * 1e3) + " ms";
 }
 
 }  // namespace contest
