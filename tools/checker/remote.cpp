@@ -9,7 +9,6 @@
 #include <random>
 
 #include <fcntl.h>
-#include <linux/capability.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -29,16 +28,20 @@ double now() {
     return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-void limit(int resource, std::size_t amount) {
-    const rlimit both{amount, amount};
+void limit(int resource, std::size_t amount, std::size_t hard) {
+    const rlimit both{amount, hard};
     setrlimit(static_cast<__rlimit_resource>(resource), &both);
+}
+
+void limit(int resource, std::size_t amount) {
+    limit(resource, amount, amount);
 }
 
 // In the child: the pipes and the file in place of all that was open, limits, and the program with
 // an empty environment. What keeps it from running is written to `failed`.
 [[noreturn]] void become(const std::string& program, pid_t parent, int calls, int answers,
                          int printed, int failed, const Limits& limits) {
-    setpgid(0, 0);
+    setsid();  // a group of its own, and no terminal to type into
     // It ends with its parent, which may have ended before this line.
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(1);
@@ -54,18 +57,21 @@ void limit(int resource, std::size_t amount) {
     dup2(calls, calls_fd);
     dup2(answers, answers_fd);
     failed = dup3(failed, answers_fd + 1, O_CLOEXEC);
-    for (int fd = failed + 1; fd < 64; ++fd) close(fd);
+    close_range(static_cast<unsigned>(failed) + 1, ~0u, 0);
     for (const int signal : {SIGINT, SIGPIPE, SIGTERM}) std::signal(signal, SIG_DFL);
     std::signal(SIGXFSZ, SIG_IGN);
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, limits.printed_bytes);
     limit(RLIMIT_AS, limits.megabytes << 20);
-    limit(RLIMIT_CPU, static_cast<std::size_t>(limits.total_seconds) + 1);
+    const auto seconds = static_cast<std::size_t>(limits.total_seconds) + 1;
+    limit(RLIMIT_CPU, seconds, seconds + 1);  // first a signal that says why, then the end
+    limit(RLIMIT_NOFILE, 64);
+    limit(RLIMIT_MSGQUEUE, 0);
+    limit(RLIMIT_MEMLOCK, 0);
     // It counts all that the user runs, which is less than all that the machine runs.
     struct sysinfo machine {};
     if (sysinfo(&machine) == 0) limit(RLIMIT_NPROC, machine.procs + limits.threads);
-    prctl(PR_CAPBSET_DROP, CAP_SYS_PTRACE);  // by which root reaches into any process
-    start_no_processes();
+    stay_alone();
     char name[] = "worker";
     char* arguments[] = {name, nullptr};
     char* environment[] = {nullptr};
@@ -106,7 +112,6 @@ Remote::Remote(const std::string& program, const std::string& printed, const Lim
     process_ = fork();
     if (process_ < 0) throw Ended(Kind::course_error, "no process to be had from the system");
     if (process_ == 0) become(program, parent, calls[0], answers[1], file, failed[1], limits);
-    setpgid(process_, process_);
     close(calls[0]);
     close(answers[1]);
     close(failed[1]);
