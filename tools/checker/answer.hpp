@@ -2,6 +2,7 @@
 /// \file
 /// An answer to an exercise, seen from outside: numbers in, numbers out, wherever it runs.
 
+#include <cstring>
 #include <functional>
 #include <string>
 #include <tuple>
@@ -14,6 +15,9 @@ namespace checker {
 /// A learner's function behind a pipe, the solution, a planted mistake: each is an Answer.
 using Answer = std::function<Numbers(const Numbers&)>;
 
+/// Thrown where a call has changed what it should only read.
+struct ArgumentsChanged {};
+
 /// An ordinary typed function as an Answer.
 template <class R, class... Args>
 Answer answer_of(R (*function)(Args...)) {
@@ -23,6 +27,15 @@ Answer answer_of(R (*function)(Args...)) {
         std::tuple<std::decay_t<Args>...> arguments{Wire<std::decay_t<Args>>::take(reader)...};
         Numbers result;
         Wire<std::decay_t<R>>::put(result, std::apply(function, arguments));
+        Numbers after;
+        const auto add = [&after](const auto& value) {
+            Wire<std::decay_t<decltype(value)>>::put(after, value);
+        };
+        std::apply([&](const auto&... values) { (add(values), ...); }, arguments);
+        // Bit by bit, for NaN is not equal to itself.
+        if (after.size() != numbers.size() ||
+            std::memcmp(after.data(), numbers.data(), after.size() * sizeof(double)) != 0)
+            throw ArgumentsChanged{};
         return result;
     };
 }

@@ -7,6 +7,7 @@
 // control characters are \n, \t and \xNN, and a backslash is \\. Exit status 0 when the answer is
 // right, 1 when it is not, 2 for wrong use.
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <random>
@@ -53,6 +54,8 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "check: the seed '%s' is no whole number from 0\n", word.c_str());
         return 2;
     }
+    // Nor to read here what it will be asked.
+    if (argc > 3) std::fill_n(argv[3], word.size(), ' ');
     Verdict verdict;
     try {
         Remote remote(argv[2], argc > 4 ? argv[4] : "/dev/null");

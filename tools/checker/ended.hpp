@@ -11,7 +11,7 @@ namespace checker {
 enum class Kind {
     pass,
     not_started,      ///< the file still says `not_started`
-    wrong,            ///< a property does not hold
+    wrong,            ///< a property does not hold; of Ended: one that all functions have
     not_finite,       ///< an answer is NaN or infinite
     crash,            ///< a signal, or an exception that nobody caught
     too_slow,         ///< a call took longer than it may

@@ -15,7 +15,15 @@ namespace checker {
 inline constexpr int calls_fd = 3, answers_fd = 4;
 
 /// `ready` comes before the first call, where nothing goes wrong.
-enum class Reply : std::uint32_t { ready, answer, not_started, out_of_memory, crashed };
+enum class Reply : std::uint32_t {
+    ready,
+    answer,
+    not_started,
+    out_of_memory,
+    arguments_changed,  ///< by a call, which is to read them only
+    mode_changed,       ///< how the processor calculates is not as it was
+    crashed
+};
 
 struct Head {
     std::uint64_t number;  ///< of the call, 0 before the first; its answer bears the same

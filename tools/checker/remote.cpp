@@ -38,7 +38,7 @@ void limit(int resource, std::size_t amount) {
 }
 
 // In the child: the pipes and the file in place of all that was open, limits, and the program with
-// an empty environment. What keeps it from running is written to `failed`.
+// an environment of its own. What keeps it from running is written to `failed`.
 [[noreturn]] void become(const std::string& program, pid_t parent, int calls, int answers,
                          int printed, int failed, const Limits& limits) {
     setsid();  // a group of its own, and no terminal to type into
@@ -74,7 +74,10 @@ void limit(int resource, std::size_t amount) {
     stay_alone();
     char name[] = "worker";
     char* arguments[] = {name, nullptr};
-    char* environment[] = {nullptr};
+    // Memory is handed out and taken back full of bytes that make no sense, so that what was never
+    // written is no lucky zero.
+    char tunables[] = "GLIBC_TUNABLES=glibc.malloc.perturb=1:glibc.malloc.tcache_count=0";
+    char* environment[] = {tunables, nullptr};
     execve(program.c_str(), arguments, environment);
     const int error = errno;
     write_all(failed, &error, sizeof error);
@@ -173,6 +176,13 @@ std::string Remote::hear(Reply expected, double deadline) {
     receive(bytes.data(), bytes.size(), deadline);
     if (head.reply == Reply::not_started) throw Ended(Kind::not_started, "");
     if (head.reply == Reply::out_of_memory) throw Ended(Kind::too_much_memory, "");
+    if (head.reply == Reply::arguments_changed)
+        throw Ended(Kind::wrong,
+                    "the arguments are only read: after the call the caller's are as they were");
+    if (head.reply == Reply::mode_changed)
+        throw Ended(Kind::wrong,
+                    "the call leaves the processor as it found it: rounding to nearest, no tiny "
+                    "number flushed to zero, full precision");
     if (head.reply == Reply::crashed) crash(bytes);
     if (head.reply != expected)
         throw Ended(Kind::left_early, "The program wrote to the pipe that its answers go through");

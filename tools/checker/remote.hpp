@@ -16,7 +16,7 @@ namespace checker {
 /// How much a worker may take.
 struct Limits {
     double call_seconds = 2;    ///< for one answer
-    double total_seconds = 10;  ///< for all of them
+    double total_seconds = 8;   ///< for all of them
     std::size_t megabytes = 1024;
     std::size_t printed_bytes = 1 << 20;
     std::size_t threads = 256;  ///< above what the machine runs anyway

@@ -73,8 +73,9 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
     }
     if (ended_ && verdict_.kind != Kind::pass) {
         verdict_.kind = ended_->kind;
-        verdict_.detail = ended_->what();
+        (ended_->kind == Kind::wrong ? verdict_.property : verdict_.detail) = ended_->what();
         verdict_.trace = ended_->trace;
+        if (ended_->kind == Kind::wrong) calls_.clear();  // which were not what is wrong
     }
     if (verdict_.kind == Kind::wrong || verdict_.kind == Kind::not_finite)
         verdict_.misconception = diagnose(exercise, false);

@@ -1,5 +1,6 @@
 #include "worker.hpp"
 
+#include <cfenv>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -56,6 +57,9 @@ extern "C" void crashed(int signal) {
         } catch (const exercise::NotStarted&) {
             reply(Reply::not_started, nullptr, 0);
             _exit(1);
+        } catch (const ArgumentsChanged&) {
+            reply(Reply::arguments_changed, nullptr, 0);
+            _exit(1);
         } catch (const std::bad_alloc&) {
             reply(Reply::out_of_memory, nullptr, 0);
             _exit(1);
@@ -99,6 +103,24 @@ void catch_crashes() {
     catch_crashes();
 }
 
+// Rounds to nearest, flushes nothing to zero, and with the x87 cuts nothing off: as every process
+// begins, and as every caller expects it after a call.
+bool calculates_as_usual() {
+    std::fenv_t now;
+    std::fegetenv(&now);
+#if defined(__x86_64__)
+    const unsigned rounding = 3u << 13, flush = 1u << 15, denormals_are_zero = 1u << 6;
+    const unsigned x87_mode = 0xf00, x87_usual = 0x300;
+    return (now.__mxcsr & (rounding | flush | denormals_are_zero)) == 0 &&
+           (now.__control_word & x87_mode) == x87_usual;
+#elif defined(__aarch64__)
+    const unsigned rounding = 3u << 22, flush = 1u << 24;
+    return (now.__fpcr & (rounding | flush)) == 0;
+#else
+    return std::fegetround() == FE_TONEAREST;
+#endif
+}
+
 }  // namespace
 
 int serve(const Answer& answer) {
@@ -110,6 +132,10 @@ int serve(const Answer& answer) {
         arguments.resize(head.bytes / sizeof(double));
         if (!read_all(calls_fd, arguments.data(), head.bytes)) return 1;
         const Numbers result = answer(arguments);
+        if (!calculates_as_usual()) {
+            reply(Reply::mode_changed, nullptr, 0);
+            return 1;
+        }
         std::cout.flush();  // it has a buffer of its own after sync_with_stdio(false)
         reply(Reply::answer, result.data(), result.size() * sizeof(double));
     }

@@ -104,7 +104,7 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
         return text;
     }
     if (kind == "too_slow")
-        return wrapped("There was no answer in time (2 s for one call, 10 s for all), " +
+        return wrapped("There was no answer in time (2 s for one call, 8 s for all), " +
                            when(exercise, verdict) + ". Is there a loop that never ends?",
                        2);
     if (kind == "too_much_memory")

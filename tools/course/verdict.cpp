@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/prctl.h>
 
+#include "included.hpp"
 #include "places.hpp"
 #include "process.hpp"
 #include "stop.hpp"
@@ -26,14 +27,15 @@ using Words = std::vector<std::string>;
 
 // What the build wrote of how to compile and link.
 struct Commands {
-    Words compile, link;
+    Words compile, lists, link;
     std::string check, worker_object, worker_library;
 };
 
 Commands read_commands(const Exercise& exercise) {
     const fs::path file = places().build / "exercises/commands.json";
     const auto json = nlohmann::json::parse(contents(file));
-    Commands commands{json.at(exercise.eigen ? "compile_eigen" : "compile"), json.at("link"),
+    Commands commands{json.at(exercise.eigen ? "compile_eigen" : "compile"),
+                      json.at("lists"), json.at("link"),
                       json.at("check"), "", json.at("worker")};
     for (const std::string object : json.at("workers"))
         if (fs::path(object).filename().string().starts_with(exercise.name + "_worker."))
@@ -150,7 +152,15 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
          {std::string("-include"), exercise.declared().string(), std::string("-x"),
           std::string("c++"), std::string("-c"), file.string(), std::string("-o"), object.string()})
         compile.push_back(word);
-    if (!succeeds(compile, workshop, verdict)) return ended("does_not_compile");
+    for (std::string word : commands.lists) {  // of what it reads, beside the object
+        replace_all(word, "@", object.string());
+        compile.push_back(word);
+    }
+    const bool compiles = succeeds(compile, workshop, verdict);
+    const std::string not_own = not_ones_own(
+        files_in({object.string() + ".d", object.string() + ".incbin.d"}), file);
+    if (!not_own.empty()) verdict.compiler = not_own;
+    if (!compiles || !not_own.empty()) return ended("does_not_compile");
     Words link = commands.link;
     for (const std::string& word : {object.string(), commands.worker_object,
                                     commands.worker_library, std::string("-o"), worker.string()})

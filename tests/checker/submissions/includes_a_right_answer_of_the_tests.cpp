@@ -1,0 +1,4 @@
+// velocity_now does_not_compile: includes tests/exercises/01_derivatives/velocity_now/correct_
+#include "exercise.hpp"
+
+#include "../../exercises/01_derivatives/velocity_now/correct_weights.cpp"
