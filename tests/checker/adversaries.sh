@@ -1,0 +1,158 @@
+# What no submission in a file can hold: it needs to know where things are, or is no text.
+
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../tools/expect.sh"
+
+course() {
+    STAGE_SOURCE=${checkout:-$source} STAGE_BUILD=$real_build STAGE_CMAKE=true STAGE_CTEST=false \
+        "$program" "$@"
+}
+
+# The verdict on answer.cpp must be this, and the words these.
+must_be() {
+    course check velocity_now --file answer.cpp --json >out 2>err && fail 'it passes'
+    says out "\"verdict\":\"$1\""
+    course check velocity_now --file answer.cpp >out 2>err && fail 'it passes'
+    says out "$2"
+}
+
+# Every way to change a file, at every place named in the file `victims`.
+attack() {
+    cat <<CODE
+#include "exercise.hpp"
+#include <cstdio>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/time.h>
+#include <sys/xattr.h>
+#include <unistd.h>
+static int changes = 0;
+static void attempt(long result) { changes += result >= 0; }
+static void attack(const std::string& victim) {
+    const char* const file = victim.c_str();
+    const std::string beside = victim + ".new", folder = victim.substr(0, victim.rfind('/'));
+    attempt(open(file, O_WRONLY));
+    attempt(open(file, O_RDWR | O_APPEND));
+    attempt(open(file, O_RDONLY | O_TRUNC));
+    attempt(open(beside.c_str(), O_RDONLY | O_CREAT, 0600));
+    attempt(open(folder.c_str(), O_TMPFILE | O_RDWR, 0600));
+    attempt(openat(AT_FDCWD, file, O_WRONLY));
+    attempt(syscall(SYS_openat2, AT_FDCWD, file, nullptr, 0));
+    attempt(creat(beside.c_str(), 0600));
+    attempt(truncate(file, 0));
+    attempt(link(file, beside.c_str()));
+    attempt(symlink(file, beside.c_str()));
+    attempt(mkdir(beside.c_str(), 0700));
+    attempt(mkfifo(beside.c_str(), 0600));
+    attempt(chmod(file, 0777));
+    attempt(fchmodat(AT_FDCWD, file, 0777, AT_SYMLINK_NOFOLLOW));
+    attempt(chown(file, 1, 1));
+    attempt(utimes(file, nullptr));
+    attempt(setxattr(file, "user.a", "b", 1, 0));
+    attempt(rename(file, beside.c_str()));
+    attempt(syscall(SYS_renameat2, AT_FDCWD, file, AT_FDCWD, beside.c_str(), 0));
+    const int read_only = open(file, O_RDONLY);
+    attempt(fchmod(read_only, 0777));
+    attempt(fchown(read_only, 1, 1));
+    attempt(futimens(read_only, nullptr));
+    attempt(ftruncate(read_only, 0));
+    attempt(write(read_only, file, 1));
+    attempt(unlink(file));
+    attempt(rmdir(folder.c_str()));
+}
+double velocity_now(double x0, double x1, double x2, double h) {
+    static bool done = false;
+$(sed 's/.*/    if (!done) attack("&");/' victims)
+    if (!done) std::printf("%d changes\n", changes);
+    done = true;
+    return ${1:-(3 * x2 - 4 * x1 + x0) / (2 * h)};
+}
+CODE
+}
+
+# Names, rights, times and contents.
+picture() {
+    while read -r victim; do
+        find "$(dirname "$victim")" -maxdepth 1 -name "$(basename "$victim")*" -printf '%p %m %u %T@\n' \
+            -exec cksum {} \; -exec stat -c %Y {} \;
+    done <victims
+}
+
+test_nothing_outside_of_the_checkers_folder_is_touched() {
+    mkdir -p beside home source/exercises source/solutions source/tests/exercises source/chapters
+    checkout=$folder/source
+    cp -r "$source/chapters/01_derivatives" source/chapters
+    cp -r "$source/tests/exercises/01_derivatives" source/tests/exercises
+    temporary=$(mktemp /tmp/victim_XXXXXX)
+    in_build=$(mktemp "$real_build/exercises/victim_XXXXXX")
+    trap 'rm -f "$temporary"* "$in_build"*' EXIT
+    printf '%s\n' "$folder/beside/file" "$folder/home/.profile" "$folder/source/exercises/file.cpp" \
+        "$folder/source/README" "$temporary" "$in_build" >victims
+    while read -r victim; do echo precious >"$victim"; done <victims
+    picture >before
+    attack >answer.cpp
+    HOME=$folder/home expect 0 course check velocity_now --file answer.cpp
+    says out '0 changes'
+    picture >after
+    cmp before after || { diff before after; fail 'files have changed'; }
+    # And the other way round: without rules these attempts do change files.
+    sed 's/^double velocity_now.*/int main() { double x0 = 0, x1 = 0, x2 = 0, h = 1;/' answer.cpp >main.cpp
+    c++ -std=c++20 -w -I"$source/tools/checker/learner" -I"$source/include" main.cpp -o main
+    ./main >out || true
+    picture >after
+    ! cmp -s before after || fail 'the attempts do nothing even where they may'
+}
+
+test_text_of_other_systems_is_right() {
+    { printf '\357\273\277'; sed 's/$/\r/' "$source/solutions/01_derivatives/velocity_now.cpp"; } >answer.cpp
+    expect 0 course check velocity_now --file answer.cpp
+}
+
+test_what_is_no_text() {
+    solution=$source/solutions/01_derivatives/velocity_now.cpp
+    head -c 300000 /dev/urandom >answer.cpp
+    must_be does_not_compile 'answer.cpp:'
+    iconv -t UTF-16 "$solution" >answer.cpp
+    must_be does_not_compile 'answer.cpp:'
+    head -c 100000 /dev/zero >answer.cpp
+    must_be does_not_compile 'The file has no function'
+    head -c 1000000 /dev/zero | tr '\0' '(' >answer.cpp  # no compiler bears that
+    must_be does_not_compile 'does not compile'
+    cp "$real_build/exercises/check" answer.cpp
+    course check velocity_now --file answer.cpp >out 2>err && fail 'it passes'
+    is "$(lines err)" 1
+}
+
+test_the_solution_by_other_ways() {
+    solution=$source/solutions/01_derivatives/velocity_now.cpp
+    ln -s "$solution" linked.hpp
+    for name in "$solution" "$folder/linked.hpp" "$source/tests/../solutions/./01_derivatives/velocity_now.cpp"; do
+        echo "#include \"$name\"" >answer.cpp
+        must_be does_not_compile 'The file includes solutions/01_derivatives/velocity_now.cpp.'
+    done
+}
+
+test_bytes_of_the_course() {
+    grep -q incbin "$real_build/exercises/commands.json" || exit 77
+    for name in "$source/solutions/01_derivatives/velocity_now.cpp" "$real_build/exercises/check" \
+        "$source/tests/exercises/01_derivatives/velocity_now/properties.cpp"; do
+        {
+            echo '#include "exercise.hpp"'
+            echo "asm(\".data\n.global bytes\nbytes: .incbin \\\"$name\\\"\n.text\");" |
+                sed ':a;N;$!ba;s/\n/\\n/g'
+            echo 'double velocity_now(double, double, double, double) { return 0; }'
+        } >answer.cpp
+        must_be does_not_compile 'The file includes '
+    done
+}
+
+test_a_pipe_that_is_included() {
+    mkfifo pipe
+    echo "#include \"$folder/pipe\"" >answer.cpp
+    must_be does_not_compile 'The compiler had not come to an end'
+}
+
+program=$4 real_build=$5
+begin "$@"
+"$function"

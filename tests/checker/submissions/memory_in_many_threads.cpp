@@ -1,0 +1,15 @@
+// velocity_now too_much_memory: asked for more memory
+#include "exercise.hpp"
+
+#include <thread>
+
+double velocity_now(double, double, double, double) {
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 8; ++i)
+        threads.emplace_back([] {
+            std::vector<std::vector<double>> history;
+            for (;;) history.emplace_back(100'000);
+        });
+    for (auto& thread : threads) thread.join();
+    return 0;
+}
