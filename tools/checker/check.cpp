@@ -1,9 +1,9 @@
 // The hidden tests' program: checks a worker with a learner's code.
 //
-//     check EXERCISE WORKER [SEED [PRINTED]]
+//     check EXERCISE WORKER [SEED [PRINTED [LAUNCHER…]]]
 //
 // with inputs drawn from SEED (none given: anew), what the learner's code prints left in the file
-// PRINTED. It prints lines  key<TAB>value, which ./course check puts into words; in a value,
+// PRINTED, the worker started by the words LAUNCHER. It prints lines  key<TAB>value, which ./course check puts into words; in a value,
 // control characters are \n, \t and \xNN, and a backslash is \\. Exit status 0 when the answer is
 // right, 1 when it is not, 2 for wrong use.
 
@@ -43,8 +43,8 @@ int main(int argc, char** argv) {
     // The learner's code is not to reach this process's files through /proc.
     prctl(PR_SET_DUMPABLE, 0);
     std::uint64_t seed = 0;
-    if (argc < 3 || argc > 5) {
-        std::fprintf(stderr, "check: takes EXERCISE WORKER [SEED [PRINTED]]\n");
+    if (argc < 3) {
+        std::fprintf(stderr, "check: takes EXERCISE WORKER [SEED [PRINTED [LAUNCHER...]]]\n");
         return 2;
     }
     const std::string word = argc > 3 ? argv[3] : std::to_string(std::random_device{}());
@@ -58,7 +58,8 @@ int main(int argc, char** argv) {
     if (argc > 3) std::fill_n(argv[3], word.size(), ' ');
     Verdict verdict;
     try {
-        Remote remote(argv[2], argc > 4 ? argv[4] : "/dev/null");
+        Remote remote(argv[2], argc > 4 ? argv[4] : "/dev/null",
+                      std::vector<std::string>(argv + std::min(argc, 5), argv + argc));
         remote.await();
         verdict = session().check(argv[1], std::ref(remote), seed);
     } catch (const Ended& ended) {

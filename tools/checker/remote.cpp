@@ -10,6 +10,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/sysinfo.h>
@@ -37,9 +38,22 @@ void limit(int resource, std::size_t amount) {
     limit(resource, amount, amount);
 }
 
+// The rules, where a launcher reads them.
+constexpr int rules_fd = answers_fd + 2;
+
+void open_rules() {
+    const std::vector<sock_filter> list = rules();
+    const int file = memfd_create("rules", 0);
+    write_all(file, list.data(), list.size() * sizeof list[0]);
+    lseek(file, 0, SEEK_SET);
+    dup2(file, rules_fd);
+    if (file != rules_fd) close(file);
+}
+
 // In the child: the pipes and the file in place of all that was open, limits, and the program with
 // an environment of its own. What keeps it from running is written to `failed`.
-[[noreturn]] void become(const std::string& program, pid_t parent, int calls, int answers,
+[[noreturn]] void become(const std::string& program, const std::vector<std::string>& launcher,
+                         pid_t parent, int calls, int answers,
                          int printed, int failed, const Limits& limits) {
     setsid();  // a group of its own, and no terminal to type into
     // It ends with its parent, which may have ended before this line.
@@ -71,14 +85,27 @@ void limit(int resource, std::size_t amount) {
     // It counts all that the user runs, which is less than all that the machine runs.
     struct sysinfo machine {};
     if (sysinfo(&machine) == 0) limit(RLIMIT_NPROC, machine.procs + limits.threads);
-    stay_alone();
-    char name[] = "worker";
-    char* arguments[] = {name, nullptr};
     // Memory is handed out and taken back full of bytes that make no sense, so that what was never
     // written is no lucky zero.
-    char tunables[] = "GLIBC_TUNABLES=glibc.malloc.perturb=1:glibc.malloc.tcache_count=0";
-    char* environment[] = {tunables, nullptr};
-    execve(program.c_str(), arguments, environment);
+    const std::string tunables = "glibc.malloc.perturb=1:glibc.malloc.tcache_count=0";
+    std::vector<std::string> words = launcher, surroundings;
+    if (launcher.empty()) {
+        stay_alone();
+        words.push_back("worker");
+        surroundings.push_back("GLIBC_TUNABLES=" + tunables);
+    } else {  // which keeps the rules for the worker
+        open_rules();
+        words.insert(words.end(), {"--setenv", "GLIBC_TUNABLES", tunables, "--seccomp",
+                                   std::to_string(rules_fd), "--", program});
+    }
+    const auto pointers = [](std::vector<std::string>& list) {
+        std::vector<char*> to;
+        for (std::string& word : list) to.push_back(word.data());
+        to.push_back(nullptr);
+        return to;
+    };
+    execve(launcher.empty() ? program.c_str() : launcher[0].c_str(), pointers(words).data(),
+           pointers(surroundings).data());
     const int error = errno;
     write_all(failed, &error, sizeof error);
     _exit(127);
@@ -102,8 +129,9 @@ std::string hexadecimal(const void* address) {
 
 }  // namespace
 
-Remote::Remote(const std::string& program, const std::string& printed, const Limits& limits)
-    : limits_(limits), begin_(now()) {
+Remote::Remote(const std::string& program, const std::string& printed,
+               const std::vector<std::string>& launcher, const Limits& limits)
+    : limits_(limits), launched_(!launcher.empty()), begin_(now()) {
     std::signal(SIGPIPE, SIG_IGN);
     int calls[2], answers[2], failed[2];
     const int file = open(printed.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
@@ -114,7 +142,8 @@ Remote::Remote(const std::string& program, const std::string& printed, const Lim
     const pid_t parent = getpid();
     process_ = fork();
     if (process_ < 0) throw Ended(Kind::course_error, "no process to be had from the system");
-    if (process_ == 0) become(program, parent, calls[0], answers[1], file, failed[1], limits);
+    if (process_ == 0)
+        become(program, launcher, parent, calls[0], answers[1], file, failed[1], limits);
     close(calls[0]);
     close(answers[1]);
     close(failed[1]);
@@ -212,6 +241,10 @@ void Remote::gone() {
         waitid(P_PID, static_cast<id_t>(process_), &how, WEXITED | WNOHANG | WNOWAIT);
     if (how.si_pid == 0)
         throw Ended(Kind::left_early, "The program closed the pipe that its answers go through");
+    if (how.si_code == CLD_EXITED && launched_ && how.si_status > 128) {  // as a launcher says it
+        how.si_code = CLD_KILLED;
+        how.si_status -= 128;
+    }
     if (how.si_code == CLD_EXITED)
         throw Ended(Kind::left_early, "The program ended with status " +
                                           std::to_string(how.si_status) + " instead of returning");

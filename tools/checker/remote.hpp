@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <sys/types.h>
 
@@ -26,8 +27,10 @@ struct Limits {
 /// other process and ends with this one. What it prints goes to a file.
 class Remote {
 public:
-    /// Starts `program`; the file `printed` gets what it prints.
-    Remote(const std::string& program, const std::string& printed, const Limits& limits = {});
+    /// Starts `program`; the file `printed` gets what it prints. `launcher` are the words of another
+    /// program before it, which shuts it away: bubblewrap and its options.
+    Remote(const std::string& program, const std::string& printed,
+           const std::vector<std::string>& launcher = {}, const Limits& limits = {});
     ~Remote();
     Remote(const Remote&) = delete;
     Remote& operator=(const Remote&) = delete;
@@ -45,6 +48,7 @@ private:
     void end();
 
     Limits limits_;
+    bool launched_;
     pid_t process_ = -1;
     int calls_ = -1, answers_ = -1;
     std::uint64_t number_ = 0;  // of the last call

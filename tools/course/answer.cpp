@@ -26,6 +26,7 @@ struct Asked {
     std::vector<std::string> chapter_options;
     Question question;
     Contest contest;
+    Grading grading;
 };
 
 void declare_advise(CLI::App& app, Asked& asked) {
@@ -74,6 +75,24 @@ void declare_bench(CLI::App& app, Asked& asked) {
         ->check(CLI::Range(1, 1000));
 }
 
+void declare_grade(CLI::App& app, Asked& asked) {
+    const auto grade = app.add_subcommand("grade", "grade a submission, or a folder of them, in isolation");
+    Grading& grading = asked.grading;
+    grade->add_option("DIR", grading.place, "a submission, or a folder with one in each entry")->required();
+    grade->add_option("--exercise", grading.exercises, "grade this one only; may be given again")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    grade->add_option("--out", asked.out, "leave the grades in this folder (NAME.grades)")->type_name("DIR");
+    grade->add_option("--seed", asked.seed, "draw the inputs from this seed")->type_name("NUMBER");
+    grade->add_option("--jobs", grading.jobs, "so many at a time (the number of cores)")
+        ->check(CLI::Range(1, 256));
+    grade->add_flag("--trust", grading.trust, "without isolation: of files that you would run yourself");
+    grade->add_flag("--again", grading.again, "also what has been graded before");
+    grade->footer(
+        "A submission is a folder that holds exercises/CHAPTER/NAME.cpp or NAME.cpp, or a single file.\n"
+        "A run that was stopped goes on where it was. Exit status 1: graded, and not all is right.");
+}
+
 void declare(CLI::App& app, Asked& asked) {
     app.require_subcommand(1);
     app.fallthrough();
@@ -113,6 +132,7 @@ void declare(CLI::App& app, Asked& asked) {
     with_exercise("hint", "the next hint to an exercise").second->required();
     with_exercise("solution", "the course's answer beside yours, after a pass").second->required();
     with_exercise("reset", "make your file what it was at the beginning").second->required();
+    declare_grade(app, asked);
     declare_bench(app, asked);
     declare_advise(app, asked);
     app.add_subcommand("site", "bring the site up to date and say where it is")
@@ -196,6 +216,11 @@ Status answer(int argc, char** argv) {
     if (const auto command = app.get_subcommand("check"); *command)
         check(asked.exercise, given(*command, "--file", asked.file), asked.json,
               seed_from(given(*command, "--seed", asked.seed)));
+    if (const auto command = app.get_subcommand("grade"); *command) {
+        asked.grading.out = given(*command, "--out", asked.out);
+        asked.grading.seed = seed_from(given(*command, "--seed", asked.seed));
+        grade(asked.grading);
+    }
     if (app.got_subcommand("watch")) watch(asked.exercise);
     if (app.got_subcommand("hint")) hint(asked.exercise);
     if (app.got_subcommand("solution")) solution(asked.exercise);

@@ -28,6 +28,21 @@ void run(const std::string& chapter, const std::optional<std::string>& out,
 void check(const std::string& exercise, const std::optional<std::string>& file, bool json,
            const std::optional<std::uint64_t>& seed);
 
+/// What is asked of `grade`.
+struct Grading {
+    std::string place;                   ///< a submission, or a folder of them
+    std::vector<std::string> exercises;  ///< none given: all that anybody has handed in
+    std::optional<std::string> out;      ///< none given: NAME.grades where one is
+    std::optional<std::uint64_t> seed;   ///< none given: drawn anew
+    int jobs = 0;                        ///< at a time; 0: as many as there are cores
+    bool trust = false;                  ///< without isolation
+    bool again = false;                  ///< also what has been graded
+};
+
+/// Grades submissions, each shut away from the machine and from the others. Throws Stop(wrong)
+/// where one is not right.
+void grade(const Grading& grading);
+
 /// Checks an exercise (none given: the first that has not been passed) whenever its file is saved,
 /// and goes on to the next after a pass.
 void watch(const std::string& exercise);

@@ -48,6 +48,17 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
         text.replace(at, what.size(), by);
 }
 
+void put_before(Words& words, const Words& others) {
+    words.insert(words.begin(), others.begin(), others.end());
+}
+
+// What looks like bubblewrap's words may be the learner's; so it is asked again.
+void stop_if_broken(const Words& around, const std::string& said) {
+    if (around.empty() || !said.starts_with("bwrap: ")) return;
+    const std::string fault = Sandbox::fault_of(around);
+    if (!fault.empty()) throw Stop(Status::missing, fault);
+}
+
 // Runs the compiler; false where it refuses, or has not come to an end.
 bool succeeds(const Words& command, const Workshop& workshop, Verdict& verdict) {
     const int seconds = places().compiler_seconds;
@@ -126,12 +137,17 @@ bool meddled_with(const Outcome& outcome, const std::string& verdict) {
 
 }  // namespace
 
-Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_t seed) {
+Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_t seed,
+                   const Sandbox* sandbox) {
     const auto begin = std::chrono::steady_clock::now();
-    answer_in(exercise, given);  // or one clear line
-    const fs::path file = fs::canonical(given);
+    const std::string answer = answer_in(exercise, given);  // or one clear line
     const Commands commands = read_commands(exercise);
     const Workshop workshop;
+    fs::path file = fs::canonical(given);
+    if (sandbox != nullptr) {  // which sees no place of the submission
+        file = fs::canonical(workshop.folder()) / (exercise.name + ".cpp");
+        write_whole(file, answer);
+    }
     const fs::path object = workshop.folder() / "answer.o", worker = workshop.folder() / "worker",
                    printed = workshop.folder() / "printed.txt";
 
@@ -156,7 +172,12 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
         replace_all(word, "@", object.string());
         compile.push_back(word);
     }
+    Words around;
+    if (sandbox != nullptr)
+        around = sandbox->before_compiler(compile, workshop.folder(), {exercise.declared()});
+    put_before(compile, around);
     const bool compiles = succeeds(compile, workshop, verdict);
+    if (!compiles) stop_if_broken(around, verdict.compiler);
     const std::string not_own = not_ones_own(
         files_in({object.string() + ".d", object.string() + ".incbin.d"}), file);
     if (!not_own.empty()) verdict.compiler = not_own;
@@ -165,16 +186,20 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     for (const std::string& word : {object.string(), commands.worker_object,
                                     commands.worker_library, std::string("-o"), worker.string()})
         link.push_back(word);
+    if (sandbox != nullptr) put_before(link, sandbox->before_compiler(link, workshop.folder(), {}));
     if (!succeeds(link, workshop, verdict)) return ended("does_not_compile");
 
     // The learner's code is not to reach our files through /proc: what we print is the verdict.
     prctl(PR_SET_DUMPABLE, 0);
-    const Outcome outcome = run_within(
-        {commands.check, exercise.name, worker.string(), std::to_string(seed), printed.string()},
-        {30});
+    Words check{commands.check, exercise.name, worker.string(), std::to_string(seed),
+                printed.string()};
+    around = sandbox != nullptr ? sandbox->before_worker(worker) : Words{};
+    check.insert(check.end(), around.begin(), around.end());
+    const Outcome outcome = run_within(check, {30});
     auto said = read_lines(outcome.said);
     const auto text = printed_in(printed);
     verdict.printed = text.value_or("");
+    stop_if_broken(around, verdict.printed);
     if (said["verdict"] == "wrong" || said["verdict"] == "not_finite")
         verdict.property = said["property"];
     verdict.misconception = said["misconception"];

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "exercises.hpp"
+#include "sandbox.hpp"
 
 namespace course {
 
@@ -27,8 +28,9 @@ struct Verdict {
     double seconds = 0;  ///< from the file to the verdict
 };
 
-/// Checks `file` as an answer to the exercise, with inputs drawn from `seed`. Throws Stop where the
-/// file cannot be read or the machine is at fault.
-Verdict check_file(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed);
+/// Checks `file` as an answer to the exercise, with inputs drawn from `seed`; a stranger's in a
+/// sandbox. Throws Stop where the file cannot be read or the machine is at fault.
+Verdict check_file(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed,
+                   const Sandbox* sandbox = nullptr);
 
 }  // namespace course

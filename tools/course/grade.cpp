@@ -1,0 +1,250 @@
+// course grade
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <optional>
+#include <random>
+#include <thread>
+
+#include "build.hpp"
+#include "commands.hpp"
+#include "grades.hpp"
+#include "jobs.hpp"
+#include "places.hpp"
+#include "sandbox.hpp"
+#include "stop.hpp"
+#include "submissions.hpp"
+#include "tell.hpp"
+#include "terminal.hpp"
+
+namespace course {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// What grades depend on besides the answers: the hidden tests, and how answers are compiled.
+std::string edition() {
+    std::string all;
+    for (const char* part : {"exercises/check", "exercises/commands.json"}) {
+        std::ifstream stream(places().build / part, std::ios::binary);
+        all += std::string(std::istreambuf_iterator<char>(stream), {});
+    }
+    return mark_of(all);
+}
+
+// The folder that the grades go to, and nobody else's as long as this lives.
+class Desk {
+public:
+    explicit Desk(const fs::path& folder) : folder_(folder) {
+        std::error_code error;
+        fs::create_directories(folder, error);
+        if (error || !fs::is_directory(folder))
+            throw Stop(Status::bad_use, in_one_line(folder.string()) + ": cannot be written" +
+                                            (error ? " (" + error.message() + ")" : ""));
+        if (Lock::is_held(folder / "lock"))
+            throw Stop(Status::bad_use, in_one_line(folder.string()) +
+                                            ": another grading writes there; --out takes another folder");
+        lock_.emplace(folder / "lock");
+    }
+    fs::path operator/(const char* file) const { return folder_ / file; }
+    const fs::path& folder() const { return folder_; }
+
+private:
+    fs::path folder_;
+    std::optional<Lock> lock_;
+};
+
+fs::path desk_for(const Grading& grading) {
+    if (grading.out) return *grading.out;
+    std::error_code ignored;
+    return fs::canonical(grading.place, ignored).filename().string() + ".grades";
+}
+
+std::vector<Exercise> asked_for(const Grading& grading) {
+    if (grading.exercises.empty()) return read_exercises();
+    std::vector<Exercise> exercises;
+    for (const std::string& name : grading.exercises) exercises.push_back(find_exercise(name));
+    return exercises;
+}
+
+// All answers, one row a submission.
+struct Pile {
+    std::vector<Exercise> exercises;
+    std::vector<Submission> submissions;
+    std::vector<HandedIn> answers;
+
+    const Submission& submission(std::size_t i) const { return submissions[i / exercises.size()]; }
+    const Exercise& exercise(std::size_t i) const { return exercises[i % exercises.size()]; }
+};
+
+// Without the exercises that nobody has handed in, unless they were asked for.
+Pile gather(const Grading& grading) {
+    Pile all{asked_for(grading), {}, {}};
+    all.submissions = find_submissions(grading.place, all.exercises);
+    for (const Submission& submission : all.submissions)
+        for (HandedIn& answer : answers_in(submission, all.exercises))
+            all.answers.push_back(std::move(answer));
+    if (!grading.exercises.empty()) return all;
+
+    const std::size_t width = all.exercises.size();
+    Pile some{{}, all.submissions, {}};
+    std::vector<bool> is_there(width, false);
+    for (std::size_t i = 0; i < all.answers.size(); ++i)
+        if (!all.answers[i].file.empty() && all.answers[i].refused.empty()) is_there[i % width] = true;
+    for (std::size_t i = 0; i < width; ++i)
+        if (is_there[i]) some.exercises.push_back(all.exercises[i]);
+    for (std::size_t i = 0; i < all.answers.size(); ++i)
+        if (is_there[i % width]) some.answers.push_back(all.answers[i]);
+    if (some.exercises.empty())
+        throw Stop(Status::bad_use,
+                   in_one_line(grading.place) +
+                       ": holds no answer: no file has the name of an exercise, like "
+                       "velocity_now.cpp (--exercise says what other files answer)");
+    return some;
+}
+
+// In a process of its own.
+Grade check_one(const Submission& submission, const Exercise& exercise, const fs::path& file,
+                std::uint64_t seed, const Sandbox* sandbox) {
+    Grade grade{submission.name, exercise.name, "course_error", "", seed, 0};
+    try {
+        const Verdict verdict = check_file(exercise, file, seed, sandbox);
+        grade.verdict = verdict.kind;
+        grade.says = told(exercise, verdict, file);
+        grade.seconds = verdict.seconds;
+    } catch (const Stop& stop) {
+        if (stop.status() == Status::interrupted) throw;
+        grade.says = stop.what();
+    }
+    return grade;
+}
+
+void print(const Pile& pile, const std::vector<Grade>& grades) {
+    const std::size_t width = pile.exercises.size();
+    std::size_t longest = 10;
+    for (const Submission& submission : pile.submissions)
+        longest = std::max(longest, width_of(in_one_line(submission.name)));
+    for (std::size_t i = 0; i < grades.size(); ++i) {
+        const std::string place = pile.exercise(i).place() + " " + pile.exercise(i).name;
+        if (i % width == 0) {
+            const auto passed = std::count_if(grades.begin() + static_cast<std::ptrdiff_t>(i),
+                                              grades.begin() + static_cast<std::ptrdiff_t>(i + width),
+                                              [](const Grade& grade) { return grade.passed(); });
+            std::printf("%s  %td of %zu\n",
+                        padded(in_one_line(pile.submission(i).name), longest).c_str(), passed, width);
+        }
+        if (!grades[i].passed())
+            std::printf("    %s %s\n", padded(place, 32).c_str(), grades[i].verdict.c_str());
+    }
+}
+
+// The whole of what there is to say where there is one answer or a few.
+void print_in_full(const std::vector<Grade>& grades) {
+    for (const Grade& grade : grades) std::printf("%s\n", grade.says.c_str());
+}
+
+std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& journal,
+                             std::uint64_t seed, const Sandbox* sandbox) {
+    ProgressLine progress;
+    std::vector<Grade> grades(pile.answers.size());
+    std::vector<std::string> texts(grades.size());
+    std::vector<std::size_t> to_do, too_slow;
+    for (std::size_t i = 0; i < grades.size(); ++i) {
+        const HandedIn& answer = pile.answers[i];
+        grades[i] = {pile.submission(i).name, pile.exercise(i).name, "missing",
+                     pile.exercise(i).name + ": nothing was handed in", seed, 0};
+        if (answer.file.empty()) continue;
+        grades[i].verdict = "refused";
+        grades[i].says = pile.exercise(i).name + ": refused: " + answer.refused;
+        if (!answer.refused.empty()) continue;
+        try {
+            texts[i] = contents(answer.file);
+        } catch (const Stop& stop) {
+            grades[i].says = pile.exercise(i).name + ": refused: " + in_one_line(stop.what());
+            continue;
+        }
+        const Grade* const known = journal.find(grades[i].submission, grades[i].exercise, texts[i]);
+        if (known != nullptr && !grading.again)
+            grades[i] = *known;
+        else
+            to_do.push_back(i);
+    }
+    const std::size_t taken_over = static_cast<std::size_t>(
+        std::count_if(texts.begin(), texts.end(), [](const auto& text) { return !text.empty(); }));
+    if (taken_over > to_do.size())
+        progress.say("  " + std::to_string(taken_over - to_do.size()) + " were graded before");
+
+    std::size_t done = 0;
+    const auto work = [&](std::size_t i) {
+        return check_one(pile.submission(i), pile.exercise(i), pile.answers[i].file, seed, sandbox);
+    };
+    const auto keep = [&](std::size_t i, const Grade& grade) {
+        grades[i] = grade;
+        // What the machine is to blame for is graded again the next time.
+        if (grade.verdict != "course_error") journal.keep(grade, texts[i]);
+    };
+    const int jobs = grading.jobs > 0
+                         ? grading.jobs
+                         : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    in_parallel(to_do, jobs, work, [&](std::size_t i, const Grade& grade) {
+        if (grade.verdict == "too_slow" && jobs > 1)
+            too_slow.push_back(i);  // perhaps only because of its neighbours
+        else
+            keep(i, grade);
+        progress.now("[" + std::to_string(++done) + "/" + std::to_string(to_do.size()) + "] " +
+                     in_one_line(grade.submission) + " " + grade.exercise + ": " + grade.verdict);
+    });
+    if (!too_slow.empty())
+        progress.say("  " + std::to_string(too_slow.size()) + " too slow; once more, one at a time");
+    in_parallel(too_slow, 1, work, keep);
+    return grades;
+}
+
+}  // namespace
+
+void grade(const Grading& grading) {
+    if (grading.jobs < 0) throw Stop(Status::bad_use, "--jobs must be 1 or more");
+    const Pile pile = gather(grading);
+    const Desk desk(desk_for(grading));
+    std::optional<Sandbox> sandbox;
+    if (!grading.trust) sandbox.emplace();
+    {
+        const Lock one_at_a_time(places().build / "exercises" / "build.lock");
+        ProgressLine progress;
+        build({"exercises"}, progress);
+    }
+    const fs::path journal_file = desk / "journal.jsonl";
+    const std::string mark = edition() + (grading.trust ? "_trusted" : "");
+    const std::uint64_t seed =
+        grading.seed ? *grading.seed
+                     : Journal::seed_in(journal_file, mark, std::random_device{}() % 1'000'000);
+    Journal journal(journal_file, mark, seed);
+    const auto begin = std::chrono::steady_clock::now();
+    const std::vector<Grade> grades =
+        grade_all(pile, grading, journal, seed, sandbox ? &*sandbox : nullptr);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+
+    const bool single = pile.submissions.size() == 1;
+    write_grades(desk.folder(), pile.exercises, grades, single);
+    if (single)
+        print_in_full(grades);
+    else
+        print(pile, grades);
+    const auto passed = std::count_if(grades.begin(), grades.end(),
+                                      [](const Grade& grade) { return grade.passed(); });
+    std::printf("\n%td of %zu right, %zu submissions, in %.1f s, seed %llu%s; in %s:\n"
+                "  grades.csv, grades.json, junit.xml%s\n",
+                passed, grades.size(), pile.submissions.size(), taken.count(),
+                static_cast<unsigned long long>(seed), grading.trust ? ", without isolation" : "",
+                in_one_line(shown(desk.folder())).c_str(), single ? ", results.json" : "");
+    flush();
+    const bool failed = std::any_of(grades.begin(), grades.end(), [](const Grade& grade) {
+        return grade.verdict == "course_error";
+    });
+    if (failed) throw Stop(Status::missing, "some could not be checked; the same command tries them again");
+    if (static_cast<std::size_t>(passed) < grades.size()) throw Stop(Status::wrong, "");
+}
+
+}  // namespace course

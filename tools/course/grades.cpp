@@ -1,0 +1,146 @@
+#include "grades.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "submissions.hpp"
+
+namespace course {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace {
+
+std::string text_of(const ordered_json& value) {
+    return value.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+// UTF-8 with what is none replaced: JSON's writer knows how.
+std::string clean(const std::string& text) {
+    return ordered_json::parse(text_of(text)).get<std::string>();
+}
+
+double thousandths(double seconds) {
+    return std::round(seconds * 1000) / 1000;
+}
+
+// XML has no way at all to write most control characters.
+std::string xml(const std::string& text) {
+    std::string out;
+    for (const char c : clean(text)) {
+        if (c == '&')
+            out += "&amp;";
+        else if (c == '<')
+            out += "&lt;";
+        else if (c == '>')
+            out += "&gt;";
+        else if (c == '"')
+            out += "&quot;";
+        else
+            out += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? '?' : c;
+    }
+    return out;
+}
+
+// A spreadsheet takes what begins so for a formula, which it would obey.
+std::string csv(const std::string& text) {
+    std::string out = text.find_first_of("=+-@") == 0 ? "\"'" : "\"";
+    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return out + "\"";
+}
+
+std::string as_json(const std::vector<Grade>& grades) {
+    ordered_json list = ordered_json::array();
+    for (const Grade& grade : grades)
+        list.push_back({{"submission", grade.submission},
+                        {"exercise", grade.exercise},
+                        {"verdict", grade.verdict},
+                        {"says", grade.says},
+                        {"seed", grade.seed},
+                        {"seconds", thousandths(grade.seconds)}});
+    return text_of(list);
+}
+
+// A row a submission, a column an exercise: what a spreadsheet or a register of marks takes.
+std::string as_csv(const std::vector<Exercise>& exercises, const std::vector<Grade>& grades) {
+    std::string text = "submission,passed,of";
+    for (const Exercise& exercise : exercises) text += "," + exercise.name;
+    for (std::size_t i = 0; i < grades.size(); i += exercises.size()) {
+        std::size_t passed = 0;
+        std::string row;
+        for (std::size_t j = i; j < i + exercises.size(); ++j) {
+            passed += grades[j].passed() ? 1 : 0;
+            row += "," + grades[j].verdict;
+        }
+        text += "\n" + csv(in_one_line(grades[i].submission)) + "," + std::to_string(passed) + "," +
+                std::to_string(exercises.size()) + row;
+    }
+    return text + "\n";
+}
+
+std::string as_junit(const std::vector<Grade>& grades) {
+    std::size_t failures = 0, errors = 0;
+    std::ostringstream cases;
+    for (const Grade& grade : grades) {
+        const bool error = grade.verdict == "course_error";
+        errors += error;
+        failures += !error && !grade.passed();
+        cases << "    <testcase classname=\"" << xml(in_one_line(grade.submission)) << "\" name=\""
+              << grade.exercise << "\" time=\"" << thousandths(grade.seconds) << "\"";
+        if (grade.passed()) {
+            cases << "/>\n";
+            continue;
+        }
+        const char* const kind = error ? "error" : "failure";
+        cases << ">\n      <" << kind << " type=\"" << grade.verdict << "\" message=\""
+              << xml(grade.says.substr(0, grade.says.find('\n'))) << "\">" << xml(grade.says) << "</"
+              << kind << ">\n    </testcase>\n";
+    }
+    std::ostringstream whole;
+    whole << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
+          << "  <testsuite name=\"timestep\" tests=\"" << grades.size() << "\" failures=\""
+          << failures << "\" errors=\"" << errors << "\">\n"
+          << cases.str() << "  </testsuite>\n</testsuites>\n";
+    return whole.str();
+}
+
+// One point an exercise.
+std::string as_gradescope(const std::vector<Exercise>& exercises,
+                          const std::vector<Grade>& grades) {
+    ordered_json tests = ordered_json::array();
+    double seconds = 0;
+    for (std::size_t i = 0; i < grades.size(); ++i) {
+        seconds += grades[i].seconds;
+        tests.push_back({{"number", exercises[i].place()},
+                         {"name", exercises[i].name + ", " + exercises[i].title},
+                         {"score", grades[i].passed() ? 1 : 0},
+                         {"max_score", 1},
+                         {"status", grades[i].passed() ? "passed" : "failed"},
+                         {"output", grades[i].says},
+                         {"output_format", "text"}});
+    }
+    return text_of({{"execution_time", std::ceil(seconds)}, {"tests", tests}});
+}
+
+}  // namespace
+
+void write_grades(const fs::path& folder, const std::vector<Exercise>& exercises,
+                  const std::vector<Grade>& grades, bool single) {
+    write_whole(folder / "grades.json", as_json(grades));
+    write_whole(folder / "grades.csv", as_csv(exercises, grades));
+    write_whole(folder / "junit.xml", as_junit(grades));
+    const bool graded = std::none_of(grades.begin(), grades.end(), [](const Grade& grade) {
+        return grade.verdict == "course_error";
+    });
+    std::error_code ignored;
+    fs::remove(folder / "results.json", ignored);
+    // Where the checker itself has failed there is no mark to be given.
+    if (single && graded) write_whole(folder / "results.json", as_gradescope(exercises, grades));
+}
+
+}  // namespace course

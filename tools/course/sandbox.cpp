@@ -1,0 +1,138 @@
+#include "sandbox.hpp"
+
+#include <cstdlib>
+#include <sstream>
+
+#include "places.hpp"
+#include "process.hpp"
+#include "stop.hpp"
+
+namespace course {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+void add(Words& words, std::initializer_list<std::string> more) {
+    words.insert(words.end(), more);
+}
+
+void show(Words& words, const fs::path& place) {
+    add(words, {"--ro-bind", place.string(), place.string()});
+}
+
+// In the usual places, or where PATH leads; nowhere: "".
+std::string find_program(const std::string& name) {
+    const char* const path = std::getenv("PATH");
+    std::istringstream folders(std::string(path ? path : "") + ":/usr/bin:/usr/local/bin");
+    std::error_code ignored;
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (fs::path(folder).is_absolute() && fs::is_regular_file(fs::path(folder) / name, ignored))
+            return (fs::path(folder) / name).string();
+    return {};
+}
+
+bool is_below(const fs::path& place, const fs::path& folder) {
+    return !fs::relative(place, folder).string().starts_with("..");
+}
+
+// What stands of this course among the system's files, and would be seen with them.
+std::vector<fs::path> hidden_again() {
+    std::vector<fs::path> own;
+    for (const fs::path& place : {places().source, places().build})
+        if (is_below(place, "/usr")) own.push_back(place);
+    return own;
+}
+
+// Behind the last place that is shown: nothing may be written.
+void close(Words& words) {
+    for (const fs::path& own : hidden_again()) add(words, {"--remount-ro", own.string()});
+    add(words, {"--remount-ro", "/"});
+}
+
+// The files and folders that a compiler's words name, as far as they are not the system's.
+std::vector<fs::path> named_in(const Words& command) {
+    std::vector<fs::path> named;
+    const fs::path compiler = fs::canonical(find_program(command[0]).empty()
+                                                ? fs::path(command[0])
+                                                : fs::path(find_program(command[0])));
+    if (!is_below(compiler, "/usr")) named.push_back(compiler.parent_path().parent_path());
+    for (std::size_t i = 1; i < command.size(); ++i) {
+        const std::string& word = command[i];
+        const fs::path place = word.starts_with("-I") ? word.substr(2) : word;
+        std::error_code ignored;
+        if (place.is_absolute() && fs::exists(place, ignored) && !is_below(place, "/usr"))
+            named.push_back(place);
+    }
+    return named;
+}
+
+}  // namespace
+
+Sandbox::Sandbox() : bubblewrap_(find_program("bwrap")) {
+    const std::string otherwise =
+        ". Without it a submission could read this machine's files and reach its network; "
+        "--trust grades all the same, where you would run every file by hand";
+    if (bubblewrap_.empty())
+        throw Stop(Status::missing,
+                   "grade needs bubblewrap (package bubblewrap), which is not here" + otherwise);
+    const std::string fault = fault_of(walls());
+    if (!fault.empty())
+        throw Stop(Status::missing,
+                   "grade needs bubblewrap, which cannot work here (" + fault + ")" + otherwise);
+}
+
+std::string Sandbox::fault_of(std::vector<std::string> before) {
+    before.push_back("true");
+    const Outcome outcome = run_within(before, {10});
+    if (outcome.too_slow) return "bwrap: has not come to an end";
+    return outcome.status == 0 ? "" : outcome.said.substr(0, outcome.said.find('\n'));
+}
+
+// An empty file system with the system's programs and libraries. What stands below /usr of this
+// course is hidden again. Nobody is root in it, and all in it ends with bubblewrap, which ends with
+// us.
+Words Sandbox::walls() const {
+    Words words{bubblewrap_, "--unshare-all",      "--unshare-user", "--die-with-parent",
+                "--new-session", "--uid", "65534", "--gid", "65534", "--clearenv"};
+    add(words, {"--setenv", "PATH", "/usr/bin:/bin", "--setenv", "LC_ALL", "C.UTF-8"});
+    show(words, "/usr");
+    for (const char* place : {"/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32"}) {
+        std::error_code error;
+        const fs::path target = fs::read_symlink(place, error);
+        if (!error)
+            add(words, {"--symlink", target.string(), place});
+        else
+            add(words, {"--ro-bind-try", place, place});
+    }
+    for (const char* place : {"/etc/alternatives", "/etc/ld.so.cache"})
+        add(words, {"--ro-bind-try", place, place});
+    for (const char* device : {"/dev/null", "/dev/zero", "/dev/urandom"})
+        add(words, {"--dev-bind", device, device});
+    for (const fs::path& own : hidden_again()) add(words, {"--tmpfs", own.string()});
+    return words;
+}
+
+Words Sandbox::before_compiler(const Words& command, const fs::path& folder,
+                               const std::vector<fs::path>& reads) const {
+    Words words = walls();
+    add(words, {"--size", "268435456", "--tmpfs", "/tmp", "--setenv", "TMPDIR", "/tmp"});
+    for (const fs::path& place : named_in(command))
+        if (!is_below(place, folder)) show(words, place);
+    for (const fs::path& place : reads) show(words, place);
+    add(words, {"--bind", folder.string(), folder.string(), "--chdir", folder.string()});
+    close(words);
+    return words;
+}
+
+Words Sandbox::before_worker(const fs::path& worker) const {
+    Words words = walls();
+    show(words, worker);
+    add(words, {"--chdir", "/"});
+    close(words);
+    return words;
+}
+
+}  // namespace course

@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// Where strangers' code is compiled and run: under bubblewrap, which sees no network, no home, no
+/// tests and no other process, and of files only those named here.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace course {
+
+class Sandbox {
+public:
+    /// Throws Stop(missing) where bubblewrap is not installed, or may not do here what it has to.
+    Sandbox();
+
+    /// What stands before a compiler's command: it can write in `folder` and nowhere else, and reads
+    /// what its own words name, and the files in `reads`.
+    std::vector<std::string> before_compiler(const std::vector<std::string>& command,
+                                             const std::filesystem::path& folder,
+                                             const std::vector<std::filesystem::path>& reads) const;
+
+    /// What stands before a worker: it can write nowhere.
+    std::vector<std::string> before_worker(const std::filesystem::path& worker) const;
+
+    /// What bubblewrap has to say against these words before a command; "" where they work.
+    static std::string fault_of(std::vector<std::string> before);
+
+private:
+    std::vector<std::string> walls() const;
+
+    std::string bubblewrap_;
+};
+
+}  // namespace course

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// What learners have handed in, whatever it is.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "exercises.hpp"
+
+namespace course {
+
+/// One learner's folder or file. Nothing in it is trusted: not what it is, not what it is called.
+struct Submission {
+    std::string name;
+    std::filesystem::path place;
+};
+
+/// An answer in a submission, or why there is none to check.
+struct HandedIn {
+    std::filesystem::path file;  ///< empty: nothing was handed in
+    std::string refused;         ///< one line where the file cannot be taken
+};
+
+/// The submissions in `place`: itself, where it is a file or holds answers, else each file and folder
+/// in it. Throws Stop(bad_use) where there is none.
+std::vector<Submission> find_submissions(const std::filesystem::path& place,
+                                         const std::vector<Exercise>& exercises);
+
+/// What a submission holds for each of these exercises: the file exercises/CHAPTER/NAME.cpp anywhere
+/// in it, or the only file NAME.cpp. A submission that is one file is the answer to the only
+/// exercise, or to the one it is named after. No link is followed.
+std::vector<HandedIn> answers_in(const Submission& submission,
+                                 const std::vector<Exercise>& exercises);
+
+/// A name from outside in one line: control characters as \n, \t, \xNN.
+std::string in_one_line(const std::string& name);
+
+}  // namespace course
