@@ -129,13 +129,17 @@ void print(const Pile& pile, const std::vector<Grade>& grades) {
     for (std::size_t i = 0; i < grades.size(); ++i) {
         const std::string place = pile.exercise(i).place() + " " + pile.exercise(i).name;
         if (i % width == 0) {
-            const auto passed = std::count_if(grades.begin() + static_cast<std::ptrdiff_t>(i),
-                                              grades.begin() + static_cast<std::ptrdiff_t>(i + width),
-                                              [](const Grade& grade) { return grade.passed(); });
-            std::printf("%s  %td of %zu\n",
-                        padded(in_one_line(pile.submission(i).name), longest).c_str(), passed, width);
+            const auto begin = grades.begin() + static_cast<std::ptrdiff_t>(i);
+            const auto end = begin + static_cast<std::ptrdiff_t>(width);
+            const auto passed =
+                std::count_if(begin, end, [](const Grade& grade) { return grade.passed(); });
+            const auto missing = std::count_if(
+                begin, end, [](const Grade& grade) { return grade.verdict == "missing"; });
+            std::printf("%s  %td of %zu%s\n",
+                        padded(in_one_line(pile.submission(i).name), longest).c_str(), passed, width,
+                        missing > 0 ? (", " + std::to_string(missing) + " missing").c_str() : "");
         }
-        if (!grades[i].passed())
+        if (!grades[i].passed() && grades[i].verdict != "missing")
             std::printf("    %s %s\n", padded(place, 32).c_str(), grades[i].verdict.c_str());
     }
 }

@@ -23,14 +23,14 @@ void show(Words& words, const fs::path& place) {
     add(words, {"--ro-bind", place.string(), place.string()});
 }
 
-// In the usual places, or where PATH leads; nowhere: "".
+// Where PATH leads; nowhere: "".
 std::string find_program(const std::string& name) {
     const char* const path = std::getenv("PATH");
-    std::istringstream folders(std::string(path ? path : "") + ":/usr/bin:/usr/local/bin");
+    std::istringstream folders(path ? path : "");
     std::error_code ignored;
     for (std::string folder; std::getline(folders, folder, ':');)
-        if (fs::path(folder).is_absolute() && fs::is_regular_file(fs::path(folder) / name, ignored))
-            return (fs::path(folder) / name).string();
+        if (fs::is_regular_file(fs::path(folder) / name, ignored))
+            return fs::absolute(fs::path(folder) / name).string();
     return {};
 }
 
@@ -55,14 +55,12 @@ void close(Words& words) {
 // The files and folders that a compiler's words name, as far as they are not the system's.
 std::vector<fs::path> named_in(const Words& command) {
     std::vector<fs::path> named;
-    const fs::path compiler = fs::canonical(find_program(command[0]).empty()
-                                                ? fs::path(command[0])
-                                                : fs::path(find_program(command[0])));
+    std::error_code ignored;
+    const fs::path compiler = fs::canonical(command[0], ignored);  // CMake names it from the root
     if (!is_below(compiler, "/usr")) named.push_back(compiler.parent_path().parent_path());
     for (std::size_t i = 1; i < command.size(); ++i) {
         const std::string& word = command[i];
         const fs::path place = word.starts_with("-I") ? word.substr(2) : word;
-        std::error_code ignored;
         if (place.is_absolute() && fs::exists(place, ignored) && !is_below(place, "/usr"))
             named.push_back(place);
     }

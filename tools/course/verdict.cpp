@@ -145,7 +145,7 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     const Workshop workshop;
     fs::path file = fs::canonical(given);
     if (sandbox != nullptr) {  // which sees no place of the submission
-        file = fs::canonical(workshop.folder()) / (exercise.name + ".cpp");
+        file = workshop.folder() / (exercise.name + ".cpp");
         write_whole(file, answer);
     }
     const fs::path object = workshop.folder() / "answer.o", worker = workshop.folder() / "worker",

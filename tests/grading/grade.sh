@@ -1,0 +1,196 @@
+# A class is graded: the verdicts, what is written, what a submission can see, and interruptions.
+
+. "$(dirname "$0")/class.sh"
+
+test_a_class_gets_its_verdicts() {
+    expect 1 course grade class --seed 7
+    is "$(grep -c ' of 1$' out)" 3
+    says out '1 of 3 right, 3 submissions'
+    cat >expected.csv <<'CSV'
+submission,passed,of,velocity_now
+"alice",1,1,pass
+"bob",0,1,wrong
+"carol",0,1,not_started
+CSV
+    cmp -s expected.csv class.grades/grades.csv || fail "grades.csv: $(cat class.grades/grades.csv)"
+    is "$(verdict_of bob)" wrong
+    says class.grades/grades.json 'This is the central difference'
+    [ ! -e class.grades/results.json ] || fail 'a class has results.json'
+    is "$(ls build/exercises/ | grep -c check_)" 0
+}
+
+test_a_file_for_programs_that_read_junit() {
+    command -v python3 >/dev/null || exit 77
+    printf '"]]><&\001 \303\244' | answer 'e<v>&"e'
+    expect 1 course grade class
+    python3 - <<'PYTHON' || fail 'junit.xml'
+import xml.etree.ElementTree as tree
+suite = tree.parse("class.grades/junit.xml").getroot()[0]
+assert suite.get("tests") == "4" and suite.get("failures") == "3" and suite.get("errors") == "0"
+kinds = {case.get("classname"): [kind.get("type") for kind in case] for case in suite}
+assert kinds == {"alice": [], "bob": ["wrong"], "carol": ["not_started"],
+                 'e<v>&"e': ["does_not_compile"]}, kinds
+PYTHON
+}
+
+test_one_submission_gets_what_gradescope_reads() {
+    expect 0 course grade class/alice --out results
+    says out 'velocity_now: right'
+    command -v python3 >/dev/null || exit 77
+    python3 - <<'PYTHON' || fail 'results.json'
+import json
+results = json.load(open("results/results.json"))
+(test,) = results["tests"]
+assert test["score"] == 1 and test["max_score"] == 1 and test["status"] == "passed"
+assert test["number"] == "1.1" and "velocity_now" in test["name"] and "right" in test["output"]
+assert isinstance(results["execution_time"], (int, float))
+PYTHON
+    expect 1 course grade class/bob --out results
+    says results/results.json '"status": "failed"'
+    expect 0 course grade class/alice/velocity_now.cpp --out results
+    expect 1 course grade class/alice --exercise velocity_now --exercise 1.2 --out results
+    says out '1 of 2 right'
+    says results/grades.csv '"alice",1,2,pass,missing'
+}
+
+# What cannot be seen cannot be copied, sent or spoilt. The same look from outside sees it all.
+test_a_submission_sees_nothing_but_itself() {
+    needs_isolation
+    mkdir home
+    echo secret >home/secret
+    export HOME="$folder/home"
+    for place in "$source/tests/exercises/01_derivatives/velocity_now/properties.cpp" \
+        "$source/solutions/01_derivatives/velocity_now.cpp" "$source/README.md" "$HOME/secret" \
+        "$real_build/exercises/check" "$real_build/exercises/generated/velocity_now_variants.cpp" \
+        "$folder/class/alice/velocity_now.cpp" /etc/passwd /etc/hostname; do
+        printf '#if __has_include("%s")\n#error sees %s\n#endif\n' "$place" "$place"
+        [ -e "$place" ] || fail "$place is not there: the test tests nothing"
+    done >looks.hpp
+    {
+        cat looks.hpp
+        cat "$solved"
+    } >class/alice/looks.cpp
+    hand_in dave class/alice/looks.cpp
+    rm class/alice/looks.cpp
+    for place in $(sed -n 's/#error sees //p' looks.hpp); do
+        printf 'if (std::fopen("%s", "r") != nullptr) std::puts("sees %s");\n' "$place" "$place"
+    done | answer erin
+    answer frank <<'CODE'
+    for (char** one = environ; *one != nullptr; ++one) std::printf("environment %s\n", *one);
+    std::printf("parent %d, files %d\n", getppid() > 9, access("/proc/1", F_OK) == 0);
+    for (const char* place : {"/", "/tmp", "/dev", "/usr", "/etc"}) {
+        const int folder = open(place, O_TMPFILE | O_WRONLY, 0600);
+        if (folder >= 0) std::printf("writes in %s\n", place);
+    }
+    if (socket(AF_INET, SOCK_STREAM, 0) >= 0) std::puts("has a socket");
+CODE
+    expect 1 course grade class
+    for name in alice dave erin frank; do is "$name $(verdict_of $name)" "$name pass"; done
+    for name in dave erin frank; do
+        case $(says_of $name) in
+        *sees* | *writes* | *socket* | *HOME* | *STAGE* | *'parent 1'* | *'files 1'*)
+            fail "$(says_of $name)" ;;
+        esac
+    done
+    expect 1 course grade class --trust
+    is "$(verdict_of dave)" does_not_compile
+    case $(says_of erin) in *"sees $HOME/secret"*) ;; *) fail 'a trusted submission sees nothing' ;; esac
+}
+
+test_every_adversary_gets_its_verdict() {
+    needs_isolation
+    for file in "$source"/tests/checker/submissions/*.cpp; do
+        read -r _ exercise verdict _ <"$file"
+        graded=$(sed -n '2s|^// graded: ||p' "$file")  # where isolation makes it another
+        name=$(basename "$file" .cpp)
+        mkdir -p "class/$name"
+        cp "$file" "class/$name/$exercise.cpp"
+        printf '%s %s\n' "$name" "${graded:-${verdict%:}}"
+    done | sort >expected
+    rm -r class/alice class/bob class/carol
+    folder_now=$folder
+    STAGE_SOURCE=$source STAGE_BUILD=$real_build STAGE_CMAKE=true STAGE_CTEST=false \
+        expect 1 "$program" grade class
+    folder=$folder_now
+    sed -n 's/.*"submission": "\(.*\)",/\1/p;s/.*"verdict": "\(.*\)",/\1/p' class.grades/grades.json |
+        paste -d ' ' - - | grep -v ' missing$' | sort >got
+    diff expected got || fail 'another verdict'
+}
+
+test_a_killed_grading_goes_on_and_loses_nothing() {
+    needs_isolation
+    for i in 1 2 3 4 5 6; do hand_in "student$i" "$mistake"; done
+    expect 1 course grade class --seed 7 --out whole
+    start_course grade class --seed 7
+    wait_until sh -c '[ "$(grep -c submission class.grades/journal.jsonl)" -ge 3 ]'
+    kill -KILL $running
+    wait $running || true
+    cp class.grades/journal.jsonl killed
+    printf '{"submission": "ali' >>class.grades/journal.jsonl  # and the line it was writing
+    expect 1 course grade class
+    says err " $(grep -c submission killed) were graded before"
+    says out 'seed 7'
+    cmp -s whole/grades.csv class.grades/grades.csv || fail 'other grades than without being killed'
+    hand_in bob $solved
+    expect 1 course grade class
+    says err ' 8 were graded before'
+    is "$(verdict_of bob)" pass
+    expect 1 course grade class --again --seed 8
+    silent_on err 'graded before'
+    says out 'seed 8'
+}
+
+test_an_interrupt_ends_it_and_leaves_nothing() {
+    needs_isolation
+    echo 'for (;;) pause();' | answer dave
+    for signal in TERM HUP KILL; do
+        start_course grade class --again
+        wait_until sh -c 'ps -e -o args | grep -v grep | grep -q "/[c]heck velocity_now '"$folder"'"'
+        kill -$signal $running
+        got=0
+        wait $running || got=$?
+        [ $signal = KILL ] || is "$signal $got" "$signal 130"
+        wait_until sh -c '! ps -e -o args | grep -v grep | grep -q "/[c]heck velocity_now '"$folder"'"'
+        wait_until sh -c '! ls build/exercises/ | grep -q check_'
+    done
+}
+
+test_two_gradings_at_once() {
+    needs_isolation
+    echo 'usleep(1000000);' | answer dave
+    start_course grade class --out one --seed 7
+    wait_until [ -e one/journal.jsonl ]
+    expect 2 course grade class --out one
+    is "$(cat err)" 'course: one: another grading writes there; --out takes another folder'
+    expect 1 course grade class --out two --seed 7
+    wait $running || true
+    cmp -s one/grades.csv two/grades.csv || fail 'they disturb each other'
+    is "$(cut -d, -f 4 one/grades.csv | tr '\n' ' ')" 'velocity_now pass wrong not_started pass '
+}
+
+test_without_bubblewrap_it_refuses() {
+    mkdir none broken
+    expect 3 env PATH="$folder/none" $(words) grade class
+    says err 'grade needs bubblewrap (package bubblewrap), which is not here'
+    printf '#!/bin/sh\necho "bwrap: No permissions to creating new namespace"\nexit 1\n' >broken/bwrap
+    chmod +x broken/bwrap
+    expect 3 env PATH="$folder/broken:$PATH" $(words) grade class
+    says err 'cannot work here (bwrap: No permissions to creating new namespace)'
+    is "$(lines err)" 1
+    [ ! -e class.grades/grades.csv ] || fail 'it has graded'
+    expect 1 env PATH="$folder/broken:$PATH" $(words) grade class --trust
+    is "$(verdict_of alice)$(verdict_of bob)" passwrong
+    says out 'without isolation'
+}
+
+# For `env`: the course by its words.
+words() {
+    echo "STAGE_SOURCE=$folder/source STAGE_BUILD=$folder/build STAGE_CMAKE=$(command -v true)" \
+        "STAGE_CTEST=false $program"
+}
+
+program=$4 real_build=$5
+begin "$@"
+new_stage
+new_class
+"$function"
