@@ -94,7 +94,7 @@ std::string Sandbox::fault_of(std::vector<std::string> before) {
 // us.
 Words Sandbox::walls() const {
     Words words{bubblewrap_, "--unshare-all",      "--unshare-user", "--die-with-parent",
-                "--new-session", "--uid", "65534", "--gid", "65534", "--clearenv"};
+                "--new-session", "--disable-userns", "--uid", "65534", "--gid", "65534", "--clearenv"};
     add(words, {"--setenv", "PATH", "/usr/bin:/bin", "--setenv", "LC_ALL", "C.UTF-8"});
     show(words, "/usr");
     for (const char* place : {"/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32"}) {
