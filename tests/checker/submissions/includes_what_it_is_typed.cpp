@@ -1,4 +1,5 @@
 // velocity_now wrong: which returned 0
+// graded: does_not_compile
 #include "exercise.hpp"
 
 #include "/dev/stdin"
