@@ -1,6 +1,6 @@
 # Makes the site: Doxygen on the filled pages, then what Doxygen cannot do. Called as
 #   cmake -DDOXYGEN=… -DDOXYFILE=… -DSITE=… -DHEADS="a.html;b.html" -DKATEX=folder
-#         -DLINK_SOURCES=program -P make_site.cmake
+#         -DFIGURES=folder -DLINK_SOURCES=program [-DUNLINKED=tests/] -P make_site.cmake
 # All of it happens in SITE/unfinished, which becomes SITE/html when nothing went wrong.
 
 cmake_minimum_required(VERSION 3.25)
@@ -32,7 +32,7 @@ file(WRITE "${SITE}/header.html" "${header}")
 file(REMOVE_RECURSE "${html}")
 run("${DOXYGEN}" "${DOXYFILE}")
 
-file(COPY "${SITE}/figures" DESTINATION "${html}")
+file(COPY "${FIGURES}/" DESTINATION "${html}/figures")
 if(KATEX)
   file(COPY "${KATEX}/katex.min.css" DESTINATION "${html}/katex")
   file(COPY "${KATEX}/contrib/auto-render.js" DESTINATION "${html}/katex")
@@ -43,7 +43,7 @@ if(KATEX)
   file(GLOB fonts "${fonts}/*.woff2")
   file(COPY ${fonts} DESTINATION "${html}/katex/fonts")
 endif()
-run("${LINK_SOURCES}" "${html}")
+run("${LINK_SOURCES}" "${html}" ${UNLINKED})
 
 file(REMOVE_RECURSE "${SITE}/html")
 file(RENAME "${html}" "${SITE}/html")

@@ -36,6 +36,8 @@ run check velocity_now --seed 1
 answer 'return (x2 - x1) / h;'
 run check velocity_now --seed 1
 run hint velocity_now
-answer 'return (x0 - 4 * x1 + 3 * x2) / (2 * h);'
+# The last answer is the reader's to find: this page stands in the learner's edition, too.
+cp solutions/01_derivatives/velocity_now.cpp "$file"
+echo "(the file holds the right answer now, which is yours to find)"
+echo
 run check velocity_now --seed 1
-run solution velocity_now

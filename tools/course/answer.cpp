@@ -20,7 +20,7 @@ namespace {
 
 struct Asked {
     bool yes = false, all = false, json = false, open = false;
-    std::string chapter, exercise;
+    std::string chapter, exercise, kit;
     int rounds = 11;
     std::string seed, file, out;  // empty is a value, too: whether they were given, CLI11 knows
     std::vector<std::string> chapter_options;
@@ -135,6 +135,9 @@ void declare(CLI::App& app, Asked& asked) {
     declare_grade(app, asked);
     declare_bench(app, asked);
     declare_advise(app, asked);
+    app.add_subcommand("kit", "write the learner's edition: no tests, no solutions")
+        ->add_option("DIR", asked.kit, "a new or empty folder")
+        ->required();
     app.add_subcommand("site", "bring the site up to date and say where it is")
         ->add_flag("--open", asked.open, "open it in the browser");
 }
@@ -227,6 +230,7 @@ Status answer(int argc, char** argv) {
     if (app.got_subcommand("reset")) reset(asked.exercise);
     if (const auto command = app.get_subcommand("bench"); *command) answer_bench(*command, asked);
     if (app.got_subcommand("advise")) advise(asked.question, asked.json);
+    if (app.got_subcommand("kit")) kit(asked.kit);
     if (app.got_subcommand("site")) site(asked.open);
     flush();
     return Status::fine;

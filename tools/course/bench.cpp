@@ -63,6 +63,9 @@ void bench_gyroscopic() {
 // The course's own answers are checked, round by round, so that a busy moment touches every
 // exercise.
 void bench_latency(int rounds) {
+    if (is_kit())
+        throw Stop(Status::bad_use,
+                   "this is the learner's edition: it has no solutions to check for bench latency");
     ProgressLine progress;
     build({"exercises"}, progress);
     const auto exercises = read_exercises();

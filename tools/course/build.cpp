@@ -7,6 +7,7 @@
 #include <fstream>
 #include <thread>
 
+#include "exercises.hpp"
 #include "places.hpp"
 #include "process.hpp"
 #include "stop.hpp"
@@ -97,7 +98,9 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress) {
 
 std::string site_address() {
     std::string address = "file://";
-    for (const char c : (places().build / "site/html/index.html").string()) {
+    const fs::path page = is_kit() ? places().source / "site/index.html"
+                                   : places().build / "site/html/index.html";
+    for (const char c : page.string()) {
         const auto byte = static_cast<unsigned char>(c);
         char coded[4];
         std::snprintf(coded, sizeof coded, "%%%02X", byte);

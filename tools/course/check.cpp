@@ -50,8 +50,9 @@ void remember_pass(const Exercise& exercise) {
 // What to do next, below a verdict.
 std::string way_on(const Exercise& exercise, const Verdict& verdict) {
     if (verdict.kind == "pass") {
-        std::string text =
-            "\n  The course's answer beside yours:  ./course solution " + exercise.name + "\n";
+        std::string text = "\n";
+        if (!is_kit())
+            text += "  The course's answer beside yours:  ./course solution " + exercise.name + "\n";
         const auto next = next_after(exercise);
         if (next)
             return text + "  Next:  " + next->place() + " " + next->title + "\n         " +

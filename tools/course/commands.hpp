@@ -86,6 +86,9 @@ struct Question {
 /// What every method makes of it: will it blow up, what does it cost, how wrong is it?
 void advise(const Question& question, bool json);
 
+/// Writes the learner's edition of the course into `folder`, which is new or empty.
+void kit(const std::string& folder);
+
 /// Brings the site up to date and says where it is; `open` shows it in the browser.
 void site(bool open);
 

@@ -55,9 +55,13 @@ fs::path Exercise::solution() const {
     return places().source / "solutions" / chapter / (name + ".cpp");
 }
 
+bool is_kit() {
+    return fs::exists(places().source / "kit/kit.json");
+}
+
 std::vector<Exercise> read_exercises() {
     std::vector<Exercise> exercises;
-    const fs::path all = places().source / "tests/exercises";
+    const fs::path all = places().source / (is_kit() ? "kit/about" : "tests/exercises");
     if (!fs::exists(all)) return exercises;
     for (const auto& chapter : fs::directory_iterator(all)) {
         if (!chapter.is_directory()) continue;

@@ -39,6 +39,9 @@ struct Exercise {
     std::filesystem::path solution() const;
 };
 
+/// Is this the learner's edition, which has neither tests nor solutions?
+bool is_kit();
+
 /// All exercises, in the order of the course. Throws Stop(bad_use) naming an about.json that cannot
 /// be used.
 std::vector<Exercise> read_exercises();

@@ -49,14 +49,18 @@ void hint(const std::string& name) {
             std::printf("\n  Hint %d of %d\n%s", i + 1, known,
                         wrapped(exercise.hints[static_cast<std::size_t>(i)], 6).c_str());
         if (shown_so_far == known)
-            std::printf("\n  There are no more hints. After a pass:  ./course solution %s\n",
-                        exercise.name.c_str());
+            std::printf("\n  There are no more hints.%s\n",
+                        is_kit() ? "" : (" After a pass:  ./course solution " + exercise.name).c_str());
         flush();  // a hint that nobody gets is not counted
     });
 }
 
 void solution(const std::string& name) {
     const Exercise exercise = find_exercise(name);
+    if (is_kit())
+        throw Stop(Status::bad_use,
+                   "this is the learner's edition: it has no solutions; what an exercise teaches is told "
+                   "when your answer passes:  ./course check " + exercise.name);
     if (!read_progress()[exercise.name].passed)
         throw Stop(Status::wrong,
                    "the solution is shown when your own answer has passed:  ./course check " +

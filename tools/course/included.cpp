@@ -34,7 +34,8 @@ std::string not_ones_own(const std::vector<fs::path>& files, const fs::path& ans
         if (none || real == answer) continue;
         for (const auto& hidden :
              {places().source / "solutions", places().source / "tests", places().build / "tests",
-              places().build / "exercises/check", places().build / "exercises/self_test"}) {
+              places().build / "exercises/check", places().build / "exercises/self_test",
+              places().source / "kit"}) {
             const fs::path below = real.lexically_relative(fs::canonical(hidden, none));
             if (!below.empty() && *below.begin() != "..")
                 return "The file includes " +

@@ -4,14 +4,17 @@
 
 #include "build.hpp"
 #include "commands.hpp"
+#include "exercises.hpp"
 #include "process.hpp"
 #include "stop.hpp"
 
 namespace course {
 
 void site(bool open) {
-    ProgressLine progress;
-    build({"docs"}, progress);
+    if (!is_kit()) {  // which comes with a site
+        ProgressLine progress;
+        build({"docs"}, progress);
+    }
     std::printf("%s\n", site_address().c_str());
     if (!open) return;
     std::fflush(stdout);

@@ -10,6 +10,7 @@
 
 #include "build.hpp"
 #include "commands.hpp"
+#include "exercises.hpp"
 #include "places.hpp"
 #include "process.hpp"
 #include "stop.hpp"
@@ -43,9 +44,12 @@ std::vector<std::string> skipped(const std::string& summary) {
 }  // namespace
 
 void test(bool strict) {
+    if (is_kit())
+        throw Stop(Status::bad_use, "this is the learner's edition: it has no tests; ./course check "
+                                    "checks your answers");
     ProgressLine progress;
     progress.say("Building everything that is tested:");
-    build({"all", "docs"}, progress);
+    build({"all", "docs", "kit_site"}, progress);
 
     // ctest's words pass through as they come; only its closing summary waits for what we have to
     // add about skipped checks, so that the summary comes last.

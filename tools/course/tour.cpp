@@ -10,6 +10,7 @@
 #include "build.hpp"
 #include "chapters.hpp"
 #include "commands.hpp"
+#include "exercises.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
 
@@ -61,7 +62,8 @@ void tour() {
     const auto chapters = read_chapters();
     ProgressLine progress;
     progress.say(
-        "Building the programs, running the chapters, drawing the figures, making the site:");
+        std::string("Building the programs, running the chapters, drawing the figures") +
+        (is_kit() ? ":" : ", making the site:"));
     build({"all", "docs"}, progress);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     progress.say("  done in " + std::to_string(std::lround(taken.count())) + " s\n");

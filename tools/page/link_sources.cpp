@@ -3,6 +3,10 @@
 // A page links to a source as `source:tests/library/run.cpp#l00042`, for the name that Doxygen
 // gives to that file's page depends on all the other files. Here, after Doxygen, the names are
 // known: each source page carries its file in its title.
+//
+//     link_sources SITE [UNLINKED]
+//
+// A source in the folder UNLINKED is left without a link: the learner's edition shows no tests.
 
 #include "error.hpp"
 #include "text.hpp"
@@ -36,8 +40,10 @@ SourcePages find_source_pages(const fs::path& site) {
     return pages;
 }
 
-/// The page with its links resolved. A source that the site does not show is an Error.
-std::string resolve(const std::string& html, const SourcePages& pages, const std::string& name) {
+/// The page with its links resolved. A source that the site does not show is an Error, but for one
+/// that is to be left without a link.
+std::string resolve(const std::string& html, const SourcePages& pages, const std::string& name,
+                    const std::string& unlinked) {
     const std::string marker = "href=\"source:";
     std::string resolved;
     std::size_t at = 0;
@@ -50,6 +56,10 @@ std::string resolve(const std::string& html, const SourcePages& pages, const std
         const std::size_t path = link + marker.size();
         const std::size_t end = html.find_first_of("#\"", path);
         const std::string file = html.substr(path, end - path);
+        if (!unlinked.empty() && file.starts_with(unlinked)) {
+            at = html.find('"', path) + 1;
+            continue;
+        }
         const auto found = pages.find(file);
         if (found == pages.end()) {
             throw page::Error{name, 1, "links to " + file + ", which the site does not show"};
@@ -62,8 +72,8 @@ std::string resolve(const std::string& html, const SourcePages& pages, const std
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "usage: link_sources SITE\n";
+    if (argc != 2 && argc != 3) {
+        std::cerr << "usage: link_sources SITE [UNLINKED]\n";
         return 2;
     }
     try {
@@ -72,7 +82,7 @@ int main(int argc, char** argv) {
             const std::string name = entry.path().filename().string();
             if (entry.path().extension() == ".html" && !name.ends_with("_source.html")) {
                 const std::string html = page::read_file(entry.path());
-                const std::string resolved = resolve(html, pages, name);
+                const std::string resolved = resolve(html, pages, name, argc == 3 ? argv[2] : "");
                 if (resolved != html) {
                     page::write_file(entry.path(), resolved);
                 }

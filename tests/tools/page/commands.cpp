@@ -128,4 +128,7 @@ TEST_CASE("link_sources leads to the source pages, and fails where there is none
     const Outcome outcome = run_command(program);
     CHECK(outcome.status == 2);
     CHECK(outcome.words == "a.html:1: links to tests/none.cpp, which the site does not show\n");
+    course.write("html/a.html", "<a href=\"source:tests/none.cpp\">x</a><a href=\"b.html\">");
+    REQUIRE(run_command(program + " tests/").status == 0);
+    CHECK(course.read("html/a.html") == "<a >x</a><a href=\"b.html\">");
 }

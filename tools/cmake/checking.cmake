@@ -1,0 +1,103 @@
+# How a learner's file is compiled and checked: by the course program, and without it. The hidden tests
+# have been built (tests/exercises) or come built (the learner's edition): the targets check,
+# exercise_workers and timestep_worker. `told` is the folder of what is told of each exercise,
+# NN_chapter/NAME/about.json; the build folder has the declarations, exercises/generated/NAME_declared.hpp.
+include(CheckCXXCompilerFlag)
+
+function(timestep_check_learners told)
+  set(generated "${PROJECT_BINARY_DIR}/exercises/generated")
+  set(learner "${PROJECT_SOURCE_DIR}/tools/checker/learner")
+  set(flags -std=c++20 -O1 -g1 -Wall -Wextra -Wno-unused-parameter -Werror=return-type
+      -ffp-contract=off -D_GLIBCXX_ASSERTIONS)
+  # What was never written is no lucky zero.
+  check_cxx_compiler_flag(-ftrivial-auto-var-init=pattern TIMESTEP_FILLS_VARIABLES)
+  if(TIMESTEP_FILLS_VARIABLES)
+    list(APPEND flags -ftrivial-auto-var-init=pattern)
+  endif()
+
+  # Without the course program: the target check_NAME compiles the learner's file and checks it. A file
+  # that is not there must stop that target and nothing else: the compiler misses it, not CMake. (Not
+  # marked as GENERATED: `ninja clean` would remove it.)
+  file(GLOB abouts CONFIGURE_DEPENDS RELATIVE "${told}" "${told}/*/*/about.json")
+  foreach(about IN LISTS abouts)
+    cmake_path(GET about PARENT_PATH room)
+    cmake_path(GET room FILENAME name)
+    set(file "${PROJECT_SOURCE_DIR}/exercises/${room}.cpp")
+    if(NOT EXISTS "${file}" OR IS_DIRECTORY "${file}")
+      file(CONFIGURE OUTPUT "${generated}/${name}_answer.cpp" CONTENT "#include \"${file}\"\n" @ONLY)
+      set(file "${generated}/${name}_answer.cpp")
+    endif()
+    file(READ "${told}/${about}" json)
+    string(JSON eigen GET "${json}" eigen)
+    set(header exercise)
+    if(eigen)
+      set(header exercise_eigen)
+    endif()
+    add_executable(answer_${name} EXCLUDE_FROM_ALL "${file}"
+      "$<FILTER:$<TARGET_OBJECTS:exercise_workers>,INCLUDE,/${name}_worker[.]>")
+    target_link_libraries(answer_${name} PRIVATE timestep_worker timestep)
+    target_include_directories(answer_${name} PRIVATE "${generated}" "${learner}")
+    target_compile_options(answer_${name} PRIVATE -UNDEBUG ${flags}
+      "SHELL:-include ${header}.hpp" "SHELL:-include ${name}_declared.hpp")
+    target_link_options(answer_${name} PRIVATE -no-pie)
+    add_custom_target(check_${name} COMMAND "${CMAKE_COMMAND}" -D NAME=${name} -D FILE=${file}
+      -D ABOUT=${told}/${about} -D CHECK=$<TARGET_FILE:check>
+      -D WORKER=$<TARGET_FILE:answer_${name}> -P "${PROJECT_SOURCE_DIR}/tools/cmake/say_verdict.cmake"
+      DEPENDS check VERBATIM)
+  endforeach()
+
+  # The same for the course program. The headers that the file includes are compiled beforehand, which
+  # makes a check three times faster with Eigen.
+  set(includes "-I${learner}" "-I${PROJECT_SOURCE_DIR}/include")
+  get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+  foreach(folder IN LISTS eigen)
+    list(APPEND includes -isystem ${folder})
+  endforeach()
+  set(ready "${PROJECT_BINARY_DIR}/exercises/ready")
+  foreach(header exercise exercise_eigen)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      set(compiled "${ready}/${header}.hpp.gch")
+      set(use_${header} "-I${ready};-include;${header}.hpp")
+      # It stands beside what is compiled of it, for a file that includes it again.
+      configure_file("${learner}/${header}.hpp" "${ready}/${header}.hpp" COPYONLY)
+    else()
+      set(compiled "${ready}/${header}.hpp.pch")
+      set(use_${header} "-include-pch;${compiled}")
+    endif()
+    add_custom_command(OUTPUT "${compiled}"
+      COMMAND "${CMAKE_COMMAND}" -E make_directory "${ready}"
+      COMMAND "${CMAKE_CXX_COMPILER}" ${flags} ${includes} -x c++-header "${learner}/${header}.hpp"
+              -o "${compiled}" -MD -MT "${compiled}" -MF "${compiled}.d"
+      DEPENDS "${learner}/${header}.hpp"
+      DEPFILE "${compiled}.d" COMMENT "Compiling what the exercises include" VERBATIM)
+    list(APPEND headers_ready "${compiled}")
+  endforeach()
+  add_custom_target(exercise_headers DEPENDS ${headers_ready})
+  add_custom_target(exercises ALL)
+  add_dependencies(exercises check exercise_workers timestep_worker exercise_headers)
+
+  # All that as JSON.
+  timestep_json_words(compile "${CMAKE_CXX_COMPILER}" ${use_exercise} ${flags} ${includes})
+  timestep_json_words(compile_eigen "${CMAKE_CXX_COMPILER}" ${use_exercise_eigen} ${flags} ${includes})
+  # The compiler's list of what it has read, and the assembler's, who reads by .incbin.
+  set(lists -MD -MF @.d)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    list(APPEND lists -Wa,--MD,@.incbin.d)
+  endif()
+  timestep_json_words(lists ${lists})
+  timestep_json_words(link "${CMAKE_CXX_COMPILER}" -no-pie)
+  file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/exercises/commands.json" CONTENT
+"{\"compile\": ${compile},
+ \"compile_eigen\": ${compile_eigen},
+ \"lists\": ${lists},
+ \"link\": ${link},
+ \"check\": \"$<TARGET_FILE:check>\",
+ \"worker\": \"$<TARGET_FILE:timestep_worker>\",
+ \"workers\": [\"$<JOIN:$<TARGET_OBJECTS:exercise_workers>,\", \">\"]}
+")
+endfunction()
+
+function(timestep_json_words variable)
+  list(JOIN ARGN "\", \"" words)
+  set(${variable} "[\"${words}\"]" PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,205 @@
+// course kit
+
+#include <algorithm>
+#include <cstdio>
+#include <random>
+
+#include <nlohmann/json.hpp>
+
+#include "build.hpp"
+#include "commands.hpp"
+#include "exercises.hpp"
+#include "interrupt.hpp"
+#include "places.hpp"
+#include "process.hpp"
+#include "stop.hpp"
+#include "terminal.hpp"
+
+namespace course {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// All that is handed out as it stands here: in which folders, and files of which names. What no
+// line names is not handed out.
+struct Part {
+    const char* folder;
+    std::vector<std::string> endings;
+};
+const std::vector<Part> parts{
+    {"chapters", {".cpp", ".hpp", ".gp", ".md", ".json", "CMakeLists.txt"}},
+    {"include", {".hpp"}},
+    {"tools/bench", {".cpp", ".hpp", "CMakeLists.txt"}},
+    {"tools/checker/learner", {".hpp"}},
+    {"tools/cmake", {".cmake"}},
+    {"tools/course", {".cpp", ".hpp", "CMakeLists.txt"}},
+    {"tools/figures", {".gp"}},
+};
+const std::vector<std::string> single_files{".gitignore",           "CMakeLists.txt",
+                                            "CMakePresets.json",    "LICENSE",
+                                            "tools/CMakeLists.txt", "course"};
+
+// The folder in the making, beside the one that is wanted; gone unless it comes to that.
+class Unfinished {
+public:
+    explicit Unfinished(const fs::path& wanted) : wanted_(wanted) {
+        folder_ =
+            wanted.parent_path() / (".unfinished_kit_" + std::to_string(std::random_device{}()));
+        fs::create_directory(folder_);
+    }
+    ~Unfinished() {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+    Unfinished(const Unfinished&) = delete;
+    Unfinished& operator=(const Unfinished&) = delete;
+
+    /// Where `place` is to be; its folder is made.
+    fs::path at(const fs::path& place) const {
+        stop_if_interrupted();
+        fs::create_directories((folder_ / place).parent_path());
+        return folder_ / place;
+    }
+    void copy(const fs::path& from, const fs::path& place) const { fs::copy_file(from, at(place)); }
+    void write(const fs::path& place, const std::string& text) const {
+        write_whole(at(place), text);
+    }
+    void keep() const { fs::rename(folder_, wanted_); }
+
+private:
+    TidyEnd tidy_end_;  // over when all else is
+    fs::path wanted_, folder_;
+};
+
+// Every file below `folder`, seen from there. A hidden file is an editor's, and a link leads
+// elsewhere.
+std::vector<fs::path> files_in(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (fs::recursive_directory_iterator entry(folder), end; entry != end; ++entry) {
+        const bool hidden = entry->path().filename().string().starts_with(".");
+        if (hidden && entry->is_directory()) entry.disable_recursion_pending();
+        if (!hidden && !entry->is_symlink() && entry->is_regular_file())
+            files.push_back(fs::relative(entry->path(), folder));
+    }
+    return files;
+}
+
+// What people are told of an exercise.
+std::string told_of(const Exercise& exercise) {
+    nlohmann::ordered_json mistakes = nlohmann::ordered_json::object();
+    for (const auto& [name, mistake] : exercise.mistakes)
+        mistakes[name] = {{"says", mistake.says}, {"hint", mistake.hint}};
+    return nlohmann::ordered_json{{"number", exercise.number},
+                                  {"title", exercise.title},
+                                  {"level", exercise.level},
+                                  {"practises", exercise.practises},
+                                  {"declaration", exercise.declaration},
+                                  {"eigen", exercise.eigen},
+                                  {"hints", exercise.hints},
+                                  {"learned", exercise.learned},
+                                  {"mistakes", mistakes}}
+               .dump(2) +
+           "\n";
+}
+
+// A built file without the names and lines of its sources.
+void copy_stripped(const fs::path& from, const fs::path& to, const std::string& what_to_strip) {
+    const Outcome outcome =
+        run_within({"strip", what_to_strip, "-o", to.string(), from.string()}, {60});
+    if (outcome.status != 0)
+        throw Stop(Status::bad_use, to.string() + ": cannot be written (" +
+                                        outcome.said.substr(0, outcome.said.find('\n')) + ")");
+}
+
+void write_exercises(const Unfinished& kit) {
+    const fs::path built = places().build / "exercises";
+    for (const auto& exercise : read_exercises()) {
+        const fs::path room = fs::path(exercise.chapter) / exercise.name;
+        kit.write("kit/about" / room / "about.json", told_of(exercise));
+        kit.copy(exercise.stub(), "exercises" / fs::path(room.string() + ".cpp"));
+        kit.copy(exercise.stub(), "kit/generated" / exercise.stub().filename());
+        kit.copy(exercise.declared(), "kit/generated" / exercise.declared().filename());
+    }
+    const auto commands = nlohmann::json::parse(contents(built / "commands.json"));
+    copy_stripped(std::string(commands.at("check")), kit.at("kit/check"), "--strip-all");
+    copy_stripped(std::string(commands.at("worker")), kit.at("kit/libtimestep_worker.a"),
+                  "--strip-debug");
+    for (const std::string object : commands.at("workers"))
+        copy_stripped(object, kit.at("kit/workers" / fs::path(object).filename()), "--strip-debug");
+    kit.copy(built / "machine.json", "kit/kit.json");
+}
+
+void write_kit(const Unfinished& kit) {
+    const fs::path& source = places().source;
+    for (const auto& part : parts)
+        for (const fs::path& file : files_in(source / part.folder))
+            if (std::any_of(part.endings.begin(), part.endings.end(), [&](const auto& ending) {
+                    return file.filename().string().ends_with(ending);
+                }))
+                kit.copy(source / part.folder / file, part.folder / file);
+    for (const auto& file : single_files) kit.copy(source / file, file);
+    kit.copy(source / "tools/kit/README.md", "README.md");
+    const fs::path site = places().build / "site_kit/html";
+    for (const fs::path& file : files_in(site)) kit.copy(site / file, "site" / file);
+    write_exercises(kit);
+}
+
+// The folder that is meant, from the root and without links. Throws where it cannot become a kit.
+fs::path wanted(const std::string& name) {
+    const auto refuse = [&](const std::string& why) {
+        std::string shown = harmless(name);
+        std::replace(shown.begin(), shown.end(), '\n', '?');
+        std::replace(shown.begin(), shown.end(), '\t', '?');
+        throw Stop(Status::bad_use, "kit: '" + shown + "' " + why);
+    };
+    if (name.empty()) refuse("is no name of a folder");
+    if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 127; }))
+        refuse("has a control character in its name");
+    std::error_code error;
+    fs::path folder = fs::weakly_canonical(fs::absolute(name), error);
+    if (error) refuse("cannot be reached (" + error.message() + ")");
+    if (!folder.has_filename()) folder = folder.parent_path();  // named with a / at its end
+    const auto type = fs::symlink_status(folder, error).type();
+    if (type == fs::file_type::directory) {
+        const bool empty = fs::is_empty(folder, error);
+        if (error) refuse("cannot be read (" + error.message() + ")");
+        if (!empty) refuse("is there and is not empty; a kit goes to a new or empty folder");
+    } else if (type != fs::file_type::not_found) {
+        refuse("is there and is no folder");
+    }
+    if (!fs::is_directory(folder.parent_path(), error))
+        refuse("cannot be made: the folder it is to be in is not there");
+    const fs::path inside = folder.lexically_relative(fs::canonical(places().source));
+    if (!inside.empty() && *inside.begin() != ".." && *inside.begin() != "build")
+        refuse("is in the course itself; a kit goes beside it");
+    return folder;
+}
+
+}  // namespace
+
+void kit(const std::string& name) {
+    if (is_kit())
+        throw Stop(Status::bad_use,
+                   "this is the learner's edition: it is itself what ./course kit makes");
+    const fs::path folder = wanted(name);
+    {
+        ProgressLine progress;
+        progress.say("Building what the learner's edition holds:");
+        build({"exercises", "kit_site"}, progress);
+    }
+    try {
+        const Unfinished unfinished(folder);
+        write_kit(unfinished);
+        unfinished.keep();
+    } catch (const fs::filesystem_error& error) {
+        throw Stop(Status::bad_use, "kit: '" + name + "' cannot be written (" +
+                                        error.code().message() + "); nothing is left of it");
+    }
+    std::printf(
+        "The learner's edition: %s\nIt holds no tests and no solutions. Hand it out as it is, for "
+        "machines of this kind:\nthe same system, processor and compiler.\n",
+        folder.c_str());
+}
+
+}  // namespace course
