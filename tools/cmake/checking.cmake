@@ -67,7 +67,7 @@ function(timestep_check_learners told)
     add_custom_command(OUTPUT "${compiled}"
       COMMAND "${CMAKE_COMMAND}" -E make_directory "${ready}"
       COMMAND "${CMAKE_CXX_COMPILER}" ${flags} ${includes} -x c++-header "${learner}/${header}.hpp"
-              -o "${compiled}" -MD -MT "${compiled}" -MF "${compiled}.d"
+              -o "${compiled}" -MD -MQ "${compiled}" -MF "${compiled}.d"
       DEPENDS "${learner}/${header}.hpp"
       DEPFILE "${compiled}.d" COMMENT "Compiling what the exercises include" VERBATIM)
     list(APPEND headers_ready "${compiled}")

@@ -194,7 +194,8 @@ void kit(const std::string& name) {
         unfinished.keep();
     } catch (const fs::filesystem_error& error) {
         throw Stop(Status::bad_use, "kit: '" + name + "' cannot be written (" +
-                                        error.code().message() + "); nothing is left of it");
+                                        error.code().message() +
+                                        "; is the disk full?); nothing is left of it");
     }
     std::printf(
         "The learner's edition: %s\nIt holds no tests and no solutions. Hand it out as it is, for "

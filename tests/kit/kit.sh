@@ -1,0 +1,174 @@
+# The learner's edition, made from the site and the exercises that the build has ready.
+
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../tools/expect.sh"
+
+make_kit() {
+    STAGE_SOURCE=$checkout STAGE_BUILD=$real_build STAGE_CMAKE=true STAGE_CTEST=false "$program" kit "$@"
+}
+
+# refused WORDS COMMAND…: with status 2, in one line with these words.
+refused() {
+    words=$1
+    shift
+    expect 2 "$@"
+    is "$(grep -vc '^Building' err)" 1
+    says err "$words"
+}
+
+test_it_holds_nothing_of_the_tests_and_the_solutions() {
+    # The teacher's own copy is solved, and remembers it.
+    mkdir -p teacher/exercises/01_derivatives teacher/.progress
+    for part in "$source"/*; do
+        [ "${part##*/}" = exercises ] || ln -s "$part" teacher
+    done
+    ln -s "$source/.gitignore" teacher
+    cp "$source/solutions/01_derivatives/velocity_now.cpp" teacher/exercises/01_derivatives
+    printf 'velocity_now\tpassed\t0\n' >teacher/.progress/exercises.tsv
+    checkout=$folder/teacher
+    expect 0 make_kit kit
+    "$leaks" "$source" kit || fail 'a leak'
+    found=$(cd kit && find . -name 'mistake_*' -o -name 'correct_*' -o -name 'properties*' -o -name tests \
+        -o -name solutions -o -name '.git' -o -name '.ci' -o -name .progress -o -name self_test)
+    is "$found" ''
+    is "$(find kit/exercises -type f | xargs grep -L 'return not_started;')" ''
+    is "$(find kit/exercises -type f | wc -l)" "$(find "$source/solutions" -type f | wc -l)"
+    is "$(nm kit/kit/check 2>&1 | grep -c ' T ')" 0
+}
+
+test_a_new_file_is_in_the_next_one() {
+    git -C "$source" ls-files chapters include tools/bench tools/course tools/cmake tools/figures >files
+    [ -s files ] || exit 77
+    expect 0 make_kit kit
+    while read -r file; do
+        cmp -s "$source/$file" "kit/$file" || fail "$file is not in the kit"
+    done <files
+}
+
+# Runs in the kit, with nothing of the checkout in sight; what it is to check is in ../answers.
+works() {
+    cmake -S . -B build >said 2>&1 || { cat said; fail 'it cannot be configured'; }
+    course() { STAGE_SOURCE=$PWD STAGE_BUILD=$PWD/build STAGE_CMAKE=cmake STAGE_CTEST=ctest ../course_on_stage "$@"; }
+    file=exercises/01_derivatives/velocity_now.cpp
+    expect 1 course check velocity_now
+    says out 'not started'
+    cp ../answers/mistake.cpp $file
+    expect 1 course check velocity_now --seed 1
+    says out 'This is the central difference'
+    says out 'Hint: Velocity is asked at the newest frame'
+    expect 1 course check velocity_now --json
+    says out '"misconception":"middle"'
+    expect 1 sh -c 'cmake --build build --target check_velocity_now 2>&1'
+    says out 'This is the central difference'
+    cp ../answers/solution.cpp $file
+    expect 0 course check velocity_now
+    says out 'right'
+    silent_on out './course solution'
+    expect 0 cmake --build build --target check_velocity_now
+    expect 0 course check world_acceleration --file ../answers/eigen.cpp
+    expect 0 course list
+    says out '1 of '
+    expect 0 course hint velocity_now
+    expect 0 course reset velocity_now
+    cmp -s $file build/exercises/generated/velocity_now_stub.cpp || fail 'reset'
+    expect 0 course site
+    [ -e site/index.html ] || fail 'no site'
+    refused 'it has no solutions' course solution velocity_now
+    refused 'it has no tests' course test
+    refused 'it has no tests' sh ./course test --all
+    refused 'it is itself what' sh ./course kit elsewhere
+    refused 'it has no solutions' course bench latency
+    grep -rlF "$source" build/exercises/commands.json && fail 'it knows of the checkout'
+    return 0
+}
+
+test_it_works_elsewhere_without_the_checkout() {
+    expect 0 make_kit kit
+    mkdir "some folder" "some folder/answers"
+    mv kit "some folder/a kit of ours"
+    cp "$program" "some folder/course_on_stage"
+    cp "$source/solutions/01_derivatives/velocity_now.cpp" "some folder/answers/solution.cpp"
+    cp "$source/solutions/05_gyroscopic/world_acceleration.cpp" "some folder/answers/eigen.cpp"
+    cp "$source/tests/exercises/01_derivatives/velocity_now/mistake_middle.cpp" "some folder/answers/mistake.cpp"
+    cp "$here/kit.sh" "$here/../tools/expect.sh" .
+    # Where the checkout and its build are, there is nothing; the folder has another name.
+    bwrap --dev-bind / / --tmpfs /mnt --bind "$folder" /mnt/home --tmpfs "$source" --tmpfs "$real_build" \
+        --unshare-net --die-with-parent --chdir "/mnt/home/some folder/a kit of ours" \
+        sh -c '. /mnt/home/expect.sh; source=$1 works=$(sed -n "/^refused()/,/^}/p; /^works()/,/^}/p" /mnt/home/kit.sh)
+               eval "$works"; works' works "$source"
+}
+
+test_on_another_kind_of_machine_it_says_so() {
+    expect 0 make_kit kit
+    mkdir bin
+    printf '#!/bin/sh\nexit 1\n' >bin/apt-get
+    chmod +x bin/apt-get
+    for change in 'compiler_version 9.1.0' 'compiler Other' 'processor abacus' 'glibc 9.99' 'libstdcxx 20991231'; do
+        cp "$real_build/exercises/machine.json" kit/kit/kit.json
+        sed -i "s/\"${change% *}\": \".*\"/\"${change% *}\": \"${change#* }\"/" kit/kit/kit.json
+        expect 3 env PATH="$folder/bin:$PATH" sh kit/course list
+        is "$(grep -c 'this learner.s edition was made for' err)" 1
+        is "$(grep -v 'building the course program' err | grep -c '')" 1
+        says err "${change#* }"
+        says err 'here is '
+    done
+}
+
+test_nothing_is_written_over() {
+    mkdir empty
+    expect 0 make_kit empty
+    [ -x empty/course ] || fail 'not in the empty folder'
+    refused "'empty' is there and is not empty" make_kit empty
+    : >file
+    refused "'file' is there and is no folder" make_kit file
+    refused 'the folder it is to be in is not there' make_kit none/kit
+    refused 'is in the course itself' make_kit "$source/chapters/kit"
+    refused 'DIR is required' make_kit
+    is "$(ls -A)" "$(printf '%s\n' empty err file out)"
+}
+
+test_odd_names() {
+    for name in 'two words' "it's \"quoted\"" 'a$b;c#d' './-x' 'ünï'; do
+        expect 0 make_kit "$name"
+        [ -x "$name/course" ] || fail "no kit in $name"
+    done
+    refused "'' is no name of a folder" make_kit ''
+    refused "'a?b' has a control character" make_kit "$(printf 'a\nb')"
+    expect 2 make_kit -x
+    is "$(grep -c '' err)" 1
+}
+
+test_a_full_disk_leaves_nothing() {
+    mkdir disk
+    expect 2 bwrap --dev-bind / / --size 2000000 --tmpfs "$folder/disk" env STAGE_SOURCE="$checkout" \
+        STAGE_BUILD="$real_build" STAGE_CMAKE=true STAGE_CTEST=false \
+        sh -c '"$1" kit disk/kit; status=$?; ls -A disk; exit $status' kit "$program"
+    is "$(grep -v '^Building' err | grep -c 'cannot be written (.*is the disk full')" 1
+    is "$(cat out)" ''
+}
+
+test_an_interrupt_leaves_nothing() {
+    default_signals=
+    ! env --default-signal=INT true 2>/dev/null || default_signals=--default-signal=INT
+    STAGE_SOURCE=$checkout STAGE_BUILD=$real_build STAGE_CMAKE=true STAGE_CTEST=false \
+        env $default_signals "$program" kit kit >out 2>err &
+    running=$!
+    for _ in $(seq 2000); do
+        ls -d .unfinished_kit_* >/dev/null 2>&1 && break
+        sleep 0.005
+    done
+    kill -INT $running
+    wait $running && got=0 || got=$?
+    is "$got" 130
+    is "$(ls -A)" "$(printf '%s\n' err out)"
+}
+
+program=$4 real_build=$5 leaks=$6
+begin "$@"
+checkout=$source
+[ -e "$real_build/site_kit/html/index.html" ] || { echo 'skipped: the site is not made'; exit 77; }
+case $function in *without_the_checkout | *full_disk*)
+    bwrap --dev-bind / / true 2>/dev/null || { echo 'skipped: bubblewrap does not work here'; exit 77; } ;;
+esac
+! command -v ninja >/dev/null || export CMAKE_GENERATOR=Ninja
+"$function"
