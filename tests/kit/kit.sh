@@ -4,7 +4,8 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../tools/expect.sh"
 
 make_kit() {
-    STAGE_SOURCE=$checkout STAGE_BUILD=$real_build STAGE_CMAKE=true STAGE_CTEST=false "$program" kit "$@"
+    STAGE_SOURCE=$checkout STAGE_BUILD=$real_build STAGE_CMAKE=true STAGE_CTEST=false \
+        "$program" kit "$@"
 }
 
 # refused WORDS COMMAND…: with status 2, in one line with these words.
@@ -18,18 +19,19 @@ refused() {
 
 test_it_holds_nothing_of_the_tests_and_the_solutions() {
     # The teacher's own copy is solved, and remembers it.
-    mkdir -p teacher/exercises/01_derivatives teacher/.progress
+    mkdir -p teacher/.progress
     for part in "$source"/*; do
         [ "${part##*/}" = exercises ] || ln -s "$part" teacher
     done
     ln -s "$source/.gitignore" teacher
+    cp -r "$source/exercises" teacher
     cp "$source/solutions/01_derivatives/velocity_now.cpp" teacher/exercises/01_derivatives
     printf 'velocity_now\tpassed\t0\n' >teacher/.progress/exercises.tsv
     checkout=$folder/teacher
     expect 0 make_kit kit
     "$leaks" "$source" kit || fail 'a leak'
-    found=$(cd kit && find . -name 'mistake_*' -o -name 'correct_*' -o -name 'properties*' -o -name tests \
-        -o -name solutions -o -name '.git' -o -name '.ci' -o -name .progress -o -name self_test)
+    found=$(cd kit && find . -name 'mistake_*' -o -name 'correct_*' -o -name 'properties*' \
+        -o -name tests -o -name solutions -o -name '.git' -o -name '.ci' -o -name .progress -o -name self_test)
     is "$found" ''
     is "$(find kit/exercises -type f | xargs grep -L 'return not_started;')" ''
     is "$(find kit/exercises -type f | wc -l)" "$(find "$source/solutions" -type f | wc -l)"
@@ -48,7 +50,10 @@ test_a_new_file_is_in_the_next_one() {
 # Runs in the kit, with nothing of the checkout in sight; what it is to check is in ../answers.
 works() {
     cmake -S . -B build >said 2>&1 || { cat said; fail 'it cannot be configured'; }
-    course() { STAGE_SOURCE=$PWD STAGE_BUILD=$PWD/build STAGE_CMAKE=cmake STAGE_CTEST=ctest ../course_on_stage "$@"; }
+    course() {
+        STAGE_SOURCE=$PWD STAGE_BUILD=$PWD/build STAGE_CMAKE=cmake STAGE_CTEST=ctest \
+            ../course_on_stage "$@"
+    }
     file=exercises/01_derivatives/velocity_now.cpp
     expect 1 course check velocity_now
     says out 'not started'
@@ -87,15 +92,19 @@ test_it_works_elsewhere_without_the_checkout() {
     mkdir "some folder" "some folder/answers"
     mv kit "some folder/a kit of ours"
     cp "$program" "some folder/course_on_stage"
-    cp "$source/solutions/01_derivatives/velocity_now.cpp" "some folder/answers/solution.cpp"
-    cp "$source/solutions/05_gyroscopic/world_acceleration.cpp" "some folder/answers/eigen.cpp"
-    cp "$source/tests/exercises/01_derivatives/velocity_now/mistake_middle.cpp" "some folder/answers/mistake.cpp"
+    answers="some folder/answers"
+    cp "$source/solutions/01_derivatives/velocity_now.cpp" "$answers/solution.cpp"
+    cp "$source/solutions/05_gyroscopic/world_acceleration.cpp" "$answers/eigen.cpp"
+    room=$source/tests/exercises/01_derivatives/velocity_now
+    cp "$room/mistake_middle.cpp" "$answers/mistake.cpp"
     cp "$here/kit.sh" "$here/../tools/expect.sh" .
     # Where the checkout and its build are, there is nothing; the folder has another name.
     bwrap --dev-bind / / --tmpfs /mnt --bind "$folder" /mnt/home --tmpfs "$source" --tmpfs "$real_build" \
         --unshare-net --die-with-parent --chdir "/mnt/home/some folder/a kit of ours" \
-        sh -c '. /mnt/home/expect.sh; source=$1 works=$(sed -n "/^refused()/,/^}/p; /^works()/,/^}/p" /mnt/home/kit.sh)
-               eval "$works"; works' works "$source"
+        sh -c '. /mnt/home/expect.sh
+               source=$1 works=$(sed -n "/^refused()/,/^}/p; /^works()/,/^}/p" /mnt/home/kit.sh)
+               eval "$works"
+               works' works "$source"
 }
 
 test_on_another_kind_of_machine_it_says_so() {
@@ -103,7 +112,8 @@ test_on_another_kind_of_machine_it_says_so() {
     mkdir bin
     printf '#!/bin/sh\nexit 1\n' >bin/apt-get
     chmod +x bin/apt-get
-    for change in 'compiler_version 9.1.0' 'compiler Other' 'processor abacus' 'glibc 9.99' 'libstdcxx 20991231'; do
+    for change in 'compiler_version 9.1.0' 'compiler Other' 'processor abacus' 'glibc 9.99' \
+        'libstdcxx 20991231'; do
         cp "$real_build/exercises/machine.json" kit/kit/kit.json
         sed -i "s/\"${change% *}\": \".*\"/\"${change% *}\": \"${change#* }\"/" kit/kit/kit.json
         expect 3 env PATH="$folder/bin:$PATH" sh kit/course list
@@ -122,9 +132,11 @@ test_nothing_is_written_over() {
     : >file
     refused "'file' is there and is no folder" make_kit file
     refused 'the folder it is to be in is not there' make_kit none/kit
-    refused 'is in the course itself' make_kit "$source/chapters/kit"
+    mkdir -p course/chapters
+    checkout=$folder/course
+    refused 'is in the course itself' make_kit course/chapters/kit
     refused 'DIR is required' make_kit
-    is "$(ls -A)" "$(printf '%s\n' empty err file out)"
+    is "$(ls -A)" "$(printf '%s\n' course empty err file out)"
 }
 
 test_odd_names() {
