@@ -1,11 +1,12 @@
 // The hidden tests' program: checks a worker with a learner's code.
 //
-//     check EXERCISE WORKER [SEED [PRINTED [LAUNCHER…]]]
+//     check EXERCISE WORKER [SEED [PRINTED [sanitizers | memcheck | LAUNCHER…]]]
 //
 // with inputs drawn from SEED (none given: anew), what the learner's code prints left in the file
-// PRINTED, the worker started by the words LAUNCHER. It prints lines  key<TAB>value, which ./course check puts into words; in a value,
-// control characters are \n, \t and \xNN, and a backslash is \\. Exit status 0 when the answer is
-// right, 1 when it is not, 2 for wrong use.
+// PRINTED; the worker watched by the sanitizers that it is compiled with or by valgrind's memcheck,
+// or started by the words LAUNCHER. It prints lines  key<TAB>value, which ./course check puts into
+// words; in a value, control characters are \n, \t and \xNN, and a backslash is \\. Exit status 0
+// when the answer is right, 1 when it is not, 2 for wrong use.
 
 #include <algorithm>
 #include <charconv>
@@ -44,7 +45,8 @@ int main(int argc, char** argv) {
     prctl(PR_SET_DUMPABLE, 0);
     std::uint64_t seed = 0;
     if (argc < 3) {
-        std::fprintf(stderr, "check: takes EXERCISE WORKER [SEED [PRINTED [LAUNCHER...]]]\n");
+        std::fprintf(stderr,
+                     "check: takes EXERCISE WORKER [SEED [PRINTED [WATCH or LAUNCHER...]]]\n");
         return 2;
     }
     const std::string word = argc > 3 ? argv[3] : std::to_string(std::random_device{}());
@@ -58,10 +60,17 @@ int main(int argc, char** argv) {
     if (argc > 3) std::fill_n(argv[3], word.size(), ' ');
     Verdict verdict;
     try {
-        Remote remote(argv[2], argc > 4 ? argv[4] : "/dev/null",
-                      std::vector<std::string>(argv + std::min(argc, 5), argv + argc));
+        Limits limits;
+        std::vector<std::string> launcher(argv + std::min(argc, 5), argv + argc);
+        if (argc == 6 && (launcher[0] == "sanitizers" || launcher[0] == "memcheck")) {
+            limits.watch = launcher[0] == "memcheck" ? Watch::memcheck : Watch::sanitizers;
+            limits.call_seconds = limits.total_seconds = 20;
+            launcher.clear();
+        }
+        Remote remote(argv[2], argc > 4 ? argv[4] : "/dev/null", launcher, limits);
         remote.await();
         verdict = session().check(argv[1], std::ref(remote), seed);
+        if (verdict.kind != Kind::crash) remote.close_down();
     } catch (const Ended& ended) {
         verdict.kind = ended.kind;
         verdict.detail = ended.what();

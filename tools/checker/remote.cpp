@@ -11,6 +11,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
+#include <sys/personality.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/sysinfo.h>
@@ -18,6 +19,7 @@
 #include <unistd.h>
 
 #include "alone.hpp"
+#include "memcheck.hpp"
 #include "pipe.hpp"
 
 namespace checker {
@@ -53,8 +55,8 @@ void open_rules() {
 // In the child: the pipes and the file in place of all that was open, limits, and the program with
 // an environment of its own. What keeps it from running is written to `failed`.
 [[noreturn]] void become(const std::string& program, const std::vector<std::string>& launcher,
-                         pid_t parent, int calls, int answers,
-                         int printed, int failed, const Limits& limits) {
+                         pid_t parent, int calls, int answers, int printed, int failed, int found,
+                         const Limits& limits) {
     setsid();  // a group of its own, and no terminal to type into
     // It ends with its parent, which may have ended before this line.
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -64,6 +66,7 @@ void open_rules() {
     answers = fcntl(answers, F_DUPFD, 10);
     printed = fcntl(printed, F_DUPFD, 10);
     failed = fcntl(failed, F_DUPFD, 10);
+    found = fcntl(found, F_DUPFD, 10);
     const int nothing = open("/dev/null", O_RDONLY);
     dup2(nothing, STDIN_FILENO);
     dup2(printed, STDOUT_FILENO);
@@ -71,15 +74,17 @@ void open_rules() {
     dup2(calls, calls_fd);
     dup2(answers, answers_fd);
     failed = dup3(failed, answers_fd + 1, O_CLOEXEC);
-    close_range(static_cast<unsigned>(failed) + 1, ~0u, 0);
+    const bool memcheck = limits.watch == Watch::memcheck;
+    const int first_closed = memcheck ? dup2(found, failed + 1) + 1 : failed + 1;
+    close_range(static_cast<unsigned>(first_closed), ~0u, 0);
     for (const int signal : {SIGINT, SIGPIPE, SIGTERM}) std::signal(signal, SIG_DFL);
     std::signal(SIGXFSZ, SIG_IGN);
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, limits.printed_bytes);
-    limit(RLIMIT_AS, limits.megabytes << 20);
+    if (limits.watch == Watch::nobody) limit(RLIMIT_AS, limits.megabytes << 20);
     const auto seconds = static_cast<std::size_t>(limits.total_seconds) + 1;
     limit(RLIMIT_CPU, seconds, seconds + 1);  // first a signal that says why, then the end
-    limit(RLIMIT_NOFILE, 64);
+    if (!memcheck) limit(RLIMIT_NOFILE, 64);
     limit(RLIMIT_MSGQUEUE, 0);
     limit(RLIMIT_MEMLOCK, 0);
     // It counts all that the user runs, which is less than all that the machine runs.
@@ -88,9 +93,25 @@ void open_rules() {
     // Memory is handed out and taken back full of bytes that make no sense, so that what was never
     // written is no lucky zero.
     const std::string tunables = "glibc.malloc.perturb=1:glibc.malloc.tcache_count=0";
-    std::vector<std::string> words = launcher, surroundings;
-    if (launcher.empty()) {
+    // Sanitizers need more room than a limit on addresses leaves, and count memory themselves.
+    const std::string most = std::to_string(limits.megabytes);
+    std::vector<std::string> words = launcher,
+                             surroundings{
+                                 "ASAN_OPTIONS=detect_leaks=0:handle_segv=0:handle_sigbus=0:"
+                                 "handle_sigfpe=0:handle_sigill=0:handle_abort=0:"
+                                 "allocator_may_return_null=0:max_allocation_size_mb=" +
+                                 most + ":soft_rss_limit_mb=" + most};
+    if (memcheck) {
+        words = {"valgrind",
+                 "-q",
+                 "--vgdb=no",
+                 "--log-fd=" + std::to_string(failed + 1),
+                 "--track-origins=yes",
+                 program};
+    } else if (launcher.empty()) {
         stay_alone();
+        // Some sanitizers do not find their places where these are drawn by lot.
+        if (limits.watch == Watch::sanitizers) personality(ADDR_NO_RANDOMIZE);
         words.push_back("worker");
         surroundings.push_back("GLIBC_TUNABLES=" + tunables);
     } else {  // which keeps the rules for the worker
@@ -104,8 +125,8 @@ void open_rules() {
         to.push_back(nullptr);
         return to;
     };
-    execve(launcher.empty() ? program.c_str() : launcher[0].c_str(), pointers(words).data(),
-           pointers(surroundings).data());
+    execvpe(memcheck || !launcher.empty() ? words[0].c_str() : program.c_str(),
+            pointers(words).data(), pointers(surroundings).data());
     const int error = errno;
     write_all(failed, &error, sizeof error);
     _exit(127);
@@ -139,11 +160,14 @@ Remote::Remote(const std::string& program, const std::string& printed,
     if (pipe2(calls, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0 ||
         pipe2(failed, O_CLOEXEC) != 0)
         throw Ended(Kind::course_error, "no pipe to be had from the system");
+    if (limits.watch == Watch::memcheck && !(found_ = std::tmpfile()))
+        throw Ended(Kind::course_error, "no temporary file to be had from the system");
     const pid_t parent = getpid();
     process_ = fork();
     if (process_ < 0) throw Ended(Kind::course_error, "no process to be had from the system");
     if (process_ == 0)
-        become(program, launcher, parent, calls[0], answers[1], file, failed[1], limits);
+        become(program, launcher, parent, calls[0], answers[1], file, failed[1],
+               found_ ? fileno(found_) : -1, limits);
     close(calls[0]);
     close(answers[1]);
     close(failed[1]);
@@ -161,6 +185,16 @@ Remote::~Remote() {
     end();
     close(calls_);
     close(answers_);
+    if (found_) std::fclose(found_);
+}
+
+void Remote::close_down() {
+    end();
+    if (!found_) return;
+    std::rewind(found_);
+    std::string log;
+    for (int c; (c = std::fgetc(found_)) != EOF;) log += static_cast<char>(c);
+    look_through(log);
 }
 
 // The whole group, and at once: what does not listen to anything else must end, too.

@@ -3,6 +3,7 @@
 /// The tests' end of the pipes.
 
 #include <cstdint>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,15 @@
 
 namespace checker {
 
+/// Who looks over the worker's shoulder: nobody, the sanitizers it is compiled with, or valgrind's
+/// memcheck, which needs files of its own: there the worker does without the rules of alone.hpp.
+enum class Watch { nobody, sanitizers, memcheck };
+
 /// How much a worker may take.
 struct Limits {
-    double call_seconds = 2;    ///< for one answer
-    double total_seconds = 8;   ///< for all of them
+    Watch watch = Watch::nobody;
+    double call_seconds = 2;   ///< for one answer
+    double total_seconds = 8;  ///< for all of them
     std::size_t megabytes = 1024;
     std::size_t printed_bytes = 1 << 20;
     std::size_t threads = 256;  ///< above what the machine runs anyway
@@ -40,6 +46,8 @@ public:
     void await();
     /// What the learner's code answers. Throws Ended where it does not.
     Numbers operator()(const Numbers& arguments);
+    /// Ends the worker. Throws Ended where memcheck has found something.
+    void close_down();
 
 private:
     std::string hear(Reply expected, double deadline);
@@ -51,7 +59,8 @@ private:
     bool launched_;
     pid_t process_ = -1;
     int calls_ = -1, answers_ = -1;
-    std::uint64_t number_ = 0;  // of the last call
+    std::FILE* found_ = nullptr;  // by memcheck; without a name, out of the learner's reach
+    std::uint64_t number_ = 0;    // of the last call
     double begin_;
 };
 

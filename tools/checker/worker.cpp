@@ -15,6 +15,7 @@
 
 #include "exercise.hpp"
 #include "pipe.hpp"
+#include "reported.hpp"
 
 namespace checker {
 
@@ -79,6 +80,19 @@ extern "C" void crashed(int signal) {
     _exit(1);
 }
 
+// What a sanitizer has found.
+void found(const char* what) {
+    if (is_of_too_much_memory(what)) {
+        reply(Reply::out_of_memory, nullptr, 0);
+        _exit(1);
+    }
+    LastWords words{};
+    words.places = backtrace(words.place, most_places);
+    std::strncpy(words.text, what, sizeof words.text - 1);
+    say_last(words, 0);
+    _exit(1);
+}
+
 void catch_crashes() {
     void* place;
     backtrace(&place, 1);  // which loads what it needs
@@ -94,6 +108,7 @@ void catch_crashes() {
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
         sigaction(signal, &action, nullptr);
     std::set_terminate(terminated);
+    hand_reports_to(found);
 }
 
 // Before the learner's global variables are made. What is printed goes out at once, for the process

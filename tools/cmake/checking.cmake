@@ -3,6 +3,7 @@
 # exercise_workers and timestep_worker. `told` is the folder of what is told of each exercise,
 # NN_chapter/NAME/about.json; the build folder has the declarations, exercises/generated/NAME_declared.hpp.
 include(CheckCXXCompilerFlag)
+include(CheckCXXSourceCompiles)
 
 function(timestep_check_learners told)
   set(generated "${PROJECT_BINARY_DIR}/exercises/generated")
@@ -79,6 +80,21 @@ function(timestep_check_learners told)
   # All that as JSON.
   timestep_json_words(compile "${CMAKE_CXX_COMPILER}" ${use_exercise} ${flags} ${includes})
   timestep_json_words(compile_eigen "${CMAKE_CXX_COMPILER}" ${use_exercise_eigen} ${flags} ${includes})
+  # For check --sanitize: without what is compiled beforehand, which was compiled otherwise. Here what was
+  # never written is to be seen as that.
+  set(sanitize -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  list(JOIN sanitize " " CMAKE_REQUIRED_FLAGS)
+  check_cxx_source_compiles("int main() {}" TIMESTEP_HAS_SANITIZERS)
+  unset(CMAKE_REQUIRED_FLAGS)
+  list(REMOVE_ITEM flags -ftrivial-auto-var-init=pattern)
+  timestep_json_words(bare "${CMAKE_CXX_COMPILER}" ${flags} ${includes} -include exercise.hpp)
+  timestep_json_words(bare_eigen "${CMAKE_CXX_COMPILER}" ${flags} ${includes} -include exercise_eigen.hpp)
+  if(TIMESTEP_HAS_SANITIZERS)
+    timestep_json_words(sanitize ${sanitize})
+  else()
+    set(sanitize "[]")
+  endif()
   # The compiler's list of what it has read, and the assembler's, who reads by .incbin.
   set(lists -MD -MF @.d)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -89,6 +105,9 @@ function(timestep_check_learners told)
   file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/exercises/commands.json" CONTENT
 "{\"compile\": ${compile},
  \"compile_eigen\": ${compile_eigen},
+ \"bare\": ${bare},
+ \"bare_eigen\": ${bare_eigen},
+ \"sanitize\": ${sanitize},
  \"lists\": ${lists},
  \"link\": ${link},
  \"check\": \"$<TARGET_FILE:check>\",

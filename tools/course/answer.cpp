@@ -19,7 +19,7 @@ namespace course {
 namespace {
 
 struct Asked {
-    bool yes = false, all = false, json = false, open = false;
+    bool yes = false, all = false, json = false, open = false, sanitize = false;
     std::string chapter, exercise, kit;
     int rounds = 11;
     std::string seed, file, out;  // empty is a value, too: whether they were given, CLI11 knows
@@ -127,6 +127,8 @@ void declare(CLI::App& app, Asked& asked) {
     check
         ->add_option("--seed", asked.seed, "draw the same inputs as the check that named this seed")
         ->type_name("NUMBER");
+    check->add_flag("--sanitize", asked.sanitize,
+                    "find what does not show in the numbers: memory errors, undefined behaviour");
     check->add_flag("--json", asked.json, "as JSON, for programs");
     with_exercise("watch", "check again whenever you save, and go on after a pass");
     with_exercise("hint", "the next hint to an exercise").second->required();
@@ -218,7 +220,7 @@ Status answer(int argc, char** argv) {
         run(asked.chapter, given(*command, "--out", asked.out), asked.chapter_options);
     if (const auto command = app.get_subcommand("check"); *command)
         check(asked.exercise, given(*command, "--file", asked.file), asked.json,
-              seed_from(given(*command, "--seed", asked.seed)));
+              seed_from(given(*command, "--seed", asked.seed)), asked.sanitize);
     if (const auto command = app.get_subcommand("grade"); *command) {
         asked.grading.out = given(*command, "--out", asked.out);
         asked.grading.seed = seed_from(given(*command, "--seed", asked.seed));

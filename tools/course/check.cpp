@@ -101,10 +101,11 @@ void check_all(bool json, const std::optional<std::uint64_t>& seed) {
 }  // namespace
 
 void check(const std::string& name, const std::optional<std::string>& file, bool json,
-           const std::optional<std::uint64_t>& seed) {
+           const std::optional<std::uint64_t>& seed, bool sanitize) {
     if (name.empty()) {
         if (file)
             throw Stop(Status::bad_use, "check --file needs the exercise that the file answers");
+        if (sanitize) throw Stop(Status::bad_use, "check --sanitize needs the exercise to check");
         bring_up_to_date();
         return check_all(json, seed);
     }
@@ -112,7 +113,8 @@ void check(const std::string& name, const std::optional<std::string>& file, bool
     const fs::path answer = file ? fs::path(*file) : exercise.file();
     answer_in(exercise, answer);  // or one clear line, before anything is built
     bring_up_to_date();
-    const Verdict verdict = check_file(exercise, answer, seed_or_new(seed));
+    const Verdict verdict = sanitize ? check_sanitized(exercise, answer, seed_or_new(seed))
+                                     : check_file(exercise, answer, seed_or_new(seed));
     if (verdict.kind == "pass" && !file) remember_pass(exercise);
     if (json)
         std::printf("%s\n", as_json(exercise, verdict).c_str());

@@ -24,9 +24,10 @@ void run(const std::string& chapter, const std::optional<std::string>& out,
          const std::vector<std::string>& options);
 
 /// Checks answers: of one exercise (`file` instead of the learner's own, which is then not counted
-/// as done), or of all that have been begun. Throws Stop(wrong) where one is not right.
+/// as done), or of all that have been begun. With `sanitize`, errors count that do not show in the
+/// numbers. Throws Stop(wrong) where one is not right.
 void check(const std::string& exercise, const std::optional<std::string>& file, bool json,
-           const std::optional<std::uint64_t>& seed);
+           const std::optional<std::uint64_t>& seed, bool sanitize);
 
 /// What is asked of `grade`.
 struct Grading {

@@ -146,6 +146,7 @@ std::string told(const Exercise& exercise, const Verdict& verdict, const fs::pat
         text = bold("✗ " + exercise.place() + " " + exercise.name) + ": " + headline(verdict.kind) +
                "\n\n" + why(exercise, verdict, file);
     }
+    if (!verdict.remark.empty()) text += "\n" + wrapped(verdict.remark, 2);
     if (!verdict.printed.empty())
         text += "\n  Your code printed:\n" + head_of(verdict.printed, 20, "      ");
     if (verdict.kind != "does_not_compile" && !verdict.compiler.empty())

@@ -27,7 +27,7 @@ using Words = std::vector<std::string>;
 
 // What the build wrote of how to compile and link.
 struct Commands {
-    Words compile, lists, link;
+    Words compile, bare, sanitize, lists, link;
     std::string check, worker_object, worker_library;
 };
 
@@ -35,8 +35,13 @@ Commands read_commands(const Exercise& exercise) {
     const fs::path file = places().build / "exercises/commands.json";
     const auto json = nlohmann::json::parse(contents(file));
     Commands commands{json.at(exercise.eigen ? "compile_eigen" : "compile"),
-                      json.at("lists"), json.at("link"),
-                      json.at("check"), "", json.at("worker")};
+                      json.at(exercise.eigen ? "bare_eigen" : "bare"),
+                      json.at("sanitize"),
+                      json.at("lists"),
+                      json.at("link"),
+                      json.at("check"),
+                      "",
+                      json.at("worker")};
     for (const std::string object : json.at("workers"))
         if (fs::path(object).filename().string().starts_with(exercise.name + "_worker."))
             commands.worker_object = object;
@@ -60,8 +65,8 @@ void stop_if_broken(const Words& around, const std::string& said) {
 }
 
 // Runs the compiler; false where it refuses, or has not come to an end.
-bool succeeds(const Words& command, const Workshop& workshop, Verdict& verdict) {
-    const int seconds = places().compiler_seconds;
+bool succeeds(const Words& command, const Workshop& workshop, Verdict& verdict, int patience) {
+    const int seconds = places().compiler_seconds * patience;
     const Outcome outcome =
         run_within(command, {double(seconds), 4096, 64, workshop.folder().string()});
     if (outcome.said.find("No space left on device") != std::string::npos)
@@ -138,7 +143,7 @@ bool meddled_with(const Outcome& outcome, const std::string& verdict) {
 }  // namespace
 
 Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_t seed,
-                   const Sandbox* sandbox) {
+                   const Sandbox* sandbox, Watch watch) {
     const auto begin = std::chrono::steady_clock::now();
     const std::string answer = answer_in(exercise, given);  // or one clear line
     const Commands commands = read_commands(exercise);
@@ -163,7 +168,16 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
         return verdict;
     };
 
-    Words compile = commands.compile;
+    Words compile = watch == Watch::nobody ? commands.compile : commands.bare;
+    Words link = commands.link;
+    // Everything is compiled anew, and nothing is put in order that memcheck could see.
+    const int patience = watch == Watch::nobody ? 1 : 3;
+    if (watch == Watch::memcheck) compile.push_back("-O0");
+    if (watch == Watch::sanitizers)
+        for (const std::string& word : commands.sanitize) {
+            compile.push_back(word);
+            link.push_back(word);
+        }
     for (const std::string& word :
          {std::string("-include"), exercise.declared().string(), std::string("-x"),
           std::string("c++"), std::string("-c"), file.string(), std::string("-o"), object.string()})
@@ -176,26 +190,27 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     if (sandbox != nullptr)
         around = sandbox->before_compiler(compile, workshop.folder(), {exercise.declared()});
     put_before(compile, around);
-    const bool compiles = succeeds(compile, workshop, verdict);
+    const bool compiles = succeeds(compile, workshop, verdict, patience);
     if (!compiles) stop_if_broken(around, verdict.compiler);
-    const std::string not_own = not_ones_own(
-        files_in({object.string() + ".d", object.string() + ".incbin.d"}), file);
+    const std::string not_own =
+        not_ones_own(files_in({object.string() + ".d", object.string() + ".incbin.d"}), file);
     if (!not_own.empty()) verdict.compiler = not_own;
     if (!compiles || !not_own.empty()) return ended("does_not_compile");
-    Words link = commands.link;
     for (const std::string& word : {object.string(), commands.worker_object,
                                     commands.worker_library, std::string("-o"), worker.string()})
         link.push_back(word);
     if (sandbox != nullptr) put_before(link, sandbox->before_compiler(link, workshop.folder(), {}));
-    if (!succeeds(link, workshop, verdict)) return ended("does_not_compile");
+    if (!succeeds(link, workshop, verdict, patience)) return ended("does_not_compile");
 
     // The learner's code is not to reach our files through /proc: what we print is the verdict.
     prctl(PR_SET_DUMPABLE, 0);
     Words check{commands.check, exercise.name, worker.string(), std::to_string(seed),
                 printed.string()};
+    if (watch != Watch::nobody)
+        check.push_back(watch == Watch::sanitizers ? "sanitizers" : "memcheck");
     around = sandbox != nullptr ? sandbox->before_worker(worker) : Words{};
     check.insert(check.end(), around.begin(), around.end());
-    const Outcome outcome = run_within(check, {30});
+    const Outcome outcome = run_within(check, {watch == Watch::nobody ? 30. : 60.});
     auto said = read_lines(outcome.said);
     const auto text = printed_in(printed);
     verdict.printed = text.value_or("");

@@ -23,14 +23,25 @@ struct Verdict {
     std::string result;         ///< and what it returned
     std::string compiler;       ///< what the compiler said, warnings included
     std::string printed;        ///< what the learner's code printed
+    std::string remark;         ///< on the check itself
     int line = 0;               ///< of the learner's file where it crashed
     std::uint64_t seed = 0;
     double seconds = 0;  ///< from the file to the verdict
 };
 
+/// Who looks over the shoulder of the learner's code: nobody; the sanitizers that the compiler
+/// builds in; valgrind's memcheck.
+enum class Watch { nobody, sanitizers, memcheck };
+
 /// Checks `file` as an answer to the exercise, with inputs drawn from `seed`; a stranger's in a
-/// sandbox. Throws Stop where the file cannot be read or the machine is at fault.
+/// sandbox, watched by nobody. Throws Stop where the file cannot be read or the machine is at fault.
 Verdict check_file(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed,
-                   const Sandbox* sandbox = nullptr);
+                   const Sandbox* sandbox = nullptr, Watch watch = Watch::nobody);
+
+/// The same with the sanitizers and, where nothing is wrong and it is there, with valgrind: errors
+/// that do not show in the numbers are crashes. Throws Stop(missing) where the compiler has no
+/// sanitizers.
+Verdict check_sanitized(const Exercise& exercise, const std::filesystem::path& file,
+                        std::uint64_t seed);
 
 }  // namespace course

@@ -1,0 +1,31 @@
+// course check --sanitize
+
+#include <nlohmann/json.hpp>
+
+#include "places.hpp"
+#include "process.hpp"
+#include "stop.hpp"
+#include "verdict.hpp"
+
+namespace course {
+
+Verdict check_sanitized(const Exercise& exercise, const std::filesystem::path& file,
+                        std::uint64_t seed) {
+    const auto json = nlohmann::json::parse(contents(places().build / "exercises/commands.json"));
+    if (json.at("sanitize").empty())
+        throw Stop(Status::missing,
+                   "check --sanitize: the compiler has no AddressSanitizer and no "
+                   "UndefinedBehaviorSanitizer to link with");
+    Verdict verdict = check_file(exercise, file, seed, nullptr, Watch::sanitizers);
+    if (verdict.kind != "pass") return verdict;
+    if (run_within({"valgrind", "--version"}, {5}).status != 0) {
+        verdict.remark =
+            "Values that were never written have not been looked for: there is no valgrind.";
+        return verdict;
+    }
+    Verdict again = check_file(exercise, file, seed, nullptr, Watch::memcheck);
+    again.seconds += verdict.seconds;
+    return again;
+}
+
+}  // namespace course
