@@ -24,7 +24,7 @@ struct Plain {
     const char *name, *words;
 };
 
-const char* const too_much_memory = "more memory than there is";
+constexpr const char* too_much_memory = "more memory than there is";
 
 // The first whose name is part of what was found.
 constexpr Plain in_words[] = {
