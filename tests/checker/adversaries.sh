@@ -47,6 +47,7 @@ static void attack(const std::string& victim) {
     attempt(mkfifo(beside.c_str(), 0600));
     attempt(chmod(file, 0777));
     attempt(fchmodat(AT_FDCWD, file, 0777, AT_SYMLINK_NOFOLLOW));
+    attempt(syscall(452, AT_FDCWD, file, 0777, 0));  // fchmodat2, of a newer kernel
     attempt(chown(file, 1, 1));
     attempt(utimes(file, nullptr));
     attempt(setxattr(file, "user.a", "b", 1, 0));
