@@ -8,7 +8,7 @@ double velocity_now(double, double, double, double) {
     for (int i = 0; i < 8; ++i)
         threads.emplace_back([] {
             std::vector<std::vector<double>> history;
-            for (;;) history.emplace_back(100'000);
+            for (std::size_t size = 1'000'000;; size *= 4) history.emplace_back(size);
         });
     for (auto& thread : threads) thread.join();
     return 0;

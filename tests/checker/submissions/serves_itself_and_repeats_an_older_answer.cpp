@@ -28,7 +28,7 @@ int serve(const Answer& answer) {
         Head head;
         double number;
     } first{};
-    while (read(3, &call, sizeof call) == sizeof call) {
+    while (read(3, &call.head, sizeof call.head) > 0 && read(3, call.numbers, 32) == 32) {
         if (first.head.bytes == 0)
             first = {{call.head.number, 1, sizeof(double)},
                      answer(std::vector<double>(call.numbers, call.numbers + 4))[0]};
