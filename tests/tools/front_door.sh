@@ -131,7 +131,7 @@ test_setup_installs_and_builds_nothing() {
     silent_on calls 'cmake -S'
     silent_on calls valgrind
     expect 0 course setup --all --yes
-    says err 'this machine lacks: clang libclang-rt-dev valgrind chromium chromium-driver python3-selenium libboost-dev libgsl-dev libsundials-dev libbullet-dev libode-dev'
+    says err 'this machine lacks: bubblewrap clang libclang-rt-dev valgrind chromium chromium-driver python3-selenium libboost-dev libgsl-dev libsundials-dev libbullet-dev libode-dev'
     : >calls
     expect 0 course setup --all
     is "$(lines calls)" 0

@@ -33,6 +33,7 @@ esac"
     offer_tool gnuplot-nox gnuplot
     offer_tool doxygen doxygen
     offer_tool valgrind valgrind
+    offer_tool bubblewrap bwrap
     offer_tool clang clang++
     echo "printf '#!/bin/sh\necho $folder/usr/clang\n' >'$folder/bin/clang++'
 mkdir -p '$folder/usr/clang/lib/linux'; : >'$folder/usr/clang/lib/linux/libclang_rt.asan-x86_64.a'" \

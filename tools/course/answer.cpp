@@ -86,6 +86,7 @@ void declare_grade(CLI::App& app, Asked& asked) {
     grade->add_option("--seed", asked.seed, "draw the inputs from this seed")->type_name("NUMBER");
     grade->add_option("--jobs", grading.jobs, "so many at a time (the number of cores)")
         ->check(CLI::Range(1, 256));
+    grade->add_flag("--one", grading.one, "DIR is one submission, whatever it holds");
     grade->add_flag("--trust", grading.trust, "without isolation: of files that you would run yourself");
     grade->add_flag("--again", grading.again, "also what has been graded before");
     grade->footer(

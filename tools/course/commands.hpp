@@ -36,6 +36,7 @@ struct Grading {
     std::optional<std::string> out;      ///< none given: NAME.grades where one is
     std::optional<std::uint64_t> seed;   ///< none given: drawn anew
     int jobs = 0;                        ///< at a time; 0: as many as there are cores
+    bool one = false;                    ///< `place` is one submission, whatever it holds
     bool trust = false;                  ///< without isolation
     bool again = false;                  ///< also what has been graded
 };

@@ -82,7 +82,7 @@ struct Pile {
 // Without the exercises that nobody has handed in, unless they were asked for.
 Pile gather(const Grading& grading) {
     Pile all{asked_for(grading), {}, {}};
-    all.submissions = find_submissions(grading.place, all.exercises);
+    all.submissions = find_submissions(grading.place, all.exercises, grading.one);
     for (const Submission& submission : all.submissions)
         for (HandedIn& answer : answers_in(submission, all.exercises))
             all.answers.push_back(std::move(answer));

@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/resource.h>
+#include <sys/sysinfo.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -97,14 +98,18 @@ private:
 // In the new process. Its words are to be read by us: English, but with all letters, since the C
 // locale proper spells the compiler's ω as \U000003c9.
 void confine(const Allowance& allowance) {
-    const auto limit = [](auto resource, std::size_t megabytes) {
-        const rlimit both{megabytes << 20, megabytes << 20};
-        if (megabytes > 0) setrlimit(resource, &both);
+    const auto limit = [](auto resource, std::size_t most) {
+        const rlimit both{most, most};
+        if (most > 0) setrlimit(resource, &both);
     };
     setpgid(0, 0);
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
-    limit(RLIMIT_AS, allowance.megabytes);
-    limit(RLIMIT_FSIZE, allowance.file_megabytes);
+    limit(RLIMIT_AS, allowance.megabytes << 20);
+    limit(RLIMIT_FSIZE, allowance.file_megabytes << 20);
+    // It counts all that the user runs, which is less than all that the machine runs.
+    struct sysinfo machine {};
+    if (allowance.processes > 0 && sysinfo(&machine) == 0)
+        limit(RLIMIT_NPROC, machine.procs + allowance.processes);
     setenv("LC_ALL", "C.UTF-8", 1);
     unsetenv("LANGUAGE");
     if (!allowance.temporary.empty()) setenv("TMPDIR", allowance.temporary.c_str(), 1);

@@ -26,6 +26,7 @@ struct Allowance {
     double seconds;
     std::size_t megabytes = 0;       ///< of memory
     std::size_t file_megabytes = 0;  ///< of a file that it writes
+    std::size_t processes = 0;       ///< and threads, above what the machine runs anyway
     std::string temporary = {};      ///< the folder for its temporary files; empty: the usual one
 };
 

@@ -98,15 +98,16 @@ std::string in_one_line(const std::string& name) {
 }
 
 std::vector<Submission> find_submissions(const fs::path& place,
-                                         const std::vector<Exercise>& exercises) {
+                                         const std::vector<Exercise>& exercises, bool one) {
     std::error_code error;
     const fs::path whole = fs::canonical(place, error);
     const auto refuse = [&](const std::string& why) {
         throw Stop(Status::bad_use, in_one_line(place.string()) + ": " + why);
     };
     if (error) refuse("cannot be read (" + error.message() + ")");
-    if (fs::is_regular_file(whole)) return {{whole.filename().string(), whole}};
-    if (!fs::is_directory(whole)) refuse("is neither a folder nor a file");
+    if (!fs::is_directory(whole) && !fs::is_regular_file(whole))
+        refuse("is neither a folder nor a file");
+    if (one || fs::is_regular_file(whole)) return {{whole.filename().string(), whole}};
 
     std::vector<Submission> all;
     for (fs::directory_iterator entry(whole, error), end; !error && entry != end;

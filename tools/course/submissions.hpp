@@ -23,9 +23,9 @@ struct HandedIn {
 };
 
 /// The submissions in `place`: itself, where it is a file or holds answers, else each file and folder
-/// in it. Throws Stop(bad_use) where there is none.
+/// in it; only itself where it is to be `one`. Throws Stop(bad_use) where there is none.
 std::vector<Submission> find_submissions(const std::filesystem::path& place,
-                                         const std::vector<Exercise>& exercises);
+                                         const std::vector<Exercise>& exercises, bool one);
 
 /// What a submission holds for each of these exercises: the file exercises/CHAPTER/NAME.cpp anywhere
 /// in it, or the only file NAME.cpp. A submission that is one file is the answer to the only

@@ -68,7 +68,7 @@ void stop_if_broken(const Words& around, const std::string& said) {
 bool succeeds(const Words& command, const Workshop& workshop, Verdict& verdict, int patience) {
     const int seconds = places().compiler_seconds * patience;
     const Outcome outcome =
-        run_within(command, {double(seconds), 4096, 64, workshop.folder().string()});
+        run_within(command, {double(seconds), 4096, 64, 64, workshop.folder().string()});
     if (outcome.said.find("No space left on device") != std::string::npos)
         throw Stop(Status::bad_use, places().build.string() + ": no space left on the device");
     if (outcome.too_slow)

@@ -1,0 +1,22 @@
+# Every test that the page of promises names is one of ours, and the adversaries are as many as it
+# takes.
+
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../tools/expect.sh"
+
+test_every_test_they_name_exists() {
+    "$ctest" --test-dir "$build" -N | sed -n 's/^ *Test *#[0-9]*: //p' | sort >tests
+    sed -n 's/^|.*|\(.*\)|$/\1/p' "$source/docs/promises.md" | grep -o '`[^`]*`' | tr -d '`' |
+        grep ' ' | sort -u >named
+    [ "$(lines named)" -ge 40 ] || fail 'the page names hardly any test'
+    is "$(comm -13 tests named)" ''
+}
+
+test_there_are_adversaries_enough() {
+    bad=$(head -qn 1 "$source"/tests/checker/submissions/*.cpp | grep -vc ' pass')
+    [ "$bad" -ge 36 ] || fail "only $bad submissions must not pass"
+}
+
+ctest=$4 build=$5
+begin "$@"
+"$function"
