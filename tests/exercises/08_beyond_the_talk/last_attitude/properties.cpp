@@ -1,0 +1,207 @@
+#include "last_attitude.hpp"
+
+#include "property_eigen.hpp"
+
+EXERCISE(last_attitude);
+
+namespace {
+
+// q and -q are the same attitude.
+double apart(const Quaterniond& a, const Quaterniond& b) {
+    return std::min((a.coeffs() - b.coeffs()).norm(), (a.coeffs() + b.coeffs()).norm());
+}
+
+struct Replay {
+    Quaterniond q;
+    std::vector<double> times;
+    std::vector<Vector3d> spins;
+
+    Quaterniond answer() const { return learner(q, times, spins); }
+    double duration() const { return times.back() - times.front(); }
+};
+
+// Frames at uneven times; from one to the next the body turns by `turn` at most. Every fifth gap is
+// none: the game was paused. Nothing begins at zero.
+Replay draw_replay(Draw& draw, int frames, double turn) {
+    Replay replay{draw_rotation(draw), {draw.real(-100, 100)}, {}};
+    const double speed = draw.log(0.1, 50);
+    for (int i = 0; i < frames; ++i) {
+        replay.spins.push_back(draw.real(0.1, 1) * speed * draw_direction(draw));
+        if (i == 0) continue;
+        const double gap = i % 5 == 4 ? 0 : draw.real(0.2, 1) * turn / speed;
+        replay.times.push_back(replay.times.back() + gap);
+    }
+    return replay;
+}
+
+Replay draw_steady(Draw& draw, int frames, double turn) {
+    Replay replay = draw_replay(draw, frames, turn);
+    const Vector3d spin = replay.spins[0];
+    for (Vector3d& s : replay.spins) s = spin;
+    return replay;
+}
+
+// A spin that changes smoothly, and frames at uneven times, which are closer the more there are.
+struct Smooth {
+    explicit Smooth(Draw& draw)
+        : q(draw_rotation(draw)),
+          mean(0.5 * draw_direction(draw)),
+          swing(draw_direction(draw)),
+          twist(0.5 * swing.cross(draw_direction(draw))),
+          begin(draw.real(-5, 5)),
+          uneven(draw.real(0.3, 0.8)) {}
+
+    Vector3d spin(double t) const {
+        const double phase = 1.5 * (t - begin) + 0.5;
+        return mean + std::cos(phase) * swing + std::sin(phase) * twist;
+    }
+    // The replay is 2 s long.
+    Replay replay(int gaps) const {
+        Replay frames{q, {}, {}};
+        for (int i = 0; i <= gaps; ++i) {
+            const double share = 1.0 * i / gaps;
+            const double wave = uneven * std::sin(2 * std::numbers::pi * share);
+            const double t = begin + 2 * share + wave / std::numbers::pi;
+            frames.times.push_back(t);
+            frames.spins.push_back(spin(t));
+        }
+        return frames;
+    }
+    // Runge and Kutta on q' = q omega / 2.
+    Quaterniond exact() const {
+        using Four = Eigen::Vector4d;
+        const auto slope = [&](double t, const Four& y) -> Four {
+            const Vector3d half = spin(t) / 2;
+            return (Quaterniond(y) * Quaterniond(0, half.x(), half.y(), half.z())).coeffs();
+        };
+        Four y = q.coeffs();
+        const int steps = 1000;
+        const double h = 2.0 / steps;
+        for (int i = 0; i < steps; ++i) {
+            const double t = begin + i * h;
+            const Four k1 = slope(t, y), k2 = slope(t + h / 2, y + h / 2 * k1),
+                       k3 = slope(t + h / 2, y + h / 2 * k2), k4 = slope(t + h, y + h * k3);
+            y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+        }
+        return Quaterniond(y);
+    }
+
+    Quaterniond q;
+    Vector3d mean, swing, twist;
+    double begin, uneven;
+};
+
+}  // namespace
+
+PROPERTY("one frame alone leaves the attitude as it is, and so does a replay without any spin") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        const Replay one = draw_replay(draw, 1, 0.1);
+        REQUIRE(apart(one.answer(), one.q) < 1e-6);
+        Replay still = draw_replay(draw, 10, 0.1);
+        for (Vector3d& spin : still.spins) spin.setZero();
+        REQUIRE(apart(still.answer(), still.q) < 1e-6);
+    }
+}
+
+// Single precision should not be taken for a quaternion that nobody scales: few digits here, and
+// all of them below.
+PROPERTY("the attitude has length one") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const Replay replay = draw_replay(draw, i == 0 ? 1000 : draw.integer(2, 60), 0.1);
+        REQUIRE(close(replay.answer().norm(), 1, 1e-5));
+    }
+}
+
+PROPERTY("the axis of a constant spin points where it did, in the body and in the world") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const Replay steady = draw_steady(draw, draw.integer(2, 20), 0.1);
+        const Vector3d axis = steady.spins[0].normalized();
+        REQUIRE(close(steady.answer() * axis, steady.q * axis, 1e-5));
+    }
+}
+
+// Of the usual turns the one of Cayley is the least exact: in a gap it lags behind by angle^3/12.
+PROPERTY("a constant spin turns the body by |spin| times the time from first frame to last") {
+    Draw draw;
+    for (int i = 0; i < 40; ++i) {
+        const Replay steady = draw_steady(draw, draw.integer(2, 12), i % 2 == 0 ? 0.02 : 0.1);
+        const Vector3d spin = steady.spins[0];
+        const Eigen::AngleAxisd turn(spin.norm() * steady.duration(), spin.normalized());
+        double allowed = 1e-5;
+        for (std::size_t j = 1; j < steady.times.size(); ++j)
+            allowed += std::pow(spin.norm() * (steady.times[j] - steady.times[j - 1]), 3) / 20;
+        REQUIRE(apart(steady.answer(), steady.q * Quaterniond(turn)) < allowed);
+    }
+}
+
+// Times and shifts are rounded to 2^-20 s, so that they add up exactly.
+PROPERTY("a clock that was started earlier or later tells the same replay") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        Replay replay = draw_replay(draw, 10, 0.1);
+        for (double& t : replay.times) t = std::floor(std::ldexp(t, 20)) / std::ldexp(1.0, 20);
+        const Quaterniond before = replay.answer();
+        const double shift = draw.sign() * draw.integer(1, 1000);
+        for (double& t : replay.times) t += shift;
+        REQUIRE(apart(replay.answer(), before) < 1e-5);
+    }
+}
+
+PROPERTY("two replays, one after the other, are one long replay") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const Replay all = draw_replay(draw, 12, 0.1);
+        const int cut = draw.integer(1, 10);
+        const Replay first{all.q, {all.times.begin(), all.times.begin() + cut + 1},
+                           {all.spins.begin(), all.spins.begin() + cut + 1}};
+        const Replay second{first.answer(), {all.times.begin() + cut, all.times.end()},
+                            {all.spins.begin() + cut, all.spins.end()}};
+        REQUIRE(apart(second.answer(), all.answer()) < 1e-5);
+    }
+}
+
+// Of several together, so that one whose error happens to vanish does not count.
+PROPERTY("half the gaps leave a quarter of the error, where the spin changes smoothly") {
+    Draw draw;
+    double whole = 0, half = 0;
+    for (int i = 0; i < 10; ++i) {
+        const Smooth smooth(draw);
+        const Quaterniond exact = smooth.exact();
+        whole += apart(smooth.replay(100).answer(), exact);
+        half += apart(smooth.replay(200).answer(), exact);
+    }
+    REQUIRE(close(order(whole, half), 2, 0, 0.15));
+}
+
+// What was the last frame comes first, each spin is turned round, and time runs from the end. The
+// gaps are rounded as the times are, which are below 200 s: 3e-14 s, at 50 rad/s.
+PROPERTY("the replay backwards leads back to where it came from, to twelve digits") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const Replay replay = draw_replay(draw, draw.integer(2, 12), 0.1);
+        REQUIRE(close(replay.answer().norm(), 1, 1e-13));
+        Replay back{replay.answer(), {}, {}};
+        for (std::size_t j = replay.times.size(); j-- > 0;) {
+            back.times.push_back(-replay.times[j]);
+            back.spins.push_back(-replay.spins[j]);
+        }
+        REQUIRE(apart(back.answer(), replay.q) < 1e-12);
+    }
+}
+
+// The mean is zero then. Behind the others: what is wrong for every spin is told before what is
+// wrong for this one.
+PROPERTY("a spin that reverses from one frame to the next turns the body forth and back") {
+    Draw draw;
+    for (int i = 0; i < 20; ++i) {
+        Replay shaken = draw_replay(draw, 2, 0.1);
+        shaken.spins[1] = -shaken.spins[0];
+        REQUIRE(apart(shaken.answer(), shaken.q) < 1e-13);
+        Replay still = draw_replay(draw, 5, 0.1);
+        for (Vector3d& spin : still.spins) spin.setZero();
+        REQUIRE(apart(still.answer(), still.q) < 1e-13);
+    }
+}
