@@ -1,0 +1,16 @@
+#include "exercise.hpp"
+
+std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
+    // A pack holds 3 * width numbers, those of a lane `width` apart.
+    const auto copy = [&](int from, int to) {
+        for (int part = 0; part < 3; ++part)
+            packs[(to / width * 3 + part) * width + to % width] =
+                packs[(from / width * 3 + part) * width + from % width];
+    };
+    packs[i / width * 3 * width + i % width] =
+        packs[(n - 1) / width * 3 * width + (n - 1) % width];
+    const int left = n - 1, used = (left + width - 1) / width;
+    packs.resize(3 * width * used);
+    for (int lane = left; lane < used * width; ++lane) copy(left - 1, lane);
+    return packs;
+}

@@ -1,0 +1,14 @@
+#include "exercise.hpp"
+
+std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
+    // A pack holds 3 * width numbers, those of a lane `width` apart.
+    const auto copy = [&](int from, int to) {
+        for (int part = 0; part < 3; ++part)
+            packs[(to / width * 3 + part) * width + to % width] =
+                packs[(from / width * 3 + part) * width + from % width];
+    };
+    copy(n - 1, i);
+    const int left = n - 1, used = (left + width - 1) / width;
+    packs.resize(3 * width * used);
+    return packs;
+}

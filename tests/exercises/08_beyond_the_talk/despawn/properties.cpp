@@ -1,0 +1,132 @@
+#include "despawn.hpp"
+
+#include "property.hpp"
+
+EXERCISE(despawn);
+
+namespace {
+
+using Spin = std::array<double, 3>;
+
+struct Bodies {
+    std::vector<Spin> spins;
+    int width;
+
+    int size() const { return static_cast<int>(spins.size()); }
+    std::size_t numbers() const { return (spins.size() + width - 1) / width * width * 3; }
+
+    std::vector<double> packs() const {
+        std::vector<double> all(numbers());
+        for (std::size_t at = 0; at < all.size(); ++at) {
+            const std::size_t lane = at % width, row = at / width;
+            all[at] = spins[std::min(row / 3 * width + lane, spins.size() - 1)][row % 3];
+        }
+        return all;
+    }
+    std::vector<double> without(int i) const { return learner(packs(), width, size(), i); }
+    // Those that should be left.
+    Bodies left(int i) const {
+        Bodies others = *this;
+        others.spins[i] = others.spins.back();
+        others.spins.pop_back();
+        return others;
+    }
+};
+
+// What stands where body `b` should be.
+Spin spin_at(const std::vector<double>& packs, int width, int b) {
+    const std::size_t first = b / width * width * 3 + b % width;
+    if (first + 2 * width >= packs.size()) return {};
+    return {packs[first], packs[first + width], packs[first + 2 * width]};
+}
+
+Spin draw_spin(Draw& draw) {
+    const double x = draw.real(-9, 9), y = draw.real(-9, 9), z = draw.real(-9, 9);
+    return {x, y, z};
+}
+
+Bodies draw_bodies(Draw& draw, int n, int width) {
+    Bodies bodies{{}, width};
+    for (int i = 0; i < n; ++i) bodies.spins.push_back(draw_spin(draw));
+    return bodies;
+}
+
+int draw_width(Draw& draw) {
+    return 1 << draw.integer(0, 4);
+}
+
+// The packs are full, hold one body more, lack one, or lack several.
+Bodies draw_any(Draw& draw, int i) {
+    const int width = i % 8 == 7 ? 1 : draw_width(draw), more[] = {0, 1, width - 1, width / 2};
+    return draw_bodies(draw, width * draw.integer(1, 6) + more[i % 4], width);
+}
+
+}  // namespace
+
+PROPERTY("there are as many packs as the bodies that are left need, and no more") {
+    Draw draw;
+    for (int i = 0; i < 80; ++i) {
+        const Bodies bodies = draw_any(draw, i);
+        const int gone = draw.integer(0, bodies.size() - 1);
+        REQUIRE(bodies.without(gone).size() == bodies.left(gone).numbers());
+    }
+}
+
+PROPERTY("every other body but the last one stays where it is") {
+    Draw draw;
+    for (int i = 0; i < 80; ++i) {
+        const Bodies bodies = draw_any(draw, i);
+        const int gone = draw.integer(0, bodies.size() - 1);
+        const std::vector<double> packs = bodies.without(gone);
+        for (int b = 0; b + 1 < bodies.size(); ++b)
+            if (b != gone) REQUIRE(spin_at(packs, bodies.width, b) == bodies.spins[b]);
+    }
+}
+
+PROPERTY("the last body stands where the one was that has gone") {
+    Draw draw;
+    for (int i = 0; i < 80; ++i) {
+        const Bodies bodies = draw_any(draw, i);
+        if (bodies.size() < 2) continue;
+        const int gone = draw.integer(0, bodies.size() - 2);
+        REQUIRE(spin_at(bodies.without(gone), bodies.width, gone) == bodies.spins.back());
+    }
+}
+
+PROPERTY("the lanes left over are copies of the body that is the last now") {
+    Draw draw;
+    for (int i = 0; i < 80; ++i) {
+        const Bodies bodies = draw_any(draw, i);
+        if (bodies.size() < 3) continue;
+        const int gone = draw.integer(0, bodies.size() - 3);
+        const std::vector<double> packs = bodies.without(gone);
+        const Spin last = bodies.spins[bodies.size() - 2];
+        for (int b = bodies.size() - 1; b % bodies.width != 0; ++b)
+            REQUIRE(spin_at(packs, bodies.width, b) == last);
+    }
+}
+
+PROPERTY("it is the same where the last body goes, the one before it, or the only one") {
+    Draw draw;
+    for (int i = 0; i < 80; ++i) {
+        const Bodies bodies = draw_any(draw, i);
+        const int n = bodies.size();
+        REQUIRE(bodies.without(n - 1) == bodies.left(n - 1).packs());
+        if (n > 1) REQUIRE(bodies.without(n - 2) == bodies.left(n - 2).packs());
+        const Bodies one = draw_bodies(draw, 1, draw_width(draw));
+        REQUIRE(one.without(0).empty());
+    }
+}
+
+PROPERTY("bodies may go one after another, until none is left") {
+    Draw draw;
+    for (int i = 0; i < 8; ++i) {
+        Bodies bodies = draw_bodies(draw, i == 0 ? 1000 : draw.integer(10, 60), draw_width(draw));
+        for (int round = 0; bodies.size() > 0 && round < 60; ++round) {
+            const int gone = draw.integer(0, bodies.size() - 1);
+            const std::vector<double> packs = bodies.without(gone);
+            bodies = bodies.left(gone);
+            REQUIRE(packs == bodies.packs());
+        }
+    }
+}
