@@ -1,0 +1,108 @@
+#include "flywheel_step.hpp"
+
+#include "property_eigen.hpp"
+
+EXERCISE(flywheel_step);
+
+namespace {
+
+struct Ship {
+    Vector3d inertia, wheel, omega;
+    double h;
+
+    Vector3d after() const { return learner(inertia, wheel, omega, h); }
+    Vector3d momentum() const { return inertia.cwiseProduct(omega) + wheel; }
+    // sqrt(I) w: half its square is the energy.
+    Vector3d y(const Vector3d& w) const { return inertia.cwiseSqrt().cwiseProduct(w); }
+};
+
+// h |omega| lies between the two that are given. One ship in five has no wheel.
+Ship draw_ship(Draw& draw, double least, double most) {
+    const double speed = draw.log(1e-3, 1e3);
+    Ship ship{draw_moments(draw, draw.real(0, 1) < 0.5 ? 5 : 1000), Vector3d::Zero(),
+              speed * draw_direction(draw), std::min(draw.log(least, most) / speed, 1e6)};
+    ship.inertia *= draw.log(1, 5000);
+    const double share = draw.log(0.01, 100);
+    if (draw.real(0, 1) < 0.8)
+        ship.wheel = share * ship.inertia.cwiseProduct(ship.omega).norm() * draw_direction(draw);
+    return ship;
+}
+
+bool is_passive(const Ship& ship, double tolerance) {
+    return ship.y(ship.after()).norm() <= ship.y(ship.omega).norm() * (1 + tolerance);
+}
+
+}  // namespace
+
+// Few digits here: single precision should not be taken for another mistake.
+PROPERTY("a step of zero changes nothing, and a ship at rest stays at rest, wheel or no wheel") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        Ship pause = draw_ship(draw, 0.1, 10);
+        pause.h = 0;
+        REQUIRE(close(pause.after(), pause.omega, 1e-5));
+        Ship still = draw_ship(draw, 0.1, 10);
+        still.omega.setZero();
+        REQUIRE(still.after().norm() < 1e-9);
+    }
+}
+
+PROPERTY("a spin about the wheel's own principal axis stays, and any of a ball without a wheel") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        Ship ship = draw_ship(draw, 0.1, 10);
+        const Vector3d axis = Vector3d::Unit(i % 3);
+        ship.omega = draw.sign() * ship.omega.norm() * axis;
+        ship.wheel = draw.sign() * ship.wheel.norm() * axis;
+        REQUIRE(close(ship.after(), ship.omega, 1e-5));
+        Ship ball = draw_ship(draw, 0.1, 10);
+        ball.inertia.setConstant(ball.inertia[0]);
+        ball.wheel.setZero();
+        REQUIRE(close(ball.after(), ball.omega, 1e-5));
+    }
+}
+
+PROPERTY("the energy does not grow, for ordinary steps and for steps that are much too long") {
+    Draw draw;
+    for (int i = 0; i < 200; ++i) {
+        REQUIRE(is_passive(draw_ship(draw, 1e-3, 1), 1e-5));
+        REQUIRE(is_passive(draw_ship(draw, 1, 1e3), 1e-5));
+    }
+}
+
+PROPERTY("the part of I w along L1 stays, for the torque is at right angles to L1") {
+    Draw draw;
+    for (int i = 0; i < 200; ++i) {
+        const Ship ship = draw_ship(draw, 1e-2, 100);
+        const Vector3d along = ship.momentum().normalized();
+        const Vector3d old = ship.inertia.cwiseProduct(ship.omega);
+        const Vector3d now = ship.inertia.cwiseProduct(ship.after());
+        const double size = std::max(old.norm(), now.norm());
+        REQUIRE(close(now.dot(along), old.dot(along), 0, 1e-5 * size));
+    }
+}
+
+// k = h L1 times roots of moments, so that the equation is y2 - k x y2 = y1. Roundoff of k x y2 is
+// some epsilons of |k||y2|.
+PROPERTY("I (w2 - w1) = h L1 x w2, to twelve digits") {
+    Draw draw;
+    for (int i = 0; i < 300; ++i) {
+        const Ship ship = i % 2 == 0 ? draw_ship(draw, 1e-4, 3) : draw_ship(draw, 1e-4, 1e9);
+        const Vector3d root = ship.inertia.cwiseSqrt();
+        const Vector3d k = ship.h / root.prod() * root.cwiseProduct(ship.momentum());
+        const Vector3d y1 = ship.y(ship.omega), y2 = ship.y(ship.after());
+        REQUIRE(close(Vector3d(y2 - k.cross(y2)), y1, 0, 1e-12 * (1 + k.norm()) * y1.norm()));
+    }
+}
+
+// All that the torque leaves of y is its part along k.
+PROPERTY("for the longest steps, too, the energy does not grow, to twelve digits") {
+    Draw draw;
+    for (int i = 0; i < 300; ++i) {
+        const Ship ship = draw_ship(draw, 1e3, 1e9);
+        REQUIRE(is_passive(ship, 1e-12));
+        const Vector3d along = ship.inertia.cwiseSqrt().cwiseProduct(ship.momentum()).normalized();
+        const Vector3d y1 = ship.y(ship.omega), y2 = ship.y(ship.after());
+        REQUIRE(close(y2.dot(along), y1.dot(along), 0, 1e-12 * y1.norm()));
+    }
+}
