@@ -1,0 +1,192 @@
+#include "top_step.hpp"
+
+#include "property_eigen.hpp"
+
+EXERCISE(top_step);
+
+namespace {
+
+struct Top {
+    Vector3d inertia;
+    double mgl;
+    Vector3d L, up;
+    double h;
+
+    Top after(double step) const {
+        const auto [L2, up2] = learner(inertia, mgl, L, up, step);
+        return {inertia, mgl, L2, up2, h};
+    }
+    Top after() const { return after(h); }
+    double energy() const {
+        return L.dot(L.cwiseQuotient(inertia)) / 2 + mgl * up.z();
+    }
+    // All that L could be, by its spin or by its fall.
+    double size() const {
+        return L.norm() + std::sqrt(std::fabs(mgl) * inertia.maxCoeff()) + std::fabs(h * mgl);
+    }
+};
+
+// `angle` is about what the top turns by in the step, `fall` how strong gravity is: one where it
+// changes the spin as fast as the top turns.
+Top draw_top(Draw& draw, double angle, double fall) {
+    const double speed = draw.log(0.1, 50);
+    Top top{draw_moments(draw, 5), 0, {}, draw_direction(draw), draw.sign() * angle / speed};
+    top.L = top.inertia.cwiseProduct(speed * draw_direction(draw));
+    top.mgl = draw.sign() * fall * top.inertia.minCoeff() * speed * speed;
+    return top;
+}
+
+// Steps that are good, and steps that are far too long.
+Top draw_any(Draw& draw, int i) {
+    const double angle = i % 2 == 0 ? draw.log(0.1, 1) : draw.log(1, 1000);
+    return draw_top(draw, angle, draw.log(0.1, 1));
+}
+
+// Of clearly different moments, in no order, with gravity and spin alike.
+Top draw_dance(Draw& draw) {
+    Vector3d moments(draw.real(0.5, 0.7), draw.real(0.9, 1.1), draw.real(1.3, 1.5));
+    std::swap(moments[0], moments[draw.integer(0, 2)]);
+    std::swap(moments[1], moments[draw.integer(1, 2)]);
+    const double size = draw.log(0.01, 100);
+    const Vector3d L = size * moments.cwiseProduct(draw.real(1, 1.5) * draw_direction(draw));
+    return {size * moments, draw.sign() * draw.real(0.5, 1) * size, L, draw_direction(draw), 0};
+}
+
+// The top after a time, by many steps of Runge and Kutta.
+Top exact(Top top, double time) {
+    using Six = Eigen::Matrix<double, 6, 1>;
+    const auto slope = [&](const Six& y) -> Six {
+        const Vector3d L = y.head<3>(), up = y.tail<3>(), omega = L.cwiseQuotient(top.inertia);
+        Six rate;
+        rate << L.cross(omega) + top.mgl * up.cross(Vector3d::UnitZ()), up.cross(omega);
+        return rate;
+    };
+    Six y;
+    y << top.L, top.up;
+    const int steps = 1000;
+    const double h = time / steps;
+    for (int i = 0; i < steps; ++i) {
+        const Six k1 = slope(y), k2 = slope(y + h / 2 * k1), k3 = slope(y + h / 2 * k2),
+                  k4 = slope(y + h * k3);
+        y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    }
+    top.L = y.head<3>();
+    top.up = y.tail<3>();
+    return top;
+}
+
+// Of two states of one top.
+double apart(const Top& a, const Top& b) {
+    return (a.L - b.L).norm() / a.inertia.maxCoeff() + (a.up - b.up).norm();
+}
+
+}  // namespace
+
+// Up to the energy of a long dance a few digits will do: where mistakes answer alike, single
+// precision should not be taken for one of them.
+PROPERTY("a step of zero changes nothing; a top that rests upright, or hangs at rest, stays so") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        const Top top = draw_any(draw, i), same = top.after(0);
+        REQUIRE(close(same.L, top.L, 1e-5));
+        REQUIRE(close(same.up, top.up, 1e-5));
+        Top still = draw_any(draw, i);
+        still.L.setZero();
+        still.up = draw.sign() * Vector3d::UnitZ();
+        REQUIRE(still.after().L.norm() <= 1e-9 * still.size());
+        REQUIRE(close(still.after().up, still.up, 1e-5));
+    }
+}
+
+// Said without a rotation: in the world the top turns forwards, so in the top's axes up turns
+// backwards.
+PROPERTY("without gravity, a spin about one axis stays, and up turns about it, the right way") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        Top top = draw_top(draw, draw.log(0.1, 3), 0);
+        const Vector3d axis = Vector3d::Unit(i % 3);
+        const double speed = draw.sign() * top.L.norm() / top.inertia[i % 3];
+        top.L = speed * top.inertia[i % 3] * axis;
+        const Vector3d along = axis.dot(top.up) * axis, across = top.up - along;
+        const double angle = speed * top.h;
+        const Vector3d up = along + std::cos(angle) * across + std::sin(angle) * across.cross(axis);
+        REQUIRE(close(top.after().L, top.L, 1e-5));
+        REQUIRE(close(top.after().up, up, 0, 3e-5));
+    }
+}
+
+PROPERTY("up keeps its length for any step, and without gravity so does L") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        Top top = draw_any(draw, i);
+        REQUIRE(close(top.after().up.norm(), 1, 1e-5));
+        top.mgl = 0;
+        REQUIRE(close(top.after().up.norm(), 1, 1e-5));
+        REQUIRE(close(top.after().L.norm(), top.L.norm(), 1e-5));
+    }
+}
+
+PROPERTY("the angular momentum about the vertical stays for any step") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const Top top = draw_any(draw, i), next = top.after();
+        REQUIRE(close(next.L.dot(next.up), top.L.dot(top.up), 0, 1e-5 * top.size()));
+    }
+}
+
+PROPERTY("a step of h and then a step of -h lead back to the beginning") {
+    Draw draw;
+    for (int i = 0; i < 50; ++i) {
+        const Top top = draw_top(draw, draw.log(0.1, 0.6), draw.log(0.3, 1));
+        const Top back = top.after().after(-top.h);
+        REQUIRE(close(back.L, top.L, 0, 1e-4 * top.size()));
+        REQUIRE(close(back.up, top.up, 1e-4));
+    }
+}
+
+// Of tops together, so that one whose error happens to vanish does not count.
+PROPERTY("half the step leaves a quarter of the error") {
+    Draw draw;
+    double whole = 0, half = 0;
+    for (int i = 0; i < 12; ++i) {
+        const Top begin = draw_dance(draw);
+        const double time = 2;
+        const Top end = exact(begin, time);
+        const auto error = [&](int steps) {
+            Top top = begin;
+            for (int j = 0; j < steps; ++j) top = top.after(time / steps);
+            return apart(top, end);
+        };
+        whole += error(24);
+        half += error(48);
+    }
+    REQUIRE(close(order(whole, half), 2, 0, 0.2));
+}
+
+PROPERTY("the energy of a long dance stays within a twentieth: it swings and does not drift") {
+    Draw draw;
+    for (int i = 0; i < 3; ++i) {
+        const Top begin = draw_dance(draw);
+        const double size = begin.L.dot(begin.L.cwiseQuotient(begin.inertia)) / 2 +
+                            std::fabs(begin.mgl);
+        Top top = begin;
+        for (int j = 0; j < 400; ++j) {
+            top = top.after(0.1);
+            REQUIRE(close(top.energy(), begin.energy(), 0, 0.05 * size));
+        }
+    }
+}
+
+// Roundoff of an angle of a thousand radians is 1e-13.
+PROPERTY("what stays and what comes back does so to eleven digits") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const Top top = draw_any(draw, i), next = top.after();
+        REQUIRE(close(next.up.norm(), 1, 1e-13));
+        REQUIRE(close(next.L.dot(next.up), top.L.dot(top.up), 0, 1e-11 * top.size()));
+        const Top tame = draw_top(draw, draw.log(0.01, 0.6), draw.log(0.1, 1));
+        const Top back = tame.after().after(-tame.h);
+        REQUIRE(close(back.L, tame.L, 0, 1e-11 * tame.size()));
+        REQUIRE(close(back.up, tame.up, 1e-11));
+    }
+}
