@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// A turn about one axis of the body: what splittings are made of.
+
+#include <cmath>
+
+#include <timestep/inline.hpp>
+#include <timestep/rigid/rotation.hpp>
+
+namespace timestep {
+
+/// Attitude and angular momentum of a body that turns about one of its axes after the other.
+template <class Real>
+struct AxisSpin {
+    Quaternion<Real> q;  ///< attitude
+    Vector3<Real> L;     ///< angular momentum in body coordinates
+
+    // The sine and cosine of half the angle do for both: the quaternion takes half angles, and
+    // cos θ = c² − s², sin θ = 2 s c.
+    /// Turns the body by `angle` about its axis `i` = 0, 1 or 2. L, at rest in the world, turns the
+    /// other way in the body.
+    /// [spin]
+    TIMESTEP_INLINE void spin(int i, Real angle) {
+        using std::cos, std::sin;
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const Real c = cos(angle / 2), s = sin(angle / 2);
+        const Real cosine = c * c - s * s, sine = 2 * s * c;
+        const Real Lj = L[j], Lk = L[k];
+        L[j] = cosine * Lj + sine * Lk;
+        L[k] = cosine * Lk - sine * Lj;
+        auto& v = q.coeffs();  // x, y, z, w: v times (c, s along i)
+        const Real w = v[3], vi = v[i], vj = v[j], vk = v[k];
+        v[3] = c * w - s * vi;
+        v[i] = c * vi + s * w;
+        v[j] = c * vj + s * vk;
+        v[k] = c * vk - s * vj;
+    }
+    /// [spin]
+};
+
+}  // namespace timestep

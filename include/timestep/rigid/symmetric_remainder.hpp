@@ -1,0 +1,133 @@
+#pragma once
+/// \file
+/// A ball and a remainder: whole-body steps of order two and four.
+
+#include <algorithm>
+
+#include <timestep/rigid/axis_spin.hpp>
+#include <timestep/rigid/spin_state.hpp>
+
+namespace timestep {
+
+/// A body's energy as that of a ball and a remainder about two axes a and b,
+///     ½ L·I⁻¹L = ½ |L|²/I_r + ½ A L_a² + ½ B L_b²,  A = 1/I_a − 1/I_r,  B = 1/I_b − 1/I_r.
+///
+/// Made once a body. The reference r is the axis of the middle moment: it makes the product A B
+/// least, to which a splitting's error is proportional. Of two equal moments one is always the
+/// middle one; then A or B is zero, and the splitting is exact.
+template <class Real>
+struct RemainderInertia {
+    using Scalar = Real;        ///< the real number type
+    int a, b;                   ///< the other two axes, 0, 1 or 2
+    Real A, B, ball;            ///< as above, and 1/I_r
+    Vector3<Real> unit;         ///< the moments in use: their product is one
+
+    // r, a, b are a cyclic order. With the product one and ratio_b = (I_a − I_r)/I_b, A is
+    // −ratio_b U_b², so that a small difference of two moments has lost no digit.
+    /// Of any three moments.
+    explicit RemainderInertia(const PrincipalInertia<Real>& inertia) : unit(inertia.unit) {
+        int r = 0;
+        for (int i = 1; i < 3; ++i) {
+            const Real j = unit[(i + 1) % 3], k = unit[(i + 2) % 3];
+            if (std::min(j, k) <= unit[i] && unit[i] <= std::max(j, k)) r = i;
+        }
+        a = (r + 1) % 3, b = (r + 2) % 3;
+        A = -inertia.ratio[b] * unit[b] * unit[b];
+        B = inertia.ratio[a] * unit[a] * unit[a];
+        ball = 1 / unit[r];
+    }
+};
+
+/// \cond
+namespace detail {
+// The three motions whose energies make up the whole. That of the ball is a steady turn about L at
+// rest in the world, and neither of the others minds when it happens: it is taken once, for the
+// whole step. That of a is a turn about the axis a by the angle h A L_a.
+template <class Real>
+struct RemainderStep {
+    const RemainderInertia<Real>& inertia;
+    Real h;
+    AxisSpin<Real> body;
+
+    TIMESTEP_INLINE
+    RemainderStep(const RemainderInertia<Real>& inertia_, const SpinState<Real>& s, Real h_)
+        : inertia(inertia_), h(h_), body{s.q, inertia_.unit.cwiseProduct(s.omega)} {
+        body.q = s.q * turn_by(Vector3<Real>(h * (inertia.ball * body.L)));
+    }
+    TIMESTEP_INLINE void a(Real part) {
+        body.spin(inertia.a, part * h * (inertia.A * body.L[inertia.a]));
+    }
+    TIMESTEP_INLINE void b(Real part) {
+        body.spin(inertia.b, part * h * (inertia.B * body.L[inertia.b]));
+    }
+    TIMESTEP_INLINE SpinState<Real> end(Real t) const {
+        return {t + h, body.q.normalized(), body.L.cwiseQuotient(inertia.unit)};
+    }
+};
+}  // namespace detail
+/// \endcond
+
+/// Half a step of a, one of b, half a step of a. Order two, its error smaller than that of Strang's
+/// splitting by how far the body is from a symmetric one; exact for two equal moments. |L| stays
+/// for every step, and the energy within what |L| allows; a step of −h undoes a step of h.
+struct SymmetricRemainder2 {
+    static constexpr const char* name = "ball and remainder 2";  ///< for tables and keys
+    static constexpr int order = 2;                              ///< of the error after a whole run
+
+    /// One step of `h` seconds.
+    /// [two]
+    template <class Real>
+    TIMESTEP_INLINE
+    SpinState<Real> step(const RemainderInertia<Real>& inertia,
+                         const SpinState<Real>& s1, Real h) const {
+        detail::RemainderStep<Real> part(inertia, s1, h);
+        part.a(Real(0.5));
+        part.b(Real(1));
+        part.a(Real(0.5));
+        return part.end(s1.t);
+    }
+    /// [two]
+    /// The same for who has not made the remainder beforehand.
+    template <class Real>
+    SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1,
+                         Real h) const {
+        return step(RemainderInertia<Real>(inertia), s1, h);
+    }
+};
+
+/// The same three motions in parts whose errors of order two and three cancel: six of b between
+/// seven of a (Blanes and Moan 2002, their S6). Order four, and keeps what SymmetricRemainder2
+/// keeps.
+struct SymmetricRemainder4 {
+    static constexpr const char* name = "ball and remainder 4";  ///< for tables and keys
+    static constexpr int order = 4;                              ///< of the error after a whole run
+
+    /// One step of `h` seconds.
+    /// [four]
+    template <class Real>
+    TIMESTEP_INLINE
+    SpinState<Real> step(const RemainderInertia<Real>& inertia,
+                         const SpinState<Real>& s1, Real h) const {
+        constexpr Real a1 = Real(0.0792036964311957L), b1 = Real(0.209515106613362L),
+                       a2 = Real(0.353172906049774L), b2 = Real(-0.143851773179818L),
+                       a3 = Real(-0.0420650803577195L), b3 = Real(0.5) - b1 - b2,
+                       a4 = 1 - 2 * (a1 + a2 + a3);
+        detail::RemainderStep<Real> part(inertia, s1, h);
+        part.a(a1), part.b(b1), part.a(a2), part.b(b2), part.a(a3), part.b(b3);
+        part.a(a4);
+        part.b(b3), part.a(a3), part.b(b2), part.a(a2), part.b(b1), part.a(a1);
+        return part.end(s1.t);
+    }
+    /// [four]
+    /// The same for who has not made the remainder beforehand.
+    template <class Real>
+    SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1,
+                         Real h) const {
+        return step(RemainderInertia<Real>(inertia), s1, h);
+    }
+};
+
+inline constexpr SymmetricRemainder2 symmetric_remainder_2;  ///< the method as a value
+inline constexpr SymmetricRemainder4 symmetric_remainder_4;  ///< the method as a value
+
+}  // namespace timestep

@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// A gyroscopic solver and the attitude by the mean spin: a method for the whole body.
+
+#include <algorithm>
+
+#include <timestep/rigid/spin_state.hpp>
+
+namespace timestep {
+
+/// `Solver` gives the new ω; the attitude is turned by the mean of the old ω and the new one, in
+/// body coordinates. A solver of order two keeps its order in the attitude, too. With the new ω
+/// alone, as in the talk (N42), the attitude has order one whatever the solver.
+template <class Solver>
+struct Tumble {
+    static constexpr const char* name = Solver::name;            ///< for tables and keys
+    static constexpr int order = std::min(Solver::order, 2);     ///< of the error after a whole run
+
+    /// One step of `h` seconds.
+    /// [step]
+    template <class Inertia, class Real>
+    TIMESTEP_INLINE
+    SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s1,
+                         Real h) const {
+        const Vector3<Real> omega2 = Solver{}.step(inertia, s1.omega, h);
+        const Vector3<Real> mean = s1.omega / 2 + omega2 / 2;
+        return {s1.t + h, turned_in_body(s1.q, mean, h), omega2};
+    }
+    /// [step]
+};
+
+template <class Solver>
+inline constexpr Tumble<Solver> tumble{};  ///< the method as a value
+
+}  // namespace timestep
