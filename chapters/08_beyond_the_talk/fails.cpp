@@ -1,0 +1,107 @@
+// Where the half-step Jacobian is singular, what it does there, and what to do then.
+
+#include <cmath>
+#include <cstdio>
+
+#include "random_body.hpp"
+#include "sections.hpp"
+
+using namespace timestep;
+
+namespace {
+
+// The energy after `parts` steps that make up a time of one, over the energy before; |ω| = size.
+template <class Solver>
+double gain(const Solver& solver, const Body& inertia, const Vector& direction, double size,
+            long parts = 1) {
+    Vector w = size * direction;
+    const double E = kinetic_energy(inertia, w);
+    for (long n = 0; n < parts; ++n) w = solver.step(inertia, w, 1 / double(parts));
+    const double g = kinetic_energy(inertia, w) / E;
+    return std::isfinite(g) ? g : INFINITY;
+}
+
+std::string words(const char* format, double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+}  // namespace
+
+void fails(const Settings& settings, lab::Findings& out) {
+    out.section("Where the half-step Jacobian fails");
+    // Moments 3:2:1 about the middle axis: 1 − (h/2)² a₃a₁ ω² is zero at hω = 2/√(a₃a₁) = 2√3.
+    const Body plank(3, 2, 1);
+    const double singular = 2 / std::sqrt(-plank.ratio.x() * -plank.ratio.z());
+    const Vector middle(1e-3, 1, 1e-3);
+    const double there = gain(half_step_jacobian, plank, middle, singular * (1 - 1e-6));
+    out.number("singular_at", singular, "", "h|omega| at which the Jacobian of 3:2:1 is singular");
+    out.number("singular_gain", there, "", "what a step there multiplies the energy by", 1);
+    out.check("singular", there > 1e3,
+              "at its singular spin a step multiplies the energy without limit");
+    std::printf(
+        "  moments 3:2:1, the middle axis: at h|omega| = %.3f the energy is multiplied by %.1g\n",
+        singular, there);
+
+    auto& curve =
+        out.table("fails.tsv", {"size", "implicit", "half_step", "cayley", "passive", "substeps"});
+    auto& table = out.table("fails_table.tsv", {"$h\\lvert\\omega\\rvert$", "talk's", "half-step",
+                                                "Cayley", "half-step, substeps"});
+    const int many = 4000;
+    const double calm = 0.5;  // h|ω| of a substep
+    RandomBody bodies(2);
+    bool cayley_never = true;
+    double calm_worst = 0, first = 0;
+    for (int i = -4; i <= 12; ++i) {
+        const double size = std::pow(10.0, i / 8.0);
+        const long parts = std::lround(std::ceil(size / calm));
+        int talk = 0, half = 0, cayley = 0, passive = 0, substeps = 0;
+        for (int n = 0; n < many; ++n) {
+            const Body inertia = bodies.inertia(1000);
+            const Vector d = bodies.direction();
+            talk += gain(implicit_gyroscopic, inertia, d, size) > 1.5;
+            half += gain(half_step_jacobian, inertia, d, size) > 1.5;
+            cayley += gain(cayley_gyroscopic, inertia, d, size) > 1 + 1e-12;
+            passive += gain(passive_gyroscopic, inertia, d, size) > 1 + 1e-12;
+            const double g = gain(half_step_jacobian, inertia, d, size, parts);
+            substeps += g > 1.5;
+            calm_worst = std::max(calm_worst, i <= 8 ? g : 0);
+        }
+        const auto share = [&](int of) { return double(of) / many; };
+        curve.row({size, share(talk), share(half), share(cayley), share(passive), share(substeps)});
+        if (i % 4 == 0)
+            table.row({words("%.2g", size), words("%.2g %%", 100 * share(talk)),
+                       words("%.2g %%", 100 * share(half)), words("%.2g %%", 100 * share(cayley)),
+                       words("%.2g %%", 100 * share(substeps))});
+        cayley_never = cayley_never && cayley == 0 && passive == 0;
+        if (first == 0 && half > 0) first = size;
+        if (i == 8) {
+            out.number("fails_at_10", 100 * share(half), "%",
+                       "bodies that gain half of their energy or more at h|omega| = 10", 2);
+            out.check("fails_at_10", share(half) > 0.25 && share(half) < 0.4,
+                      "at h|ω| = 10 the half-step Jacobian multiplies the energy of about a third "
+                      "of random bodies by more than 1.5");
+            std::printf(
+                "  at h|omega| = 10 it multiplies the energy of %.0f %% of %d random bodies by 1.5 "
+                "or more\n",
+                100 * share(half), many);
+        }
+    }
+    out.number("fails_first", first, "",
+               "least h|omega| at which a random body gains half of its energy", 2);
+    out.number("fails_first_spin", first / settings.step, "rad/s", "the spin that this is", 2);
+    out.number("fails_many", many, "", "random bodies a point");
+    out.number("calm", calm, "", "h|omega| of a substep");
+    out.number("calm_spin", calm / settings.step, "rad/s", "the spin that this is");
+    out.number("calm_gain", calm_worst, "", "worst gain of the half-step Jacobian in such substeps",
+               3);
+    out.check("fails_first", first > 1, "below h|ω| = 1 no random body gains half of its energy");
+    out.check("cayley_never", cayley_never,
+              "the Cayley step and the passive step add energy to none, at any h|ω|");
+    out.check("calm", calm_worst < 1.5, "in substeps of h|ω| = 0.5 none gains half of its energy");
+    std::printf(
+        "  first at h|omega| = %.2g; in substeps of %.1f the worst gain is x %.3f; Cayley: none "
+        "gains\n",
+        first, calm, calm_worst);
+}

@@ -1,0 +1,105 @@
+// What a minute leaves of energy and angular momentum.
+
+#include <cmath>
+#include <cstdio>
+
+#include "sections.hpp"
+
+using namespace timestep;
+
+namespace {
+
+struct Case {
+    const char *id, *words;
+    Body inertia;
+    Spin start;
+};
+
+std::string three(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, std::fabs(value) < 1e6 ? "%.3f" : "%.1e", value);
+    return std::isfinite(value) ? text : "gone";
+}
+
+}  // namespace
+
+void minute(const Settings& settings, lab::Findings& out) {
+    out.section("A minute");
+    const auto pill = capsule(1.0, 0.15, 0.6);
+    const Case cases[] = {
+        {"box", "a box", box(1.0, 1.0, 2.0, 3.0), spinning(Vector(1, 10, 0.1))},
+        {"pill",
+         "a capsule, uneven",
+         {pill.across, 1.02 * pill.across, pill.along},
+         spinning(Vector(0.5, 0, 20))},
+        {"fast", "the box, fast", box(1.0, 1.0, 2.0, 3.0), spinning(Vector(10, 100, 1))}};
+    auto& table = out.table("minute.tsv", {"method", "box: energy", "momentum", "capsule: energy",
+                                           "momentum", "fast box: energy", "momentum"});
+    const long steps = std::lround(60 / settings.step);
+    for_each_method([&](const auto& method) {
+        const std::string k = key(method);
+        std::vector<lab::Cell> cells{std::string(method.name)};
+        std::printf("  %-24s", method.name);
+        auto& history = out.table("minute_" + k + ".tsv", {"t", "energy_off", "momentum_off"});
+        for (const Case& c : cases) {
+            const std::string id = c.id;
+            const auto L = [&](const Spin& s) { return c.inertia.momentum(s.omega).norm(); };
+            const double E0 = kinetic_energy(c.inertia, c.start.omega), L0 = L(c.start);
+            Spin s = c.start;
+            double E = 1, M = 1, off_E = 0, off_L = 0;
+            for (long n = 0; n <= steps; ++n) {
+                E = kinetic_energy(c.inertia, s.omega) / E0, M = L(s) / L0;
+                off_E = std::max(off_E, std::fabs(E - 1)),
+                off_L = std::max(off_L, std::fabs(M - 1));
+                if (id == "box" && n % 6 == 0) history.row({s.t, off_E, off_L});
+                s = method.step(c.inertia, s, settings.step);
+            }
+            cells.push_back(three(E)), cells.push_back(three(M));
+            std::printf("  %s E x %s, L x %s", c.id, three(E).c_str(), three(M).c_str());
+            const auto name = [&](const char* what) { return "minute_" + k + "_" + id + what; };
+            out.number(name("_energy"), E, "", "energy after a minute over that at the start");
+            out.number(name("_momentum"), M, "", "momentum after a minute over that at the start");
+            out.number(name("_swing"), 100 * off_E, "%", "how far the energy is off at most", 2);
+            out.number(name("_momentum_swing"), 100 * off_L, "%",
+                       "how far the momentum is off at most", 2);
+            // A few ε a step, at the worst all one way.
+            const double roundoff = 26 * 2.3e-16 * double(steps);
+            const std::string of = std::string(": ") + c.words;
+            if (k == "cayley")
+                out.check(name("_keeps"), off_E < roundoff,
+                          "Cayley" + of + " keeps its energy to roundoff");
+            if (k == "strang" || k == "remainder_2" || k == "remainder_4")
+                out.check(name("_keeps"), off_L < roundoff,
+                          method.name + of + " keeps |L| to roundoff");
+            if (k == "remainder_4" && id != "fast")
+                out.check(name("_energy"), off_E < 1e-4,
+                          method.name + of + " keeps its energy to a ten-thousandth");
+        }
+        std::printf("\n");
+        table.row(cells);
+    });
+    // How long does the uneven capsule keep half of its spin about its length?
+    const Case& pill_case = cases[1];
+    const double patience = 600;
+    const auto keeps = [&](const auto& method) {
+        Spin s = pill_case.start;
+        while (s.t < patience && s.omega.z() > pill_case.start.omega.z() / 2)
+            s = method.step(pill_case.inertia, s, settings.step);
+        std::printf("  %s: the capsule has lost half of its spin about the length after %.1f s%s\n",
+                    method.name, s.t, s.t < patience ? "" : ", or later");
+        return s.t;
+    };
+    const double passive = keeps(tumble<PassiveGyroscopic>),
+                 cayley = keeps(tumble<CayleyGyroscopic>);
+    const double remainder = keeps(symmetric_remainder_2);
+    out.number("length_passive", passive, "s",
+               "passive: when the uneven capsule has lost half of its spin", 2);
+    out.number("length_cayley", cayley, "s", "Cayley: when it has", 2);
+    out.number("length_patience", patience, "s", "how long it was watched");
+    out.text("length_start", "(0.5, 0, 20) rad/s", "its spin at the start");
+    out.check("length_cayley", passive < 5 && cayley > 20 * passive && cayley < patience,
+              "the uneven capsule keeps its spin more than 20 times as long by Cayley as by "
+              "passive, and loses it, too");
+    out.check("length_remainder", remainder >= patience,
+              "ball and remainder 2: the uneven capsule keeps its spin");
+}

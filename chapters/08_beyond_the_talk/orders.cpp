@@ -1,0 +1,79 @@
+// The order of every method, in the spin and in the attitude.
+
+#include <cmath>
+#include <cstdio>
+
+#include <timestep/measured_order.hpp>
+
+#include "sections.hpp"
+
+using namespace timestep;
+
+namespace {
+
+// Errors of ω and of the attitude after two seconds; step(s, h) is any rule.
+struct Measured {
+    std::vector<double> h, spin, attitude;
+};
+template <class Step>
+Measured measured(const Body& inertia, const Spin& start, int order, const Step& step) {
+    const Spin truth = Exact(inertia, start)(2);
+    Measured m;
+    const long least = order == 4 ? 16 : 128;
+    for (long steps = least; steps <= 8 * least; steps *= 2) {
+        Spin s = start;
+        const double h = 2.0 / double(steps);
+        for (long n = 0; n < steps; ++n) s = step(s, h);
+        m.h.push_back(h);
+        m.spin.push_back((s.omega - truth.omega).norm() / start.omega.norm());
+        m.attitude.push_back(apart(s.q, truth.q));
+    }
+    return m;
+}
+
+std::string rounded(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f", value);
+    return text;
+}
+
+}  // namespace
+
+void orders(const Settings&, lab::Findings& out) {
+    out.section("Orders");
+    const Body brick = box(12.0, 1.0, 2.0, 3.0);
+    const Spin start = spinning(Vector(1, 2, 2));
+    auto& table = out.table("orders.tsv", {"method", "order in ω", "order in the attitude"});
+    auto& points = out.table("order_points.tsv", {"method", "h", "spin", "attitude"});
+    bool as_declared = true;
+    const auto write = [&](const char* name, const std::string& id, const Measured& m) {
+        const double spin = measured_order(m.h, m.spin);
+        const double attitude = measured_order(m.h, m.attitude);
+        std::printf("  %-36s order %.2f in omega, %.2f in the attitude\n", name, spin, attitude);
+        table.row({std::string(name), rounded(spin), rounded(attitude)});
+        for (std::size_t i = 0; i < m.h.size(); ++i)
+            points.row({id, m.h[i], m.spin[i], m.attitude[i]});
+        points.gap();
+        return std::pair(spin, attitude);
+    };
+    for_each_method([&](const auto& method) {
+        const auto [spin, attitude] =
+            write(method.name, key(method),
+                  measured(brick, start, method.order,
+                           [&](const Spin& s, double h) { return method.step(brick, s, h); }));
+        as_declared = as_declared && std::fabs(spin - method.order) < 0.2 &&
+                      std::fabs(attitude - method.order) < 0.2;
+    });
+    // The same solver, the attitude by the new ω instead of the mean.
+    const auto [spin, attitude] =
+        write("half-step Jacobian, new ω", "half_step_new",
+              measured(brick, start, 2, [&](const Spin& s, double h) -> Spin {
+                  const Vector omega = half_step_jacobian.step(brick, s.omega, h);
+                  return {s.t + h, turned_in_body(s.q, omega, h), omega};
+              }));
+    out.number("order_new", attitude, "", "order of the attitude by the new omega");
+    out.check("orders", as_declared,
+              "every method has the order it declares, in ω and in the attitude");
+    out.check("order_new", std::fabs(spin - 2) < 0.1 && std::fabs(attitude - 1) < 0.15,
+              "with the new ω instead of the mean the attitude has order one");
+}

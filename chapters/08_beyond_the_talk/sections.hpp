@@ -1,0 +1,19 @@
+#pragma once
+// What the parts of chapter 8's program share.
+
+#include <timestep/rigid/shapes.hpp>
+
+#include "lab.hpp"
+#include "methods.hpp"
+
+struct Settings {
+    double step = 1.0 / 60;  // s
+    double spin = 10;        // rad/s, of the box about its middle axis
+    double tilt = 1e-3;      // rad/s, what it spins about its other two axes
+};
+
+void one_token(const Settings&, lab::Findings&);  // one_token.cpp
+void orders(const Settings&, lab::Findings&);     // orders.cpp
+void fails(const Settings&, lab::Findings&);      // fails.cpp
+void minute(const Settings&, lab::Findings&);     // minute.cpp
+void work(const Settings&, lab::Findings&);       // work.cpp
