@@ -3,7 +3,7 @@ colour_of(style) = style[1:strstrt(style, " lw") - 1]
 
 # The talk's solver and its one token: energy and ω about the middle axis.
 call figure "one_token.svg" 640 600
-set multiplot layout 2,1 margins 0.14,0.97,0.11,0.97 spacing 0,0.06
+set multiplot layout 2,1 margins 0.14,0.97,0.15,0.97 spacing 0,0.06
 set xrange [0:12]
 set xtics 2 format ""
 set yrange [0.6:1.05]

@@ -30,6 +30,12 @@ std::string digits(const char* format, double value) {
     return text;
 }
 
+// To two digits, as long as that is a plain number.
+std::string plain(double value) {
+    const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+    return digits("%g", std::round(value / unit) * unit);
+}
+
 // The point of a method at a rate, or at its shortest step: from there on it is exact to roundoff.
 const Point& at(const Points& points, const std::string& id, double rate) {
     const Point* found = nullptr;
@@ -61,8 +67,8 @@ const Point* cheapest(const Points& points, double accuracy) {
 
 std::string in_words(const Point* p) {
     if (!p) return "none of these";
-    return p->entry->name + ", " + digits("%.0f", p->rate) + "\u00a0Hz, " +
-           digits("%.2g", p->time * 1e6) + "\u00a0µs";
+    return p->entry->name + ", " + digits("%.0f", p->rate) + "\u00a0Hz, " + plain(p->time * 1e6) +
+           "\u00a0µs";
 }
 
 std::string percent(double error) {
@@ -114,7 +120,7 @@ void work(const Settings&, lab::Findings& out) {
         const double step = a_step(all["box_game"], k);
         const auto error = [&](const char* id) { return percent(at(all[id], k, rate).error); };
         sixty.row({std::string(method.name), error("near_game"), error("box_game"),
-                   error("needle_game"), error("box_fast"), digits("%.2g", step * 1e9)});
+                   error("needle_game"), error("box_fast"), plain(step * 1e9)});
         out.number("cost_" + k, step / talk, "", "time of a step over that of the talk's", 2);
         out.number("error_" + k, 100 * at(all["box_game"], k, rate).error, "%",
                    "error of the attitude of the box, 10 rad/s at 60 Hz", 2);

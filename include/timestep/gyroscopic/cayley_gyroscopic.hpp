@@ -13,9 +13,10 @@ namespace timestep {
 /// nothing that could vanish.
 ///
 /// Order two; the energy stays for any inertia, spin and step, to a few roundoffs; |L| is kept to
-/// order two only, but never exceeds what the energy allows. Steps with h|ω| beyond 1 are safe and
-/// no longer right. Where (hω)² is too large for a number (hω beyond 1e154, in float 1e19, less by
-/// some roots of the moments' ratio) three moments give back NaN.
+/// order two only, and creeps, so a body left alone may end turning about another axis, far later
+/// than by the passive step; it never exceeds what the energy allows. Steps with h|ω| beyond 1 are
+/// safe and no longer right. Where (hω)² is too large for a number (hω beyond 1e154, in float 1e19,
+/// less by some roots of the moments' ratio) three moments give back NaN.
 struct CayleyGyroscopic {
     static constexpr const char* name = "Cayley";  ///< for tables and keys
     static constexpr int order = 2;                ///< of the error of ω after a whole run
