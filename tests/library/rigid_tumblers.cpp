@@ -267,6 +267,17 @@ TEST_CASE("ball and remainder are exact for a symmetric body", "[library][ch8]")
     }
 }
 
+TEST_CASE("ball and remainder take a symmetric body as such", "[library][ch8]") {
+    const SymmetricInertia<double> pill(1, 0.3);
+    const PrincipalInertia<double> same(1, 1, 0.3);
+    const Spin s = spinning(V(1, 2, -2));
+    CHECK(symmetric_remainder_2.step(pill, s, 0.1).omega ==
+          symmetric_remainder_2.step(same, s, 0.1).omega);
+    CHECK(symmetric_remainder_4.step(pill, s, 0.1).omega ==
+          symmetric_remainder_4.step(same, s, 0.1).omega);
+    CHECK(RemainderInertia<double>(pill).A * RemainderInertia<double>(pill).B == 0);
+}
+
 TEST_CASE("the reference is the axis of the middle moment", "[library][ch8]") {
     RandomInertia random(8);
     for (int i = 0; i < 200; ++i) {

@@ -18,8 +18,11 @@ namespace timestep {
 template <class Real>
 struct RemainderInertia {
     using Scalar = Real;        ///< the real number type
-    int a, b;                   ///< the other two axes, 0, 1 or 2
-    Real A, B, ball;            ///< as above, and 1/I_r
+    int a;                      ///< one of the other two axes, 0, 1 or 2
+    int b;                      ///< and the other
+    Real A;                     ///< the remainder about a
+    Real B;                     ///< the remainder about b
+    Real ball;                  ///< 1/I_r
     Vector3<Real> unit;         ///< the moments in use: their product is one
 
     // r, a, b are a cyclic order. With the product one and ratio_b = (I_a − I_r)/I_b, A is
@@ -36,6 +39,9 @@ struct RemainderInertia {
         B = inertia.ratio[a] * unit[a] * unit[a];
         ball = 1 / unit[r];
     }
+    /// Of two equal moments and another one: A or B is zero.
+    explicit RemainderInertia(const SymmetricInertia<Real>& I)
+        : RemainderInertia(PrincipalInertia<Real>(I.across, I.across, I.along)) {}
 };
 
 /// \cond
@@ -88,9 +94,8 @@ struct SymmetricRemainder2 {
     }
     /// [two]
     /// The same for who has not made the remainder beforehand.
-    template <class Real>
-    SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1,
-                         Real h) const {
+    template <class Inertia, class Real>
+    SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s1, Real h) const {
         return step(RemainderInertia<Real>(inertia), s1, h);
     }
 };
@@ -120,9 +125,8 @@ struct SymmetricRemainder4 {
     }
     /// [four]
     /// The same for who has not made the remainder beforehand.
-    template <class Real>
-    SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1,
-                         Real h) const {
+    template <class Inertia, class Real>
+    SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s1, Real h) const {
         return step(RemainderInertia<Real>(inertia), s1, h);
     }
 };
