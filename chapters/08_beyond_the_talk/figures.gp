@@ -121,7 +121,7 @@ do for [j = 1:3] { do for [i = 1:3] {
     else { set ytics ("100 %%" 1, "1 %%" 0.01, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8, "10^{-10}" 1e-10, "10^{-12}" 1e-12) }
     if (j < 3) { set xtics ("" 1, "" 10, "" 100) } else { set xtics ("1" 1, "10" 10, "100" 100) }
     unset key
-    all = "name using ($2 == 0 ? $5 : NaN):4 with lines lc rgb '#cccccc' lw 1.2 notitle"
+    all = "name using ($2 == 0 ? $5 : NaN):4 with lines lc rgb '#b8b8b8' lw 1.5 notitle"
     do for [k = 1:8] {
         style = value(word(styles, k))
         mine = sprintf("strcol(1) eq '%s'", word(each, k))
@@ -136,5 +136,5 @@ unset border; unset tics; unset grid; unset xlabel; unset ylabel; unset title
 set key center center horizontal maxcols 5 reverse Left samplen 2.5
 keys = ""
 do for [k = 1:8] { keys = keys.sprintf("NaN with lines %s title '%s', ", value(word(styles, k)), title_of(k)) }
-eval "plot ".keys."NaN with lines lc rgb '#cccccc' lw 1.2 title 'the appendix'"
+eval "plot ".keys."NaN with lines lc rgb '#b8b8b8' lw 1.5 title 'the appendix'"
 unset multiplot

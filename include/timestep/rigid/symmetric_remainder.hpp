@@ -113,10 +113,13 @@ struct SymmetricRemainder4 {
     TIMESTEP_INLINE
     SpinState<Real> step(const RemainderInertia<Real>& inertia,
                          const SpinState<Real>& s1, Real h) const {
-        constexpr Real a1 = Real(0.0792036964311957L), b1 = Real(0.209515106613362L),
-                       a2 = Real(0.353172906049774L), b2 = Real(-0.143851773179818L),
-                       a3 = Real(-0.0420650803577195L), b3 = Real(0.5) - b1 - b2,
+        constexpr Real a1 = Real(0.0792036964311957L),
+                       a2 = Real(0.353172906049774L),
+                       a3 = Real(-0.0420650803577195L),
                        a4 = 1 - 2 * (a1 + a2 + a3);
+        constexpr Real b1 = Real(0.209515106613362L),
+                       b2 = Real(-0.143851773179818L),
+                       b3 = Real(0.5) - b1 - b2;
         detail::RemainderStep<Real> part(inertia, s1, h);
         part.a(a1), part.b(b1), part.a(a2), part.b(b2), part.a(a3), part.b(b3);
         part.a(a4);
