@@ -33,7 +33,8 @@ struct CayleyGyroscopic {
     TIMESTEP_INLINE
     Vector3<Real> step(const PrincipalInertia<Real>& inertia,
                        const Vector3<Real>& omega, Real h) const {
-        const Vector3<Real>&U = inertia.unit, &a = inertia.ratio;
+        const Vector3<Real>& U = inertia.unit;
+        const Vector3<Real>& a = inertia.ratio;
         const Vector3<Real> V = U.cwiseInverse();
         const Real half = h / 2;
         const Vector3<Real> turn = half * omega;

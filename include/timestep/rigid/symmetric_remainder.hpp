@@ -60,12 +60,16 @@ struct RemainderStep {
         : inertia(inertia_), h(h_), body{s.q, inertia_.unit.cwiseProduct(s.omega)} {
         body.q = s.q * turn_by(Vector3<Real>(h * (inertia.ball * body.L)));
     }
+    /// [parts]
     TIMESTEP_INLINE void a(Real part) {
-        body.spin(inertia.a, part * h * (inertia.A * body.L[inertia.a]));
+        const int i = inertia.a;
+        body.spin(i, part * h * (inertia.A * body.L[i]));
     }
     TIMESTEP_INLINE void b(Real part) {
-        body.spin(inertia.b, part * h * (inertia.B * body.L[inertia.b]));
+        const int i = inertia.b;
+        body.spin(i, part * h * (inertia.B * body.L[i]));
     }
+    /// [parts]
     TIMESTEP_INLINE SpinState<Real> end(Real t) const {
         return {t + h, body.q.normalized(), body.L.cwiseQuotient(inertia.unit)};
     }
