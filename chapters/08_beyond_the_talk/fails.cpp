@@ -40,9 +40,7 @@ void fails(const Settings& settings, lab::Findings& out) {
     out.number("singular_gain", there, "", "what a step there multiplies the energy by", 1);
     out.check("singular", there > 1e3,
               "at its singular spin a step multiplies the energy without limit");
-    std::printf(
-        "  moments 3:2:1, the middle axis: at h|omega| = %.3f the energy is multiplied by %.1g\n",
-        singular, there);
+    std::printf("  moments 3:2:1, middle axis, h|omega| = %.3f: energy x %.1g\n", singular, there);
 
     auto& curve =
         out.table("fails.tsv", {"size", "implicit", "half_step", "cayley", "passive", "substeps"});
@@ -82,10 +80,8 @@ void fails(const Settings& settings, lab::Findings& out) {
             out.check("fails_at_10", share(half) > 0.25 && share(half) < 0.4,
                       "at h|ω| = 10 the half-step Jacobian multiplies the energy of about a third "
                       "of random bodies by more than 1.5");
-            std::printf(
-                "  at h|omega| = 10 it multiplies the energy of %.0f %% of %d random bodies by 1.5 "
-                "or more\n",
-                100 * share(half), many);
+            std::printf("  h|omega| = 10: %.0f %% of %d random bodies gain half or more\n",
+                        100 * share(half), many);
         }
     }
     out.number("fails_first", first, "",
@@ -100,8 +96,6 @@ void fails(const Settings& settings, lab::Findings& out) {
     out.check("cayley_never", cayley_never,
               "the Cayley step and the passive step add energy to none, at any h|ω|");
     out.check("calm", calm_worst < 1.5, "in substeps of h|ω| = 0.5 none gains half of its energy");
-    std::printf(
-        "  first at h|omega| = %.2g; in substeps of %.1f the worst gain is x %.3f; Cayley: none "
-        "gains\n",
-        first, calm, calm_worst);
+    std::printf("  the first at h|omega| = %.2g; in substeps of %.1f at most x %.3f\n", first, calm,
+                calm_worst);
 }

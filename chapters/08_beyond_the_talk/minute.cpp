@@ -36,6 +36,7 @@ void minute(const Settings& settings, lab::Findings& out) {
     auto& table = out.table("minute.tsv", {"method", "box: energy", "momentum", "capsule: energy",
                                            "momentum", "fast box: energy", "momentum"});
     const long steps = std::lround(60 / settings.step);
+    std::printf("  %-24s %15s %15s %15s\n", "energy and momentum", "box", "capsule", "fast box");
     for_each_method([&](const auto& method) {
         const std::string k = key(method);
         std::vector<lab::Cell> cells{std::string(method.name)};
@@ -55,7 +56,7 @@ void minute(const Settings& settings, lab::Findings& out) {
                 s = method.step(c.inertia, s, settings.step);
             }
             cells.push_back(three(E)), cells.push_back(three(M));
-            std::printf("  %s E x %s, L x %s", c.id, three(E).c_str(), three(M).c_str());
+            std::printf(" %7s %7s", three(E).c_str(), three(M).c_str());
             const auto name = [&](const char* what) { return "minute_" + k + "_" + id + what; };
             out.number(name("_energy"), E, "", "energy after a minute over that at the start");
             out.number(name("_momentum"), M, "", "momentum after a minute over that at the start");
@@ -85,8 +86,8 @@ void minute(const Settings& settings, lab::Findings& out) {
         Spin s = pill_case.start;
         while (s.t < patience && s.omega.z() > pill_case.start.omega.z() / 2)
             s = method.step(pill_case.inertia, s, settings.step);
-        std::printf("  %s: the capsule has lost half of its spin about the length after %.1f s%s\n",
-                    method.name, s.t, s.t < patience ? "" : ", or later");
+        std::printf("  %s: half of the capsule's spin is gone after %.1f s%s\n", method.name, s.t,
+                    s.t < patience ? "" : ", or later");
         return s.t;
     };
     const double passive = keeps(tumble<PassiveGyroscopic>),

@@ -35,11 +35,11 @@ void one_token(const Settings& settings, lab::Findings& out) {
             s = method.step(brick, s, settings.step);
         }
         const double E = kinetic_energy(brick, s.omega) / E0;
-        std::printf("  %-24s energy x %.3f after %g s, between %.4f and %.4f; omega off by %.2g\n",
-                    method.name, E, seconds, least, most, std::sqrt(squares / double(steps)));
+        const double rms = std::sqrt(squares / double(steps));
+        std::printf("  %-24s  energy x %.3f (%.3f to %.3f), omega off by %.2g\n", method.name, E,
+                    least, most, rms);
         out.number("token_" + k + "_energy", E, "", "energy at the end over that at the start");
-        out.number("token_" + k + "_error", 100 * std::sqrt(squares / double(steps)), "%",
-                   "RMS error of omega over the spin", 2);
+        out.number("token_" + k + "_error", 100 * rms, "%", "RMS error of omega over the spin", 2);
         if (k == "implicit") worst_of_talk = worst, lost_by_talk = 1 - E;
         if (k == "half_step") {
             out.number("token_swing", 100 * std::max(1 - least, most - 1), "%",
@@ -68,8 +68,7 @@ void one_token(const Settings& settings, lab::Findings& out) {
         if (n >= all - part) last += E / double(part);
         w = half_step_jacobian.step(brick, w, settings.step);
     }
-    std::printf("  half-step Jacobian, mean energy of the first minute %.6f, of the 15th %.6f\n",
-                first, last);
+    std::printf("  half-step Jacobian, energy: first minute x %.6f, 15th x %.6f\n", first, last);
     out.check("token_no_drift", std::fabs(last - first) < 1e-3,
               "after a quarter of an hour the half-step Jacobian's energy has not drifted");
 }
