@@ -86,7 +86,7 @@ void minute(const Settings& settings, lab::Findings& out) {
         Spin s = pill_case.start;
         while (s.t < patience && s.omega.z() > pill_case.start.omega.z() / 2)
             s = method.step(pill_case.inertia, s, settings.step);
-        std::printf("  %s: half of the capsule's spin is gone after %.1f s%s\n", method.name, s.t,
+        std::printf("  %s: half of the capsule's spin gone after %.0f s%s\n", method.name, s.t,
                     s.t < patience ? "" : ", or later");
         return s.t;
     };
