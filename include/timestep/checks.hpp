@@ -30,37 +30,50 @@ bool is_finite_parameter(Real value) {
                   "timestep: parameters are real numbers: write 1.0 instead of 1");
     return std::isfinite(value);
 }
+
+// Refuses the first number, of one or of a pack, for which `holds` is false.
+template <class Real, class Holds>
+const Real& ask(const char* name, const Real& value, const char* rule, const Holds& holds) {
+    for_each_number(
+        [&](auto number) {
+            if (!(is_finite_parameter(number) && holds(number))) refuse(name, number, rule);
+        },
+        value);
+    return value;
+}
 }  // namespace detail
 /// \endcond
 
 /// A finite number.
 template <class Real>
 Real finite(const char* name, Real value) {
-    if (!detail::is_finite_parameter(value)) refuse(name, value, "a finite number");
-    return value;
+    return detail::ask(name, value, "a finite number", [](auto) { return true; });
 }
 
 /// A finite number above zero.
 template <class Real>
 Real positive(const char* name, Real value) {
-    if (!(detail::is_finite_parameter(value) && value > 0)) refuse(name, value, "finite and greater than zero");
-    return value;
+    return detail::ask(name, value, "finite and greater than zero", [](auto x) { return x > 0; });
 }
 
 /// A finite number, zero or more.
 template <class Real>
 Real not_negative(const char* name, Real value) {
-    if (!(detail::is_finite_parameter(value) && value >= 0)) refuse(name, value, "finite and zero or more");
-    return value;
+    return detail::ask(name, value, "finite and zero or more", [](auto x) { return x >= 0; });
 }
 
 /// Is every part of a number, a vector or a state a finite number?
 template <class X>
 bool is_finite(const X& x) {
-    if constexpr (std::is_arithmetic_v<X>)
+    if constexpr (std::is_arithmetic_v<X>) {
         return detail::is_finite_parameter(x);
-    else
+    } else if constexpr (is_number<X>) {
+        bool all = true;
+        for_each_number([&](auto number) { all = all && std::isfinite(number); }, x);
+        return all;
+    } else {
         return x.array().isFinite().all();
+    }
 }
 /// Time, position and velocity, all of them.
 template <class X>

@@ -97,7 +97,7 @@ struct FirstOrderForm {
 private:
     template <class Block, class A>
     static Block matrix(const A& a) {
-        if constexpr (std::is_floating_point_v<A>)
+        if constexpr (is_number<A>)
             return a * Block::Identity();
         else
             return a;

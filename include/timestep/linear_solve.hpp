@@ -12,7 +12,7 @@ namespace timestep {
 /// The x with A x = b: a division, or an LU solve. A number A stands for A times the identity.
 template <class A, class X>
 X solve(const A& a, const X& b) {
-    if constexpr (std::is_floating_point_v<A>)
+    if constexpr (is_number<A>)
         return b / a;
     else
         return a.partialPivLu().solve(b);
@@ -21,7 +21,7 @@ X solve(const A& a, const X& b) {
 /// The 1 of numbers and of matrices.
 template <class A>
 A identity() {
-    if constexpr (std::is_floating_point_v<A>)
+    if constexpr (is_number<A>)
         return A(1);
     else
         return A::Identity();
@@ -30,7 +30,7 @@ A identity() {
 /// The 0 of numbers and of vectors.
 template <class X>
 X zero() {
-    if constexpr (std::is_floating_point_v<X>)
+    if constexpr (is_number<X>)
         return X(0);
     else
         return X::Zero();
@@ -50,7 +50,7 @@ Matrix times_identity(const A& a) {
 /// is built at all.
 template <class Real, class A, class B>
 auto implicit_matrix(Real h, const A& slope_v, const B& slope_x) {
-    using Matrix = std::conditional_t<std::is_floating_point_v<A>, B, A>;
+    using Matrix = std::conditional_t<is_number<A>, B, A>;
     return Matrix(identity<Matrix>() - h * times_identity<Matrix>(slope_v) -
                   h * h * times_identity<Matrix>(slope_x));
 }
@@ -58,7 +58,7 @@ auto implicit_matrix(Real h, const A& slope_v, const B& slope_x) {
 /// The size of a number or vector: its absolute value or norm.
 template <class X>
 real_of<X> magnitude(const X& x) {
-    if constexpr (std::is_floating_point_v<X>)
+    if constexpr (is_number<X>)
         return x < 0 ? -x : x;
     else
         return x.norm();
@@ -67,7 +67,7 @@ real_of<X> magnitude(const X& x) {
 /// The same where the squares of the parts are too large or too small for numbers, at twice the cost.
 template <class X>
 real_of<X> safe_magnitude(const X& x) {
-    if constexpr (std::is_floating_point_v<X>)
+    if constexpr (is_number<X>)
         return magnitude(x);
     else
         return x.stableNorm();
@@ -77,7 +77,7 @@ real_of<X> safe_magnitude(const X& x) {
 /// vectors too: divided by their largest part first, as their squares would underflow.
 template <class X>
 X direction(const X& x) {
-    if constexpr (std::is_floating_point_v<X>)
+    if constexpr (is_number<X>)
         return x == 0 ? x : x / magnitude(x);
     else {
         const real_of<X> largest = x.cwiseAbs().maxCoeff();
@@ -90,7 +90,7 @@ X direction(const X& x) {
 /// x yᵀ: the product of two numbers, or of two vectors the matrix of all products.
 template <class X>
 auto outer(const X& x, const X& y) {
-    if constexpr (std::is_floating_point_v<X>)
+    if constexpr (is_number<X>)
         return x * y;
     else {
         using Matrix = typename decltype(x * y.transpose())::PlainObject;

@@ -8,6 +8,20 @@
 
 namespace timestep {
 
+/// Is `X` one real number, a built-in one, or a pack of them that adds and multiplies as one does
+/// (lanes.hpp)?
+template <class X>
+inline constexpr bool is_number = std::is_arithmetic_v<X>;
+
+/// Calls `look(a, b, …)` with real numbers, or lane by lane where they are packs of them.
+template <class Look, class Real, class... More>
+void for_each_number(const Look& look, const Real& a, const More&... more) {
+    if constexpr (std::is_arithmetic_v<Real>)
+        look(a, more...);
+    else
+        for (int i = 0; i < Real::lanes; ++i) look(a[i], more[i]...);
+}
+
 /// \cond
 namespace detail {
 template <class X>
@@ -15,7 +29,7 @@ struct RealOf {
     using type = typename X::Scalar;  // an Eigen vector, a State: they name their real number
 };
 template <class X>
-    requires std::is_arithmetic_v<X>
+    requires is_number<X>
 struct RealOf<X> {
     using type = X;
 };
@@ -30,7 +44,7 @@ struct Kept {
     using type = NumberAndVector;
 };
 template <class A, class B>
-    requires std::is_arithmetic_v<A> && std::is_arithmetic_v<B>
+    requires is_number<A> && is_number<B>
 struct Kept<A, B> : std::common_type<A, B> {};
 template <class A, class B>
     requires std::same_as<typename A::PlainObject, typename B::PlainObject>

@@ -22,7 +22,7 @@ auto plus(const A& a, const B& b) {
     else if constexpr (std::is_same_v<B, Absent>)
         return a;
     else {
-        using Sum = std::conditional_t<std::is_floating_point_v<A>, B, A>;  // a matrix if either is
+        using Sum = std::conditional_t<is_number<A>, B, A>;  // a matrix if either is
         return Sum(times_identity<Sum>(a) + times_identity<Sum>(b));
     }
 }

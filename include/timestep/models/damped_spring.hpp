@@ -22,10 +22,14 @@ struct DampedSpring {
     /// Throws `std::invalid_argument`.
     DampedSpring(Real omega_, Real zeta_)
         : omega(not_negative("omega", omega_)), zeta(not_negative("zeta", zeta_)) {
-        if (!std::isfinite(omega * omega))
-            refuse("omega", omega, "small enough that its square is finite");
-        if (!std::isfinite(2 * zeta * omega))
-            refuse("zeta", zeta, "small enough that 2 zeta omega is finite");
+        for_each_number(
+            [](auto w, auto z) {
+                if (!std::isfinite(w * w))
+                    refuse("omega", w, "small enough that its square is finite");
+                if (!std::isfinite(2 * z * w))
+                    refuse("zeta", z, "small enough that 2 zeta omega is finite");
+            },
+            omega, zeta);
     }
 
     /// From stiffness k in N/m, damping c in N·s/m and mass m in kg: ω = √(k/m), ζ = c / (2√(k m)).

@@ -19,7 +19,12 @@ struct Spring {
 
     /// `omega` in rad/s, zero or more, its square finite. Throws `std::invalid_argument`.
     explicit Spring(Real omega_) : omega(not_negative("omega", omega_)) {
-        if (!std::isfinite(omega * omega)) refuse("omega", omega, "small enough that its square is finite");
+        for_each_number(
+            [](auto w) {
+                if (!std::isfinite(w * w))
+                    refuse("omega", w, "small enough that its square is finite");
+            },
+            omega);
     }
 
     /// From stiffness k in N/m and mass m in kg: ω = √(k/m), the roots first, as k/m may overflow
@@ -43,7 +48,7 @@ struct Spring {
     /// Energy per unit of mass, m²/s²: kinetic ½v² and stored ½ω²x².
     template <class X>
     real_of<X> energy(const State<X>& s) const {
-        if constexpr (std::is_floating_point_v<X>)
+        if constexpr (is_number<X>)
             return (s.v * s.v + omega * omega * s.x * s.x) / 2;
         else
             return (s.v.squaredNorm() + omega * omega * s.x.squaredNorm()) / 2;

@@ -65,11 +65,15 @@ namespace detail {
 // equality, so roundoff is allowed for.
 template <class Real>
 void triangle_rule(Real a, Real b, Real c) {
-    const Real allowance = 1 + 8 * std::numeric_limits<Real>::epsilon();
-    const Real largest = std::max({a, b, c});
-    const Real others = largest == a ? b + c : largest == b ? c + a : a + b;
-    if (!(largest <= others * allowance))
-        refuse("moment of inertia", largest, "at most the sum of the other two moments");
+    for_each_number(
+        [](auto I1, auto I2, auto I3) {
+            const auto allowance = 1 + 8 * std::numeric_limits<decltype(I1)>::epsilon();
+            const auto largest = std::max({I1, I2, I3});
+            const auto others = largest == I1 ? I2 + I3 : largest == I2 ? I3 + I1 : I1 + I2;
+            if (!(largest <= others * allowance))
+                refuse("moment of inertia", largest, "at most the sum of the other two moments");
+        },
+        a, b, c);
 }
 }  // namespace detail
 /// \endcond

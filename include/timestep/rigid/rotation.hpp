@@ -39,9 +39,11 @@ Matrix3<Real> skew(const Vector3<Real>& a) {
 /// [attitude]
 template <class Real>
 Quaternion<Real> turned(const Quaternion<Real>& q1, const Vector3<Real>& omega, Real h) {
+    using std::sqrt;
     const Vector3<Real> half = h / 2 * omega;
     const Quaternion<Real> rate = Quaternion<Real>(0, half.x(), half.y(), half.z()) * q1;
-    return Quaternion<Real>(q1.coeffs() + rate.coeffs()).normalized();
+    const Quaternion<Real> q2(q1.coeffs() + rate.coeffs());
+    return Quaternion<Real>(q2.coeffs() / sqrt(q2.squaredNorm()));
 }
 /// [attitude]
 

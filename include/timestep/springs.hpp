@@ -1,0 +1,101 @@
+#pragma once
+/// \file
+/// Many springs: an array a quantity, in packs.
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <timestep/lanes.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/state.hpp>
+
+namespace timestep {
+
+/// Springs by the thousand, all at the same time `t`. Places, velocities and springs lie in an array
+/// each, so that one instruction loads a pack of them.
+///
+/// The last pack is filled up with copies of the last spring. They are stepped with the others and
+/// nobody looks at them; so there is no second loop for what is left over, and no lane that computes
+/// with garbage, which might be slow.
+template <class Real>
+class Springs {
+public:
+    using Pack = Lanes<Real>;  ///< so many are stepped at once
+
+    /// Adds a spring, which has checked its parameter itself, at `x` in m with `v` in m/s. Throws
+    /// `std::invalid_argument` where they are not finite.
+    void add(const Spring<Real>& spring, Real x, Real v) {
+        finite("position", x), finite("velocity", v);
+        const int lane = int(size_ % Pack::lanes);
+        if (lane == 0) springs_.emplace_back(spring.omega), x_.emplace_back(x), v_.emplace_back(v);
+        for (int i = lane; i < Pack::lanes; ++i) {
+            springs_.back().omega.set(i, spring.omega);
+            x_.back().set(i, x);
+            v_.back().set(i, v);
+        }
+        ++size_;
+    }
+
+    /// How many there are.
+    std::size_t size() const { return size_; }
+    /// How many packs they fill.
+    std::size_t packs() const { return x_.size(); }
+    /// The state of spring `i`.
+    State<Real> operator[](std::size_t i) const {
+        const std::size_t pack = i / Pack::lanes;
+        const int lane = int(i % Pack::lanes);
+        return {t, x_[pack][lane], v_[pack][lane]};
+    }
+
+    /// Takes `steps` steps of `h` seconds. With more than one, a spring takes all of them while it is
+    /// in the processor's registers: to fetch it from memory takes longer than to step it.
+    template <class Method>
+    void step(const Method& method, Real h, long steps = 1) {
+        step(method, h, steps, 0, packs());
+        for (long n = 0; n < steps; ++n) t += h;
+    }
+
+    /// The same for the packs from `first` to before `last`, without the time: a thread's share.
+    template <class Method>
+    void step(const Method& method, Real h, long steps, std::size_t first, std::size_t last) {
+        for (; first + under_way <= last; first += under_way)
+            together<under_way>(method, h, steps, first);
+        rest<under_way - 1>(method, h, steps, first, last);
+    }
+
+    Real t = 0;  ///< time, s
+
+private:
+    // A step waits for the step before it, a few cycles an operation; with some packs under way the
+    // processor does not. As many as its registers hold: 32 of 64 bytes, or 16 shorter ones.
+    static constexpr std::size_t under_way = detail::register_bytes == 64 ? 8 : 4;
+
+    /// [together]
+    template <std::size_t Packs, class Method>
+    TIMESTEP_INLINE void together(const Method& method, Pack h, long steps,
+                                  std::size_t first) {
+        [&]<std::size_t... i>(std::index_sequence<i...>) {
+            const Spring<Pack> spring[] = {springs_[first + i]...};
+            State<Pack> s[] = {State<Pack>{0, x_[first + i], v_[first + i]}...};
+            for (long n = 0; n < steps; ++n)
+                ((s[i] = method.step(spring[i], s[i], h)), ...);
+            ((x_[first + i] = s[i].x, v_[first + i] = s[i].v), ...);
+        }(std::make_index_sequence<Packs>());
+    }
+    /// [together]
+
+    template <std::size_t Packs, class Method>
+    void rest(const Method& method, Real h, long steps, std::size_t first, std::size_t last) {
+        if (last - first == Packs)
+            together<Packs>(method, h, steps, first);
+        else if constexpr (Packs > 1)
+            rest<Packs - 1>(method, h, steps, first, last);
+    }
+
+    std::size_t size_ = 0;
+    std::vector<Spring<Pack>> springs_;
+    std::vector<Pack> x_, v_;
+};
+
+}  // namespace timestep
