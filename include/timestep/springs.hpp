@@ -69,7 +69,7 @@ public:
 private:
     // A step waits for the step before it, a few cycles an operation; with some packs under way the
     // processor does not. As many as its registers hold: 32 of 64 bytes, or 16 shorter ones.
-    static constexpr std::size_t under_way = detail::register_bytes == 64 ? 8 : 4;
+    static constexpr std::size_t under_way = detail::register_bytes == 64 ? 8 : 6;
 
     /// [together]
     template <std::size_t Packs, class Method>

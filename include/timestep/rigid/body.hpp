@@ -51,8 +51,8 @@ Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
     if constexpr (!Inertia::gyroscopic) {
         return omega;
     } else {
-        const Vector3<Real> body = R.transpose() * omega;
-        return R * solver.step(inertia, body, h);
+        const Vector3<Real> body = in_body(R, omega);
+        return in_world(R, solver.step(inertia, body, h));
     }
 }
 /// [gyroscopic]

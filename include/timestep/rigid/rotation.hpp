@@ -30,6 +30,26 @@ Matrix3<Real> skew(const Vector3<Real>& a) {
 }
 /// [skew]
 
+/// A vector in world coordinates whose body coordinates are `v`: R v, where `R` is the attitude as a
+/// matrix. Spelt out, as at -O2 a compiler
+/// may call Eigen's product for each of the three.
+template <class Real>
+TIMESTEP_INLINE
+Vector3<Real> in_world(const Matrix3<Real>& R, const Vector3<Real>& v) {
+    const Real x = v.x(), y = v.y(), z = v.z();
+    return {R(0, 0) * x + R(0, 1) * y + R(0, 2) * z, R(1, 0) * x + R(1, 1) * y + R(1, 2) * z,
+            R(2, 0) * x + R(2, 1) * y + R(2, 2) * z};
+}
+
+/// A vector in body coordinates whose world coordinates are `v`: Rᵀ v.
+template <class Real>
+TIMESTEP_INLINE
+Vector3<Real> in_body(const Matrix3<Real>& R, const Vector3<Real>& v) {
+    const Real x = v.x(), y = v.y(), z = v.z();
+    return {R(0, 0) * x + R(1, 0) * y + R(2, 0) * z, R(0, 1) * x + R(1, 1) * y + R(2, 1) * z,
+            R(0, 2) * x + R(1, 2) * y + R(2, 2) * z};
+}
+
 /// The attitude after `h` seconds at the angular velocity `omega`, in rad/s and world coordinates
 /// (N42): q̇ = ½ ω q, where ω stands for the quaternion (0, ω). One Euler step leaves the unit
 /// quaternions, so the result is scaled back to length one. A step turns the body by

@@ -16,7 +16,8 @@ Vector3<Real> solve3(const Vector3<Real>& a, const Vector3<Real>& b, const Vecto
                      const Vector3<Real>& right) {
     const Vector3<Real> b_c = b.cross(c), c_a = c.cross(a), a_b = a.cross(b);
     const Real volume = a.dot(b_c);
-    return Vector3<Real>(right.dot(b_c), right.dot(c_a), right.dot(a_b)) / volume;
+    const Real share = 1 / volume;  // a division takes as long as ten products
+    return share * Vector3<Real>(right.dot(b_c), right.dot(c_a), right.dot(a_b));
 }
 /// [solve]
 

@@ -1,0 +1,44 @@
+#pragma once
+// What the two halves of bench_many share: rows that are timed in turns.
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace many {
+
+struct Row {
+    std::string name;
+    std::function<void()> pass;  // once over all
+    double steps;                // that a pass takes: bodies, times the steps of each
+    double nanoseconds = 1e9;    // a step, in the fastest turn
+    long passes = 1;             // a turn
+};
+
+inline double time_of(const Row& row) {
+    const auto start = std::chrono::steady_clock::now();
+    for (long i = 0; i < row.passes; ++i) row.pass();
+    const std::chrono::duration<double, std::nano> passed = std::chrono::steady_clock::now() - start;
+    return passed.count() / (double(row.passes) * row.steps);
+}
+
+// In turns; the fastest turn is the one that nothing disturbed. A turn takes some 100 µs or a pass.
+inline void measure(std::vector<Row>& rows, int turns) {
+    for (Row& row : rows) {
+        row.pass();
+        const double once = time_of(row) * row.steps;
+        row.passes = std::max(1l, long(1e5 / once));
+    }
+    for (int turn = 0; turn < turns; ++turn)
+        for (Row& row : rows) row.nanoseconds = std::min(row.nanoseconds, time_of(row));
+}
+
+// "target: at most 0.012, reached".
+std::string target(double value, double limit, bool at_most = true);
+
+int bodies();   // many_bodies.cpp
+int springs();  // many_springs.cpp
+
+}  // namespace many
