@@ -138,3 +138,6 @@ keys = ""
 do for [k = 1:8] { keys = keys.sprintf("NaN with lines %s title '%s', ", value(word(styles, k)), title_of(k)) }
 eval "plot ".keys."NaN with lines lc rgb '#b8b8b8' lw 1.5 title 'the appendix'"
 unset multiplot
+
+load folder."../../chapters/08_beyond_the_talk/many.gp"
+load folder."../../chapters/08_beyond_the_talk/tumbling.gp"

@@ -1,0 +1,213 @@
+// Many springs and many bodies: what one of them costs, from a hundred to a million.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#if __has_include(<unistd.h>)
+#include <unistd.h>
+#endif
+
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/rigid/many_bodies.hpp>
+#include <timestep/share_out.hpp>
+#include <timestep/springs.hpp>
+
+#include "sections.hpp"
+
+using namespace timestep;
+
+namespace {
+
+constexpr std::size_t most = 1000000;
+constexpr long several = 32;  // steps a pass over memory
+constexpr float h = 1.0f / 60;
+using Pack = Lanes<float>;
+constexpr std::size_t lanes = Pack::lanes;
+
+// One way to step the first `count` of all; `steps` of each in a pass.
+struct Way {
+    std::string key;
+    std::function<void(std::size_t count)> pass;
+    long steps = 1;
+    double nanoseconds = 0;  // a step of one, for the count that is measured
+};
+
+// In turns; the fastest turn is the one that nothing disturbed.
+void measure(std::vector<Way>& ways, std::size_t count) {
+    for (Way& way : ways) way.nanoseconds = 1e9;
+    const long passes = std::max(1l, long(20000 / count));
+    for (int turn = 0; turn < (count > 100000 ? 2 : 4); ++turn)
+        for (Way& way : ways) {
+            const auto start = std::chrono::steady_clock::now();
+            for (long i = 0; i < passes; ++i) way.pass(count);
+            const std::chrono::duration<double, std::nano> passed =
+                std::chrono::steady_clock::now() - start;
+            const double steps = double(passes) * double(way.steps) * double(count);
+            way.nanoseconds = std::min(way.nanoseconds, passed.count() / steps);
+        }
+}
+
+// The whole range, into a data file; afterwards the ways hold the times of `most`.
+void measure_all(std::vector<Way>& ways, lab::Table& table) {
+    for (const double size : {1e2, 2e2, 5e2, 1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6}) {
+        measure(ways, std::size_t(size));
+        std::vector<lab::Cell> row{size};
+        for (const Way& way : ways) row.push_back(way.nanoseconds);
+        table.row(row);
+    }
+}
+
+// The caches, and how many springs and bodies each of them holds.
+void caches(double spring_bytes, double body_bytes, lab::Findings& out) {
+    auto& table = out.table("many_caches.tsv", {"name", "springs", "bodies"});
+    long first = 0, second = 0, third = 0;
+#ifdef _SC_LEVEL3_CACHE_SIZE
+    first = sysconf(_SC_LEVEL1_DCACHE_SIZE);
+    second = sysconf(_SC_LEVEL2_CACHE_SIZE);
+    third = sysconf(_SC_LEVEL3_CACHE_SIZE);
+#endif
+    const auto mark = [&](const char* name, long bytes) {
+        if (bytes > 0)
+            table.row({std::string(name), double(bytes) / spring_bytes, double(bytes) / body_bytes});
+    };
+    mark("L1", first), mark("L2", second), mark("L3", third);
+    table.row({std::string(" "), 1.0, 1.0});  // where nothing is known: left of the picture
+}
+
+void many_springs(lab::Findings& out) {
+    std::vector<Spring<float>> alone;
+    std::vector<State<float>> states;
+    Springs<float> once, often;
+    for (std::size_t i = 0; i < most; ++i) {
+        const float x = 1 + float(i % 7);
+        alone.emplace_back(1 + float(i % 100) / 10);
+        states.push_back({0, x, 0});
+        once.add(alone.back(), x, 0), often.add(alone.back(), x, 0);
+    }
+    const auto packs = [](std::size_t count) { return (count + lanes - 1) / lanes; };
+    /// [ways]
+    std::vector<Way> ways{
+        {"one_by_one", [&](std::size_t count) {
+             for (std::size_t i = 0; i < count; ++i)
+                 states[i] = semi_implicit_euler.step(alone[i], states[i], h);
+         }},
+        {"lanes", [&](std::size_t count) {
+             once.step(semi_implicit_euler, h, 1, 0, packs(count));
+         }},
+        {"several", [&](std::size_t count) {
+             often.step(semi_implicit_euler, h, several, 0, packs(count));
+         }, several}};
+    /// [ways]
+    for (Way& way : ways)
+        for (long n = 0; n < several; n += way.steps) way.pass(most);
+    bool same = true;
+    for (std::size_t i = 0; i < most; ++i)
+        same = same && states[i].x == once[i].x && states[i].x == often[i].x;
+    out.check("many_springs_same", same,
+              "a million springs: one by one, in lanes and many steps a pass agree to the last bit");
+
+    auto& table = out.table("many_springs.tsv", {"count", "one_by_one", "lanes", "several"});
+    measure_all(ways, table);
+    const double alone_ns = ways[0].nanoseconds, lanes_ns = ways[1].nanoseconds,
+                 several_ns = ways[2].nanoseconds;
+    std::printf("a million springs, ns a step: %.2f one by one, %.2f in lanes, %.3f with %ld steps "
+                "a pass\n", alone_ns, lanes_ns, several_ns, several);
+    out.number("many_lanes", double(lanes), "", "numbers of type float in a pack");
+    out.number("many_steps", double(several), "", "steps a pass over memory, where it is several");
+    out.number("many_springs_ratio", alone_ns / several_ns, "",
+               "a million springs: several steps a pass, times as fast as one by one", 2);
+    out.number("many_springs_lanes", alone_ns / lanes_ns, "",
+               "a million springs: in lanes, times as fast as one by one", 2);
+    out.number("many_springs_passes", lanes_ns / several_ns, "",
+               "a million springs: several steps a pass, times as fast as one", 2);
+    out.check("many_springs_several", several_ns < lanes_ns,
+              "a million springs: several steps a pass take less time than one");
+}
+
+void many_bodies(lab::Findings& out) {
+    struct Member {
+        PrincipalInertia<float> inertia;
+        RigidState<float> state;
+    };
+    std::vector<Member> boxes;
+    ManyBodies<float, UniformInertia, PrincipalInertia> all, shared;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> side(0.5f, 2), number(-5, 5);
+    // A thousand boxes, over and over: to make a million costs more than to step them.
+    for (std::size_t i = 0; i < most; ++i) {
+        if (i < 1000) {
+            const Vector3<float> omega(number(random), number(random), number(random));
+            const float a = side(random), b = side(random), c = side(random);
+            boxes.push_back({box(10.0f, a, b, c), {0, Quaternion<float>::Identity(), omega}});
+        } else {
+            const Member again = boxes[i % 1000];
+            boxes.push_back(again);
+        }
+        all.add(boxes.back().inertia, boxes.back().state.q, boxes.back().state.omega);
+    }
+    const UniformInertia<float> ball = sphere(1.0f, 1.0f);
+    for (std::size_t i = 0; i < most; ++i) all.add(ball, boxes[i].state.q, boxes[i].state.omega);
+
+    auto& packs = all.packs<PrincipalInertia>();
+    auto& balls = all.packs<UniformInertia>();
+    const auto some = [](auto& of, std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) of[i].step(passive_gyroscopic, h);
+    };
+    const unsigned threads = std::clamp(std::thread::hardware_concurrency(), 2u, 4u);
+    std::vector<Way> ways{
+        {"one_by_one", [&](std::size_t count) {
+             for (std::size_t i = 0; i < count; ++i)
+                 boxes[i].state = turn(passive_gyroscopic, boxes[i].inertia, boxes[i].state, h);
+         }},
+        {"lanes", [&](std::size_t count) { some(packs, 0, (count + lanes - 1) / lanes); }},
+        {"balls", [&](std::size_t count) { some(balls, 0, (count + lanes - 1) / lanes); }}};
+    for (Way& way : ways) way.pass(most);
+    double worst = 0;
+    for (std::size_t i = 0; i < 1000; ++i) {
+        const RigidState<float> packed = all.state<PrincipalInertia>(i);
+        const Vector3<float> off = packed.omega - boxes[i].state.omega;
+        worst = std::max(worst, double(off.norm()));
+        worst = std::max(worst, double((packed.q.coeffs() - boxes[i].state.q.coeffs()).norm()));
+    }
+    out.check("many_bodies_same", worst < 1e-5,
+              "boxes: one by one and in lanes agree, but for the last roundings");
+
+    ways.push_back({"threads", [&](std::size_t count) {
+                        share_out((count + lanes - 1) / lanes, threads,
+                                  [&](std::size_t a, std::size_t b) { some(packs, a, b); });
+                    }});
+    auto& table = out.table("many_bodies.tsv", {"count", "one_by_one", "lanes", "balls", "threads"});
+    measure_all(ways, table);
+    measure(ways, 10000);
+    const double alone_ns = ways[0].nanoseconds, lanes_ns = ways[1].nanoseconds,
+                 balls_ns = ways[2].nanoseconds;
+    std::printf("ten thousand boxes, ns a step: %.1f one by one, %.1f in lanes; a ball %.1f\n",
+                alone_ns, lanes_ns, balls_ns);
+    out.number("many_bodies_ratio", alone_ns / lanes_ns, "",
+               "ten thousand boxes: in lanes, times as fast as one by one", 2);
+    out.number("many_box_ns", lanes_ns, "ns", "a step of a box among ten thousand, in lanes", 2);
+    out.number("many_ball_ns", balls_ns, "ns", "a step of a ball among ten thousand, in lanes", 2);
+    out.number("many_ms", 1e6 / lanes_ns, "", "boxes that a millisecond has room for", 2);
+    out.number("many_threads", double(threads), "", "threads of the curve with several");
+    out.check("many_bodies_lanes", lanes_ns < alone_ns,
+              "ten thousand boxes take less time in lanes than one by one");
+    out.check("many_balls", balls_ns < lanes_ns, "a ball takes less time than a box");
+}
+
+}  // namespace
+
+void many(const Settings&, lab::Findings& out) {
+    out.section("Many bodies");
+    std::printf("a pack holds %zu numbers of type float\n", lanes);
+    many_springs(out);
+    many_bodies(out);
+    caches(sizeof(Spring<Pack>) / double(lanes) + 2 * sizeof(float),
+           sizeof(BodyPack<PrincipalInertia<Pack>>) / double(lanes), out);
+}
