@@ -112,7 +112,7 @@ void ten_thousand(lab::Findings& out) {
 
 // Boxes, needles, plates and balls in rows, the last row first.
 void some(lab::Findings& out) {
-    constexpr int rows = 5, columns = 8, pictures = 100, steps = 3;
+    constexpr int rows = 5, columns = 8, pictures = 80, steps = 3;
     ManyBodies<float, UniformInertia, SymmetricInertia, PrincipalInertia> bodies;
     std::mt19937 random(4);
     std::uniform_real_distribution<float> spin(-1, 1);
@@ -129,7 +129,8 @@ void some(lab::Findings& out) {
         bodies.add(needle, q, Vector3<float>(q * Vector3<float>(2, 1, 4 * turn)));
         bodies.add(ball, q, Vector3<float>(small(), turn, turn));
     }
-    const auto plank_faces = film::box(0.45, 0.8, 1.2, 0), plate_faces = film::box(1.05, 0.75, 0.1, 1);
+    const auto plank_faces = film::box(0.45, 0.8, 1.2, 0),
+               plate_faces = film::box(1.05, 0.75, 0.1, 1);
     const auto needle_faces = film::box(0.12, 0.12, 1.35, 2), ball_faces = film::ball(0.4, 3);
     film::Film pictures_of(out, "tumbling.tsv");
     for (int picture = 0; picture < pictures; ++picture) {

@@ -1,6 +1,7 @@
 #pragma once
-// Convex bodies in perspective, shaded, as polygons for gnuplot. What looks away from the eye is left
-// out; rows of bodies are drawn from the last to the first, so that a body hides what is behind it.
+// Convex bodies in perspective, shaded, as polygons for gnuplot. What looks away from the eye is
+// left out; rows of bodies are drawn from the last to the first, so that a body hides what is
+// behind it.
 
 #include <algorithm>
 #include <cmath>
@@ -29,14 +30,16 @@ public:
         : table_(out.table(file, {"x", "y", "paint"})) {}
 
     // The eye looks along the world's y axis and downwards.
-    void body(const std::vector<Face>& faces, const timestep::Quaternion<double>& q, const V& place) {
+    void body(const std::vector<Face>& faces, const timestep::Quaternion<double>& q,
+              const V& place) {
         const V eye(0, -9, 8), light = V(-0.5, -0.5, 0.9).normalized();
         const V ahead = (V(0, 3.4, 0) - eye).normalized(), up = V::UnitX().cross(ahead);
         for (const Face& face : faces) {
             const V a = face.corners[1] - face.corners[0], b = face.corners[2] - face.corners[1];
             const V normal = q * a.cross(b).normalized();
             if (normal.dot(eye - place - q * face.corners[0]) <= 0) continue;
-            const double bright = std::clamp(0.25 + 0.75 * (0.5 + 0.5 * normal.dot(light)), 0.0, 0.999);
+            const double bright =
+                std::clamp(0.25 + 0.75 * (0.5 + 0.5 * normal.dot(light)), 0.0, 0.999);
             if (started_) table_.gap();
             started_ = true;
             for (const V& corner : face.corners) {

@@ -75,7 +75,8 @@ void caches(double spring_bytes, double body_bytes, lab::Findings& out) {
 #endif
     const auto mark = [&](const char* name, long bytes) {
         if (bytes > 0)
-            table.row({std::string(name), double(bytes) / spring_bytes, double(bytes) / body_bytes});
+            table.row(
+                {std::string(name), double(bytes) / spring_bytes, double(bytes) / body_bytes});
     };
     mark("L1", first), mark("L2", second), mark("L3", third);
     table.row({std::string(" "), 1.0, 1.0});  // where nothing is known: left of the picture
@@ -92,33 +93,34 @@ void many_springs(lab::Findings& out) {
         once.add(alone.back(), x, 0), often.add(alone.back(), x, 0);
     }
     const auto packs = [](std::size_t count) { return (count + lanes - 1) / lanes; };
-    /// [ways]
     std::vector<Way> ways{
-        {"one_by_one", [&](std::size_t count) {
+        {"one_by_one",
+         [&](std::size_t count) {
              for (std::size_t i = 0; i < count; ++i)
                  states[i] = semi_implicit_euler.step(alone[i], states[i], h);
          }},
-        {"lanes", [&](std::size_t count) {
-             once.step(semi_implicit_euler, h, 1, 0, packs(count));
-         }},
-        {"several", [&](std::size_t count) {
-             often.step(semi_implicit_euler, h, several, 0, packs(count));
-         }, several}};
-    /// [ways]
+        {"lanes",
+         [&](std::size_t count) { once.step(semi_implicit_euler, h, 1, 0, packs(count)); }},
+        {"several",
+         [&](std::size_t count) { often.step(semi_implicit_euler, h, several, 0, packs(count)); },
+         several}};
     for (Way& way : ways)
         for (long n = 0; n < several; n += way.steps) way.pass(most);
     bool same = true;
     for (std::size_t i = 0; i < most; ++i)
         same = same && states[i].x == once[i].x && states[i].x == often[i].x;
-    out.check("many_springs_same", same,
-              "a million springs: one by one, in lanes and many steps a pass agree to the last bit");
+    out.check(
+        "many_springs_same", same,
+        "a million springs: one by one, in lanes and many steps a pass agree to the last bit");
 
     auto& table = out.table("many_springs.tsv", {"count", "one_by_one", "lanes", "several"});
     measure_all(ways, table);
     const double alone_ns = ways[0].nanoseconds, lanes_ns = ways[1].nanoseconds,
                  several_ns = ways[2].nanoseconds;
-    std::printf("a million springs, ns a step: %.2f one by one, %.2f in lanes, %.3f with %ld steps "
-                "a pass\n", alone_ns, lanes_ns, several_ns, several);
+    std::printf(
+        "a million springs, ns a step: %.2f one by one, %.2f in lanes, %.3f with %ld steps "
+        "a pass\n",
+        alone_ns, lanes_ns, several_ns, several);
     out.number("many_lanes", double(lanes), "", "numbers of type float in a pack");
     out.number("many_steps", double(several), "", "steps a pass over memory, where it is several");
     out.number("many_springs_ratio", alone_ns / several_ns, "",
@@ -162,7 +164,8 @@ void many_bodies(lab::Findings& out) {
     };
     const unsigned threads = std::clamp(std::thread::hardware_concurrency(), 2u, 4u);
     std::vector<Way> ways{
-        {"one_by_one", [&](std::size_t count) {
+        {"one_by_one",
+         [&](std::size_t count) {
              for (std::size_t i = 0; i < count; ++i)
                  boxes[i].state = turn(passive_gyroscopic, boxes[i].inertia, boxes[i].state, h);
          }},
@@ -183,7 +186,8 @@ void many_bodies(lab::Findings& out) {
                         share_out((count + lanes - 1) / lanes, threads,
                                   [&](std::size_t a, std::size_t b) { some(packs, a, b); });
                     }});
-    auto& table = out.table("many_bodies.tsv", {"count", "one_by_one", "lanes", "balls", "threads"});
+    auto& table =
+        out.table("many_bodies.tsv", {"count", "one_by_one", "lanes", "balls", "threads"});
     measure_all(ways, table);
     measure(ways, 10000);
     const double alone_ns = ways[0].nanoseconds, lanes_ns = ways[1].nanoseconds,

@@ -2,10 +2,10 @@
 /// \file
 /// Several real numbers in one: the formulas of a step, unchanged, take many bodies at once.
 ///
-/// A processor adds eight or sixteen numbers as fast as one. `Lanes<float, 8>` is eight of them that
-/// add, multiply and divide as one number does, lane by lane. So `Spring<Lanes<float, 8>>` is eight
-/// springs, and every template of this library steps them by the source that steps one. What is
-/// vectorised is decided by the type, not by the optimiser's mercy.
+/// A processor adds eight or sixteen numbers as fast as one. `Lanes<float, 8>` is eight of them
+/// that add, multiply and divide as one number does, lane by lane. So `Spring<Lanes<float, 8>>` is
+/// eight springs, and every template of this library steps them by the source that steps one. What
+/// is vectorised is decided by the type, not by the optimiser's mercy.
 
 #include <cmath>
 #include <cstddef>
@@ -81,13 +81,13 @@ using Pack = ArrayPack<Real, N>;
 template <class Real>
 inline constexpr int native_width = detail::register_bytes / int(sizeof(Real));
 
-/// `N` real numbers, a power of two, in one value. Comparisons have no one answer for all lanes and do
-/// not exist: a formula with a branch does not compile. Where Eigen's vectors hold them, `N` is at most
-/// the native width.
+/// `N` real numbers, a power of two, in one value. Comparisons have no one answer for all lanes and
+/// do not exist: a formula with a branch does not compile. Where Eigen's vectors hold them, `N` is
+/// at most the native width.
 template <class Real, int N = native_width<Real>, class Pack = detail::Pack<Real, N>>
 class Lanes {
 public:
-    using Number = Real;              ///< of a lane
+    using Number = Real;             ///< of a lane
     static constexpr int lanes = N;  ///< how many there are
 
     Lanes() = default;

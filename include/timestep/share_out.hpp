@@ -8,9 +8,9 @@
 
 namespace timestep {
 
-/// Calls `work(first, last)` for `threads` equal shares of 0 … `count`, each in a thread of its own, the
-/// last one in the caller's, and waits for all. To start a thread takes as long as to step some
-/// thousands of bodies: it pays where a share is larger than that. `work` must not throw.
+/// Calls `work(first, last)` for `threads` equal shares of 0 … `count`, each in a thread of its
+/// own, the last one in the caller's, and waits for all. To start a thread takes as long as to step
+/// some thousands of bodies: it pays where a share is larger than that. `work` must not throw.
 template <class Work>
 void share_out(std::size_t count, unsigned threads, const Work& work) {
     const auto share = [&](unsigned i) { work(count * i / threads, count * (i + 1) / threads); };

@@ -12,12 +12,12 @@
 
 namespace timestep {
 
-/// Springs by the thousand, all at the same time `t`. Places, velocities and springs lie in an array
-/// each, so that one instruction loads a pack of them.
+/// Springs by the thousand, all at the same time `t`. Places, velocities and springs lie in an
+/// array each, so that one instruction loads a pack of them.
 ///
 /// The last pack is filled up with copies of the last spring. They are stepped with the others and
-/// nobody looks at them; so there is no second loop for what is left over, and no lane that computes
-/// with garbage, which might be slow.
+/// nobody looks at them; so there is no second loop for what is left over, and no lane that
+/// computes with garbage, which might be slow.
 template <class Real>
 class Springs {
 public:
@@ -48,8 +48,8 @@ public:
         return {t, x_[pack][lane], v_[pack][lane]};
     }
 
-    /// Takes `steps` steps of `h` seconds. With more than one, a spring takes all of them while it is
-    /// in the processor's registers: to fetch it from memory takes longer than to step it.
+    /// Takes `steps` steps of `h` seconds. With more than one, a spring takes all of them while it
+    /// is in the processor's registers: to fetch it from memory takes longer than to step it.
     template <class Method>
     void step(const Method& method, Real h, long steps = 1) {
         step(method, h, steps, 0, packs());

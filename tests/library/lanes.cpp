@@ -67,7 +67,8 @@ TEMPLATE_TEST_CASE("a lane computes what one number does, to the last bit", "[li
     using L = TestType;
     using Real = typename L::Number;
     for (int n = 0; n < 1000; ++n) {
-        const L a = made<L>([] { return between(-3, 3); }), b = made<L>([] { return between(1, 9); });
+        const L a = made<L>([] { return between(-3, 3); }),
+                b = made<L>([] { return between(1, 9); });
         L sum = a, difference = a, product = a, quotient = a;
         sum += b, difference -= b, product *= b, quotient /= b;
         const L minus = -a, root = sqrt(b), third = cbrt(a), sine = sin(a), cosine = cos(a);
@@ -99,7 +100,8 @@ TEMPLATE_TEST_CASE("every method steps a pack of springs as it steps each, to th
     const L zeta = made<L>([] { return between(0, 2); });
     const Real h = Real(0.01);
     const auto compare = [&](const auto& method, const auto& packed, const auto& one_of) {
-        State<L> s{0, made<L>([] { return between(-1, 1); }), made<L>([] { return between(-1, 1); })};
+        State<L> s{0, made<L>([] { return between(-1, 1); }),
+                   made<L>([] { return between(-1, 1); })};
         std::vector<State<Real>> one;
         for (int i = 0; i < L::lanes; ++i) one.push_back(lane(s, i));
         for (int n = 0; n < 200; ++n) {
@@ -134,11 +136,11 @@ TEMPLATE_TEST_CASE("every method steps a pack of springs as it steps each, to th
     });
 }
 
-// In `float` the lanes' bits are those of one body. In `double` Eigen may take a sum of three products
-// two at a time, in another order than a pack does: either is off by 3 roundings of the sum of the
-// sizes, at most √3 |ω| in a row of a rotation. A change of coordinates, a solver with two or three
-// such sums over a number near one, and the way back: 8 sums at the most, 48 roundings or 24 ε.
-// The attitude is a sum of five products, over its length: 8 ε.
+// In `float` the lanes' bits are those of one body. In `double` Eigen may take a sum of three
+// products two at a time, in another order than a pack does: either is off by 3 roundings of the
+// sum of the sizes, at most √3 |ω| in a row of a rotation. A change of coordinates, a solver with
+// two or three such sums over a number near one, and the way back: 8 sums at the most, 48 roundings
+// or 24 ε. The attitude is a sum of five products, over its length: 8 ε.
 TEMPLATE_TEST_CASE("a pack of bodies turns as each does alone", "[library][ch8]",
                    TIMESTEP_ALL_LANES) {
     using L = TestType;
@@ -165,11 +167,13 @@ TEMPLATE_TEST_CASE("a pack of bodies turns as each does alone", "[library][ch8]"
         }
     };
     for (int n = 0; n < 200; ++n) {
-        const L a = made<L>([] { return between(0.5, 2); }), b = made<L>([] { return between(0.5, 2); });
+        const L a = made<L>([] { return between(0.5, 2); }),
+                b = made<L>([] { return between(0.5, 2); });
         const L c = made<L>([] { return between(0.5, 2); });
         const auto all_kinds = [&](const auto& solver) {
             compare(solver, sphere(L(10), a), [&](int i) { return sphere(Real(10), a[i]); });
-            compare(solver, capsule(L(10), a, b), [&](int i) { return capsule(Real(10), a[i], b[i]); });
+            compare(solver, capsule(L(10), a, b),
+                    [&](int i) { return capsule(Real(10), a[i], b[i]); });
             compare(solver, box(L(10), a, b, c),
                     [&](int i) { return box(Real(10), a[i], b[i], c[i]); });
         };
@@ -189,9 +193,8 @@ TEST_CASE("a pack refuses what any of its lanes refuses", "[library][ch8]") {
     CHECK_NOTHROW(Spring(with(2)));
     CHECK_THROWS_MATCHES(Spring(with(-3)), std::invalid_argument,
                          Message("omega = -3: must be finite and zero or more"));
-    CHECK_THROWS_MATCHES(
-        Spring(with(1e200)), std::invalid_argument,
-        Message("omega = 1e+200: must be small enough that its square is finite"));
+    CHECK_THROWS_MATCHES(Spring(with(1e200)), std::invalid_argument,
+                         Message("omega = 1e+200: must be small enough that its square is finite"));
     CHECK_THROWS_MATCHES(
         DampedSpring(with(1e150), with(1e200)), std::invalid_argument,
         Message("zeta = 1e+200: must be small enough that 2 zeta omega is finite"));

@@ -14,6 +14,7 @@
 #include <timestep/methods/velocity_verlet.hpp>
 #include <timestep/rigid/many_bodies.hpp>
 #include <timestep/rigid/shapes.hpp>
+#include <timestep/share_out.hpp>
 #include <timestep/springs.hpp>
 
 using namespace timestep;
@@ -91,7 +92,8 @@ TEMPLATE_TEST_CASE("bodies in packs turn as each does alone, kind by kind", "[li
             all.add(brick(i), s.q, s.omega);
         }
         for (int n = 0; n < 20; ++n) all.step(solver, h);
-        const auto check = [&](const auto& inertia, RigidState<Real> s, const RigidState<Real>& is) {
+        const auto check = [&](const auto& inertia, RigidState<Real> s,
+                               const RigidState<Real>& is) {
             const Vector3<Real> start = s.omega;
             for (int n = 0; n < 20; ++n) s = turn(solver, inertia, s, h);
             INFO(solver.name << ", " << count << " of a kind");
@@ -140,4 +142,15 @@ TEST_CASE("a body that is not finite is refused, and nothing is added", "[librar
         std::invalid_argument, Message("body: its state must be finite, its attitude not zero"));
     CHECK(boxes.size<PrincipalInertia>() == 0);
     CHECK(boxes.packs<PrincipalInertia>().empty());
+}
+
+TEST_CASE("shares for threads are every part once, whatever does not divide", "[library][ch8]") {
+    for (const std::size_t count : {0, 1, 2, 7, 1000})
+        for (const unsigned threads : {1u, 2u, 3u, 8u}) {
+            std::vector<int> seen(count, 0);  // no two shares overlap, so no two threads meet here
+            share_out(count, threads, [&](std::size_t first, std::size_t last) {
+                for (std::size_t i = first; i < last; ++i) ++seen[i];
+            });
+            for (const int times : seen) REQUIRE(times == 1);
+        }
 }

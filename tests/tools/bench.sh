@@ -168,7 +168,7 @@ test_a_full_output_is_no_success_of_bench() {
     done
 }
 
-test_the_tables_of_targets_come_from_two_programs() {
+test_the_tables_of_targets_come_from_a_program_a_set_of_flags() {
     for name in loops gyroscopic; do
         for flags in O2 O3_native; do
             printf '#!/bin/sh\necho "%s with %s"\n' $name $flags >build/tools/bench/bench_${name}_$flags
@@ -179,6 +179,14 @@ test_the_tables_of_targets_come_from_two_programs() {
 $name with O3_native"
         says calls "--target bench_${name}_O2 bench_${name}_O3_native"
     done
+    for flags in O2 O2_native O3_native; do
+        printf '#!/bin/sh\necho "many with %s"\n' $flags >build/tools/bench/bench_many_$flags
+        chmod +x build/tools/bench/bench_many_$flags
+    done
+    expect 0 course bench many
+    is "$(cat out)" "many with O2
+many with O2_native
+many with O3_native"
     printf '#!/bin/sh\necho "Bullet is not installed" >&2\nexit 3\n' >build/tools/bench/bench_gyroscopic_O2
     expect 3 course bench gyroscopic
     is "$(cat err)" 'Bullet is not installed'

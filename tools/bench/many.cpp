@@ -1,5 +1,5 @@
-// What a body costs where there are many: springs and gyroscopic steps in lanes, beside loops written
-// by hand, other libraries and the memory itself. The flags are in the programs' names.
+// What a body costs where there are many: springs and gyroscopic steps in lanes, beside loops
+// written by hand, other libraries and the memory itself. The flags are in the programs' names.
 
 #include "many.hpp"
 
@@ -16,8 +16,8 @@ std::string many::target(double value, double limit, bool at_most) {
 
 int main(int argc, char** argv) {
     if (argc > 1) return std::fprintf(stderr, "bench_many: %s: takes no options\n", argv[1]), 2;
-    std::printf("%s: %d lanes in float, %d in double\n", BENCH_FLAGS,
-                timestep::native_width<float>, timestep::native_width<double>);
+    std::printf("%s: %d lanes in float, %d in double\n", BENCH_FLAGS, timestep::native_width<float>,
+                timestep::native_width<double>);
     int status = many::bodies();
     if (status == 0) status = many::springs();
     std::printf("\n");

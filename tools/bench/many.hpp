@@ -20,7 +20,8 @@ struct Row {
 inline double time_of(const Row& row) {
     const auto start = std::chrono::steady_clock::now();
     for (long i = 0; i < row.passes; ++i) row.pass();
-    const std::chrono::duration<double, std::nano> passed = std::chrono::steady_clock::now() - start;
+    const std::chrono::duration<double, std::nano> passed =
+        std::chrono::steady_clock::now() - start;
     return passed.count() / (double(row.passes) * row.steps);
 }
 

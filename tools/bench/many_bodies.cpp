@@ -1,5 +1,5 @@
-// The gyroscopic step of many bodies: world coordinates in, world coordinates out, rotation matrices
-// kept, as in gyroscopic.cpp. A body in lanes is the same struct, with packs for numbers.
+// The gyroscopic step of many bodies: world coordinates in, world coordinates out, rotation
+// matrices kept, as in gyroscopic.cpp. A body in lanes is the same struct, with packs for numbers.
 
 #include "many.hpp"
 
@@ -44,8 +44,8 @@ struct Crates {
             Quaternion<Real> q;
             for (int k = 0; k < 4; ++k) q.coeffs()[k] = Real(normal(random));
             R.push_back(q.normalized().toRotationMatrix());
-            omega.push_back({Real(5 * normal(random)), Real(5 * normal(random)),
-                             Real(5 * normal(random))});
+            omega.push_back(
+                {Real(5 * normal(random)), Real(5 * normal(random)), Real(5 * normal(random))});
         }
     }
     std::vector<Vector3<Real>> sides, omega;
@@ -57,8 +57,8 @@ std::vector<Body<PrincipalInertia<Real>>> one_by_one(const Crates<Real>& crates)
     std::vector<Body<PrincipalInertia<Real>>> all;
     for (std::size_t i = 0; i < crates.R.size(); ++i) {
         const Vector3<Real>& s = crates.sides[i];
-        all.push_back({box(Real(10), s.x(), s.y(), s.z()), crates.R[i], crates.omega[i],
-                       crates.omega[i]});
+        all.push_back(
+            {box(Real(10), s.x(), s.y(), s.z()), crates.R[i], crates.omega[i], crates.omega[i]});
     }
     return all;
 }
@@ -119,8 +119,8 @@ int many::bodies() {
     std::vector<btVector3> bullet_change(few);
     for (const auto& b : alone) {
         const auto& I = b.inertia.moments;
-        bullet.push_back(std::make_unique<btRigidBody>(10, nullptr, nullptr,
-                                                       btVector3(I.x(), I.y(), I.z())));
+        bullet.push_back(
+            std::make_unique<btRigidBody>(10, nullptr, nullptr, btVector3(I.x(), I.y(), I.z())));
         btTransform place;
         place.setOrigin(btVector3(0, 0, 0));
         place.setBasis(btMatrix3x3(b.R(0, 0), b.R(0, 1), b.R(0, 2), b.R(1, 0), b.R(1, 1), b.R(1, 2),
@@ -128,11 +128,13 @@ int many::bodies() {
         bullet.back()->setWorldTransform(place);
         bullet.back()->setAngularVelocity(btVector3(b.omega.x(), b.omega.y(), b.omega.z()));
     }
-    rows.push_back({"Bullet, implicit", [&] {
+    rows.push_back({"Bullet, implicit",
+                    [&] {
                         for (int i = 0; i < few; ++i)
                             bullet_change[std::size_t(i)] =
                                 bullet[std::size_t(i)]->computeGyroscopicImpulseImplicit_Body(h);
-                    }, few});
+                    },
+                    few});
 #endif
     const std::size_t first_of_ours = rows.size();
     rows.push_back(row("one iteration, one by one", alone, implicit_gyroscopic, few));

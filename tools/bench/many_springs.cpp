@@ -66,26 +66,26 @@ struct Contest {
         const double once = double(n), many_times = once * double(several);
         std::vector<many::Row> all;
         all.push_back({"plain loop", [this] { plain(k.data(), x.data(), v.data(), h, n); }, once});
-        all.push_back({"STREAM triad", [this] {
-                           triad(a.data(), triad_b.data(), triad_c.data(), h, n);
-                       }, once});
+        all.push_back({"STREAM triad",
+                       [this] { triad(a.data(), triad_b.data(), triad_c.data(), h, n); }, once});
         all.push_back({"array of structures", [this] { structures(array, h); }, once});
 #ifdef TIMESTEP_WITH_ODEINT
         all.push_back({"odeint, vector state", [this] { odeint_pass(); }, once});
 #endif
-        all.push_back({"lanes, a step a pass", [this] {
-                           springs.step(semi_implicit_euler, h);
-                       }, once});
-        all.push_back({"lanes, 32 steps a pass", [this] {
-                           several_springs.step(semi_implicit_euler, h, several);
-                       }, many_times});
+        all.push_back(
+            {"lanes, a step a pass", [this] { springs.step(semi_implicit_euler, h); }, once});
+        all.push_back({"lanes, 32 steps a pass",
+                       [this] { several_springs.step(semi_implicit_euler, h, several); },
+                       many_times});
         const unsigned threads = std::max(2u, std::thread::hardware_concurrency());
-        all.push_back({std::to_string(threads) + " threads, 32 a pass", [this, threads] {
+        all.push_back({std::to_string(threads) + " threads, 32 a pass",
+                       [this, threads] {
                            const auto share = [&](std::size_t first, std::size_t last) {
                                two_threads.step(semi_implicit_euler, h, several, first, last);
                            };
                            share_out(two_threads.packs(), threads, share);
-                       }, many_times});
+                       },
+                       many_times});
         return all;
     }
 
@@ -166,7 +166,8 @@ bool springs_of(const char* real) {
     std::printf("              32 steps a pass %.1f times as fast%s\n", times,
                 native ? many::target(times, 12, false).c_str() : "");
     std::printf("              the threads %.2f times as fast as one\n", threads);
-    std::printf("              memory moves %.0f GB/s, in the triad %.0f GB/s\n", bandwidth, stream);
+    std::printf("              memory moves %.0f GB/s, in the triad %.0f GB/s\n", bandwidth,
+                stream);
     return true;
 }
 

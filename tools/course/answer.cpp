@@ -70,6 +70,7 @@ void declare_bench(CLI::App& app, Asked& asked) {
     bench->require_subcommand(0, 1);
     bench->add_subcommand("loops", "the library beside loops written by hand, and the targets");
     bench->add_subcommand("gyroscopic", "the gyroscopic solvers beside Bullet's, and the target");
+    bench->add_subcommand("many", "springs and bodies by the thousand, and the targets");
     bench->add_subcommand("latency", "from a saved file to its verdict")
         ->add_option("--rounds", asked.rounds, "checks of each exercise")
         ->check(CLI::Range(1, 1000));
@@ -186,6 +187,7 @@ void answer_bench(const CLI::App& bench, Asked& asked) {
             throw Stop(Status::bad_use, std::string(option) + ": bench " + name + " does not take it" + see_help);
     if (name == "loops") bench_loops();
     if (name == "gyroscopic") bench_gyroscopic();
+    if (name == "many") bench_many();
     if (name == "latency") bench_latency(asked.rounds);
 }
 

@@ -15,9 +15,8 @@ namespace course {
 
 namespace {
 
-// The same source under two sets of flags, one after the other.
-void run_pair(const std::string& name) {
-    const std::vector<std::string> programs{name + "_O2", name + "_O3_native"};
+// The same source under several sets of flags, one after the other.
+void run_each(const std::vector<std::string>& programs) {
     ProgressLine progress;
     build(programs, progress);
     for (const auto& program : programs) {
@@ -53,11 +52,15 @@ void bench(const Contest& contest) {
 }
 
 void bench_loops() {
-    run_pair("bench_loops");
+    run_each({"bench_loops_O2", "bench_loops_O3_native"});
 }
 
 void bench_gyroscopic() {
-    run_pair("bench_gyroscopic");
+    run_each({"bench_gyroscopic_O2", "bench_gyroscopic_O3_native"});
+}
+
+void bench_many() {
+    run_each({"bench_many_O2", "bench_many_O2_native", "bench_many_O3_native"});
 }
 
 // The course's own answers are checked, round by round, so that a busy moment touches every

@@ -74,6 +74,9 @@ void bench_loops();
 /// What a gyroscopic solver costs beside Bullet's.
 void bench_gyroscopic();
 
+/// What a spring and a body cost among many, in lanes and otherwise.
+void bench_many();
+
 /// How long it takes from a saved file to its verdict.
 void bench_latency(int rounds);
 

@@ -51,15 +51,15 @@ PrincipalInertia<L> in_every_lane(const PrincipalInertia<Real>& one) {
 }  // namespace detail
 /// \endcond
 
-/// As many bodies of one kind as the processor adds numbers at once: attitudes and angular velocities
-/// in world coordinates, as in RigidState, with a pack for every number.
+/// As many bodies of one kind as the processor adds numbers at once: attitudes and angular
+/// velocities in world coordinates, as in RigidState, with a pack for every number.
 template <class Inertia>
 struct BodyPack {
     using Pack = typename Inertia::Scalar;  ///< the pack
 
-    Inertia inertia;        ///< kg m²
-    Quaternion<Pack> q;     ///< attitude
-    Vector3<Pack> omega;    ///< angular velocity in world coordinates, rad/s
+    Inertia inertia;      ///< kg m²
+    Quaternion<Pack> q;   ///< attitude
+    Vector3<Pack> omega;  ///< angular velocity in world coordinates, rad/s
 
     /// One step of `h` seconds, of all of them: turn(), that steps one.
     /// [step]
@@ -74,9 +74,10 @@ struct BodyPack {
 /// Bodies of several kinds, all at the same time `t`:
 /// `ManyBodies<float, UniformInertia, PrincipalInertia> all;`
 ///
-/// A pack holds one kind only, so a ball stands in no pack that computes a gyroscopic torque. All of a
-/// pack's numbers lie side by side: a step needs them all, and fetches one stretch of memory instead of
-/// a dozen. As in Springs, the last pack of a kind is filled up with copies of its last body.
+/// A pack holds one kind only, so a ball stands in no pack that computes a gyroscopic torque. All
+/// of a pack's numbers lie side by side: a step needs them all, and fetches one stretch of memory
+/// instead of a dozen. As in Springs, the last pack of a kind is filled up with copies of its last
+/// body.
 template <class Real, template <class> class... Kinds>
 class ManyBodies {
 public:
@@ -103,10 +104,14 @@ public:
 
     /// How many there are of a kind.
     template <template <class> class Kind>
-    std::size_t size() const { return group<Kind>().size; }
+    std::size_t size() const {
+        return group<Kind>().size;
+    }
     /// The packs of a kind, to step them by hand.
     template <template <class> class Kind>
-    std::vector<BodyPack<Kind<Pack>>>& packs() { return group<Kind>().packs; }
+    std::vector<BodyPack<Kind<Pack>>>& packs() {
+        return group<Kind>().packs;
+    }
     /// The state of body `i` of a kind.
     template <template <class> class Kind>
     RigidState<Real> state(std::size_t i) const {
@@ -139,9 +144,13 @@ private:
         std::vector<BodyPack<Kind<Pack>>> packs;
     };
     template <template <class> class Kind>
-    auto& group() { return std::get<Group<Kind>>(groups_); }
+    auto& group() {
+        return std::get<Group<Kind>>(groups_);
+    }
     template <template <class> class Kind>
-    const auto& group() const { return std::get<Group<Kind>>(groups_); }
+    const auto& group() const {
+        return std::get<Group<Kind>>(groups_);
+    }
 
     std::tuple<Group<Kinds>...> groups_;
 };

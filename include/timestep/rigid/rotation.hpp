@@ -30,9 +30,8 @@ Matrix3<Real> skew(const Vector3<Real>& a) {
 }
 /// [skew]
 
-/// A vector in world coordinates whose body coordinates are `v`: R v, where `R` is the attitude as a
-/// matrix. Spelt out, as at -O2 a compiler
-/// may call Eigen's product for each of the three.
+/// A vector in world coordinates whose body coordinates are `v`: R v, where `R` is the attitude as
+/// a matrix. Spelt out, as at -O2 a compiler may call Eigen's product for each of the three.
 template <class Real>
 TIMESTEP_INLINE
 Vector3<Real> in_world(const Matrix3<Real>& R, const Vector3<Real>& v) {
