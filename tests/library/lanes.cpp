@@ -12,6 +12,8 @@
 #include <vector>
 
 #include <timestep/gyroscopic.hpp>
+#include <timestep/gyroscopic/cayley_gyroscopic.hpp>
+#include <timestep/gyroscopic/half_step_jacobian.hpp>
 #include <timestep/lanes.hpp>
 #include <timestep/methods.hpp>
 #include <timestep/models/damped_spring.hpp>
@@ -179,6 +181,7 @@ TEMPLATE_TEST_CASE("a pack of bodies turns as each does alone", "[library][ch8]"
         };
         all_kinds(no_gyroscopic), all_kinds(explicit_gyroscopic);
         all_kinds(implicit_gyroscopic), all_kinds(passive_gyroscopic);
+        all_kinds(half_step_jacobian), all_kinds(cayley_gyroscopic);
     }
 }
 
