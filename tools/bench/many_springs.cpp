@@ -21,7 +21,7 @@ using namespace timestep;
 
 namespace {
 
-constexpr long several = 32;  // steps a pass
+constexpr long several = 64;  // steps a pass
 
 template <class Real>
 [[gnu::noinline]] void plain(const Real* k, Real* x, Real* v, Real h, std::size_t n) {
@@ -74,11 +74,11 @@ struct Contest {
 #endif
         all.push_back(
             {"lanes, a step a pass", [this] { springs.step(semi_implicit_euler, h); }, once});
-        all.push_back({"lanes, 32 steps a pass",
+        all.push_back({"lanes, 64 steps a pass",
                        [this] { several_springs.step(semi_implicit_euler, h, several); },
                        many_times});
         const unsigned threads = std::max(2u, std::thread::hardware_concurrency());
-        all.push_back({std::to_string(threads) + " threads, 32 a pass",
+        all.push_back({std::to_string(threads) + " threads, 64 a pass",
                        [this, threads] {
                            const auto share = [&](std::size_t first, std::size_t last) {
                                two_threads.step(semi_implicit_euler, h, several, first, last);
@@ -105,7 +105,7 @@ struct Contest {
             worst = std::max(worst, std::fabs(double(s[i].x - odeint_x[i])));
 #endif
         }
-        return worst < 1e-3;  // of places up to 7, after 32 ms
+        return worst < 1e-3;  // of places up to 7, after 64 ms
     }
 
 #ifdef TIMESTEP_WITH_ODEINT
@@ -155,15 +155,15 @@ bool springs_of(const char* real) {
     const auto& million = all.back();
     const double hand = find(million, "plain loop");
     const double one = find(million, "a step a pass") / hand;
-    const double times = hand / find(million, "lanes, 32");
-    const double threads = find(million, "lanes, 32") / find(million, "threads");
+    const double times = hand / find(million, "lanes, 64");
+    const double threads = find(million, "lanes, 64") / find(million, "threads");
     // What memory has to move: a spring's three numbers in, two out.
     const double bandwidth = 5 * sizeof(Real) / find(million, "a step a pass");
     const double stream = 4 * sizeof(Real) / find(million, "triad");  // a is fetched, too
     const bool native = std::strstr(BENCH_FLAGS, "native");
     std::printf("at a million: a step a pass %.2f of the plain loop%s\n", one,
                 native ? many::target(one, 1.1).c_str() : "");
-    std::printf("              32 steps a pass %.1f times as fast%s\n", times,
+    std::printf("              64 steps a pass %.1f times as fast%s\n", times,
                 native ? many::target(times, 12, false).c_str() : "");
     std::printf("              the threads %.2f times as fast as one\n", threads);
     std::printf("              memory moves %.0f GB/s, in the triad %.0f GB/s\n", bandwidth,
