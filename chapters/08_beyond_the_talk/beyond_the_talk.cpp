@@ -20,5 +20,6 @@ int main(int argc, char** argv) {
         work(settings, out);
         many(settings, out);
         demo(settings, out);
+        engines(out);
     });
 }

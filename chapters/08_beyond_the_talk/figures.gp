@@ -91,6 +91,8 @@ set key at screen 0.72,0.75 left vertical reverse Left samplen 2
 eval "plot ".curves(3)
 unset multiplot
 
+load folder."../../chapters/08_beyond_the_talk/engines.gp"
+
 # Error against time: three bodies, three spins.
 call figure "work.svg" 940 940
 bodies = "near box needle"

@@ -19,3 +19,4 @@ void minute(const Settings&, lab::Findings&);     // minute.cpp
 void work(const Settings&, lab::Findings&);       // work.cpp
 void many(const Settings&, lab::Findings&);       // many.cpp
 void demo(const Settings&, lab::Findings&);       // demo.cpp
+void engines(lab::Findings&);                     // engines.cpp, of the appendix

@@ -1,0 +1,253 @@
+// How each rule of the appendix fails, on purpose.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <random>
+#include <string>
+
+#include <timestep/rigid/shapes.hpp>
+
+#include "engine_body.hpp"
+
+using namespace timestep;
+using namespace appendix;
+
+namespace {
+
+using Body = PrincipalInertia<double>;
+using V = Vector3<double>;
+
+// Bodies that could exist, at random: by how far their mass reaches along each axis, even in the
+// logarithm between 1/ratio and 1.
+class Bodies {
+public:
+    explicit Bodies(unsigned seed) : random_(seed) {}
+    Body inertia(double ratio) {
+        const auto reach = [&] { return std::pow(ratio, -even_(random_)); };
+        const double A = reach(), B = reach(), C = reach();
+        return {B + C, C + A, A + B};
+    }
+    V direction() {
+        V d;
+        do
+            for (int i = 0; i < 3; ++i) d[i] = 2 * even_(random_) - 1;
+        while (!(d.norm() > 0.1 && d.norm() <= 1));
+        return d.normalized();
+    }
+
+private:
+    std::mt19937_64 random_;
+    std::uniform_real_distribution<double> even_{0, 1};
+};
+
+// The moment about the axis that the body turns about, as it seems from L and E.
+double seeming_moment(const Body& I, const V& omega) {
+    return I.momentum(omega).squaredNorm() / (2 * kinetic_energy(I, omega));
+}
+
+// Jolt's rule and ODE's both end in a steady turn, the one about the wrong axis.
+void ends(lab::Findings& out) {
+    const int many = 60;
+    int about_middle = 0, about_largest = 0;
+    double most = 0;
+    Bodies bodies(81);
+    for (int n = 0; n < many; ++n) {
+        const Body I = bodies.inertia(10);
+        V moments = I.moments;
+        std::sort(moments.begin(), moments.end());
+        const V start = 10 * bodies.direction();
+        V jolt = start, ode = start;
+        for (int i = 0; i < 36000; ++i) {
+            jolt = JoltGyroscopic{}.step(I, jolt, 1.0 / 60);
+            ode = passive_gyroscopic.step(I, ode, 1.0 / 60);
+        }
+        about_middle += std::fabs(seeming_moment(I, jolt) / moments[1] - 1) < 0.01;
+        about_largest += std::fabs(seeming_moment(I, ode) / moments[2] - 1) < 0.01;
+        most = std::max(most, kinetic_energy(I, jolt) / kinetic_energy(I, start));
+    }
+    std::printf("  of %d random bodies at 10 rad/s, after 10 minutes at 60 Hz, Jolt's rule has left %d "
+                "turning\n  about the middle axis (energy up to x %.2f), ODE's %d about that of the "
+                "largest moment\n",
+                many, about_middle, most, about_largest);
+    out.number("engines_bodies", many, "", "random bodies that were spun");
+    out.number("engines_about_middle", about_middle, "",
+               "of them turn about the middle axis in the end, by Jolt's rule");
+    out.number("engines_about_largest", about_largest, "",
+               "of them turn about the axis of the largest moment in the end, by ODE's rule");
+    out.number("engines_jolt_most", most, "", "the most energy that Jolt's rule left one of them");
+    out.check("engines_about_middle", about_middle == many && most > 1.1,
+              "Jolt: every random body ends about its middle axis, to a hundredth of E = L²/2I, and "
+              "some have gained a tenth");
+    out.check("engines_about_largest", about_largest == many,
+              "ODE: every random body ends about the axis of its largest moment, to a hundredth");
+}
+
+// A box of 10 x 20 x 30 cm, thrown about its middle axis in float: does it turn over in 20 s?
+template <class Method>
+bool turns_over(const Method& method, float mass) {
+    const PrincipalInertia<float> I = box(mass, 0.1f, 0.2f, 0.3f);
+    SpinState<float> s{0, Quaternion<float>::Identity(), {0.01f, 10, 0.01f}};
+    for (int n = 0; n < 1200 && s.omega.y() > 0; ++n) s = method.step(I, s, 1 / 60.0f);
+    return s.omega.y() < 0;
+}
+
+void determinants(lab::Findings& out) {
+    float heavy = 10, light = 0.01f;
+    while (heavy - light > 0.001f) {
+        const float mass = (heavy + light) / 2;
+        (turns_over(bullet_spin, mass) ? heavy : light) = mass;
+    }
+    const Body of_a_kilogram = box(1.0, 0.1, 0.2, 0.3);
+    const double epsilon = std::numeric_limits<float>::epsilon();
+    const double foretold = std::cbrt(epsilon / of_a_kilogram.moments.prod());
+    std::printf("  in float, by Bullet's rule a box of 10 x 20 x 30 cm tumbles from %.2f kg on "
+                "(foretold: %.2f)\n",
+                double(heavy), foretold);
+    out.number("engines_bullet_mass", heavy, "kg",
+               "the lightest box of 10 x 20 x 30 cm that tumbles by Bullet's rule in float", 2);
+    out.number("engines_bullet_moment", std::cbrt(epsilon), "kg m^2",
+               "mean moment where the determinant is epsilon, in float", 2);
+    out.check("engines_bullet_mass",
+              std::fabs(heavy / foretold - 1) < 0.02 && turns_over(bullet_spin, 2 * heavy) &&
+                  !turns_over(bullet_spin, heavy / 2) && turns_over(mujoco_spin, heavy / 2) &&
+                  turns_over(box3d_spin, heavy / 2),
+              "in float Bullet's rule drops the torque of a light box; the talk's does not");
+
+    const double least = std::cbrt(1000.0 * double(std::numeric_limits<float>::min()));
+    const Vector3<float> omega(1, 2, 3);
+    const auto moved = [&](double moment) {
+        const float I = float(moment);
+        const PrincipalInertia<float> body(I, 0.8f * I, 0.6f * I);
+        return Box3dGyroscopic{}.step(body, omega, 1 / 240.0f) != omega;
+    };
+    const double side = std::pow(6 * least / 7850, 0.2);  // of a steel cube: 7850 side⁵/6
+    std::printf("  Box3D's rule drops it below %.1e kg m², a steel cube of %.1f mm\n", least,
+                1000 * side);
+    out.number("engines_box3d_moment", least, "kg m^2",
+               "mean moment where Box3D takes the determinant for zero", 2);
+    out.number("engines_box3d_side", 1000 * side, "mm", "side of the steel cube that has it", 2);
+    out.check("engines_box3d_moment", moved(2 * least) && !moved(least / 2),
+              "Box3D's rule takes a small body's determinant for zero, and changes nothing");
+}
+
+// Box3D's cap: what it takes from a fast body, and what it saves one Newton step from.
+void cap(lab::Findings& out) {
+    const Body brick = box(1.0, 1.0, 2.0, 3.0);
+    const Spin fast = spin_of(100, 0, 0);
+    const Spin after = box3d_spin.step(brick, fast, 1.0 / 60);
+    const double kept = kinetic_energy(brick, after.omega) / kinetic_energy(brick, fast.omega);
+    const double fastest = after.omega.norm();
+    const int many = 20000;
+    const double at_cap = 0.7853981633974483 / 4;
+    int gained = 0, gained_uncapped = 0;
+    double most = 0;
+    Bodies bodies(82);
+    for (int n = 0; n < many; ++n) {
+        const Body I = bodies.inertia(1000);
+        const V w = bodies.direction();
+        const auto gain = [&](double size) {
+            return kinetic_energy(I, Box3dGyroscopic{}.step(I, w, size)) / kinetic_energy(I, w);
+        };
+        const double capped = gain(at_cap);
+        most = std::max(most, capped);
+        gained += capped > 1 + 1e-12, gained_uncapped += gain(1) > 1 + 1e-12;
+    }
+    std::printf("  Box3D's cap at 60 Hz: %.1f rad/s; of 100 rad/s it keeps %.2f of the energy\n",
+                fastest, kept);
+    std::printf("  of %d random bodies %d gain in a step at the cap (at most x %.3f), %d at "
+                "h|omega| = 1\n",
+                many, gained, most, gained_uncapped);
+    out.number("engines_cap", fastest, "rad/s", "the fastest spin that Box3D leaves at 60 Hz");
+    out.number("engines_cap_kept", kept, "", "of the energy at 100 rad/s, after a step");
+    out.number("engines_cap_gain_share", 100.0 * gained / many, "%",
+               "random bodies that gain in one Newton step at the cap", 2);
+    out.number("engines_cap_gain_most", 100 * (most - 1), "%", "the most that one of them gains", 2);
+    out.number("engines_gain_share", 100.0 * gained_uncapped / many, "%",
+               "the same bodies, that gain in one Newton step at h|omega| = 1", 2);
+    out.check("engines_cap", std::fabs(fastest - 47.12) < 0.01 && kept < 0.25 && most < 1.05 &&
+                                 20 * gained < gained_uncapped,
+              "Box3D's cap takes three quarters of a fast body's energy; at the cap one Newton step "
+              "adds less than a twentieth, and seldom");
+}
+
+// Moser-Veselov without its parts: how often there is no step, or none found.
+void no_solution(lab::Findings& out) {
+    auto& table = out.table("engines_veselov.tsv", {"$h\\lvert\\omega\\rvert$", "no step (%)"});
+    double share[5];
+    const double sizes[] = {0.5, 0.99, 1.01, 1.1, 1.2};
+    for (int k = 0; k < 5; ++k) {
+        Bodies bodies(83);
+        const int many = 4000;
+        int failed = 0, cut_failed = 0;
+        for (int n = 0; n < many; ++n) {
+            const Body I = bodies.inertia(100);
+            const V w = bodies.direction();
+            const auto off = [&](const Spin& s) {
+                return !(std::fabs(kinetic_energy(I, s.omega) / kinetic_energy(I, w) - 1) < 1e-9);
+            };
+            const Spin start = spin_of(w.x(), w.y(), w.z());
+            failed += off(moser_veselov_2.whole(I, start, sizes[k]));
+            cut_failed += off(moser_veselov_2.step(I, start, sizes[k]));
+        }
+        share[k] = 100.0 * failed / many;
+        table.row({sizes[k], share[k]});
+        out.check("engines_veselov_cut_" + std::to_string(k), cut_failed == 0,
+                  "Moser-Veselov in parts of h|ω| up to ½ finds every step, and keeps the energy");
+        std::printf("  Moser-Veselov, not cut up, at h|omega| = %-4g fails for %.1f %% of random "
+                    "bodies\n",
+                    sizes[k], share[k]);
+    }
+    const Body brick = box(1.0, 1.0, 2.0, 3.0);
+    const auto found = [&](double size) {
+        const Spin s = moser_veselov_2.whole(brick, spin_of(0, size, 0), 1.0);
+        return std::fabs(s.omega.y() / size - 1) < 1e-9 && s.q.y() < 0.708;
+    };
+    out.check("engines_veselov", share[0] == 0 && share[4] > 99,
+              "Moser-Veselov, not cut up: at h|ω| = ½ it finds every step, at 1.2 hardly one");
+    out.check("engines_veselov_axis", found(0.99) && !found(1.01),
+              "about an axis a step is found at h|ω| = 0.99 and none at 1.01");
+
+    const Body needle(1, 1, 1e-3);
+    const double E = kinetic_energy(needle, V(10, 0, 1));
+    const double parts = std::ceil(2.0 / 60 * std::sqrt(2 * E / 1e-3));
+    std::printf("  of order four it cuts a step of a needle (1000:1, 10 rad/s) into %.0f parts\n",
+                parts);
+    out.number("engines_veselov_parts", parts, "",
+               "parts of a step of order four of a needle with a ratio of 1000 at 10 rad/s");
+}
+
+// Long steps of those that need no solution, or a dear one.
+void long_steps(lab::Findings& out) {
+    Bodies bodies(84);
+    double magnus = 0, midpoint = 0;
+    for (int n = 0; n < 150; ++n) {
+        const Body I = bodies.inertia(100);
+        const V w = bodies.direction();
+        Spin a = spin_of(w.x(), w.y(), w.z()), b = a;
+        for (int i = 0; i < 100; ++i) {
+            a = magnus_taylor.step(I, a, 1.0), b = midpoint_spin.step(I, b, 1.0);
+            const double E0 = kinetic_energy(I, w);
+            magnus = std::max(magnus, kinetic_energy(I, a.omega) / E0);
+            midpoint = std::max(midpoint, std::fabs(kinetic_energy(I, b.omega) / E0 - 1));
+        }
+    }
+    std::printf("  at h|omega| = 1 the energy rises by Magnus-Taylor up to x %.1f, by implicit "
+                "midpoint it is off by %.0e\n",
+                magnus, midpoint);
+    out.number("engines_magnus_most", magnus, "",
+               "the most energy of a random body at h|omega| = 1, by Magnus-Taylor", 2);
+    out.check("engines_long_steps", magnus > 2 && midpoint < 1e-9,
+              "at h|ω| = 1 Magnus-Taylor at times doubles the energy, implicit midpoint keeps it");
+}
+
+}  // namespace
+
+void engines_fail(lab::Findings& out) {
+    ends(out);
+    determinants(out);
+    cap(out);
+    no_solution(out);
+    long_steps(out);
+}
