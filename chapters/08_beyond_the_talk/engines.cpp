@@ -33,7 +33,7 @@ std::string rounded(double value, const char* format) {
 template <class Method>
 std::pair<double, double> orders(const Method& method) {
     const PrincipalInertia<double> I = box(12.0, 1.0, 2.0, 3.0);
-    const Spin start = spin_of(1, 2, 2);
+    const Spin start = spin_of(2, 1, 2);
     const Spin exact = in_body(ExactFreeBody<double>(I, in_world(start))(2));
     std::vector<double> h, spins, attitudes;
     for (long steps = 64; steps <= 512; steps *= 2) {
@@ -84,7 +84,9 @@ void claims(std::map<std::string, Left>& left, lab::Findings& out) {
     bool exact = true, magnus = true, same = true, lost = true, one_length = true, passive = true,
          still = true, bursts = true;
     for (const Throw& thrown : throws) {
-        const auto of = [&](const char* rule) { return left[std::string(rule) + "_" + thrown.key]; };
+        const auto of = [&](const char* rule) {
+            return left[std::string(rule) + "_" + thrown.key];
+        };
         for (const char* rule : {"implicit_midpoint", "moser_veselov_2", "moser_veselov_4"})
             exact = exact && of(rule).strayed < 1e-11 && std::fabs(of(rule).momentum - 1) < 1e-11;
         magnus = magnus && of("magnus_taylor_4").strayed < 1e-3 &&
@@ -184,10 +186,11 @@ void price(lab::Findings& out) {
         veselov = std::min(veselov, seconds(moser_veselov_2));
         half_step = std::min(half_step, seconds(tumble<HalfStepJacobian>));
     }
-    std::printf("  implicit midpoint: %.1f Newton steps a step, %.1f times the time of the half-step "
-                "Jacobian (Moser-Veselov: %.1f)\n",
+    std::printf("  implicit midpoint: %.1f Newton steps a step, %.1f times the time of the\n"
+                "  half-step Jacobian (Moser-Veselov: %.1f)\n",
                 each, implicit / half_step, veselov / half_step);
-    out.number("engines_midpoint_newton", each, "", "Newton steps in a step of implicit midpoint", 2);
+    out.number("engines_midpoint_newton", each, "", "Newton steps in a step of implicit midpoint",
+               2);
     out.number("engines_midpoint_price", implicit / half_step, "",
                "its time over that of the half-step Jacobian", 2);
     out.number("engines_veselov_price", veselov / half_step, "",

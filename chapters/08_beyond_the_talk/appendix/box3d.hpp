@@ -10,8 +10,8 @@
 
 namespace timestep {
 
-/// The solver: no change at all where the determinant is at most 1000 times the least normal number.
-/// In float that is so for moments below 2e-12 kg m².
+/// The solver: no change at all where the determinant is at most 1000 times the least normal
+/// number. In float that is so for moments below 2e-12 kg m².
 struct Box3dGyroscopic {
     static constexpr const char* name = "Box3D";  ///< for tables and keys
     static constexpr int order = 1;               ///< of the error after a whole run

@@ -6,9 +6,9 @@
 
 namespace timestep {
 
-/// L* = L₁ − h ω₁ × L₁ and L₂ = L* |L₁|/|L*|. A step of explicit Euler leaves the sphere of constant
-/// |L| along a tangent, and is brought back. |L| stays for every step. The energy does not: it ends
-/// at |L|²/2I of the middle moment, where the true motion never rests.
+/// L* = L₁ − h ω₁ × L₁ and L₂ = L* |L₁|/|L*|. A step of explicit Euler leaves the sphere of
+/// constant |L| along a tangent, and is brought back. |L| stays for every step. The energy does not:
+/// it ends at |L|²/2I of the middle moment, where the true motion never rests.
 struct JoltGyroscopic {
     static constexpr const char* name = "Jolt";  ///< for tables and keys
     static constexpr int order = 1;              ///< of the error after a whole run

@@ -14,25 +14,30 @@ struct MagnusTaylor {
     static constexpr const char* name = "Magnus-Taylor 4";  ///< for tables and keys
     static constexpr int order = 4;                         ///< of the error after a whole run
 
-    // ω̇ is −a (yz, zx, xy); the next two derivatives are that by the product rule.
+    // ω̇ is −a (yz, zx, xy); the next two derivatives come by the product rule. Below, w, w1, w2
+    // and w3 are hω, h²ω̇ and so on.
     /// One step of `h` seconds.
     /// [step]
     template <class Real>
     TIMESTEP_INLINE
-    SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1,
-                         Real h) const {
+    SpinState<Real> step(const PrincipalInertia<Real>& inertia,
+                         const SpinState<Real>& s1, Real h) const {
         using V = Vector3<Real>;
-        const auto torque = [&](const V& u, const V& v) -> V {  // both sides of the product rule
-            const V pairs(u.y() * v.z() + u.z() * v.y(), u.z() * v.x() + u.x() * v.z(),
+        const V &a = inertia.ratio, &U = inertia.unit;
+        const auto both = [&](const V& u, const V& v) -> V {
+            const V pairs(u.y() * v.z() + u.z() * v.y(),
+                          u.z() * v.x() + u.x() * v.z(),
                           u.x() * v.y() + u.y() * v.x());
-            return -inertia.ratio.cwiseProduct(pairs);
+            return -a.cwiseProduct(pairs);
         };
-        const V w = h * s1.omega;  // hω, h²ω̇, h³ω̈, h⁴ω⃛
-        const V w1 = torque(w, w) / 2, w2 = torque(w, w1), w3 = torque(w, w2) + torque(w1, w1);
-        const V turn = w + w1 / 2 + w2 / 6 + w3 / 24 + w.cross(w1) / 12 + w.cross(w2) / 24;
+        const V w = h * s1.omega;
+        const V w1 = both(w, w) / 2, w2 = both(w, w1);
+        const V w3 = both(w, w2) + both(w1, w1);
+        const V turn = w + w1 / 2 + w2 / 6 + w3 / 24 +
+                       w.cross(w1) / 12 + w.cross(w2) / 24;
         const Quaternion<Real> rho = turn_by(turn);
-        const V L = rho.conjugate() * V(inertia.unit.cwiseProduct(s1.omega));
-        return {s1.t + h, (s1.q * rho).normalized(), L.cwiseQuotient(inertia.unit)};
+        const V L = rho.conjugate() * V(U.cwiseProduct(s1.omega));
+        return {s1.t + h, (s1.q * rho).normalized(), L.cwiseQuotient(U)};
     }
     /// [step]
 };

@@ -21,7 +21,8 @@ struct MidpointSpin {
     /// One step of `h` seconds. Calls `iterated()` after each Newton step.
     /// [step]
     template <class Real, class Iterated>
-    SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1, Real h,
+    SpinState<Real> step(const PrincipalInertia<Real>& inertia,
+                         const SpinState<Real>& s1, Real h,
                          const Iterated& iterated) const {
         const Vector3<Real> m =
             converged_gyroscopic.step(inertia, s1.omega, h / 2, iterated);

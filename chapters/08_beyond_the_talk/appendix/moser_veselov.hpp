@@ -26,8 +26,8 @@ struct MoserVeselov {
         Order == 2 ? "Moser-Veselov 2" : "Moser-Veselov 4";  ///< for tables and keys
     static constexpr int order = Order;                      ///< of the error after a whole run
 
-    // Order two asks for the spin that is; order four for the fastest that the energy allows, √(2E/I)
-    // of the least moment I: with it all Ĩ stay near I. That makes a needle dear.
+    // Order two asks for the spin that is; order four for the fastest that the energy allows, of
+    // √(2E/I) for the least moment I: with it all Ĩ stay near I. That makes a needle dear.
     /// One step of `h` seconds. NaN where a step has more than a million parts.
     template <class Real>
     SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1,
@@ -63,28 +63,32 @@ struct MoserVeselov {
         const V L = U.cwiseProduct(s.omega);
         const V inverse = inverse_moments(U, L, h), I = inverse.cwiseInverse();
         const V w = h / 2 * inverse.cwiseProduct(L);
-        const V a = V(I.z() - I.y(), I.x() - I.z(), I.y() - I.x()).cwiseProduct(inverse);
+        const V differences(I.z() - I.y(), I.x() - I.z(), I.y() - I.x());
+        const V a = inverse.cwiseProduct(differences);
         V c = w;
         for (int i = 0; i < 8; ++i) {
             const V pairs(c.y() * c.z(), c.z() * c.x(), c.x() * c.y());
-            const V residual = c + a.cwiseProduct(pairs) - (1 + c.squaredNorm()) * w;
+            const V residual =
+                c + a.cwiseProduct(pairs) - (1 + c.squaredNorm()) * w;
             Matrix3<Real> J;
             J << 1, a.x() * c.z(), a.x() * c.y(),
                  a.y() * c.z(), 1, a.y() * c.x(),
                  a.z() * c.y(), a.z() * c.x(), 1;
-            const V change = solve3(Matrix3<Real>(J - 2 * w * c.transpose()), residual);
+            J -= 2 * w * c.transpose();
+            const V change = solve3(J, residual);
             c -= change;
-            if (change.norm() <= std::numeric_limits<Real>::epsilon() * c.norm()) break;
+            const Real roundoff = std::numeric_limits<Real>::epsilon();
+            if (change.norm() <= roundoff * c.norm()) break;
         }
-        const Quaternion<Real> rho = Quaternion<Real>(1, c.x(), c.y(), c.z()).normalized();
+        const Quaternion<Real> cayley(1, c.x(), c.y(), c.z());
+        const Quaternion<Real> rho = cayley.normalized();
         return {s.t + h, (s.q * rho).normalized(),
                 (rho.conjugate() * L).cwiseQuotient(U)};
     }
     /// [step]
 
 private:
-    // 1/Ĩ = (1 + h²s)/I + h²d, with s and d of what the motion keeps. In U the moments' product is 1.
-    /// [moments]
+    // 1/Ĩ = (1 + h²s)/I + h²d, with s and d of what the motion keeps; in U the product is 1.
     template <class Real>
     static Vector3<Real> inverse_moments(const Vector3<Real>& U, const Vector3<Real>& L, Real h) {
         const Vector3<Real> inverse = U.cwiseInverse();
@@ -94,7 +98,6 @@ private:
         const Real d = U.sum() / 6 * E - C / 3;
         return inverse + h * h * (s * inverse + Vector3<Real>::Constant(d));
     }
-    /// [moments]
 };
 
 inline constexpr MoserVeselov<2> moser_veselov_2;  ///< the method as a value
