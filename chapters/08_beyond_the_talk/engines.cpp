@@ -36,7 +36,8 @@ std::pair<double, double> orders(const Method& method) {
     const Spin start = spin_of(2, 1, 2);
     const Spin exact = in_body(ExactFreeBody<double>(I, in_world(start))(2));
     std::vector<double> h, spins, attitudes;
-    for (long steps = 64; steps <= 512; steps *= 2) {
+    const long least = method.order == 4 ? 32 : 256;
+    for (long steps = least; steps <= 8 * least; steps *= 2) {
         const Spin s = spun(method, I, start, 2.0 / double(steps), steps);
         h.push_back(2.0 / double(steps));
         spins.push_back((s.omega - exact.omega).norm());
@@ -127,6 +128,7 @@ void a_minute(lab::Findings& out) {
                              "momentum", "long axis: energy", "momentum", "short axis: energy",
                              "momentum"});
     std::map<std::string, Left> left_of;
+    std::printf("  a minute of a box thrown about its middle, its long and its short axis:\n");
     for_each_other([&](const auto& method) {
         const std::string key = lab::id(method.name);
         const auto [spin, attitude] = orders(method);
@@ -134,7 +136,8 @@ void a_minute(lab::Findings& out) {
         std::vector<lab::Cell> cells{std::string(method.name),
                                      converges ? rounded(spin, "%.1f") : "none",
                                      converges ? rounded(attitude, "%.1f") : "none"};
-        std::printf("  %-18s order %4s;", method.name, std::get<std::string>(cells[1]).c_str());
+        std::printf("  %-18s order %4s; energy", method.name,
+                    std::get<std::string>(cells[1]).c_str());
         for (const Throw& thrown : throws) {
             const std::string id = key + "_" + thrown.key;
             auto& curve = out.table("engines_" + id + ".tsv", {"t", "energy"});
@@ -147,8 +150,8 @@ void a_minute(lab::Findings& out) {
                                              : rounded(left.energy, "%.3f");
             cells.push_back(energy);
             cells.push_back(burst ? std::string("–") : rounded(left.momentum, "%.3f"));
-            std::printf(" %s axis: %s%s", thrown.key, energy.c_str(),
-                        &thrown == &throws[2] ? "\n" : ";");
+            std::printf("%s%6s", &thrown == &throws[0] ? "" : ",",
+                        burst ? "burst" : energy.c_str());
             if (burst)
                 out.number("engines_burst_" + id, left.burst, "s", "until it has blown up");
             else
@@ -156,6 +159,7 @@ void a_minute(lab::Findings& out) {
                            "energy after a minute over that at the start");
         }
         table.row(cells);
+        std::printf("\n");
         if (converges)
             out.check("engines_order_" + key,
                       std::fabs(spin - method.order) < 0.2 &&

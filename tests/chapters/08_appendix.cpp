@@ -77,19 +77,19 @@ TEST_CASE("each method of the appendix has its order in the spin and in the atti
         });
 }
 
-// Each turn of L and each solve leaves a few ε; with n parts they add up to less than 32 n ε.
+// Each turn of L and each solve leaves a few ε; with n parts they add up to less than 32 n ε. Were
+// order four's moments far from the body's, it would show here, too: ratios go to a million.
 TEST_CASE("implicit midpoint and Moser-Veselov keep energy and L, whatever the step", "[ch8]") {
     RandomInertia random(21);
     for (const double size : {1e-3, 0.3, 1.0, 10.0, 300.0})
         for (int n = 0; n < 40; ++n) {
-            const Body I = random.inertia<double>(n % 2 ? 10 : 1000);
+            const Body I = random.inertia<double>(n % 2 ? 10 : 1e6);
             const V w = size * random.direction<double>();
             for_each_exact([&](const auto& method) {
                 INFO(method.name << ", h|ω| = " << size << ", I = " << I.moments.transpose()
                                  << ", ω = " << w.transpose());
                 const Spin s = after(method, I, spinning(w), 1.0, 3);
-                const double parts = 3 * (1 + 2 * size * std::sqrt(I.moments.maxCoeff() /
-                                                                   I.moments.minCoeff()));
+                const double parts = 3 * (1 + 4 * size);  // |ω| rises to at most √2 of the start
                 CHECK(energy_off(I, s, w) < 32 * parts * epsilon);
                 CHECK(momentum_off(I, s, w) < 32 * parts * epsilon);
             });
