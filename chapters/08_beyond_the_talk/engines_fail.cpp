@@ -198,7 +198,9 @@ void no_solution(lab::Findings& out) {
             cut_failed += !(std::fabs(E / kinetic_energy(I, w) - 1) < 1e-9);
         }
         share[k] = 100.0 * failed / many;
-        table.row({sizes[k], share[k]});
+        char rounded[16];
+        std::snprintf(rounded, sizeof rounded, "%.1f", share[k]);
+        table.row({sizes[k], std::string(rounded)});
         out.check("engines_veselov_cut_" + std::to_string(k), cut_failed == 0,
                   "Moser-Veselov in parts of h|ω| up to ½ finds every step, and keeps the energy");
         std::printf("  Moser-Veselov, not cut up, at h|omega| = %-4g fails for %.1f %% of them\n",

@@ -14,16 +14,18 @@ struct JoltGyroscopic {
     static constexpr int order = 1;              ///< of the error after a whole run
 
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
+    /// [step]
     template <class Real>
     TIMESTEP_INLINE
-    Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const {
+    Vector3<Real> step(const PrincipalInertia<Real>& inertia,
+                       const Vector3<Real>& omega, Real h) const {
         const Vector3<Real> L = inertia.unit.cwiseProduct(omega);
         const Vector3<Real> after = L - h * omega.cross(L);
         const Real length = after.norm();
         const Real share = length > 0 ? L.norm() / length : Real(0);
         return share * after.cwiseQuotient(inertia.unit);
     }
+    /// [step]
 };
 
 /// The whole body.
