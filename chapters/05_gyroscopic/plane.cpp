@@ -135,11 +135,12 @@ void one_throw(const Settings& settings, lab::Findings& out) {
                "explicit: largest spin, without rolling resistance");
     out.number("plane_explicit_left", without[0].spin, "rad/s",
                "explicit: spin at the end, without rolling resistance", 2);
+    // What is left of it at the end hangs on the last digits, as long as it has tumbled by then.
     out.check("plane_explicit_lies",
-              without[0].most_spin > 2 * scene::spin && without[0].spin < 1 &&
-                  without[0].upright < 1,
+              without[0].most_spin > 2 * scene::spin &&
+                  without[0].spin < without[0].most_spin / 10 && without[0].upright < 5,
               "explicit without rolling resistance: the spin more than doubles, and in the end the "
-              "capsule lies flat and all but still");
+              "capsule lies flat with less than a tenth of that");
     out.number("plane_old_energy", old.energy, "",
                "old inertia: energy at the end over that at the start", 2);
     out.check("plane_explicit", expl.blown_up > 0, "explicit: the capsule on the plane blows up");

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "../../chapters/08_beyond_the_talk/film.hpp"
+#include "../../chapters/08_beyond_the_talk/solids.hpp"
 
 namespace {
 
