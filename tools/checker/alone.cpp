@@ -65,6 +65,8 @@ constexpr unsigned refused[] = {
     // Memory that outlives the process or is not counted as its own.
     SYS_shmget, SYS_shmat, SYS_shmctl, SYS_msgget, SYS_msgctl, SYS_semget, SYS_semctl, SYS_mq_open,
     SYS_mq_unlink, SYS_memfd_create, SYS_add_key, SYS_request_key, SYS_keyctl,
+    // A pipe keeps what is moved into it so, whole huge pages for one byte.
+    SYS_vmsplice, SYS_splice, SYS_tee,
     // What is for those who look into kernels.
     SYS_bpf, SYS_perf_event_open, SYS_userfaultfd};
 
@@ -85,6 +87,8 @@ constexpr Rule by_argument[] = {
     {SYS_openat, 2, Rule::one_of_the_bits, writing},
     {SYS_prlimit64, 0, Rule::not_equal, 0},         // of this process: getrlimit does that
     {SYS_prctl, 0, Rule::equal, PR_SET_PDEATHSIG},  // no way out of dying with the checker
+    {SYS_prctl, 0, Rule::equal, PR_SET_THP_DISABLE},  // no huge pages: see remote.cpp
+    {SYS_fcntl, 1, Rule::equal, F_SETPIPE_SZ},
     // Signals to others when a file can be read.
     {SYS_fcntl, 1, Rule::equal, F_SETOWN},
     {SYS_fcntl, 1, Rule::equal, F_SETOWN_EX}};
