@@ -234,7 +234,7 @@ std::string Remote::hear(Reply expected, double deadline) {
     receive(&head, sizeof head, deadline);
     if (head.number != number_ || head.reply > Reply::crashed)
         throw Ended(Kind::left_early, "The program wrote to the pipe that its answers go through");
-    if (head.bytes > (64u << 20))
+    if (head.bytes > (8u << 20))
         throw Ended(Kind::left_early, "The answer was too long, " +
                                           std::to_string(head.bytes / sizeof(double)) + " numbers");
     std::string bytes(head.bytes, '\0');

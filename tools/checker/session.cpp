@@ -56,6 +56,7 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
     answer_ = answer;
     seed_ = seed;
     calls_.clear();
+    kept_ = 0;
     ended_.reset();
     verdict_ = {};
     last_ = {};
@@ -107,7 +108,8 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
     }
     if (!spoken.is_result(result))
         end(Ended(Kind::left_early, "The answer was not made as its type demands"));
-    if (calls_.size() < 100'000) calls_.push_back({arguments, result});
+    kept_ += arguments.size() + result.size();
+    if (calls_.size() < 100'000 && kept_ < 4'000'000) calls_.push_back({arguments, result});
     if (verdict_.kind == Kind::pass) last_ = {arguments, result};
     if (!is_finite(result)) {
         if (!ended_ && verdict_.kind == Kind::pass) ended_ = Ended(Kind::not_finite, "");

@@ -53,6 +53,7 @@ private:
     Answer answer_;
     std::uint64_t seed_ = 0;
     std::vector<Call> calls_;
+    std::size_t kept_ = 0;  // numbers, in them
     const Spoken* spoken_ = nullptr;
     Call last_;                   // before the first property broke
     std::optional<Ended> ended_;  // no use in calling again
