@@ -157,7 +157,8 @@ Remote::Remote(const std::string& program, const std::string& printed,
     : limits_(limits), launched_(!launcher.empty()), begin_(now()) {
     std::signal(SIGPIPE, SIG_IGN);
     int calls[2], answers[2], failed[2];
-    const int file = open(printed.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    const int file = open(printed.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW,
+                          0644);
     if (file < 0) throw Ended(Kind::course_error, printed + ": cannot be written");
     if (pipe2(calls, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0 ||
         pipe2(failed, O_CLOEXEC) != 0)
