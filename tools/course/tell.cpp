@@ -13,13 +13,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The first `most` lines, and how many there were.
+// The first `most` lines, each of at most 200 characters, and how many there were.
 std::string head_of(const std::string& text, int most, const std::string& indent) {
     std::istringstream lines(text);
     std::string head;
     int seen = 0;
     for (std::string line; std::getline(lines, line);)
-        if (++seen <= most) head += indent + line + "\n";
+        if (++seen <= most) head += indent + shortened(line, 200) + "\n";
     if (seen > most) head += indent + "… and " + std::to_string(seen - most) + " more lines\n";
     return head;
 }
@@ -49,11 +49,13 @@ std::string does_not_compile(const Exercise& exercise, const Verdict& verdict) {
     return why;
 }
 
+// Nothing where there is none: by #line a file has as many lines as it likes.
 std::string line_of(const fs::path& file, int number) {
     std::istringstream lines(contents(file));
     std::string line;
-    for (int i = 0; i < number; ++i) std::getline(lines, line);
-    return harmless(line);
+    for (int i = 0; i < number; ++i)
+        if (!std::getline(lines, line)) return {};
+    return shortened(harmless(line), 200);
 }
 
 std::string call(const Exercise& exercise, const Verdict& verdict) {

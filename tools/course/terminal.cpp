@@ -25,6 +25,31 @@ std::string cut(const std::string& text, std::size_t width) {
     return text.substr(0, end);
 }
 
+// How many bytes the character has that begins there; 0 where none does in UTF-8.
+std::size_t character_at(const std::string& text, std::size_t at) {
+    const auto first = static_cast<unsigned char>(text[at]);
+    const std::size_t size = first < 0x80                     ? 1u
+                             : first >= 0xC2 && first < 0xE0  ? 2u
+                             : first >= 0xE0 && first < 0xF0  ? 3u
+                             : first >= 0xF0 && first <= 0xF4 ? 4u
+                                                              : 0u;
+    for (std::size_t i = 1; i < size; ++i)
+        if (at + i >= text.size() || !continues_character(text[at + i])) return 0;
+    return size;
+}
+
+// Control characters, of which C2 80 to C2 9F are the later half, and U+2028 to U+202E and U+2066 to
+// U+2069, which end lines and turn the direction of writing.
+bool is_obeyed(const std::string& character) {
+    if (character.size() == 1)
+        return (static_cast<unsigned char>(character[0]) < ' ' && character != "\n" &&
+                character != "\t") ||
+               character == "\x7F";
+    return (character >= "\xC2\x80" && character <= "\xC2\x9F") ||
+           (character >= "\xE2\x80\xA8" && character <= "\xE2\x80\xAE") ||
+           (character >= "\xE2\x81\xA6" && character <= "\xE2\x81\xA9");
+}
+
 }  // namespace
 
 std::size_t columns() {
@@ -45,17 +70,26 @@ std::size_t width_of(const std::string& text) {
            static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues_character));
 }
 
-// Terminals obey 0x80 to 0x9F, too: as bytes of their own, and as the characters C2 80 to C2 9F.
-std::string harmless(std::string text) {
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const bool low = (byte < ' ' && text[i] != '\n' && text[i] != '\t') || byte == 0x7F;
-        const bool high = (byte & 0xE0) == 0x80;
-        const bool after_c2 = high && i > 0 && text[i - 1] == '\xC2';
-        if (after_c2) text[i - 1] = '?';
-        if (low || after_c2 || (high && (i == 0 || !(text[i - 1] & 0x80)))) text[i] = '?';
+std::string harmless(const std::string& text) {
+    std::string safe;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t size = character_at(text, i);
+        const std::string character = text.substr(i, std::max<std::size_t>(size, 1));
+        safe += size == 0 || is_obeyed(character) ? std::string(character.size(), '?') : character;
+        i += character.size();
     }
-    return text;
+    return safe;
+}
+
+std::string harmless_line(const std::string& text) {
+    std::string line = harmless(text);
+    std::replace_if(line.begin(), line.end(), [](char c) { return c == '\n' || c == '\t'; }, '?');
+    return line;
+}
+
+std::string shortened(const std::string& text, std::size_t most) {
+    const std::string head = cut(text, most);
+    return head.size() < text.size() ? head + "…" : text;
 }
 
 std::string padded(const std::string& text, std::size_t width) {

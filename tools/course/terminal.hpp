@@ -22,8 +22,15 @@ std::size_t columns();
 /// `text` in lines of at most 80 characters, each after `indent` blanks and with its end.
 std::string wrapped(const std::string& text, std::size_t indent);
 
-/// `text` with "?" in place of what a terminal would obey: control characters but newline and tab.
-std::string harmless(std::string text);
+/// `text` with "?" in place of what a terminal would obey: control characters but newline and tab,
+/// signs that turn the direction of writing, and what is no UTF-8.
+std::string harmless(const std::string& text);
+
+/// The same in one line.
+std::string harmless_line(const std::string& text);
+
+/// `text`, with "…" for what follows after `most` characters.
+std::string shortened(const std::string& text, std::size_t most);
 
 /// Number of characters of UTF-8 text.
 std::size_t width_of(const std::string& text);
