@@ -127,9 +127,11 @@ test_what_is_no_text() {
 
 test_the_solution_by_other_ways() {
     solution=$source/solutions/01_derivatives/velocity_now.cpp
-    ln -s "$solution" linked.hpp
-    for name in "$solution" "$folder/linked.hpp" "$source/tests/../solutions/./01_derivatives/velocity_now.cpp"; do
-        echo "#include \"$name\"" >answer.cpp
+    for name in linked 'a$b $$(c) #d' 'back\slash\ \#' "$(printf 'a\ttab')"; do
+        ln -s "$solution" "$name.hpp"
+    done
+    for name in "$solution" "$folder"/*.hpp "$source/tests/../solutions/./01_derivatives/velocity_now.cpp"; do
+        printf '#include "%s"\n' "$name" >answer.cpp
         must_be does_not_compile 'The file includes solutions/01_derivatives/velocity_now.cpp.'
     done
 }

@@ -1,6 +1,7 @@
 #include "included.hpp"
 
 #include <fstream>
+#include <iterator>
 
 #include "places.hpp"
 
@@ -8,21 +9,39 @@ namespace course {
 
 namespace fs = std::filesystem;
 
-// Words, with a backslash before a blank that belongs to one, and before the end of a line.
+namespace {
+
+// The words of a list for make, as its writers quote them: a backslash before a blank or a tab of a
+// name, and the backslashes before it twice; before # one backslash; $ twice; one at the end of a
+// line is none of a name's.
+std::vector<std::string> words_in(const std::string& list) {
+    std::vector<std::string> words(1);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        std::size_t slashes = 0;
+        while (i < list.size() && list[i] == '\\') ++slashes, ++i;
+        const char c = i < list.size() ? list[i] : '\n';
+        const bool blank = c == ' ' || c == '\t', quoted = blank && slashes % 2 == 1;
+        const bool end = (blank && !quoted) || c == '\n';
+        if (slashes > 0 && (c == '#' || c == '\n')) --slashes;
+        words.back() += std::string(quoted ? slashes / 2 : slashes, '\\');
+        if (end)
+            words.emplace_back();
+        else
+            words.back() += c;
+        if (c == '$' && i + 1 < list.size() && list[i + 1] == '$') ++i;
+    }
+    return words;
+}
+
+}  // namespace
+
 std::vector<fs::path> files_in(const std::vector<fs::path>& lists) {
     std::vector<fs::path> files;
     for (const auto& list : lists) {
         std::ifstream in(list);
-        std::string word;
-        for (char c; in.get(c);) {
-            if (c == '\\' && (in.peek() == ' ' || in.peek() == '#'))
-                word += static_cast<char>(in.get());
-            else if (c == ' ' || c == '\n' || (c == '\\' && in.peek() == '\n')) {
-                if (!word.empty()) files.emplace_back(word);
-                word.clear();
-            } else
-                word += c;
-        }
+        const std::string text{std::istreambuf_iterator<char>(in), {}};
+        for (const auto& word : words_in(text))
+            if (!word.empty()) files.emplace_back(word);
     }
     return files;
 }
