@@ -36,8 +36,24 @@ test_odd_files_are_refused_in_one_line() {
     done
     for empty in --seed --file; do
         expect 2 course check velocity_now $empty ''
+        is "$(sed "s/'':.*/''/" err)" "course: $empty ''"
+    done
+    for command in check watch; do
+        expect 2 course $command ''
+        says err "'' is no exercise"
         is "$(lines err)" 1
     done
+    expect 2 course check velocity_now --seed ' 1'
+    says err "course: --seed ' 1': must be"
+}
+
+test_no_path_is_obeyed_by_the_terminal() {
+    odd=$(printf 'a\033[31m\nb')
+    expect 2 course check velocity_now --file "$odd"
+    is "$(sed 's/ (.*)//' err)" 'course: a?[31m?b: cannot be read'
+    cp $file "$odd"
+    expect 1 course check velocity_now --file "$odd"
+    says out 'Your file is a?[31m?b.'
 }
 
 test_two_commands_at_once_lose_nothing() {

@@ -116,9 +116,12 @@ void declare(CLI::App& app, Asked& asked) {
         "  ./course run 3 -- --help");
     const auto with_exercise = [&](const char* name, const char* words) {
         const auto command = app.add_subcommand(name, words);
-        return std::pair(command,
-                         command->add_option("EXERCISE", asked.exercise,
-                                             "name, number (1.1) or file of the exercise"));
+        const auto option = command->add_option("EXERCISE", asked.exercise,
+                                                "name, number (1.1) or file of the exercise");
+        option->check([](const std::string& word) {
+            return word.empty() ? "'' is no exercise; ./course list shows them" : "";
+        });
+        return std::pair(command, option);
     };
     const auto check =
         with_exercise("check", "check your answer to an exercise, or to all begun").first;
@@ -169,8 +172,8 @@ std::optional<std::uint64_t> seed_from(const std::optional<std::string>& given) 
     const char* const end = word.data() + word.size();
     const auto read = std::from_chars(word.data(), end, seed);
     if (read.ec != std::errc() || read.ptr != end)
-        throw Stop(Status::bad_use, "--seed " + (word.empty() ? "''" : word) +
-                                        ": must be a whole number from 0 to 2^64 - 1");
+        throw Stop(Status::bad_use,
+                   "--seed '" + word + "': must be a whole number from 0 to 2^64 - 1");
     return seed;
 }
 

@@ -110,6 +110,7 @@ void check(const std::string& name, const std::optional<std::string>& file, bool
         return check_all(json, seed);
     }
     const Exercise exercise = find_exercise(name);
+    if (file && file->empty()) throw Stop(Status::bad_use, "--file '': must be the name of a file");
     const fs::path answer = file ? fs::path(*file) : exercise.file();
     answer_in(exercise, answer);  // or one clear line, before anything is built
     bring_up_to_date();

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "stop.hpp"
+#include "terminal.hpp"
 
 namespace course {
 
@@ -18,7 +19,8 @@ namespace fs = std::filesystem;
 std::string contents(const fs::path& file) {
     const std::size_t most = 1 << 20;
     const auto refuse = [&](const std::string& why) {
-        throw Stop(Status::bad_use, file.string() + ": cannot be read (" + why + ")");
+        throw Stop(Status::bad_use, (file.empty() ? "''" : harmless_line(file.string())) +
+                                        ": cannot be read (" + why + ")");
     };
     std::error_code error;
     const auto type = fs::status(file, error).type();
@@ -52,7 +54,7 @@ std::string shown(const fs::path& file) {
     std::error_code ignored;
     const std::string whole = file.string();
     const std::string here = fs::relative(file, fs::current_path(ignored), ignored).string();
-    return here.empty() || here.size() > whole.size() ? whole : here;
+    return harmless_line(here.empty() || here.size() > whole.size() ? whole : here);
 }
 
 // Where a file system knows no locks, we do without.

@@ -14,7 +14,8 @@ std::string contents(const std::filesystem::path& file);
 /// Stop(bad_use) where that cannot be done, and leaves the file as it was.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
-/// A file's path as people type it: from where they are, unless the path from the root is shorter.
+/// A file's path for people, in one line that no terminal obeys: from where they are, unless the
+/// path from the root is shorter.
 std::string shown(const std::filesystem::path& file);
 
 /// While it lives, nobody else has a lock on this file, which is made where there is none. Throws

@@ -4,16 +4,17 @@
 #include <exception>
 
 #include "answer.hpp"
+#include "terminal.hpp"
 
 int main(int argc, char** argv) {
     const auto exit_with = [](course::Status status) { return static_cast<int>(status); };
     try {
         return exit_with(course::answer(argc, argv));
     } catch (const course::Stop& stop) {
-        if (*stop.what()) std::fprintf(stderr, "course: %s\n", stop.what());
+        if (*stop.what()) std::fprintf(stderr, "course: %s\n", course::harmless(stop.what()).c_str());
         return exit_with(stop.status());
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "course: %s\n", error.what());
+        std::fprintf(stderr, "course: %s\n", course::harmless(error.what()).c_str());
         return exit_with(course::Status::wrong);
     }
 }
