@@ -126,6 +126,16 @@ test_an_interrupt_ends_the_hidden_tests() {
     ! ps -e -o args | grep -F "$folder/build/exercises/check_" | grep -v grep || fail 'it goes on'
 }
 
+test_a_killed_check_leaves_no_compiler() {
+    own_build 'sleep 1000 & echo "$! $$" >running; wait'
+    start_course check velocity_now
+    wait_until [ -s running ]
+    kill -KILL $running
+    for process in $(cat running); do
+        wait_until is_gone "$process"
+    done
+}
+
 test_what_a_killed_check_has_left_is_swept() {
     command -v flock >/dev/null || exit 77
     own_build

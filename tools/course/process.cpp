@@ -9,6 +9,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/sysinfo.h>
 #include <sys/wait.h>
@@ -115,6 +116,36 @@ void confine(const Allowance& allowance) {
     if (!allowance.temporary.empty()) setenv("TMPDIR", allowance.temporary.c_str(), 1);
 }
 
+// A process that ends that group of others, and all in it, when this one ends before its time.
+class Guard {
+public:
+    explicit Guard(pid_t group) {
+        const pid_t parent = getpid();
+        guard_ = fork();
+        if (guard_ != 0) return;
+        close_range(0, ~0u, 0);
+        sigset_t all, end;
+        sigfillset(&all);
+        sigprocmask(SIG_SETMASK, &all, nullptr);  // what is meant for its parent is not for it
+        sigemptyset(&end);
+        sigaddset(&end, SIGUSR1);
+        prctl(PR_SET_PDEATHSIG, SIGUSR1);
+        if (getppid() == parent) sigwaitinfo(&end, nullptr);
+        kill(-group, SIGKILL);
+        _exit(0);
+    }
+    ~Guard() {
+        if (guard_ < 0) return;
+        kill(guard_, SIGKILL);
+        wait_for(guard_);
+    }
+    Guard(const Guard&) = delete;
+    Guard& operator=(const Guard&) = delete;
+
+private:
+    pid_t guard_;
+};
+
 }  // namespace
 
 void hand_over(const std::vector<std::string>& command) {
@@ -153,6 +184,7 @@ Outcome run_within(const std::vector<std::string>& command, const Allowance& all
     const Running running = start(command, [&] { confine(allowance); });
     const pid_t group = running.process;
     setpgid(group, group);
+    const Guard guard(group);
     const double deadline = now() + allowance.seconds;
 
     Outcome outcome;
