@@ -117,6 +117,22 @@ CODE
     says out '"verdict":"too_much_memory"'
 }
 
+test_a_right_answer_that_is_too_slow_to_be_watched() {
+    answer <<'CODE'
+#ifdef __SANITIZE_ADDRESS__
+    for (;;) {}
+#endif
+CODE
+    expect 0 course check velocity_now --file answer.cpp --sanitize
+    says out ': right'
+    says out 'too slow to be watched'
+    answer <<'CODE'
+    for (;;) {}
+CODE
+    expect 1 course check velocity_now --file answer.cpp --sanitize
+    says out 'There was no answer in time (2 s for one call, 8 s for all)'
+}
+
 test_a_report_that_is_printed_counts_for_nothing() {
     answer <<'CODE'
     std::fputs("==1==ERROR: AddressSanitizer: heap-use-after-free on address 0x1\n", stderr);
