@@ -142,6 +142,7 @@ test_a_killed_grading_goes_on_and_loses_nothing() {
 
 test_an_interrupt_ends_it_and_leaves_nothing() {
     needs_isolation
+    own_build
     echo 'for (;;) pause();' | answer dave
     for signal in TERM HUP KILL; do
         start_course grade class --again
@@ -166,6 +167,21 @@ test_two_gradings_at_once() {
     wait $running || true
     cmp -s one/grades.csv two/grades.csv || fail 'they disturb each other'
     is "$(cut -d, -f 4 one/grades.csv | tr '\n' ' ')" 'velocity_now pass wrong not_started pass '
+}
+
+# Who is slow because of others is asked again alone.
+test_a_slow_machine_is_nobodys_fault() {
+    needs_isolation
+    echo 'usleep(1200000);' | answer dave
+    export STAGE_COMPILER_SECONDS=0  # no compiler is done in time
+    expect 1 course grade class --jobs 2
+    says err ' were not done in time; once more, one at a time'
+    is "$(verdict_of alice)" does_not_compile
+}
+
+test_an_exercise_that_is_named_twice_counts_once() {
+    expect 1 course grade class --exercise velocity_now --exercise 1.1
+    is "$(head -n 1 class.grades/grades.csv)" submission,passed,of,velocity_now
 }
 
 test_without_bubblewrap_it_refuses() {

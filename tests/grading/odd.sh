@@ -50,8 +50,72 @@ test_what_is_no_file_is_refused() {
     is "$(verdict_of linked)" missing
     is "$(verdict_of archive.zip)" missing
     expect 1 course grade class --exercise velocity_now
-    case $(says_of linked) in *'is a link'*) ;; *) fail "$(says_of linked)" ;; esac
+    case $(says_of linked) in *'linked is a link'*) ;; *) fail "$(says_of linked)" ;; esac
     case $(says_of archive.zip) in *'unpacked first'*) ;; *) fail "$(says_of archive.zip)" ;; esac
+}
+
+# A class as it ought not to be, in one line: where is the one submission, where are the others?
+test_answers_beside_folders_with_answers() {
+    cp $solved class/velocity_now.cpp
+    expect 2 course grade class
+    is "$(cat err)" "course: class: holds answers itself, and so does 'alice' in it: --one says that it is one submission"
+    rm class/velocity_now.cpp
+    expect 2 course grade class --out class/grades
+    says err 'class/grades: the grades would lie among the submissions'
+    cd class
+    expect 2 course grade .
+    says err 'the grades would lie among the submissions'
+}
+
+test_a_refused_answer_is_told() {
+    needs_isolation
+    rm class/bob/velocity_now.cpp
+    ln -s "$folder/class/alice/velocity_now.cpp" class/bob/best_gap.cpp
+    expect 1 course grade class
+    says class.grades/grades.csv '"bob",0,2,missing,refused'
+    expect 1 course grade class/bob --out bob
+    says out 'best_gap.cpp is a link, and links are not followed'
+}
+
+# What others read must stay readable, whatever one learner prints.
+test_signs_that_no_file_may_hold() {
+    needs_isolation
+    command -v python3 >/dev/null || exit 77
+    hand_in "$(printf 'name\357\277\277')" $solved
+    echo 'std::puts("\357\277\277\357\277\276 \001 \033[31m ]]> \200\377");' | answer dave
+    hand_in "$(printf 'not\377utf8')" "$mistake"
+    expect 1 course grade class
+    python3 - <<'PYTHON' || fail 'what is written'
+import csv, json, xml.etree.ElementTree as tree
+assert len(tree.parse("class.grades/junit.xml").getroot()[0]) == 6
+assert len(json.load(open("class.grades/grades.json"))) == 6
+assert len(list(csv.reader(open("class.grades/grades.csv", encoding="utf-8")))) == 7
+PYTHON
+}
+
+# An answer may say what the system says when it is in trouble: it gets its verdict all the same.
+test_words_of_the_system_are_not_believed() {
+    needs_isolation
+    for words in 'No space left on device' 'bwrap: cannot'; do
+        { echo "#error $words"; cat $solved; } >words.cpp
+        hand_in "$words" words.cpp
+    done
+    { cat $solved; echo 'static int unused() { return 0; }  // No space left on device'; } >words.cpp
+    hand_in right words.cpp
+    expect 1 course grade class
+    is "$(verdict_of 'No space left on device')" does_not_compile
+    is "$(verdict_of 'bwrap: cannot')" does_not_compile
+    is "$(verdict_of right)" pass
+}
+
+test_a_journal_that_somebody_else_has_written() {
+    needs_isolation
+    expect 1 course grade class --seed 7
+    for line in '{"edition":5}' '[]' '{"edition":"x","seed":"y"}' '{"edition":"x","seed":-3}' 'nonsense'; do
+        echo "$line" >class.grades/journal.jsonl
+        expect 1 course grade class
+        says out '1 of 3 right'
+    done
 }
 
 test_ten_thousand_files_are_looked_through() {
@@ -83,7 +147,7 @@ test_files_by_the_names_of_people() {
 
 test_bad_use_in_one_line() {
     mkdir empty
-    for words in '' 'missing' 'empty' 'class --exercise none' 'class --jobs 0' 'class --seed x' \
+    for words in '' 'missing' "''" 'class --out=' 'empty' 'class --exercise none' 'class --jobs 0' 'class --seed x' \
         'class --out class/alice/velocity_now.cpp' 'class --bad' '/dev/null'; do
         # shellcheck disable=SC2086
         expect 2 course grade $words

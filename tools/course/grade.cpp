@@ -17,6 +17,7 @@
 #include "submissions.hpp"
 #include "tell.hpp"
 #include "terminal.hpp"
+#include "workshop.hpp"
 
 namespace course {
 
@@ -56,16 +57,30 @@ private:
     std::optional<Lock> lock_;
 };
 
+// Outside of what is graded: what lies there is the learners'.
 fs::path desk_for(const Grading& grading) {
-    if (grading.out) return *grading.out;
     std::error_code ignored;
-    return fs::canonical(grading.place, ignored).filename().string() + ".grades";
+    const fs::path place = fs::canonical(grading.place, ignored);
+    const fs::path desk = grading.out ? fs::path(*grading.out)
+                                      : fs::path(place.filename().string() + ".grades");
+    if (desk.empty()) throw Stop(Status::bad_use, "--out '': must be the name of a folder");
+    const fs::path way = fs::relative(fs::weakly_canonical(desk, ignored), place, ignored);
+    if (!way.empty() && *way.begin() != "..")
+        throw Stop(Status::bad_use, in_one_line(desk.string()) +
+                                        ": the grades would lie among the submissions; --out takes "
+                                        "another folder");
+    return desk;
 }
 
 std::vector<Exercise> asked_for(const Grading& grading) {
     if (grading.exercises.empty()) return read_exercises();
     std::vector<Exercise> exercises;
-    for (const std::string& name : grading.exercises) exercises.push_back(find_exercise(name));
+    for (const std::string& name : grading.exercises) {
+        const Exercise exercise = find_exercise(name);
+        if (std::none_of(exercises.begin(), exercises.end(),
+                         [&](const Exercise& other) { return other.name == exercise.name; }))
+            exercises.push_back(exercise);
+    }
     return exercises;
 }
 
@@ -92,7 +107,9 @@ Pile gather(const Grading& grading) {
     Pile some{{}, all.submissions, {}};
     std::vector<bool> is_there(width, false);
     for (std::size_t i = 0; i < all.answers.size(); ++i)
-        if (!all.answers[i].file.empty() && all.answers[i].refused.empty()) is_there[i % width] = true;
+        if (!all.answers[i].file.empty() &&
+            (all.answers[i].refused.empty() || all.answers[i].file != all.submission(i).place))
+            is_there[i % width] = true;
     for (std::size_t i = 0; i < width; ++i)
         if (is_there[i]) some.exercises.push_back(all.exercises[i]);
     for (std::size_t i = 0; i < all.answers.size(); ++i)
@@ -105,18 +122,29 @@ Pile gather(const Grading& grading) {
     return some;
 }
 
-// In a process of its own.
-Grade check_one(const Submission& submission, const Exercise& exercise, const fs::path& file,
+void replace_all(std::string& text, const std::string& what, const std::string& by) {
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+        text.replace(at, what.size(), by);
+}
+
+// In a process of its own, on a copy: what was handed in is read only once.
+Grade check_one(const Submission& submission, const Exercise& exercise, const std::string& answer,
                 std::uint64_t seed, const Sandbox* sandbox) {
-    Grade grade{submission.name, exercise.name, "course_error", "", seed, 0};
+    Grade grade{submission.name, exercise.name, "course_error", "", seed, 0, true};
     try {
-        const Verdict verdict = check_file(exercise, file, seed, sandbox);
+        const Workshop workshop;
+        const fs::path copy = workshop.folder() / (exercise.name + ".cpp");
+        write_whole(copy, answer);
+        const Verdict verdict = check_file(exercise, copy, seed, sandbox);
         grade.verdict = verdict.kind;
-        grade.says = told(exercise, verdict, file);
+        grade.says = told(exercise, verdict, copy);
+        for (const std::string& place : {copy.string(), shown(copy)})
+            replace_all(grade.says, place, exercise.name + ".cpp");
         grade.seconds = verdict.seconds;
+        grade.in_time = verdict.in_time;
     } catch (const Stop& stop) {
         if (stop.status() == Status::interrupted) throw;
-        grade.says = stop.what();
+        grade.says = in_one_line(stop.what());
     }
     return grade;
 }
@@ -154,35 +182,34 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
     ProgressLine progress;
     std::vector<Grade> grades(pile.answers.size());
     std::vector<std::string> texts(grades.size());
-    std::vector<std::size_t> to_do, too_slow;
+    std::size_t taken_over = 0;
+    std::vector<std::size_t> to_do, once_more;
     for (std::size_t i = 0; i < grades.size(); ++i) {
         const HandedIn& answer = pile.answers[i];
-        grades[i] = {pile.submission(i).name, pile.exercise(i).name, "missing",
-                     pile.exercise(i).name + ": nothing was handed in", seed, 0};
+        const std::string& name = pile.exercise(i).name;
+        grades[i] = {pile.submission(i).name, name, "missing", name + ": nothing was handed in",
+                     seed, 0, true};
         if (answer.file.empty()) continue;
-        grades[i].verdict = "refused";
-        grades[i].says = pile.exercise(i).name + ": refused: " + answer.refused;
-        if (!answer.refused.empty()) continue;
         try {
-            texts[i] = contents(answer.file);
+            texts[i] = text_of(answer);
         } catch (const Stop& stop) {
-            grades[i].says = pile.exercise(i).name + ": refused: " + in_one_line(stop.what());
+            grades[i].verdict = "refused";
+            grades[i].says = name + ": refused: " + stop.what();
             continue;
         }
-        const Grade* const known = journal.find(grades[i].submission, grades[i].exercise, texts[i]);
-        if (known != nullptr && !grading.again)
+        const Grade* const known = journal.find(grades[i].submission, name, texts[i]);
+        if (known != nullptr && !grading.again) {
             grades[i] = *known;
-        else
+            ++taken_over;
+        } else {
             to_do.push_back(i);
+        }
     }
-    const std::size_t taken_over = static_cast<std::size_t>(
-        std::count_if(texts.begin(), texts.end(), [](const auto& text) { return !text.empty(); }));
-    if (taken_over > to_do.size())
-        progress.say("  " + std::to_string(taken_over - to_do.size()) + " were graded before");
+    if (taken_over > 0) progress.say("  " + std::to_string(taken_over) + " were graded before");
 
     std::size_t done = 0;
     const auto work = [&](std::size_t i) {
-        return check_one(pile.submission(i), pile.exercise(i), pile.answers[i].file, seed, sandbox);
+        return check_one(pile.submission(i), pile.exercise(i), texts[i], seed, sandbox);
     };
     const auto keep = [&](std::size_t i, const Grade& grade) {
         grades[i] = grade;
@@ -193,16 +220,17 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
                          ? grading.jobs
                          : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     in_parallel(to_do, jobs, work, [&](std::size_t i, const Grade& grade) {
-        if (grade.verdict == "too_slow" && jobs > 1)
-            too_slow.push_back(i);  // perhaps only because of its neighbours
+        if (!grade.in_time && jobs > 1)
+            once_more.push_back(i);  // perhaps it was its neighbours
         else
             keep(i, grade);
         progress.now("[" + std::to_string(++done) + "/" + std::to_string(to_do.size()) + "] " +
                      in_one_line(grade.submission) + " " + grade.exercise + ": " + grade.verdict);
     });
-    if (!too_slow.empty())
-        progress.say("  " + std::to_string(too_slow.size()) + " too slow; once more, one at a time");
-    in_parallel(too_slow, 1, work, keep);
+    if (!once_more.empty())
+        progress.say("  " + std::to_string(once_more.size()) +
+                     " were not done in time; once more, one at a time");
+    in_parallel(once_more, 1, work, keep);
     return grades;
 }
 

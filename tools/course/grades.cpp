@@ -29,10 +29,13 @@ double thousandths(double seconds) {
     return std::round(seconds * 1000) / 1000;
 }
 
-// XML has no way at all to write most control characters.
+// XML has no way at all to write most control characters, nor U+FFFE and U+FFFF.
 std::string xml(const std::string& text) {
-    std::string out;
-    for (const char c : clean(text)) {
+    std::string out, readable = clean(text);
+    for (const char* none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
+        for (std::size_t at; (at = readable.find(none)) != std::string::npos;)
+            readable.replace(at, 3, "?");
+    for (const char c : readable) {
         if (c == '&')
             out += "&amp;";
         else if (c == '<')
@@ -49,8 +52,8 @@ std::string xml(const std::string& text) {
 
 // A spreadsheet takes what begins so for a formula, which it would obey.
 std::string csv(const std::string& text) {
-    std::string out = text.find_first_of("=+-@") == 0 ? "\"'" : "\"";
-    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    std::string out = text.find_first_of("=+-@ ") == 0 ? "\"'" : "\"";
+    for (const char c : clean(text)) out += c == '"' ? std::string("\"\"") : std::string(1, c);
     return out + "\"";
 }
 

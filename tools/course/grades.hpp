@@ -19,6 +19,7 @@ struct Grade {
     std::string says;     ///< what a learner would be told
     std::uint64_t seed = 0;
     double seconds = 0;
+    bool in_time = true;  ///< false where compiler or answer had not come to an end
 
     bool passed() const { return verdict == "pass"; }
 };

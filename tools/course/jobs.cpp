@@ -30,16 +30,16 @@ struct Job {
 // Its strings may hold any bytes, which MessagePack takes and JSON does not.
 std::string packed(const Grade& grade) {
     const json value{grade.submission, grade.exercise, grade.verdict,
-                     grade.says,       grade.seed,     grade.seconds};
+                     grade.says,       grade.seed,     grade.seconds, grade.in_time};
     const auto bytes = json::to_msgpack(value);
     return {bytes.begin(), bytes.end()};
 }
 
 Grade unpacked(const std::string& bytes) {
     const json value = json::from_msgpack(bytes, true, false);
-    if (!value.is_array() || value.size() != 6)
-        return {"", "", "course_error", "the check ended without a verdict", 0, 0};
-    return {value[0], value[1], value[2], value[3], value[4], value[5]};
+    if (!value.is_array() || value.size() != 7)
+        return {"", "", "course_error", "the check ended without a verdict", 0, 0, true};
+    return {value[0], value[1], value[2], value[3], value[4], value[5], value[6]};
 }
 
 // Ends with its parent, tidily.

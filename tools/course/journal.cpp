@@ -53,8 +53,9 @@ std::string mark_of(const std::string& text) {
 std::uint64_t Journal::seed_in(const fs::path& file, const std::string& edition,
                                std::uint64_t seed) {
     const auto lines = read_lines(file);
-    return !lines.empty() && lines[0].value("edition", "") == edition ? lines[0].value("seed", seed)
-                                                                       : seed;
+    const json known = lines.empty() ? json() : lines[0].value("seed", json());
+    const bool ours = known.is_number_unsigned() && lines[0] == heading(edition, known);
+    return ours ? known.get<std::uint64_t>() : seed;
 }
 
 Journal::Journal(const fs::path& file, const std::string& edition, std::uint64_t seed)
@@ -65,7 +66,8 @@ Journal::Journal(const fs::path& file, const std::string& edition, std::uint64_t
     for (std::size_t i = 1; ours && i < lines.size(); ++i) try {
             const json& line = lines[i];
             const Grade grade{line.at("submission"), line.at("exercise"), line.at("verdict"),
-                              line.at("says"),       line.at("seed"),     line.at("seconds")};
+                              line.at("says"),       line.at("seed"),     line.at("seconds"),
+                              true};
             known_[key_of(grade.submission, grade.exercise, line.at("text"))] = grade;
             text += line_of(line);
         } catch (const json::exception&) {  // written by nobody we know
@@ -93,7 +95,8 @@ void Journal::keep(const Grade& grade, const std::string& answer) {
                                       {"says", grade.says},
                                       {"seed", grade.seed},
                                       {"seconds", grade.seconds}});
-    if (write(out_, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
+    if (write(out_, line.data(), line.size()) != static_cast<ssize_t>(line.size()) ||
+        fdatasync(out_) != 0)
         throw Stop(Status::bad_use,
                    file_.string() + ": cannot be written (" + std::strerror(errno) + ")");
 }

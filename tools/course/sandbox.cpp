@@ -93,9 +93,10 @@ std::string Sandbox::fault_of(std::vector<std::string> before) {
 // course is hidden again. Nobody is root in it, and all in it ends with bubblewrap, which ends with
 // us.
 Words Sandbox::walls() const {
-    Words words{bubblewrap_, "--unshare-all",      "--unshare-user", "--die-with-parent",
-                "--new-session", "--disable-userns", "--uid", "65534", "--gid", "65534", "--clearenv"};
-    add(words, {"--setenv", "PATH", "/usr/bin:/bin", "--setenv", "LC_ALL", "C.UTF-8"});
+    Words words{bubblewrap_};
+    add(words, {"--unshare-all", "--unshare-user", "--disable-userns", "--die-with-parent"});
+    add(words, {"--new-session", "--uid", "65534", "--gid", "65534", "--hostname", "sandbox"});
+    add(words, {"--clearenv", "--setenv", "PATH", "/usr/bin:/bin", "--setenv", "LC_ALL", "C.UTF-8"});
     show(words, "/usr");
     for (const char* place : {"/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32"}) {
         std::error_code error;

@@ -1,8 +1,14 @@
 #include "submissions.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <map>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "stop.hpp"
 #include "terminal.hpp"
@@ -21,36 +27,30 @@ struct Search {
     const std::map<std::string, std::size_t>& wanted;  // file name -> place in `found`
     std::vector<std::vector<fs::path>> found;
     std::size_t seen = 0;
+    std::string fault = {};  // why it has not seen all
 
-    bool too_much() const { return seen > most_entries; }
     void in(const fs::path& folder, int depth) {
         std::error_code error;
         for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
              entry.increment(error)) {
-            if (++seen > most_entries) return;
+            if (++seen > most_entries) {
+                fault = "holds more than " + std::to_string(most_entries) + " files and folders";
+                return;
+            }
             const std::string name = entry->path().filename().string();
             if (const auto at = wanted.find(name); at != wanted.end())
                 found[at->second].push_back(entry->path());
-            else if (!name.starts_with(".") && depth < deepest &&
-                     fs::is_directory(entry->symlink_status(error)))
-                in(entry->path(), depth + 1);
+            else if (!name.starts_with(".") && fs::is_directory(entry->symlink_status(error))) {
+                if (depth < deepest)
+                    in(entry->path(), depth + 1);
+                else
+                    fault = "holds folders more than " + std::to_string(deepest) + " deep";
+            }
             error.clear();
         }
+        if (error) fault = "holds a folder that cannot be read (" + error.message() + ")";
     }
 };
-
-// Why a file cannot be taken; "" where it can.
-std::string fault_of(const fs::path& file) {
-    std::error_code error;
-    switch (fs::symlink_status(file, error).type()) {
-    case fs::file_type::regular: break;
-    case fs::file_type::symlink: return "is a link, and links are not followed";
-    case fs::file_type::directory: return "is a folder";
-    default: return "is no regular file";
-    }
-    if (fs::file_size(file, error) > 1 << 20) return "is larger than 1 MB";
-    return {};
-}
 
 bool is_at_its_place(const fs::path& file, const Exercise& exercise) {
     const fs::path folder = file.parent_path();
@@ -67,8 +67,7 @@ HandedIn choose(const std::vector<fs::path>& found, const Exercise& exercise) {
         return {found[0], std::to_string(found.size()) + " files are named " + name +
                               ", and not just one of them is exercises/" + exercise.chapter + "/" +
                               name};
-    const std::string fault = fault_of(files[0]);
-    return {files[0], fault.empty() ? "" : name + " " + fault};
+    return {files[0], ""};
 }
 
 // What versions, file managers and archives leave beside the submissions.
@@ -84,11 +83,44 @@ bool is_answer(const fs::path& entry, const std::vector<Exercise>& exercises) {
 
 }  // namespace
 
+// Opened once, and all is asked of what was opened: what bears the name may change.
+std::string text_of(const HandedIn& answer) {
+    const std::size_t most = 1 << 20;
+    const std::string name = in_one_line(answer.file.filename().string());
+    const auto refuse = [&](const std::string& why) {
+        throw Stop(Status::bad_use, name + " " + why);
+    };
+    if (!answer.refused.empty()) throw Stop(Status::bad_use, answer.refused);
+    const int file = open(answer.file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0 && errno == ELOOP) refuse("is a link, and links are not followed");
+    if (file < 0) refuse(std::string("cannot be read (") + std::strerror(errno) + ")");
+    struct stat status {};
+    std::string text(most + 1, '\0'), fault;
+    std::size_t size = 0;
+    if (fstat(file, &status) != 0 || S_ISDIR(status.st_mode))
+        fault = "is a folder";
+    else if (!S_ISREG(status.st_mode))
+        fault = "is no regular file";
+    while (fault.empty() && size < text.size()) {
+        const ssize_t got = read(file, text.data() + size, text.size() - size);
+        if (got < 0) fault = std::string("cannot be read (") + std::strerror(errno) + ")";
+        if (got <= 0) break;
+        size += static_cast<std::size_t>(got);
+    }
+    close(file);
+    if (fault.empty() && size > most) fault = "is larger than 1 MB";
+    if (!fault.empty()) refuse(fault);
+    text.resize(size);
+    return text;
+}
+
 std::string in_one_line(const std::string& name) {
     std::string line;
     for (const char c : name) {
         char code[8] = {c, '\0'};
-        if (c == '\n' || c == '\t')
+        if (c == '\\')
+            std::snprintf(code, sizeof code, "\\\\");
+        else if (c == '\n' || c == '\t')
             std::snprintf(code, sizeof code, "\\%c", c == '\n' ? 'n' : 't');
         else if (static_cast<unsigned char>(c) < ' ' || c == '\x7f')
             std::snprintf(code, sizeof code, "\\x%02x", static_cast<unsigned char>(c));
@@ -97,12 +129,23 @@ std::string in_one_line(const std::string& name) {
     return harmless(line);
 }
 
+namespace {
+
+bool holds_answers(const Submission& submission, const std::vector<Exercise>& exercises) {
+    const auto answers = answers_in(submission, exercises);
+    return std::any_of(answers.begin(), answers.end(),
+                       [](const HandedIn& answer) { return !answer.file.empty(); });
+}
+
+}  // namespace
+
 std::vector<Submission> find_submissions(const fs::path& place,
                                          const std::vector<Exercise>& exercises, bool one) {
     std::error_code error;
     const fs::path whole = fs::canonical(place, error);
     const auto refuse = [&](const std::string& why) {
-        throw Stop(Status::bad_use, in_one_line(place.string()) + ": " + why);
+        throw Stop(Status::bad_use,
+                   (place.empty() ? "''" : in_one_line(place.string())) + ": " + why);
     };
     if (error) refuse("cannot be read (" + error.message() + ")");
     if (!fs::is_directory(whole) && !fs::is_regular_file(whole))
@@ -110,17 +153,26 @@ std::vector<Submission> find_submissions(const fs::path& place,
     if (one || fs::is_regular_file(whole)) return {{whole.filename().string(), whole}};
 
     std::vector<Submission> all;
+    bool own = false;  // answers
     for (fs::directory_iterator entry(whole, error), end; !error && entry != end;
          entry.increment(error)) {
         const std::string name = entry->path().filename().string();
-        if (name == "exercises" || is_answer(entry->path(), exercises))
-            return {{whole.filename().string(), whole}};
+        if (name == "exercises") return {{whole.filename().string(), whole}};
+        own = own || is_answer(entry->path(), exercises);
         if (!is_litter(name)) all.push_back({name, entry->path()});
     }
     if (error) refuse("cannot be read (" + error.message() + ")");
     if (all.empty()) refuse("holds no submission: it is empty");
     std::sort(all.begin(), all.end(),
               [](const auto& a, const auto& b) { return a.name < b.name; });
+    if (own) {
+        for (const Submission& inner : all)
+            if (fs::is_directory(fs::symlink_status(inner.place, error)) &&
+                holds_answers(inner, exercises))
+                refuse("holds answers itself, and so does '" + in_one_line(inner.name) +
+                       "' in it: --one says that it is one submission");
+        return {{whole.filename().string(), whole}};
+    }
     return all;
 }
 
@@ -132,10 +184,12 @@ std::vector<HandedIn> answers_in(const Submission& submission,
     if (type != fs::file_type::directory) {
         for (std::size_t i = 0; i < exercises.size(); ++i) {
             if (exercises.size() > 1 && submission.name != exercises[i].name + ".cpp") continue;
-            std::string fault = fault_of(submission.place);
-            if (fault.empty() && submission.place.extension() != ".cpp")
-                fault = "is neither a folder nor a .cpp file (archives are to be unpacked first)";
-            answers[i] = {submission.place, fault.empty() ? "" : "the submission " + fault};
+            const bool source = submission.place.extension() == ".cpp";
+            answers[i] = {submission.place,
+                          source || type != fs::file_type::regular
+                              ? ""
+                              : "it is neither a folder nor a .cpp file (archives are to be "
+                                "unpacked first)"};
         }
         return answers;
     }
@@ -144,11 +198,9 @@ std::vector<HandedIn> answers_in(const Submission& submission,
     Search search{wanted, std::vector<std::vector<fs::path>>(exercises.size())};
     search.in(submission.place, 0);
     for (std::size_t i = 0; i < exercises.size(); ++i)
-        answers[i] = search.too_much()
-                         ? HandedIn{submission.place, "the submission holds more than " +
-                                                          std::to_string(most_entries) +
-                                                          " files and folders"}
-                         : choose(search.found[i], exercises[i]);
+        answers[i] = search.fault.empty()
+                         ? choose(search.found[i], exercises[i])
+                         : HandedIn{submission.place, "the submission " + search.fault};
     return answers;
 }
 

@@ -33,7 +33,11 @@ std::vector<Submission> find_submissions(const std::filesystem::path& place,
 std::vector<HandedIn> answers_in(const Submission& submission,
                                  const std::vector<Exercise>& exercises);
 
-/// A name from outside in one line: control characters as \n, \t, \xNN.
+/// The text of an answer that is handed in. Throws Stop(bad_use), one line, where it is no file, is
+/// larger than 1 MB, or cannot be read. No link is followed.
+std::string text_of(const HandedIn& answer);
+
+/// A name from outside in one line: control characters as \n, \t, \xNN, a backslash as \\.
 std::string in_one_line(const std::string& name);
 
 }  // namespace course

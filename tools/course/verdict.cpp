@@ -64,13 +64,24 @@ void stop_if_broken(const Words& around, const std::string& said) {
     if (!fault.empty()) throw Stop(Status::missing, fault);
 }
 
+void stop_if_full(const fs::path& folder) {
+    try {
+        write_whole(folder / "room", std::string(4 << 20, ' '));
+    } catch (const Stop&) {
+        throw Stop(Status::bad_use, places().build.string() + ": no space left on the device");
+    }
+}
+
 // Runs the compiler; false where it refuses, or has not come to an end.
 bool succeeds(const Words& command, const Workshop& workshop, Verdict& verdict, int patience) {
     const int seconds = places().compiler_seconds * patience;
     const Outcome outcome =
         run_within(command, {double(seconds), 4096, 64, 64, workshop.folder().string()});
-    if (outcome.said.find("No space left on device") != std::string::npos)
-        throw Stop(Status::bad_use, places().build.string() + ": no space left on the device");
+    // The words may be the answer's own: so the disk is asked, too.
+    if (outcome.status != 0 && outcome.said.find("No space left on device") != std::string::npos)
+        stop_if_full(workshop.folder());
+    // By a signal it ends where the machine has no memory left, or for bombs.
+    if (outcome.too_slow || outcome.status > 128) verdict.in_time = false;
     if (outcome.too_slow)
         verdict.compiler +=
             "The compiler had not come to an end after " + std::to_string(seconds) + " s.\n";
@@ -82,12 +93,14 @@ bool succeeds(const Words& command, const Workshop& workshop, Verdict& verdict, 
 
 // The line of the learner's file that the addresses of a crash lead to, the innermost first; 0 if
 // none.
-int line_of_crash(const std::string& trace, const fs::path& worker, const fs::path& file) {
+int line_of_crash(const std::string& trace, const Words& around, const fs::path& worker,
+                  const fs::path& file) {
     if (trace.empty()) return 0;
     Words command{"addr2line", "-i", "-e", worker.string()};
+    put_before(command, around);  // a stranger may have written what it reads
     std::istringstream addresses(trace);
     for (std::string address; addresses >> address;) command.push_back(address);
-    std::istringstream places(run_within(command, {5}).said);
+    std::istringstream places(run_within(command, {5, 512}).said);
     for (std::string place; std::getline(places, place);)
         if (place.starts_with(file.string() + ":"))
             return std::atoi(place.c_str() + file.string().size() + 1);
@@ -236,7 +249,8 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
             outcome.too_slow ? "the hidden tests did not come to an end" : outcome.said;
         return ended("course_error");
     }
-    verdict.line = line_of_crash(said["trace"], worker, file);
+    verdict.line = line_of_crash(said["trace"], around, worker, file);
+    if (said["verdict"] == "too_slow") verdict.in_time = false;
     return ended(said["verdict"]);
 }
 
