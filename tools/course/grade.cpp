@@ -64,7 +64,7 @@ fs::path desk_for(const Grading& grading) {
     const fs::path desk = grading.out ? fs::path(*grading.out)
                                       : fs::path(place.filename().string() + ".grades");
     if (desk.empty()) throw Stop(Status::bad_use, "--out '': must be the name of a folder");
-    const fs::path way = fs::relative(fs::weakly_canonical(desk, ignored), place, ignored);
+    const fs::path way = fs::relative(fs::weakly_canonical(fs::absolute(desk, ignored), ignored), place, ignored);
     if (!way.empty() && *way.begin() != "..")
         throw Stop(Status::bad_use, in_one_line(desk.string()) +
                                         ": the grades would lie among the submissions; --out takes "
