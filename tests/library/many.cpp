@@ -146,7 +146,7 @@ TEST_CASE("a body that is not finite is refused, and nothing is added", "[librar
 
 TEST_CASE("shares for threads are every part once, whatever does not divide", "[library][ch8]") {
     for (const std::size_t count : {0, 1, 2, 7, 1000})
-        for (const unsigned threads : {1u, 2u, 3u, 8u}) {
+        for (const unsigned threads : {0u, 1u, 2u, 3u, 8u}) {
             std::vector<int> seen(count, 0);  // no two shares overlap, so no two threads meet here
             share_out(count, threads, [&](std::size_t first, std::size_t last) {
                 for (std::size_t i = first; i < last; ++i) ++seen[i];

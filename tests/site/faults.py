@@ -81,7 +81,7 @@ class Links(SiteCase):
 
     def test_a_site_that_is_too_large(self):
         self.write("large.bin", bytes(links.LARGEST_SITE))
-        self.assertEqual(self.faults(), ["the site has 25.0 MB, more than 25 MB"])
+        self.assertEqual(self.faults(), ["the site has 32.0 MB, more than 32 MB"])
 
 
 @unittest.skipIf(browser.missing(), browser.missing())

@@ -12,10 +12,11 @@ namespace timestep {
 /// does no work: with ½(ω₁ + ω₂) on both sides, the energies are equal. No branch, no solve, and
 /// nothing that could vanish.
 ///
-/// Order two; the energy stays for any inertia, spin and step, to a few roundoffs; |L| is kept to
-/// order two only, and creeps, so a body left alone may end turning about another axis, far later
-/// than by the passive step; it never exceeds what the energy allows. Steps with h|ω| beyond 1 are
-/// safe and no longer right. Where (hω)² is too large for a number (hω beyond 1e154, in float 1e19,
+/// Order two; the energy stays for any inertia, spin and step, to a few roundoffs. |L| is kept to
+/// order two only, within what the energy allows, and creeps, up or down: towards a spin about the
+/// middle axis. From h|ω| of some 0.3 on a wheel loses half of its spin within a minute or two,
+/// which the passive step and the half-step Jacobian leave it. Steps with h|ω| beyond 1 are safe and
+/// no longer right. Where (hω)² is too large for a number (hω beyond 1e154, in float 1e19,
 /// less by some roots of the moments' ratio) three moments give back NaN.
 struct CayleyGyroscopic {
     static constexpr const char* name = "Cayley";  ///< for tables and keys

@@ -138,11 +138,13 @@ public:
     Real t = 0;  ///< time, s
 
 private:
+    /// \cond
     template <template <class> class Kind>
     struct Group {
         std::size_t size = 0;
         std::vector<BodyPack<Kind<Pack>>> packs;
     };
+    /// \endcond
     template <template <class> class Kind>
     auto& group() {
         return std::get<Group<Kind>>(groups_);
