@@ -40,7 +40,7 @@ function(timestep_check_learners told)
     target_include_directories(answer_${name} PRIVATE "${generated}" "${learner}")
     target_compile_options(answer_${name} PRIVATE -UNDEBUG ${flags}
       "SHELL:-include ${header}.hpp" "SHELL:-include ${name}_declared.hpp")
-    target_link_options(answer_${name} PRIVATE -no-pie)
+    target_link_options(answer_${name} PRIVATE -no-pie -fno-lto)
     add_custom_target(check_${name} COMMAND "${CMAKE_COMMAND}" -D NAME=${name} -D FILE=${file}
       -D ABOUT=${told}/${about} -D CHECK=$<TARGET_FILE:check>
       -D WORKER=$<TARGET_FILE:answer_${name}> -P "${PROJECT_SOURCE_DIR}/tools/cmake/say_verdict.cmake"
@@ -101,7 +101,8 @@ function(timestep_check_learners told)
     list(APPEND lists -Wa,--MD,@.incbin.d)
   endif()
   timestep_json_words(lists ${lists})
-  timestep_json_words(link "${CMAKE_CXX_COMPILER}" -no-pie)
+  # What an answer may bring for link-time optimization, with options of its own, is not made use of.
+  timestep_json_words(link "${CMAKE_CXX_COMPILER}" -no-pie -fno-lto)
   file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/exercises/commands.json" CONTENT
 "{\"compile\": ${compile},
  \"compile_eigen\": ${compile_eigen},
