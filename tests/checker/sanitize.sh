@@ -52,6 +52,26 @@ CODE
 CODE
 }
 
+test_behind_the_end_of_a_vector_that_has_room_for_more() {
+    grep -q SANITIZE_VECTOR "$real_build/exercises/commands.json" || exit 77
+    found 'out of a vector' <<'CODE'
+    std::vector<int> numbers(7);
+    numbers.erase(numbers.begin());
+    zero = zero & *numbers.end();  // here
+CODE
+    found 'out of a vector' <<'CODE'
+    std::vector<int> numbers;
+    numbers.reserve(7);
+    zero = zero & numbers.data()[3];  // here
+CODE
+    found 'out of a vector' <<'CODE'
+    std::vector<int> numbers(7);
+    const int& last = numbers.back();
+    numbers.pop_back();
+    zero = zero & last;  // here
+CODE
+}
+
 test_memory_that_was_given_back() {
     found 'given back already' <<'CODE'
     volatile double* const number = new double(right);

@@ -34,6 +34,7 @@ constexpr Plain in_words[] = {
     {"double-free", "memory is given back twice"},
     {"heap-buffer-overflow", "an index or a pointer leads out of an array on the heap"},
     {"stack-buffer", "an index or a pointer leads out of an array"},
+    {"container-overflow", "an index, a pointer or an iterator leads out of a vector"},
     {"global-buffer-overflow", "an index or a pointer leads out of a global array"},
     {"dynamic-stack-buffer-overflow", "an index or a pointer leads out of an array"},
     {"allocation-size-too-big", too_much_memory},

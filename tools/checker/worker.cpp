@@ -141,10 +141,9 @@ bool calculates_as_usual() {
 int serve(const Answer& answer) {
     reply(Reply::ready, nullptr, 0);
     Head head;
-    Numbers arguments;
     while (read_all(calls_fd, &head, sizeof head)) {
         call_number = head.number;
-        arguments.resize(head.bytes / sizeof(double));
+        Numbers arguments(head.bytes / sizeof(double));
         if (!read_all(calls_fd, arguments.data(), head.bytes)) return 1;
         const Numbers result = answer(arguments);
         if (!calculates_as_usual()) {
