@@ -11,7 +11,8 @@ int main(int argc, char** argv) {
     try {
         return exit_with(course::answer(argc, argv));
     } catch (const course::Stop& stop) {
-        if (*stop.what()) std::fprintf(stderr, "course: %s\n", course::harmless(stop.what()).c_str());
+        const std::string line = course::harmless(stop.what());
+        if (!line.empty()) std::fprintf(stderr, "course: %s\n", line.c_str());
         return exit_with(stop.status());
     } catch (const std::exception& error) {
         std::fprintf(stderr, "course: %s\n", course::harmless(error.what()).c_str());

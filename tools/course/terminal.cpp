@@ -38,7 +38,7 @@ std::size_t character_at(const std::string& text, std::size_t at) {
     return size;
 }
 
-// Control characters, of which C2 80 to C2 9F are the later half, and U+2028 to U+202E and U+2066 to
+// Control characters, of which C2 80 to C2 9F are the later half; U+2028 to U+202E and U+2066 to
 // U+2069, which end lines and turn the direction of writing.
 bool is_obeyed(const std::string& character) {
     if (character.size() == 1)
