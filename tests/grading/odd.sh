@@ -138,8 +138,11 @@ test_files_by_the_names_of_people() {
     cp "$mistake" flat/bob.cpp
     expect 2 course grade flat
     says err 'flat: holds no answer: no file has the name of an exercise'
-    expect 1 course grade flat --one --exercise velocity_now
+    expect 1 course grade flat --one --exercise velocity_now  # which of the two?
     says out 'nothing was handed in'
+    rm flat/bob.cpp
+    expect 0 course grade flat --one --exercise velocity_now
+    cp "$mistake" flat/bob.cpp
     expect 1 course grade flat --exercise velocity_now
     says flat.grades/grades.csv '"alice_velocity.cpp",1,1,pass'
     says flat.grades/grades.csv '"bob.cpp",0,1,wrong'

@@ -32,9 +32,15 @@ test_gradescope_gets_its_results() {
     rm autograder/submission/velocity_now.cpp
     EXERCISES=velocity_now expect 0 sh "$source/docs/teaching/run_autograder"
     says autograder/results/results.json 'nothing was handed in'
-    rm -r autograder/submission autograder/results/results.json
+    cp $solved autograder/submission/main.cpp
+    EXERCISES=velocity_now expect 0 sh "$source/docs/teaching/run_autograder"
+    says autograder/results/results.json '"score": 1'
+    expect 0 sh "$source/docs/teaching/run_autograder"
+    says autograder/results/results.json 'No file has the name of an exercise'
+    rm -r autograder/submission
     expect 1 sh "$source/docs/teaching/run_autograder"
-    [ ! -e autograder/results/results.json ] || fail 'results without a submission'
+    EXERCISES=velocity_nwo expect 1 sh "$source/docs/teaching/run_autograder"
+    [ ! -e autograder/results/results.json ] || fail 'results of another run'
 }
 
 test_classroom_passes_and_fails() {

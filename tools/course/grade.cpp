@@ -114,7 +114,7 @@ Pile gather(const Grading& grading) {
         if (is_there[i]) some.exercises.push_back(all.exercises[i]);
     for (std::size_t i = 0; i < all.answers.size(); ++i)
         if (is_there[i % width]) some.answers.push_back(all.answers[i]);
-    if (some.exercises.empty())
+    if (some.exercises.empty() && !grading.one)
         throw Stop(Status::bad_use,
                    in_one_line(grading.place) +
                        ": holds no answer: no file has the name of an exercise, like "
@@ -167,7 +167,9 @@ void print(const Pile& pile, const std::vector<Grade>& grades) {
                         padded(in_one_line(pile.submission(i).name), longest).c_str(), passed, width,
                         missing > 0 ? (", " + std::to_string(missing) + " missing").c_str() : "");
         }
-        if (!grades[i].passed() && grades[i].verdict != "missing")
+        if (grades[i].verdict == "refused")
+            std::printf("    %s\n", grades[i].says.c_str());
+        else if (!grades[i].passed() && grades[i].verdict != "missing")
             std::printf("    %s %s\n", padded(place, 32).c_str(), grades[i].verdict.c_str());
     }
 }
@@ -240,6 +242,8 @@ void grade(const Grading& grading) {
     if (grading.jobs < 0) throw Stop(Status::bad_use, "--jobs must be 1 or more");
     const Pile pile = gather(grading);
     const Desk desk(desk_for(grading));
+    std::error_code ignored;
+    fs::remove(desk / "results.json", ignored);  // what is there at the end is of this run
     std::optional<Sandbox> sandbox;
     if (!grading.trust) sandbox.emplace();
     {
@@ -266,9 +270,11 @@ void grade(const Grading& grading) {
         print(pile, grades);
     const auto passed = std::count_if(grades.begin(), grades.end(),
                                       [](const Grade& grade) { return grade.passed(); });
-    std::printf("\n%td of %zu right, %zu submissions, in %.1f s, seed %llu%s; in %s:\n"
+    if (pile.exercises.empty())
+        std::printf("No file has the name of an exercise, like velocity_now.cpp.\n");
+    std::printf("\n%td of %zu right, %zu submission%s, in %.1f s, seed %llu%s; in %s:\n"
                 "  grades.csv, grades.json, junit.xml%s\n",
-                passed, grades.size(), pile.submissions.size(), taken.count(),
+                passed, grades.size(), pile.submissions.size(), single ? "" : "s", taken.count(),
                 static_cast<unsigned long long>(seed), grading.trust ? ", without isolation" : "",
                 in_one_line(shown(desk.folder())).c_str(), single ? ", results.json" : "");
     flush();
@@ -276,7 +282,7 @@ void grade(const Grading& grading) {
         return grade.verdict == "course_error";
     });
     if (failed) throw Stop(Status::missing, "some could not be checked; the same command tries them again");
-    if (static_cast<std::size_t>(passed) < grades.size()) throw Stop(Status::wrong, "");
+    if (static_cast<std::size_t>(passed) < grades.size() || grades.empty()) throw Stop(Status::wrong, "");
 }
 
 }  // namespace course

@@ -127,7 +127,12 @@ std::string as_gradescope(const std::vector<Exercise>& exercises,
                          {"output", grades[i].says},
                          {"output_format", "text"}});
     }
-    return text_of({{"execution_time", std::ceil(seconds)}, {"tests", tests}});
+    ordered_json results{{"execution_time", std::ceil(seconds)}, {"tests", tests}};
+    if (grades.empty()) {
+        results["score"] = 0;
+        results["output"] = "No file has the name of an exercise, like velocity_now.cpp.";
+    }
+    return text_of(results);
 }
 
 }  // namespace
@@ -140,8 +145,6 @@ void write_grades(const fs::path& folder, const std::vector<Exercise>& exercises
     const bool graded = std::none_of(grades.begin(), grades.end(), [](const Grade& grade) {
         return grade.verdict == "course_error";
     });
-    std::error_code ignored;
-    fs::remove(folder / "results.json", ignored);
     // Where the checker itself has failed there is no mark to be given.
     if (single && graded) write_whole(folder / "results.json", as_gradescope(exercises, grades));
 }
