@@ -198,7 +198,7 @@ void kit(const std::string& name) {
                                         "; is the disk full?); nothing is left of it");
     }
     std::printf(
-        "The learner's edition: %s\nIt holds no tests and no solutions. Hand it out as it is, for "
+        "The learner's edition: %s\nIt holds no test's source and no solution. Hand it out as it is, for "
         "machines of this kind:\nthe same system, processor and compiler.\n",
         folder.c_str());
 }
