@@ -1,5 +1,6 @@
 // Where the half-step Jacobian is singular, what it does there, and what to do then.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -19,6 +20,25 @@ double gain(const Solver& solver, const Body& inertia, const Vector& direction, 
     for (long n = 0; n < parts; ++n) w = solver.step(inertia, w, 1 / double(parts));
     const double g = kinetic_energy(inertia, w) / E;
     return std::isfinite(g) ? g : INFINITY;
+}
+
+// The same for a method of the whole body: in `steps` steps of one second each.
+template <class Method>
+double whole_gain(const Method& method, const Body& inertia, const Vector& omega, long steps = 1) {
+    const auto body = prepared(method, inertia);
+    Spin s = spinning(omega);
+    double most = 0;
+    for (long n = 0; n < steps; ++n) {
+        s = method.step(body, s, 1.0);
+        most = std::max(most, kinetic_energy(inertia, s.omega));
+    }
+    return most / kinetic_energy(inertia, omega);
+}
+
+// What |L| allows: |L|²/2I of the least moment, over the energy.
+double bound(const Body& inertia, const Vector& omega) {
+    const double L = inertia.momentum(omega).norm();
+    return L * L / (2 * inertia.moments.minCoeff()) / kinetic_energy(inertia, omega);
 }
 
 std::string words(const char* format, double value) {
@@ -43,18 +63,21 @@ void fails(const Settings& settings, lab::Findings& out) {
     std::printf("  moments 3:2:1, middle axis, h|omega| = %.3f: energy x %.1g\n", singular, there);
 
     auto& curve =
-        out.table("fails.tsv", {"size", "implicit", "half_step", "cayley", "passive", "substeps"});
+        out.table("fails.tsv", {"size", "implicit", "half_step", "cayley", "passive", "substeps",
+                                "strang", "remainder_2", "remainder_4"});
     auto& table = out.table("fails_table.tsv", {"$h\\lvert\\omega\\rvert$", "talk's", "half-step",
-                                                "Cayley", "half-step, substeps"});
+                                                "Cayley", "half-step, substeps", "Strang",
+                                                "ball + rem. 2", "ball + rem. 4"});
     const int many = 4000;
     const double calm = 0.5;  // h|ω| of a substep
     RandomBody bodies(2);
-    bool cayley_never = true;
-    double calm_worst = 0, first = 0;
+    bool cayley_never = true, bounded = true, splits_gain = false;
+    double calm_worst = 0, first = 0, worst_of_strang = 0, worst_of_2 = 0;
     for (int i = -4; i <= 12; ++i) {
         const double size = std::pow(10.0, i / 8.0);
         const long parts = std::lround(std::ceil(size / calm));
         int talk = 0, half = 0, cayley = 0, passive = 0, substeps = 0;
+        int strangs = 0, second = 0, fourth = 0, later = 0;
         for (int n = 0; n < many; ++n) {
             const Body inertia = bodies.inertia(1000);
             const Vector d = bodies.direction();
@@ -65,13 +88,30 @@ void fails(const Settings& settings, lab::Findings& out) {
             const double g = gain(half_step_jacobian, inertia, d, size, parts);
             substeps += g > 1.5;
             calm_worst = std::max(calm_worst, i <= 8 ? g : 0);
+            const Vector w = size * d;
+            const double by_strang = whole_gain(strang, inertia, w),
+                         by_2 = whole_gain(symmetric_remainder_2, inertia, w),
+                         by_4 = whole_gain(symmetric_remainder_4, inertia, w);
+            const double most = std::max({by_strang, by_2, by_4});
+            bounded = bounded && most <= bound(inertia, w) * (1 + 1e-12);
+            strangs += by_strang > 1.5, second += by_2 > 1.5, fourth += by_4 > 1.5;
+            if (i != 8) continue;
+            worst_of_strang = std::max(worst_of_strang, by_strang);
+            worst_of_2 = std::max(worst_of_2, by_2);
+            const double in_time = whole_gain(symmetric_remainder_2, inertia, w, 100);
+            bounded = bounded && in_time <= bound(inertia, w) * (1 + 1e-12);
+            later += in_time > 1.5;
         }
         const auto share = [&](int of) { return double(of) / many; };
-        curve.row({size, share(talk), share(half), share(cayley), share(passive), share(substeps)});
+        curve.row({size, share(talk), share(half), share(cayley), share(passive), share(substeps),
+                   share(strangs), share(second), share(fourth)});
         if (i % 4 == 0)
             table.row({words("%.2g", size), words("%.2g %%", 100 * share(talk)),
                        words("%.2g %%", 100 * share(half)), words("%.2g %%", 100 * share(cayley)),
-                       words("%.2g %%", 100 * share(substeps))});
+                       words("%.2g %%", 100 * share(substeps)),
+                       words("%.2g %%", 100 * share(strangs)),
+                       words("%.2g %%", 100 * share(second)),
+                       words("%.2g %%", 100 * share(fourth))});
         cayley_never = cayley_never && cayley == 0 && passive == 0;
         if (first == 0 && half > 0) first = size;
         if (i == 8) {
@@ -82,11 +122,30 @@ void fails(const Settings& settings, lab::Findings& out) {
                       "of random bodies by more than 1.5");
             std::printf("  h|omega| = 10: %.0f %% of %d random bodies gain half or more\n",
                         100 * share(half), many);
+            std::printf("  by Strang %.0f %%, by ball and remainder 2 %.0f %%, in 100 steps %.0f %%\n",
+                        100 * share(strangs), 100 * share(second), 100 * share(later));
+            out.number("splits_strang", 100 * share(strangs), "%",
+                       "bodies that gain half by one step of Strang at h|omega| = 10", 2);
+            out.number("splits_remainder_2", 100 * share(second), "%",
+                       "and by one of ball and remainder 2", 2);
+            out.number("splits_remainder_4", 100 * share(fourth), "%",
+                       "and by one of ball and remainder 4", 2);
+            out.number("splits_later", 100 * share(later), "%",
+                       "and at any time in 100 steps of ball and remainder 2", 2);
+            splits_gain = share(strangs) > 0.3 && share(second) > 0.05 && share(later) > 0.5;
         }
     }
+    out.number("splits_strang_most", worst_of_strang, "", "Strang's worst gain there", 2);
+    out.number("splits_remainder_2_most", worst_of_2, "", "that of ball and remainder 2", 2);
+    out.check("splits_gain", splits_gain,
+              "at h|ω| = 10 splittings add energy: half or more to over 30 % of random bodies in "
+              "a step of Strang, to over 5 % in one of ball and remainder 2, to over 50 % in 100");
+    out.check("splits_bounded", bounded,
+              "no splitting brings the energy above |L|²/2I of the least moment");
     out.number("fails_first", first, "",
                "least h|omega| at which a random body gains half of its energy", 2);
-    out.number("fails_first_spin", first / settings.step, "rad/s", "the spin that this is", 2);
+    out.number("fails_first_spin", 10 * std::round(first / settings.step / 10), "rad/s",
+               "the spin that this is", 3);
     out.number("fails_many", many, "", "random bodies a point");
     out.number("calm", calm, "", "h|omega| of a substep");
     out.number("calm_spin", calm / settings.step, "rad/s", "the spin that this is");

@@ -13,9 +13,8 @@
 #include <timestep/rigid/strang.hpp>
 #include <timestep/rigid/symmetric_remainder.hpp>
 #include <timestep/rigid/tumble.hpp>
-#if __has_include("appendix/others.hpp")
+
 #include "appendix/others.hpp"
-#endif
 
 using Vector = timestep::Vector3<double>;
 using Body = timestep::PrincipalInertia<double>;
@@ -60,15 +59,6 @@ void for_each_method(const Visit& visit) {
                std::tuple{tumble<ImplicitGyroscopic>, tumble<PassiveGyroscopic>,
                           tumble<HalfStepJacobian>, tumble<CayleyGyroscopic>, strang,
                           symmetric_remainder_2, symmetric_remainder_4, RungeKuttaSpin{}});
-}
-
-// And for each of the appendix.
-template <class Visit>
-void for_each_of_the_appendix([[maybe_unused]] const Visit& visit) {
-#if __has_include("appendix/others.hpp")
-    using namespace timestep;
-    for_each_other(visit);
-#endif
 }
 
 // What a method asks for of a body, made once: the remainder methods split it beforehand.

@@ -56,7 +56,7 @@ Entry entry(const Method& method, const Body& inertia, const Spin& start, bool o
 std::vector<Entry> entries(const Body& inertia, const Spin& start) {
     std::vector<Entry> all;
     for_each_method([&](const auto& m) { all.push_back(entry(m, inertia, start, true)); });
-    for_each_of_the_appendix(
+    timestep::for_each_other(
         [&](const auto& m) { all.push_back(entry(m, inertia, start, false)); });
     return all;
 }
