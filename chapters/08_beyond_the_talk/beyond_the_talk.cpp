@@ -9,9 +9,9 @@ int main(int argc, char** argv) {
     const lab::Rule step{[](double h) { return h >= 0.004 && h <= 0.1; }, "from 0.004 to 0.1"};
     const lab::Rule spin{[](double w) { return w >= 1 && w <= 100; }, "from 1 to 100"};
     const lab::Rule tilt{[](double w) { return w > 0 && w <= 1; }, "above zero and at most 1"};
-    program.option("--step", settings.step, step, "time step, s");
-    program.option("--spin", settings.spin, spin, "spin of the box about its middle axis, rad/s");
-    program.option("--tilt", settings.tilt, tilt, "its spin about the other two, rad/s");
+    program.option("--step", settings.step, step, "time step of 'One token', 'A minute', s");
+    program.option("--spin", settings.spin, spin, "spin of the box in 'One token', rad/s");
+    program.option("--tilt", settings.tilt, tilt, "its spin about its other two axes, rad/s");
     return program.run(argc, argv, [&](lab::Findings& out) {
         one_token(settings, out);
         orders(settings, out);

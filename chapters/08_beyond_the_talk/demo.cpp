@@ -83,11 +83,11 @@ void ten_thousand(lab::Findings& out) {
     const double at_start = energy();
     const auto step_all = [&](auto&... group) {
         const auto step = [&](auto& bodies) {
-            for (auto& b : bodies) b.state = turn(passive_gyroscopic, b.inertia, b.state, h);
+            for (auto& b : bodies) b.state = turn(cayley_gyroscopic, b.inertia, b.state, h);
         };
         (step(group), ...);
     };
-    const Cost lanes = frame_after_frame([&] { packed.step(passive_gyroscopic, h); });
+    const Cost lanes = frame_after_frame([&] { packed.step(cayley_gyroscopic, h); });
     const Cost alone = frame_after_frame([&] { step_all(balls, needles, boxes); });
     std::printf("ms a frame     mean   worst\n");
     std::printf("one by one  %7.3f %7.3f\n", alone.mean, alone.worst);
@@ -149,7 +149,7 @@ void some(lab::Findings& out) {
             }
             pictures_of.row_ends();
         }
-        for (int n = 0; n < steps; ++n) bodies.step(passive_gyroscopic, h);
+        for (int n = 0; n < steps; ++n) bodies.step(cayley_gyroscopic, h);
     }
     out.number("demo_drawn", rows * columns, "", "bodies in the film");
     out.number("demo_seconds", pictures * steps / 60.0, "s", "length of the film");

@@ -46,7 +46,7 @@ eval "plot ".curve("implicit", implicit_gyroscopic, "talk").", ".curve("passive"
     curve("runge_kutta_4", runge_kutta_4, "RK4").", ".curve("remainder_4", ball_and_remainder_4, "ball + rem. 4")
 
 # Where the half-step Jacobian fails.
-call figure "fails.svg" 640 420
+call figure "fails.svg" 640 460
 unset logscale
 set logscale x
 set format xy "%g"
@@ -54,14 +54,17 @@ set xlabel "h|ω|"
 set ylabel "bodies that gain half or more (%)" offset 0.8
 set xrange [0.3:32]
 set xtics (0.3, 1, 2, 3, 10, 30)
-set yrange [-1.5:45]
+set yrange [-1.5:75]
 set ytics 10
-set key top left reverse Left
+set key top left vertical maxrows 4 reverse Left samplen 2
 plot "fails.tsv" using 1:(100*$3) with lines @half_step_jacobian title "half-step Jacobian", \
      "" using 1:(100*$2) with lines @implicit_gyroscopic title "talk", \
      "" using 1:(100*$6) with lines @second title "half-step Jacobian, substeps", \
      "" using 1:(100*$5) with lines @passive_gyroscopic title "passive", \
-     "" using 1:(100*$4) with lines @cayley_gyroscopic title "Cayley"
+     "" using 1:(100*$4) with lines @cayley_gyroscopic title "Cayley", \
+     "" using 1:(100*$7) with lines @strang_splitting title "Strang", \
+     "" using 1:(100*$8) with lines @ball_and_remainder_2 title "ball + remainder 2", \
+     "" using 1:(100*$9) with lines @ball_and_remainder_4 title "ball + remainder 4"
 
 # A minute of the box: how far energy and |L| have been off so far.
 call figure "minute.svg" 860 560
@@ -77,17 +80,17 @@ set format y "10^{%T}"
 set ytics 1e-16,1e4,1
 set mytics 1
 set ylabel "energy off by, at most" offset 0.5
-each = "implicit passive half_step cayley strang remainder_2 remainder_4"
-styles = "implicit_gyroscopic passive_gyroscopic half_step_jacobian cayley_gyroscopic strang_splitting ball_and_remainder_2 ball_and_remainder_4"
+each = "implicit passive half_step cayley strang remainder_2 remainder_4 runge_kutta_4"
+styles = "implicit_gyroscopic passive_gyroscopic half_step_jacobian cayley_gyroscopic strang_splitting ball_and_remainder_2 ball_and_remainder_4 runge_kutta_4"
 name_of(k) = k == 1 ? "talk" : k == 2 ? "passive" : k == 3 ? "half-step Jacobian" : k == 4 ? "Cayley" : \
-    k == 5 ? "Strang" : k == 6 ? "ball + remainder 2" : "ball + remainder 4"
-curves(column) = (text = "", sum [k = 1:7] (text = text.sprintf("%s'minute_%s.tsv' using 1:%d with lines %s title '%s'", \
+    k == 5 ? "Strang" : k == 6 ? "ball + remainder 2" : k == 7 ? "ball + remainder 4" : "RK4"
+curves(column) = (text = "", sum [k = 1:8] (text = text.sprintf("%s'minute_%s.tsv' using 1:%d with lines %s title '%s'", \
     k == 1 ? "" : ", ", word(each, k), column, value(word(styles, k)), name_of(k)), 0), text)
 eval "plot ".curves(2)
 set xtics 10 format "%g"
 set xlabel "time t (s)"
 set ylabel "|L| off by, at most" offset 0.5
-set key at screen 0.72,0.75 left vertical reverse Left samplen 2
+set key at screen 0.72,0.78 left vertical reverse Left samplen 2
 eval "plot ".curves(3)
 unset multiplot
 
@@ -105,9 +108,6 @@ set xtics ("1" 1, "10" 10, "100" 100)
 set ytics ("100 %%" 1, "1 %%" 0.01, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8, "10^{-10}" 1e-10, "10^{-12}" 1e-12)
 head(body) = body eq "near" ? "nearly symmetric" : body eq "box" ? "box 1:2:3" : "needle"
 spin(pace) = pace eq "slow" ? "1 rad/s" : pace eq "game" ? "10 rad/s" : "100 rad/s"
-each = each." runge_kutta_4"
-styles = styles." runge_kutta_4"
-title_of(k) = k == 8 ? "RK4" : name_of(k)
 set multiplot
 do for [j = 1:3] { do for [i = 1:3] {
     name = sprintf("work_%s_%s.tsv", word(bodies, i), word(paces, j))
@@ -137,7 +137,7 @@ set lmargin at screen 0.02; set rmargin at screen 0.98; set tmargin at screen 0.
 unset border; unset tics; unset grid; unset xlabel; unset ylabel; unset title
 set key center center horizontal maxcols 5 reverse Left samplen 2.5
 keys = ""
-do for [k = 1:8] { keys = keys.sprintf("NaN with lines %s title '%s', ", value(word(styles, k)), title_of(k)) }
+do for [k = 1:8] { keys = keys.sprintf("NaN with lines %s title '%s', ", value(word(styles, k)), name_of(k)) }
 eval "plot ".keys."NaN with lines lc rgb '#b8b8b8' lw 1.5 title 'the appendix'"
 unset multiplot
 
