@@ -167,6 +167,13 @@ void a_minute(lab::Findings& out) {
                       std::string(method.name) + ": the measured orders are those it claims");
     });
     claims(left_of, out);
+    std::string words;
+    for (const Throw& thrown : throws) {
+        const auto& w = thrown.start.omega;
+        words += (words.empty() ? "" : ", ") + std::string("(") + rounded(w.x(), "%g") + ", " +
+                 rounded(w.y(), "%g") + ", " + rounded(w.z(), "%g") + ")";
+    }
+    out.text("engines_throws", "ω = " + words + " rad/s", "middle, long and short axis");
 }
 
 // What implicit midpoint pays: Newton steps, and time beside a step of the half-step Jacobian.

@@ -62,12 +62,11 @@ void fails(const Settings& settings, lab::Findings& out) {
               "at its singular spin a step multiplies the energy without limit");
     std::printf("  moments 3:2:1, middle axis, h|omega| = %.3f: energy x %.1g\n", singular, there);
 
-    auto& curve =
-        out.table("fails.tsv", {"size", "implicit", "half_step", "cayley", "passive", "substeps",
-                                "strang", "remainder_2", "remainder_4"});
-    auto& table = out.table("fails_table.tsv", {"$h\\lvert\\omega\\rvert$", "talk's", "half-step",
-                                                "Cayley", "half-step, substeps", "Strang",
-                                                "ball + rem. 2", "ball + rem. 4"});
+    auto& curve = out.table("fails.tsv", {"size", "implicit", "half_step", "cayley", "passive",
+                                          "substeps", "strang", "remainder_2", "remainder_4"});
+    auto& table = out.table("fails_table.tsv",
+                            {"$h\\lvert\\omega\\rvert$", "talk's", "half-step", "Cayley",
+                             "half-step, substeps", "Strang", "ball + rem. 2", "ball + rem. 4"});
     const int many = 4000;
     const double calm = 0.5;  // h|ω| of a substep
     RandomBody bodies(2);
@@ -106,12 +105,11 @@ void fails(const Settings& settings, lab::Findings& out) {
         curve.row({size, share(talk), share(half), share(cayley), share(passive), share(substeps),
                    share(strangs), share(second), share(fourth)});
         if (i % 4 == 0)
-            table.row({words("%.2g", size), words("%.2g %%", 100 * share(talk)),
-                       words("%.2g %%", 100 * share(half)), words("%.2g %%", 100 * share(cayley)),
-                       words("%.2g %%", 100 * share(substeps)),
-                       words("%.2g %%", 100 * share(strangs)),
-                       words("%.2g %%", 100 * share(second)),
-                       words("%.2g %%", 100 * share(fourth))});
+            table.row(
+                {words("%.2g", size), words("%.2g %%", 100 * share(talk)),
+                 words("%.2g %%", 100 * share(half)), words("%.2g %%", 100 * share(cayley)),
+                 words("%.2g %%", 100 * share(substeps)), words("%.2g %%", 100 * share(strangs)),
+                 words("%.2g %%", 100 * share(second)), words("%.2g %%", 100 * share(fourth))});
         cayley_never = cayley_never && cayley == 0 && passive == 0;
         if (first == 0 && half > 0) first = size;
         if (i == 8) {
@@ -122,8 +120,9 @@ void fails(const Settings& settings, lab::Findings& out) {
                       "of random bodies by more than 1.5");
             std::printf("  h|omega| = 10: %.0f %% of %d random bodies gain half or more\n",
                         100 * share(half), many);
-            std::printf("  by Strang %.0f %%, by ball and remainder 2 %.0f %%, in 100 steps %.0f %%\n",
-                        100 * share(strangs), 100 * share(second), 100 * share(later));
+            std::printf(
+                "  by Strang %.0f %%, by ball and remainder 2 %.0f %%, in 100 steps %.0f %%\n",
+                100 * share(strangs), 100 * share(second), 100 * share(later));
             out.number("splits_strang", 100 * share(strangs), "%",
                        "bodies that gain half by one step of Strang at h|omega| = 10", 2);
             out.number("splits_remainder_2", 100 * share(second), "%",

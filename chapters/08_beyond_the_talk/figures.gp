@@ -46,7 +46,8 @@ eval "plot ".curve("implicit", implicit_gyroscopic, "talk").", ".curve("passive"
     curve("runge_kutta_4", runge_kutta_4, "RK4").", ".curve("remainder_4", ball_and_remainder_4, "ball + rem. 4")
 
 # Where the half-step Jacobian fails.
-call figure "fails.svg" 640 460
+half_step_in_substeps = colour_of(half_step_jacobian)." lw 2.5 dt (3,4)"
+call figure "fails.svg" 800 420
 unset logscale
 set logscale x
 set format xy "%g"
@@ -54,12 +55,12 @@ set xlabel "h|ω|"
 set ylabel "bodies that gain half or more (%)" offset 0.8
 set xrange [0.3:32]
 set xtics (0.3, 1, 2, 3, 10, 30)
-set yrange [-1.5:75]
+set yrange [-1.5:50]
 set ytics 10
-set key top left vertical maxrows 4 reverse Left samplen 2
+set key outside right top vertical reverse Left samplen 2 spacing 1.1
 plot "fails.tsv" using 1:(100*$3) with lines @half_step_jacobian title "half-step Jacobian", \
      "" using 1:(100*$2) with lines @implicit_gyroscopic title "talk", \
-     "" using 1:(100*$6) with lines @second title "half-step Jacobian, substeps", \
+     "" using 1:(100*$6) with lines @half_step_in_substeps title "half-step, substeps", \
      "" using 1:(100*$5) with lines @passive_gyroscopic title "passive", \
      "" using 1:(100*$4) with lines @cayley_gyroscopic title "Cayley", \
      "" using 1:(100*$7) with lines @strang_splitting title "Strang", \

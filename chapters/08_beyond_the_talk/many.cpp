@@ -54,8 +54,8 @@ void measure(std::vector<Way>& ways, std::size_t count) {
         }
 }
 
-// The whole range, into a data file; afterwards the ways hold the times of `most`. Returns the count
-// from which on the last way is faster than the second, by a twentieth or more; 0: none.
+// The whole range, into a data file; afterwards the ways hold the times of `most`. Returns the
+// count from which on the last way is faster than the second, by a twentieth or more; 0: none.
 std::size_t measure_all(std::vector<Way>& ways, lab::Table& table) {
     std::size_t from = 0;
     for (const double size : {1e2, 2e2, 5e2, 1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6}) {
@@ -239,7 +239,8 @@ void many_bodies(lab::Findings& out) {
                "ten thousand boxes: in lanes, times as fast as one by one", 2);
     out.number("many_box_ns", lanes_ns, "ns", "a step of a box among ten thousand, in lanes", 2);
     out.number("many_ball_ns", balls_ns, "ns", "a step of a ball among ten thousand, in lanes", 2);
-    out.number("many_ms", 1000 * std::round(1e3 / lanes_ns), "", "boxes that a millisecond has room for");
+    out.number("many_ms", 1000 * std::round(1e3 / lanes_ns), "",
+               "boxes that a millisecond has room for");
     out.number("many_threads", double(threads), "", "threads of the curve with several");
 }
 

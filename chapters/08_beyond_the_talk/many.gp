@@ -17,7 +17,7 @@ set title "springs, semi-implicit Euler" offset 0,-0.4 textcolor rgb ink
 set yrange [0.05:60]
 set ytics (0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10)
 plot "many_caches.tsv" using 2:(8) with impulses @faint notitle, \
-     "" using 2:(5):1 with labels offset 1.6,0 textcolor rgb "#666666" notitle, \
+     "" using 2:(5):1 with labels left offset 0.4,0 textcolor rgb "#666666" notitle, \
      "many_springs.tsv" using 1:2 with linespoints @second pt 7 ps 0.5 title "one by one", \
      "" using 1:3 with linespoints @first pt 7 ps 0.5 title "lanes", \
      "" using 1:4 with linespoints @third pt 7 ps 0.5 title "lanes, 32 a pass"
@@ -26,7 +26,7 @@ set xlabel "how many there are"
 set yrange [1:2000]
 set ytics (1, 2, 5, 10, 20, 50, 100, 200)
 plot "many_caches.tsv" using 3:(200) with impulses @faint notitle, \
-     "" using 3:(140):1 with labels offset 1.6,0 textcolor rgb "#666666" notitle, \
+     "" using 3:(140):1 with labels left offset 0.4,0 textcolor rgb "#666666" notitle, \
      "many_bodies.tsv" using 1:2 with linespoints @second pt 7 ps 0.5 title "one by one", \
      "" using 1:3 with linespoints @first pt 7 ps 0.5 title "lanes", \
      "" using 1:5 with linespoints @third pt 7 ps 0.5 title columnheader(5), \

@@ -12,12 +12,12 @@ struct Settings {
     double tilt = 1e-3;      // rad/s, what it spins about its other two axes
 };
 
-void one_token(const Settings&, lab::Findings&);  // one_token.cpp
-void orders(const Settings&, lab::Findings&);     // orders.cpp
-void fails(const Settings&, lab::Findings&);      // fails.cpp
-void minute(const Settings&, lab::Findings&);     // minute.cpp
-void work(const Settings&, lab::Findings&);       // work.cpp
+void one_token(const Settings&, lab::Findings&);    // one_token.cpp
+void orders(const Settings&, lab::Findings&);       // orders.cpp
+void fails(const Settings&, lab::Findings&);        // fails.cpp
+void minute(const Settings&, lab::Findings&);       // minute.cpp
+void work(const Settings&, lab::Findings&);         // work.cpp
 void runge_kutta(const Settings&, lab::Findings&);  // runge_kutta.cpp
-void many(const Settings&, lab::Findings&);       // many.cpp
-void demo(const Settings&, lab::Findings&);       // demo.cpp
-void engines(lab::Findings&);                     // engines.cpp, of the appendix
+void many(const Settings&, lab::Findings&);         // many.cpp
+void demo(const Settings&, lab::Findings&);         // demo.cpp
+void engines(lab::Findings&);                       // engines.cpp, of the appendix
