@@ -10,10 +10,6 @@
 #include <thread>
 #include <vector>
 
-#if __has_include(<unistd.h>)
-#include <unistd.h>
-#endif
-
 #include <timestep/methods/semi_implicit_euler.hpp>
 #include <timestep/rigid/many_bodies.hpp>
 #include <timestep/share_out.hpp>
@@ -91,18 +87,10 @@ std::string error_in_a_pack(const Solver& solver) {
 // The caches, and how many springs and bodies each of them holds.
 void caches(double spring_bytes, double body_bytes, lab::Findings& out) {
     auto& table = out.table("many_caches.tsv", {"name", "springs", "bodies"});
-    long first = 0, second = 0, third = 0;
-#ifdef _SC_LEVEL3_CACHE_SIZE
-    first = sysconf(_SC_LEVEL1_DCACHE_SIZE);
-    second = sysconf(_SC_LEVEL2_CACHE_SIZE);
-    third = sysconf(_SC_LEVEL3_CACHE_SIZE);
-#endif
-    const auto mark = [&](const char* name, long bytes) {
-        if (bytes > 0)
-            table.row(
-                {std::string(name), double(bytes) / spring_bytes, double(bytes) / body_bytes});
-    };
-    mark("level-1 cache", first), mark("level-2", second), mark("level-3", third);
+    const char* const names[] = {"level-1 cache", "level-2", "level-3"};
+    for (int level = 1; level <= 3; ++level)
+        if (const double bytes = lab::cache_bytes(level); bytes > 0)
+            table.row({std::string(names[level - 1]), bytes / spring_bytes, bytes / body_bytes});
     table.row({std::string(" "), 1.0, 1.0});  // where nothing is known: left of the picture
 }
 

@@ -101,6 +101,22 @@ void minute(const Settings& settings, lab::Findings& out) {
     out.check("length_cayley", passive < 5 && cayley > 20 * passive && cayley < patience,
               "the uneven capsule keeps its spin more than 20 times as long by Cayley as by "
               "passive, and loses it, too");
+    // And a wheel, which spins about its largest moment: there the passive step takes nothing.
+    const PrincipalInertia<double> wheel(1, 1.02, 1.9);
+    const auto wheel_keeps = [&](const auto& solver) {
+        Vector3<double> omega(0.6, 0, 30);
+        double t = 0;
+        for (; t < patience && omega.z() > 15; t += settings.step)
+            omega = solver.step(wheel, omega, settings.step);
+        return t;
+    };
+    const double wheel_cayley = wheel_keeps(cayley_gyroscopic);
+    out.number("wheel_cayley", wheel_cayley, "s",
+               "Cayley: when a wheel at 30 rad/s has lost half of its spin", 2);
+    out.check("wheel", wheel_cayley < 60 && wheel_keeps(passive_gyroscopic) >= patience &&
+                           wheel_keeps(half_step_jacobian) >= patience,
+              "a wheel at 30 rad/s loses half of its spin within a minute by Cayley, and keeps it "
+              "by passive and by the half-step Jacobian");
     out.check("length_remainder", remainder >= patience,
               "ball and remainder 2: the uneven capsule keeps its spin");
 }

@@ -17,6 +17,8 @@ std::string id(const std::string& name);
 
 /// The processor's name, where the system tells it.
 std::string processor();
+/// How much its cache of this level, 1 to 3, holds, in bytes; 0 or less where that is not known.
+double cache_bytes(int level);
 /// The compiler that made this program.
 std::string compiler();
 
