@@ -72,8 +72,7 @@ const Point* cheapest(const Points& points, double accuracy) {
 bool all_grey(const Points& points) {
     std::set<std::string> drawn;
     for (const Point& p : points)
-        if (!p.entry->ours && p.error <= 4 && p.time > 3e-7 && p.time < 6e-4)
-            drawn.insert(p.entry->id);
+        if (!p.entry->ours) drawn.insert(p.entry->id);
     bool all = true;
     for_each_other([&](const auto& m) { all = all && drawn.count(lab::id(m.name)) == 1; });
     return all;

@@ -72,7 +72,8 @@ std::vector<Point> measure(const std::vector<Entry>& entries) {
             if (p.time > longest)  // or was it disturbed?
                 p.time = std::min(p.time, seconds_of(e, steps, batch));
             points.push_back(p), runs.push_back(batch);
-            if (p.time > longest || p.error < 1e-12) break;  // long enough; roundoff
+            // Long enough, but for a slow machine not before a game's rate; or roundoff.
+            if ((p.time > longest && p.rate >= 60) || p.error < 1e-12) break;
         }
     for (int round = 0; round < 5; ++round)
         for (std::size_t i = 0; i < points.size(); ++i) {
