@@ -32,7 +32,8 @@ function(timestep_sanitize)
       TARGET_DIRECTORY stability PROPERTIES COMPILE_OPTIONS -O0
       SKIP_PRECOMPILE_HEADERS ON)
   endif()
-  set(once chapters/02_arrays chapters/06_cloth library/extremes library/linear_solve library/models)
+  set(once chapters/02_arrays chapters/06_cloth library/extremes library/lanes library/linear_solve
+    library/many library/models)
   list(TRANSFORM once PREPEND "${PROJECT_SOURCE_DIR}/tests/")
   list(TRANSFORM once APPEND .cpp)
   set_source_files_properties(${once} TARGET_DIRECTORY timestep_tests PROPERTIES COMPILE_OPTIONS -O0

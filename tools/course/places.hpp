@@ -11,7 +11,7 @@ struct Places {
     std::filesystem::path source;  ///< the checkout
     std::filesystem::path build;   ///< the build folder that this program belongs to
     std::string cmake, ctest;      ///< the programs that made the build folder
-    int compiler_seconds = 9;      ///< so long a compiler may take for a learner's file
+    int compiler_seconds = 20;     ///< so long a compiler may take for a learner's file
 };
 
 const Places& places();
