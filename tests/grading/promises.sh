@@ -12,6 +12,13 @@ test_every_test_they_name_exists() {
     is "$(comm -13 tests named)" ''
 }
 
+test_their_limits_are_those_of_the_checker() {
+    seconds() { sed -n "s/.* $1 = \([0-9]*\);.*/\1/p" "$source/$2"; }
+    says "$source/docs/promises.md" "a compiler has $(seconds compiler_seconds tools/course/places.hpp) s, \
+a call $(seconds call_seconds tools/checker/remote.hpp) s, \
+all calls $(seconds total_seconds tools/checker/remote.hpp) s."
+}
+
 test_there_are_adversaries_enough() {
     bad=$(head -qn 1 "$source"/tests/checker/submissions/*.cpp | grep -vc ' pass')
     [ "$bad" -ge 36 ] || fail "only $bad submissions must not pass"

@@ -122,11 +122,6 @@ Pile gather(const Grading& grading) {
     return some;
 }
 
-void replace_all(std::string& text, const std::string& what, const std::string& by) {
-    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
-        text.replace(at, what.size(), by);
-}
-
 // In a process of its own, on a copy: what was handed in is read only once.
 Grade check_one(const Submission& submission, const Exercise& exercise, const std::string& answer,
                 std::uint64_t seed, const Sandbox* sandbox) {

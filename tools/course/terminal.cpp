@@ -81,6 +81,11 @@ std::string harmless(const std::string& text) {
     return safe;
 }
 
+void replace_all(std::string& text, const std::string& what, const std::string& by) {
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+        text.replace(at, what.size(), by);
+}
+
 std::string harmless_line(const std::string& text) {
     std::string line = harmless(text);
     std::replace_if(line.begin(), line.end(), [](char c) { return c == '\n' || c == '\t'; }, '?');

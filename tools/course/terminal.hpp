@@ -35,6 +35,9 @@ std::string shortened(const std::string& text, std::size_t most);
 /// Number of characters of UTF-8 text.
 std::size_t width_of(const std::string& text);
 
+/// Puts `by` in the place of every `what`.
+void replace_all(std::string& text, const std::string& what, const std::string& by);
+
 /// Writes out what has been printed. Throws Stop(bad_use) where nobody gets it: a full disk.
 void flush();
 

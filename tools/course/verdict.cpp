@@ -48,11 +48,6 @@ Commands read_commands(const Exercise& exercise) {
     return commands;
 }
 
-void replace_all(std::string& text, const std::string& what, const std::string& by) {
-    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
-        text.replace(at, what.size(), by);
-}
-
 void put_before(Words& words, const Words& others) {
     words.insert(words.begin(), others.begin(), others.end());
 }
