@@ -10,6 +10,7 @@
 #include <timestep/rigid/shapes.hpp>
 #include <timestep/run.hpp>
 
+#include "scenes.hpp"
 #include "sections.hpp"
 
 using namespace contest;
@@ -77,13 +78,16 @@ void springs(const All& all, lab::Findings& out) {
                   n * n * std::numeric_limits<double>::epsilon(),
               "with the velocity of half a step before the start semi-implicit Euler goes where "
               "Verlet goes");
-    const double floor = [&] {
-        double least = 1;
-        for (const Point& p : rk4) least = std::min(least, p.error_max);
-        return least;
-    }();
+    // Errors alone, so that a slow machine comes as far as a fast one.
+    double floor = 1, beyond = 1;
+    for (const Scene scene = contest::spring(); const Entry& entry : scene.entries)
+        if (entry.method == "Runge-Kutta 4" && entry.library == "Timestep")
+            for (long steps = marks; steps <= marks << 14; steps *= 2) {
+                beyond = watched(scene, entry, steps).error_max;
+                floor = std::min(floor, beyond);
+            }
     out.number("floor", floor, "", "the least error of RK4 on the spring", 1);
-    out.check("floor", floor < 1e-12 && rk4.back().error_max > floor,
+    out.check("floor", floor < 1e-12 && beyond > floor,
               "RK4 reaches the floor of double: shorter steps than the best make it worse");
     const auto single = line(spring, "Runge-Kutta 4", "Timestep, float");
     double least = 1;

@@ -52,6 +52,9 @@ struct Point {
     bool diverged = false;      // not a number, or wrong by more than a hundred sizes
 };
 
+// A run, and its errors.
+Point watched(const Scene& scene, const Entry& entry, long steps);
+
 // How hard to try.
 struct Effort {
     long most_steps;      // no run is longer

@@ -35,23 +35,6 @@ long runs_for(const Entry& entry, long steps) {
     return runs;
 }
 
-// The error in a run of its own: looking costs time.
-Point watched(const Scene& scene, const Entry& entry, long steps) {
-    Point point{scene.id, entry.method, entry.library, steps};
-    const Track track = entry.track(steps);
-    for (int mark = 0; mark < marks; ++mark) {
-        const double error = distance(scene, track[mark], scene.reference[mark]);
-        point.error_max = std::max(point.error_max, error);
-        point.error_final = error;
-    }
-    point.diverged = !(point.error_max < 100);
-    const Work work = entry.work(steps);
-    point.step = duration / double(work.steps);
-    point.evaluations = double(work.evaluations);
-    point.solves = double(work.solves);
-    return point;
-}
-
 // At the roundoff floor shorter steps make nothing better.
 bool at_the_floor(const std::vector<Point>& points) {
     if (points.size() < 3) return false;
@@ -73,6 +56,23 @@ double distance(const Scene& scene, const Place& a, const Place& b) {
     for (std::size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
     const double distance = std::sqrt(squares) / scene.size;
     return std::isnan(distance) ? std::numeric_limits<double>::infinity() : distance;
+}
+
+// The error in a run of its own: looking costs time.
+Point watched(const Scene& scene, const Entry& entry, long steps) {
+    Point point{scene.id, entry.method, entry.library, steps};
+    const Track track = entry.track(steps);
+    for (int mark = 0; mark < marks; ++mark) {
+        const double error = distance(scene, track[mark], scene.reference[mark]);
+        point.error_max = std::max(point.error_max, error);
+        point.error_final = error;
+    }
+    point.diverged = !(point.error_max < 100);
+    const Work work = entry.work(steps);
+    point.step = duration / double(work.steps);
+    point.evaluations = double(work.evaluations);
+    point.solves = double(work.solves);
+    return point;
 }
 
 std::vector<Point> measure(const Scene& scene, const Effort& effort,
