@@ -158,9 +158,9 @@ test_watch_notices_what_is_saved_during_a_check() {
 
 test_a_compiler_that_does_not_end_is_told_first() {
     own_build 'echo "$TMPDIR $LC_ALL" >surroundings; : >"$TMPDIR/cc.s"; seq 9000; exec sleep 1000'
-    export STAGE_COMPILER_SECONDS=3  # instead of 9
+    export STAGE_COMPILER_SECONDS=1  # instead of 9
     expect 1 course check velocity_now
-    is "$(sed -n 3p out)" '  The compiler had not come to an end after 3 s.'
+    is "$(sed -n 3p out)" '  The compiler had not come to an end after 4 s.'
     read -r temporary locale <surroundings
     is "${temporary%_*} $locale" "$folder/build/exercises/check C.UTF-8"
     [ ! -e "$temporary" ] || fail 'the folder of temporary files is still there'

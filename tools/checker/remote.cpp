@@ -221,8 +221,8 @@ Numbers Remote::operator()(const Numbers& arguments) {
     const Head call{++number_, Reply::answer,
                     static_cast<std::uint32_t>(arguments.size() * sizeof(double))};
     const double deadline = std::min(now() + limits_.call_seconds, begin_ + limits_.total_seconds);
-    if (!write_all(calls_, &call, sizeof call) || !write_all(calls_, arguments.data(), call.bytes))
-        gone();
+    // Who does not listen any more has perhaps said why, and that comes first.
+    if (write_all(calls_, &call, sizeof call)) write_all(calls_, arguments.data(), call.bytes);
     const std::string bytes = hear(Reply::answer, deadline);
     Numbers result(bytes.size() / sizeof(double));
     std::memcpy(result.data(), bytes.data(), result.size() * sizeof(double));

@@ -7,6 +7,8 @@
 #include <random>
 #include <thread>
 
+#include <unistd.h>
+
 #include "build.hpp"
 #include "commands.hpp"
 #include "grades.hpp"
@@ -44,6 +46,8 @@ public:
         if (error || !fs::is_directory(folder))
             throw Stop(Status::bad_use, in_one_line(folder.string()) + ": cannot be written" +
                                             (error ? " (" + error.message() + ")" : ""));
+        // One that was killed a moment ago may still be tidying up.
+        for (int look = 0; look < 20 && Lock::is_held(folder / "lock"); ++look) usleep(100'000);
         if (Lock::is_held(folder / "lock"))
             throw Stop(Status::bad_use, in_one_line(folder.string()) +
                                             ": another grading writes there; --out takes another folder");
@@ -124,13 +128,14 @@ Pile gather(const Grading& grading) {
 
 // In a process of its own, on a copy: what was handed in is read only once.
 Grade check_one(const Submission& submission, const Exercise& exercise, const std::string& answer,
-                std::uint64_t seed, const Sandbox* sandbox) {
+                std::uint64_t seed, const Sandbox* sandbox, int patience) {
     Grade grade{submission.name, exercise.name, "course_error", "", seed, 0, true};
     try {
         const Workshop workshop;
         const fs::path copy = workshop.folder() / (exercise.name + ".cpp");
         write_whole(copy, answer);
-        const Verdict verdict = check_file(exercise, copy, seed, sandbox);
+        const Verdict verdict = check_file(exercise, copy, seed, sandbox,
+                                           Watch::nobody, patience);
         grade.verdict = verdict.kind;
         grade.says = told(exercise, verdict, copy);
         for (const std::string& place : {copy.string(), shown(copy)})
@@ -205,8 +210,10 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
     if (taken_over > 0) progress.say("  " + std::to_string(taken_over) + " were graded before");
 
     std::size_t done = 0;
-    const auto work = [&](std::size_t i) {
-        return check_one(pile.submission(i), pile.exercise(i), texts[i], seed, sandbox);
+    const auto work = [&](int patience) {
+        return [&, patience](std::size_t i) {
+            return check_one(pile.submission(i), pile.exercise(i), texts[i], seed, sandbox, patience);
+        };
     };
     const auto keep = [&](std::size_t i, const Grade& grade) {
         grades[i] = grade;
@@ -216,9 +223,9 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
     const int jobs = grading.jobs > 0
                          ? grading.jobs
                          : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    in_parallel(to_do, jobs, work, [&](std::size_t i, const Grade& grade) {
-        if (!grade.in_time && jobs > 1)
-            once_more.push_back(i);  // perhaps it was its neighbours
+    in_parallel(to_do, jobs, work(1), [&](std::size_t i, const Grade& grade) {
+        if (!grade.in_time)
+            once_more.push_back(i);  // perhaps it was its neighbours, or the machine is slow
         else
             keep(i, grade);
         progress.now("[" + std::to_string(++done) + "/" + std::to_string(to_do.size()) + "] " +
@@ -226,8 +233,8 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
     });
     if (!once_more.empty())
         progress.say("  " + std::to_string(once_more.size()) +
-                     " were not done in time; once more, one at a time");
-    in_parallel(once_more, 1, work, keep);
+                     " were not done in time; once more, one at a time and with more of it");
+    in_parallel(once_more, 1, work(3), keep);
     return grades;
 }
 

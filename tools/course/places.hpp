@@ -11,7 +11,9 @@ struct Places {
     std::filesystem::path source;  ///< the checkout
     std::filesystem::path build;   ///< the build folder that this program belongs to
     std::string cmake, ctest;      ///< the programs that made the build folder
-    int compiler_seconds = 20;     ///< so long a compiler may take for a learner's file
+    /// So long a compiler may work for a learner's file, in a processor's time; by the clock it has
+    /// four times that, for it may have neighbours.
+    int compiler_seconds = 9;
 };
 
 const Places& places();

@@ -9,8 +9,10 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/sysinfo.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -27,7 +29,7 @@ double now() {
     return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-// A program at work, and the pipe that all it prints comes through.
+// A program at work, and the socket that all it prints comes through.
 struct Running {
     pid_t process;
     int output;
@@ -44,8 +46,8 @@ void become(const std::vector<std::string>& command) {
 // `prepare` is done in the new process.
 Running start(const std::vector<std::string>& command, const std::function<void()>& prepare) {
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0)
-        throw Stop(Status::missing, "no pipe to be had from the system");
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+        throw Stop(Status::missing, "no socket to be had from the system");
     const pid_t child = fork();
     if (child < 0) throw Stop(Status::missing, "no process to be had from the system");
     if (child > 0) {
@@ -104,7 +106,10 @@ void confine(const Allowance& allowance) {
         if (most > 0) setrlimit(resource, &both);
     };
     setpgid(0, 0);
+    const int terminal = open("/dev/tty", O_RDWR | O_CLOEXEC);
+    if (terminal >= 0) ioctl(terminal, TIOCNOTTY);
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+    limit(RLIMIT_CPU, static_cast<std::size_t>(allowance.processor_seconds));
     limit(RLIMIT_AS, allowance.megabytes << 20);
     limit(RLIMIT_FSIZE, allowance.file_megabytes << 20);
     // It counts all that the user runs, which is less than all that the machine runs.

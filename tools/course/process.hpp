@@ -28,6 +28,7 @@ struct Allowance {
     std::size_t file_megabytes = 0;  ///< of a file that it writes
     std::size_t processes = 0;       ///< and threads, above what the machine runs anyway
     std::string temporary = {};      ///< the folder for its temporary files; empty: the usual one
+    int processor_seconds = 0;       ///< of each of its processes
 };
 
 struct Outcome {
@@ -37,7 +38,8 @@ struct Outcome {
 };
 
 /// Runs `command`, which is to speak English, to its end or to the end of its allowance, and then
-/// ends the whole process group. Throws Stop where it cannot be started, and where there was an
+/// ends the whole process group. It has no terminal, and what it prints cannot be opened once more to
+/// be read: nothing can wait for what never comes. Throws Stop where it cannot be started, and where there was an
 /// interrupt (see TidyEnd).
 Outcome run_within(const std::vector<std::string>& command, const Allowance& allowance);
 

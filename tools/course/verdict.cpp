@@ -70,16 +70,20 @@ void stop_if_full(const fs::path& folder) {
 // Runs the compiler; false where it refuses, or has not come to an end.
 bool succeeds(const Words& command, const Workshop& workshop, Verdict& verdict, int patience) {
     const int seconds = places().compiler_seconds * patience;
-    const Outcome outcome =
-        run_within(command, {double(seconds), 4096, 64, 64, workshop.folder().string()});
+    const Outcome outcome = run_within(
+        command, {4. * seconds, 4096, 64, 64, workshop.folder().string(), seconds});
+    // The words are those of its parent, if it has one.
+    const bool too_much_work = outcome.status == 128 + SIGXCPU ||
+                               outcome.said.find("CPU time limit exceeded") != std::string::npos;
     // The words may be the answer's own: so the disk is asked, too.
     if (outcome.status != 0 && outcome.said.find("No space left on device") != std::string::npos)
         stop_if_full(workshop.folder());
     // By a signal it ends where the machine has no memory left, or for bombs.
-    if (outcome.too_slow || outcome.status > 128) verdict.in_time = false;
-    if (outcome.too_slow)
-        verdict.compiler +=
-            "The compiler had not come to an end after " + std::to_string(seconds) + " s.\n";
+    if (outcome.too_slow || too_much_work || outcome.status > 128) verdict.in_time = false;
+    if (outcome.too_slow || too_much_work)
+        verdict.compiler += "The compiler had not come to an end after " +
+                            std::to_string(too_much_work ? seconds : 4 * seconds) + " s" +
+                            (too_much_work ? " of work" : "") + ".\n";
     if (outcome.said.find("File size limit exceeded") != std::string::npos)
         verdict.compiler += "What the compiler makes of the file is larger than 64 MB.\n";
     verdict.compiler += outcome.said;
@@ -151,7 +155,7 @@ bool meddled_with(const Outcome& outcome, const std::string& verdict) {
 }  // namespace
 
 Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_t seed,
-                   const Sandbox* sandbox, Watch watch) {
+                   const Sandbox* sandbox, Watch watch, int patience) {
     const auto begin = std::chrono::steady_clock::now();
     const std::string answer = answer_in(exercise, given);  // or one clear line
     const Commands commands = read_commands(exercise);
@@ -178,8 +182,9 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
 
     Words compile = watch == Watch::nobody ? commands.compile : commands.bare;
     Words link = commands.link;
-    // Everything is compiled anew, and nothing is put in order that memcheck could see.
-    const int patience = watch == Watch::nobody ? 1 : 3;
+    if (exercise.eigen) patience *= 2;          // its solvers take 8 s where all else takes 2
+    if (watch != Watch::nobody) patience *= 3;  // for everything is compiled anew
+    // So that nothing is put in order that memcheck could see.
     if (watch == Watch::memcheck) compile.push_back("-O0");
     if (watch == Watch::sanitizers)
         for (const std::string& word : commands.sanitize) {

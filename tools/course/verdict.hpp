@@ -35,9 +35,10 @@ struct Verdict {
 enum class Watch { nobody, sanitizers, memcheck };
 
 /// Checks `file` as an answer to the exercise, with inputs drawn from `seed`; a stranger's in a
-/// sandbox, watched by nobody. Throws Stop where the file cannot be read or the machine is at fault.
+/// sandbox, watched by nobody. The compiler has `patience` times what it has usually. Throws Stop where
+/// the file cannot be read or the machine is at fault.
 Verdict check_file(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed,
-                   const Sandbox* sandbox = nullptr, Watch watch = Watch::nobody);
+                   const Sandbox* sandbox = nullptr, Watch watch = Watch::nobody, int patience = 1);
 
 /// The same with the sanitizers and, where nothing is wrong and it is there, with valgrind: errors
 /// that do not show in the numbers are crashes. Throws Stop(missing) where the compiler has no

@@ -1,4 +1,4 @@
-// velocity_now does_not_compile: The compiler had not come to an end
+// velocity_now does_not_compile: No such device or address
 #include "exercise.hpp"
 
 #include "/proc/self/fd/1"
