@@ -7,8 +7,8 @@
 
 Every page that somebody has written is opened, every index, and every page with a formula or a figure.
 What Doxygen makes from one template for each source, list of members, class, file and folder is a
-sample: the largest page of each kind and every fifth, chosen by a hash of what stands in it, so that it
-is another fifth when the pages change. (links.py reads all of them.)
+sample: the largest page of each kind and every twentieth, chosen by a hash of what stands in it, so that
+they are others when the pages change. (links.py reads all of them.)
 
 One headless Chromium opens every page at the width of a phone, in light and in dark mode. A page is
 in order when the console reports no error, no formula stands unset, every image has arrived, and
@@ -188,7 +188,7 @@ def sample(site):
     for page in pages:
         largest[kind_of(page)] = max(page, largest.get(kind_of(page), page), key=lambda p: len(contents[p]))
     opened = [page for page in pages
-              if kind_of(page) is None or page in largest.values() or zlib.crc32(contents[page]) % 5 == 0
+              if kind_of(page) is None or page in largest.values() or zlib.crc32(contents[page]) % 20 == 0
               or (kind_of(page) != "sources" and SHOWS_SOMETHING.search(contents[page]))]
     return opened, len(pages)
 

@@ -49,6 +49,15 @@ Vector3<Real> in_body(const Matrix3<Real>& R, const Vector3<Real>& v) {
             R(0, 2) * x + R(1, 2) * y + R(2, 2) * z};
 }
 
+/// A quaternion over its length. (Eigen's `normalized` asks first whether that is zero, a question that
+/// lanes do not answer; here the result is then not a number.)
+template <class Real>
+TIMESTEP_INLINE
+Quaternion<Real> over_its_length(const Quaternion<Real>& q) {
+    using std::sqrt;
+    return Quaternion<Real>(q.coeffs() / sqrt(q.squaredNorm()));
+}
+
 /// The attitude after `h` seconds at the angular velocity `omega`, in rad/s and world coordinates
 /// (N42): q̇ = ½ ω q, where ω stands for the quaternion (0, ω). One Euler step leaves the unit
 /// quaternions, so the result is scaled back to length one. A step turns the body by
@@ -58,11 +67,9 @@ Vector3<Real> in_body(const Matrix3<Real>& R, const Vector3<Real>& v) {
 /// [attitude]
 template <class Real>
 Quaternion<Real> turned(const Quaternion<Real>& q1, const Vector3<Real>& omega, Real h) {
-    using std::sqrt;
     const Vector3<Real> half = h / 2 * omega;
     const Quaternion<Real> rate = Quaternion<Real>(0, half.x(), half.y(), half.z()) * q1;
-    const Quaternion<Real> q2(q1.coeffs() + rate.coeffs());
-    return Quaternion<Real>(q2.coeffs() / sqrt(q2.squaredNorm()));
+    return over_its_length(Quaternion<Real>(q1.coeffs() + rate.coeffs()));
 }
 /// [attitude]
 
@@ -80,7 +87,7 @@ Quaternion<Real> turned_in_body(const Quaternion<Real>& q1,
     const Real half = h / 2;
     const Vector3<Real> v = half * omega;
     const Quaternion<Real> cayley(1, v.x(), v.y(), v.z());
-    return (q1 * cayley).normalized();
+    return over_its_length(q1 * cayley);
 }
 /// [in_body]
 

@@ -31,7 +31,7 @@ struct Strang {
         body.spin(2, h * (body.L[2] / U[2]));
         body.spin(1, h / 2 * (body.L[1] / U[1]));
         body.spin(0, h / 2 * (body.L[0] / U[0]));
-        return {s1.t + h, body.q.normalized(), body.L.cwiseQuotient(U)};
+        return {s1.t + h, over_its_length(body.q), body.L.cwiseQuotient(U)};
     }
     /// [step]
 };

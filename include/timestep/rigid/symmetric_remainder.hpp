@@ -71,7 +71,7 @@ struct RemainderStep {
     }
     /// [parts]
     TIMESTEP_INLINE SpinState<Real> end(Real t) const {
-        return {t + h, body.q.normalized(), body.L.cwiseQuotient(inertia.unit)};
+        return {t + h, over_its_length(body.q), body.L.cwiseQuotient(inertia.unit)};
     }
 };
 }  // namespace detail
