@@ -84,12 +84,18 @@ test_signs_that_no_file_may_hold() {
     hand_in "$(printf 'name\357\277\277')" $solved
     echo 'std::puts("\357\277\277\357\277\276 \001 \033[31m ]]> \200\377");' | answer dave
     hand_in "$(printf 'not\377utf8')" "$mistake"
+    hand_in "$(printf 'not\376utf8')" "$mistake"
     expect 1 course grade class
+    cp class.grades/grades.csv first.csv
+    expect 1 course grade class
+    cmp -s class.grades/grades.csv first.csv || fail 'other names the second time'
+    says first.csv 'not%FFutf8'
+    says first.csv 'not%FEutf8'
     python3 - <<'PYTHON' || fail 'what is written'
 import csv, json, xml.etree.ElementTree as tree
-assert len(tree.parse("class.grades/junit.xml").getroot()[0]) == 6
-assert len(json.load(open("class.grades/grades.json"))) == 6
-assert len(list(csv.reader(open("class.grades/grades.csv", encoding="utf-8")))) == 7
+assert len(tree.parse("class.grades/junit.xml").getroot()[0]) == 7
+assert len(json.load(open("class.grades/grades.json"))) == 7
+assert len(list(csv.reader(open("class.grades/grades.csv", encoding="utf-8")))) == 8
 PYTHON
 }
 
@@ -146,6 +152,10 @@ test_files_by_the_names_of_people() {
     expect 1 course grade flat --exercise velocity_now
     says flat.grades/grades.csv '"alice_velocity.cpp",1,1,pass'
     says flat.grades/grades.csv '"bob.cpp",0,1,wrong'
+    mkdir class/ida
+    cp $solved class/ida/best_gap.cpp  # of another exercise, by its name
+    expect 1 course grade class --exercise velocity_now
+    is "$(verdict_of ida)" missing
 }
 
 test_bad_use_in_one_line() {

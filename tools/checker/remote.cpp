@@ -176,6 +176,7 @@ Remote::Remote(const std::string& program, const std::string& printed,
     close(failed[1]);
     close(file);
     calls_ = calls[1];
+    fcntl(calls_, F_SETFL, O_NONBLOCK);
     answers_ = answers[0];
     int error = 0;
     const bool runs = !read_all(failed[0], &error, sizeof error);
@@ -221,12 +222,27 @@ Numbers Remote::operator()(const Numbers& arguments) {
     const Head call{++number_, Reply::answer,
                     static_cast<std::uint32_t>(arguments.size() * sizeof(double))};
     const double deadline = std::min(now() + limits_.call_seconds, begin_ + limits_.total_seconds);
-    // Who does not listen any more has perhaps said why, and that comes first.
-    if (write_all(calls_, &call, sizeof call)) write_all(calls_, arguments.data(), call.bytes);
+    // Who does not listen has perhaps said why, and that comes first: `hear` knows.
+    if (send(&call, sizeof call, deadline)) send(arguments.data(), call.bytes, deadline);
     const std::string bytes = hear(Reply::answer, deadline);
     Numbers result(bytes.size() / sizeof(double));
     std::memcpy(result.data(), bytes.data(), result.size() * sizeof(double));
     return result;
+}
+
+// False where it is not taken in time. A pipe holds 64 KB, and a call may be longer.
+bool Remote::send(const void* from, std::size_t size, double deadline) {
+    for (const char* at = static_cast<const char*>(from); size > 0;) {
+        const double left = deadline - now();
+        pollfd waiting{calls_, POLLOUT, 0};
+        if (left <= 0 || poll(&waiting, 1, static_cast<int>(left * 1000) + 1) == 0) return false;
+        const ssize_t put = write(calls_, at, size);
+        if (put < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+        if (put <= 0) return false;
+        at += put;
+        size -= static_cast<std::size_t>(put);
+    }
+    return true;
 }
 
 // What comes with the reply. Throws Ended where it is not the one expected.

@@ -50,6 +50,7 @@ public:
     void close_down();
 
 private:
+    bool send(const void* from, std::size_t size, double deadline);
     std::string hear(Reply expected, double deadline);
     void receive(void* to, std::size_t size, double deadline);
     [[noreturn]] void gone();

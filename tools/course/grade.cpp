@@ -233,7 +233,7 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
     });
     if (!once_more.empty())
         progress.say("  " + std::to_string(once_more.size()) +
-                     " were not done in time; once more, one at a time and with more of it");
+                     (once_more.size() == 1 ? " was" : " were") + " not done in time; once more, one at a time and with more of it");
     in_parallel(once_more, 1, work(3), keep);
     return grades;
 }

@@ -105,11 +105,14 @@ void confine(const Allowance& allowance) {
         const rlimit both{most, most};
         if (most > 0) setrlimit(resource, &both);
     };
+    // At the first limit it is told why it ends, by a signal's name; at the second it is killed.
+    const auto seconds = static_cast<rlim_t>(allowance.processor_seconds);
+    const rlimit first{seconds, seconds + 1};
+    if (seconds > 0) setrlimit(RLIMIT_CPU, &first);
     setpgid(0, 0);
     const int terminal = open("/dev/tty", O_RDWR | O_CLOEXEC);
     if (terminal >= 0) ioctl(terminal, TIOCNOTTY);
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
-    limit(RLIMIT_CPU, static_cast<std::size_t>(allowance.processor_seconds));
     limit(RLIMIT_AS, allowance.megabytes << 20);
     limit(RLIMIT_FSIZE, allowance.file_megabytes << 20);
     // It counts all that the user runs, which is less than all that the machine runs.
@@ -193,6 +196,7 @@ Outcome run_within(const std::vector<std::string>& command, const Allowance& all
     const double deadline = now() + allowance.seconds;
 
     Outcome outcome;
+    std::string end;
     char piece[4096];
     int status = 0;
     bool listening = true, ended = false;
@@ -200,13 +204,17 @@ Outcome run_within(const std::vector<std::string>& command, const Allowance& all
         if (listening) {
             const ssize_t size = hear(running.output, piece, sizeof piece, turn);
             listening = size != 0;
-            if (size > 0 && outcome.said.size() < most)
-                outcome.said.append(piece, static_cast<std::size_t>(size));
+            if (size <= 0) continue;
+            // Of what is too long the beginning and the end, where a compiler says why it ended.
+            std::string& part = outcome.said.size() < most ? outcome.said : end;
+            part.append(piece, static_cast<std::size_t>(size));
+            if (end.size() > 2 * sizeof piece) end.erase(0, end.size() - sizeof piece);
         } else {
             ended = has_ended(group, status, turn);
         }
     }
     close(running.output);
+    outcome.said += end;
     outcome.too_slow = !ended;
     // First it may end by itself: the compiler removes what it has begun, the checker ends the
     // learner's code, which has a group of its own.

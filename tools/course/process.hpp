@@ -34,7 +34,7 @@ struct Allowance {
 struct Outcome {
     int status = 0;         ///< its exit status; 128 + signal where one ended it
     bool too_slow = false;  ///< it was stopped
-    std::string said;       ///< standard output and error together, the first million bytes
+    std::string said;       ///< standard output and error together, of a million bytes and more the beginning and the end
 };
 
 /// Runs `command`, which is to speak English, to its end or to the end of its allowance, and then

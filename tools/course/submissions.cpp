@@ -55,6 +55,27 @@ struct Search {
     }
 };
 
+// Is it named after an exercise, of which we know that it is not the one looked for?
+bool answers_another(const fs::path& file) {
+    static const std::vector<Exercise> all = read_exercises();
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Exercise& exercise) { return exercise.name == file.stem(); });
+}
+
+// Names are bytes: those that are no UTF-8 as %FF, so that no two names become one.
+std::string name_of(const fs::path& place) {
+    const std::string bytes = place.filename().string();
+    std::string name;
+    for (std::size_t i = 0; i < bytes.size();) {
+        const std::size_t size = character_at(bytes, i);
+        char code[4];
+        std::snprintf(code, sizeof code, "%%%02X", static_cast<unsigned char>(bytes[i]));
+        name += size > 0 ? bytes.substr(i, size) : code;
+        i += std::max<std::size_t>(size, 1);
+    }
+    return name;
+}
+
 bool is_at_its_place(const fs::path& file, const Exercise& exercise) {
     const fs::path folder = file.parent_path();
     return folder.filename() == exercise.chapter && folder.parent_path().filename() == "exercises";
@@ -153,16 +174,16 @@ std::vector<Submission> find_submissions(const fs::path& place,
     if (error) refuse("cannot be read (" + error.message() + ")");
     if (!fs::is_directory(whole) && !fs::is_regular_file(whole))
         refuse("is neither a folder nor a file");
-    if (one || fs::is_regular_file(whole)) return {{whole.filename().string(), whole}};
+    if (one || fs::is_regular_file(whole)) return {{name_of(whole), whole}};
 
     std::vector<Submission> all;
     bool own = false;  // answers
     for (fs::directory_iterator entry(whole, error), end; !error && entry != end;
          entry.increment(error)) {
         const std::string name = entry->path().filename().string();
-        if (name == "exercises") return {{whole.filename().string(), whole}};
+        if (name == "exercises") return {{name_of(whole), whole}};
         own = own || is_answer(entry->path(), exercises);
-        if (!is_litter(name)) all.push_back({name, entry->path()});
+        if (!is_litter(name)) all.push_back({name_of(entry->path()), entry->path()});
     }
     if (error) refuse("cannot be read (" + error.message() + ")");
     if (all.empty()) refuse("holds no submission: it is empty");
@@ -174,7 +195,7 @@ std::vector<Submission> find_submissions(const fs::path& place,
                 holds_answers(inner, exercises))
                 refuse("holds answers itself, and so does '" + in_one_line(inner.name) +
                        "' in it: --one says that it is one submission");
-        return {{whole.filename().string(), whole}};
+        return {{name_of(whole), whole}};
     }
     return all;
 }
@@ -205,7 +226,8 @@ std::vector<HandedIn> answers_in(const Submission& submission,
                          ? choose(search.found[i], exercises[i])
                          : HandedIn{submission.place, "the submission " + search.fault};
     // By another name, as platforms and browsers give them: it can only be the one.
-    if (exercises.size() == 1 && answers[0].file.empty() && search.others.size() == 1)
+    if (exercises.size() == 1 && answers[0].file.empty() && search.others.size() == 1 &&
+        !answers_another(search.others[0]))
         answers[0].file = search.others[0];
     return answers;
 }

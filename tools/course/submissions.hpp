@@ -28,8 +28,9 @@ std::vector<Submission> find_submissions(const std::filesystem::path& place,
                                          const std::vector<Exercise>& exercises, bool one);
 
 /// What a submission holds for each of these exercises: the file exercises/CHAPTER/NAME.cpp anywhere
-/// in it, or the only file NAME.cpp, or of one exercise the only .cpp file there is. A submission that is one file is the answer to the only
-/// exercise, or to the one it is named after. No link is followed.
+/// in it, or the only file NAME.cpp, or of one exercise the only .cpp file there is, unless that is named
+/// after another exercise. A submission that is one file is the answer to the only exercise, or to the one
+/// it is named after. No link is followed.
 std::vector<HandedIn> answers_in(const Submission& submission,
                                  const std::vector<Exercise>& exercises);
 

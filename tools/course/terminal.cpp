@@ -25,19 +25,6 @@ std::string cut(const std::string& text, std::size_t width) {
     return text.substr(0, end);
 }
 
-// How many bytes the character has that begins there; 0 where none does in UTF-8.
-std::size_t character_at(const std::string& text, std::size_t at) {
-    const auto first = static_cast<unsigned char>(text[at]);
-    const std::size_t size = first < 0x80                     ? 1u
-                             : first >= 0xC2 && first < 0xE0  ? 2u
-                             : first >= 0xE0 && first < 0xF0  ? 3u
-                             : first >= 0xF0 && first <= 0xF4 ? 4u
-                                                              : 0u;
-    for (std::size_t i = 1; i < size; ++i)
-        if (at + i >= text.size() || !continues_character(text[at + i])) return 0;
-    return size;
-}
-
 // Control characters, of which C2 80 to C2 9F are the later half; U+2028 to U+202E and U+2066 to
 // U+2069, which end lines and turn the direction of writing.
 bool is_obeyed(const std::string& character) {
@@ -51,6 +38,18 @@ bool is_obeyed(const std::string& character) {
 }
 
 }  // namespace
+
+std::size_t character_at(const std::string& text, std::size_t at) {
+    const auto first = static_cast<unsigned char>(text[at]);
+    const std::size_t size = first < 0x80                     ? 1u
+                             : first >= 0xC2 && first < 0xE0  ? 2u
+                             : first >= 0xE0 && first < 0xF0  ? 3u
+                             : first >= 0xF0 && first <= 0xF4 ? 4u
+                                                              : 0u;
+    for (std::size_t i = 1; i < size; ++i)
+        if (at + i >= text.size() || !continues_character(text[at + i])) return 0;
+    return size;
+}
 
 std::size_t columns() {
     winsize size{};

@@ -32,6 +32,9 @@ std::string harmless_line(const std::string& text);
 /// `text`, with "…" for what follows after `most` characters.
 std::string shortened(const std::string& text, std::size_t most);
 
+/// How many bytes the character has that begins there in `text`; 0 where none does in UTF-8.
+std::size_t character_at(const std::string& text, std::size_t at);
+
 /// Number of characters of UTF-8 text.
 std::size_t width_of(const std::string& text);
 

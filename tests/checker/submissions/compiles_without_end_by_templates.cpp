@@ -1,4 +1,4 @@
-// velocity_now does_not_compile
+// velocity_now does_not_compile: had not come to an end after 9 s of work
 #include "exercise.hpp"
 
 template <int depth, long path>

@@ -16,7 +16,7 @@ using Eigen::Quaterniond;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// The x with A x = b. Eigen's own A.partialPivLu().solve(b) does the same, and is compiled two seconds
+/// The x with A x = b. Eigen's own A.partialPivLu().solve(b) does the same, and is compiled some seconds
 /// longer at every check; this is compiled already.
 Vector3d solve_linear(const Matrix3d& A, const Vector3d& b);
 

@@ -25,9 +25,9 @@ static Tumble draw_tumble(Draw& draw, double least, double most) {
     return {draw_moments(draw, 20), speed * draw_direction(draw), draw.log(least, most) / speed};
 }
 
-// Three clearly different moments, so that there is a tumble to see.
+// Three clearly different moments of a body that can be, so that there is a tumble to see.
 static Vector3d draw_uneven(Draw& draw) {
-    const double least = draw.real(0.5, 0.7), middle = draw.real(0.9, 1.1);
+    const double least = draw.real(0.62, 0.7), middle = draw.real(0.9, 1.1);
     Vector3d moments(least, middle, draw.real(1.3, 1.5));
     std::swap(moments[0], moments[draw.integer(0, 2)]);
     std::swap(moments[1], moments[draw.integer(1, 2)]);

@@ -39,7 +39,7 @@ struct Solved : Problem {
 
 static Solved draw_solved(Draw& draw) {
     const double h = draw.log(0.001, 0.2), size = draw.log(0.01, 100);
-    const Vector3d moments(draw.real(0.5, 0.7), draw.real(0.9, 1.1), draw.real(1.3, 1.5));
+    const Vector3d moments(draw.real(0.62, 0.7), draw.real(0.9, 1.1), draw.real(1.3, 1.5));
     const Matrix3d inertia = draw_inertia(draw, size * moments);
     const Vector3d root = draw_spin(draw, 0.25 / h);
     const Vector3d change = inertia.inverse() * root.cross(inertia * root);

@@ -44,7 +44,7 @@ Top draw_any(Draw& draw, int i) {
 
 // Of clearly different moments, in no order, with gravity and spin alike.
 Top draw_dance(Draw& draw) {
-    Vector3d moments(draw.real(0.5, 0.7), draw.real(0.9, 1.1), draw.real(1.3, 1.5));
+    Vector3d moments(draw.real(0.62, 0.7), draw.real(0.9, 1.1), draw.real(1.3, 1.5));
     std::swap(moments[0], moments[draw.integer(0, 2)]);
     std::swap(moments[1], moments[draw.integer(1, 2)]);
     const double size = draw.log(0.01, 100);
