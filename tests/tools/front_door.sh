@@ -124,6 +124,18 @@ test_what_is_still_too_old_after_installing_is_named() {
     silent_on calls 'cmake -S'
 }
 
+test_grading_in_a_kit_wants_no_more_than_its_setup_and_bubblewrap() {
+    new_machine 0
+    mkdir -p checkout/kit
+    echo '{}' >checkout/kit/kit.json
+    expect 0 course setup --yes
+    expect 7 course grade class --trust
+    silent_on err 'lacks'
+    expect 7 course grade class
+    says err 'course: this machine lacks: bubblewrap'
+    silent_on err catch2
+}
+
 test_setup_installs_and_builds_nothing() {
     new_machine 0
     expect 0 course setup
