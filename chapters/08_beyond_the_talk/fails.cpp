@@ -55,6 +55,21 @@ double strays(const Body& inertia, Vector omega) {
     return most;
 }
 
+// The least h|ω|, in twentieths, at which a plate that is spun about its short axis turns over.
+template <class Method>
+double plate_turns_over(const Method& method) {
+    const Body plate = box(1.0, 2.0, 1.0, 0.1);
+    const auto body = prepared(method, plate);
+    for (double size = 1; size < 10; size += 0.05) {
+        Spin s = spinning(size * Vector(1e-3, 1e-3, 1).normalized());
+        for (int n = 0; n < 1000; ++n) {
+            s = method.step(body, s, 1.0);
+            if (s.omega.z() < 0) return size;
+        }
+    }
+    return INFINITY;
+}
+
 // What |L| allows: |L|²/2I of the least moment, over the energy.
 double bound(const Body& inertia, const Vector& omega) {
     const double L = inertia.momentum(omega).norm();
@@ -164,9 +179,17 @@ void fails(const Settings& settings, lab::Findings& out) {
               "a step of Strang, to over 5 % in one of ball and remainder 2, to over 50 % in 100");
     out.check("splits_bounded", bounded,
               "no splitting brings the energy above |L|²/2I of the least moment");
+    const double plate_2 = plate_turns_over(symmetric_remainder_2),
+                 plate_4 = plate_turns_over(symmetric_remainder_4);
+    out.number("plate_2", plate_2, "", "h|omega| at which a plate turns over by ball and remainder 2",
+               2);
+    out.number("plate_4", plate_4, "", "the same by ball and remainder 4", 2);
+    out.check("plate", plate_2 > 2 && plate_2 < 2.5 && plate_4 > 2 * plate_2 && plate_4 < 10,
+              "a plate spun about its short axis turns over by ball and remainder 2 from h|ω| "
+              "between 2 and 2.5 on, by ball and remainder 4 later");
     const double half_more = 2 / std::sqrt(3.0);  // h|ω| where the bound is 1.5
     const double calm_bound = 1 / (1 - calm * calm / 4);
-    out.number("fails_below", half_more, "", "h|omega| below which no body ever gains half", 2);
+    out.number("fails_below", half_more, "", "h|omega| below which no body ever gains half");
     out.number("fails_below_spin", half_more / settings.step, "rad/s", "the spin that this is", 2);
     out.number("fails_many", many, "", "random bodies a point");
     out.number("calm", calm, "", "h|omega| of a substep");
