@@ -232,7 +232,7 @@ void no_solution(lab::Findings& out) {
 void long_steps(lab::Findings& out) {
     Bodies bodies(84);
     double magnus = 0, magnus_06 = 0, magnus_05 = 0, midpoint = 0;
-    for (int n = 0; n < 2000; ++n) {  // at 0.6 it is one in a thousand
+    for (int n = 0; n < 1000; ++n) {  // at 0.6 it is one of them
         const Body I = bodies.inertia(100);
         const V w = bodies.direction();
         const auto most = [&](const auto& method, double size, long steps) {
