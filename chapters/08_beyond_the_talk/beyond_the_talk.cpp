@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
         fails(settings, out);
         minute(settings, out);
         work(settings, out);
+        throws(settings, out);
         runge_kutta(settings, out);
         many(settings, out);
         demo(settings, out);

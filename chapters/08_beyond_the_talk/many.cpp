@@ -203,6 +203,15 @@ void many_bodies(lab::Findings& out) {
                  ? "in this run they have not paid for good, up to a million bodies"
                  : "in this run they pay from " + std::to_string(pays) + " bodies on",
              "where threads pay");
+    std::vector<double> starts;  // ns, to start and join threads that do nothing
+    for (int i = 0; i < 101; ++i) {
+        const auto begin = std::chrono::steady_clock::now();
+        share_out(threads, threads, [](std::size_t, std::size_t) {});
+        const std::chrono::duration<double, std::nano> passed =
+            std::chrono::steady_clock::now() - begin;
+        starts.push_back(passed.count());
+    }
+    std::sort(starts.begin(), starts.end());
     const auto in_lanes = [&](const auto& solver) {
         return [&, solver](std::size_t count) {
             for (std::size_t i = 0; i < (count + lanes - 1) / lanes; ++i) packs[i].step(solver, h);
@@ -229,6 +238,8 @@ void many_bodies(lab::Findings& out) {
     out.number("many_ball_ns", balls_ns, "ns", "a step of a ball among ten thousand, in lanes", 2);
     out.number("many_ms", 1000 * std::round(1e3 / lanes_ns), "",
                "boxes that a millisecond has room for");
+    out.number("many_threads_start", 100 * std::round(starts[50] / lanes_ns / 100), "",
+               "boxes that are stepped in lanes while the threads start, half of the times");
     out.number("many_threads", double(threads), "", "threads of the curve with several");
 }
 

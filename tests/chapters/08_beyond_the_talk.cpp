@@ -2,6 +2,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -39,8 +40,8 @@ Spin after(const Method& method, const Body& inertia, Spin s, double step, long 
 // The largest error of the attitude in two seconds, looked at thirty times: 2 sin of half the
 // angle.
 template <class Method>
-double worst(const Method& method, const Body& inertia, double spin, long rate) {
-    Spin s = spinning(spin / 3, spin * 2 / 3, spin * 2 / 3);
+double worst(const Method& method, const Body& inertia, const V& omega, long rate) {
+    Spin s = spinning(omega.x(), omega.y(), omega.z());
     const ExactFreeBody<double> exact(inertia, in_world(s));
     double most = 0;
     for (int mark = 1; mark <= 30; ++mark) {
@@ -48,6 +49,12 @@ double worst(const Method& method, const Body& inertia, double spin, long rate) 
         most = std::max(most, 2 * (s.q.conjugate() * exact(mark / 15.0).q).vec().norm());
     }
     return most;
+}
+
+// The same of one throw.
+template <class Method>
+double worst(const Method& method, const Body& inertia, double spin, long rate) {
+    return worst(method, inertia, V(spin / 3, spin * 2 / 3, spin * 2 / 3), rate);
 }
 
 struct RungeKutta {
@@ -154,17 +161,62 @@ TEST_CASE("an uneven capsule keeps its spin by the splittings, longer by Cayley 
     CHECK(after(strang, uneven, start, h, 36000).omega.z() > 19.5);
 }
 
-TEST_CASE("at 60 Hz and 10 rad/s: what the recommendation says", "[ch8]") {
-    for (const Body& I : three) {
-        INFO("I = " << I.moments.transpose());
-        const double cayley = worst(tumble<CayleyGyroscopic>, I, 10, 60);
-        const double two = worst(symmetric_remainder_2, I, 10, 60);
-        CHECK(cayley < worst(tumble<PassiveGyroscopic>, I, 10, 60) / 10);
-        CHECK(two < 0.01);
-        CHECK(two < cayley / 20);
-        CHECK(worst(symmetric_remainder_4, I, 10, 60) < 1e-6);
-    }
+TEST_CASE("at 60 Hz, thrown in any direction: what the recommendation says", "[ch8]") {
+    const Body ruler = box(1.0, 1.0, 0.1, 0.02);
+    RandomBodies random;
+    int wrong = 0;  // throws of the ruler that ball and remainder 2 has off by more than 1 %
+    for (const Body& I : {three[0], three[1], three[2], ruler})
+        for (int n = 0; n < 300; ++n) {
+            const V d = random.direction();
+            INFO("I = " << I.moments.transpose() << ", along " << d.transpose());
+            REQUIRE(worst(symmetric_remainder_4, I, 10 * d, 60) < 1e-3);
+            REQUIRE(worst(symmetric_remainder_4, I, 30 * d, 60) < 0.05);
+            REQUIRE(worst(tumble<HalfStepJacobian>, I, 10 * d, 60) < 0.1);
+            const double two = worst(symmetric_remainder_2, I, 10 * d, 60);
+            if (I.moments == three[0].moments) REQUIRE(two < 1e-3);
+            wrong += I.moments == ruler.moments && two > 0.01;
+        }
+    CHECK(wrong > 60);
+    // Close to the middle axis: there it is worse than the half-step Jacobian.
+    const V middle(0.1, 10, 0.1);
+    CHECK(worst(symmetric_remainder_2, ruler, middle, 60) >
+          worst(tumble<HalfStepJacobian>, ruler, middle, 60));
     CHECK(worst(RungeKutta{}, brick, 10, 60) < worst(symmetric_remainder_2, brick, 10, 60));
+}
+
+TEST_CASE("the half-step Jacobian keeps E/Δ, which bounds the energy", "[ch8]") {
+    RandomBodies bodies;
+    for (const double size : {0.5, 1.0, 1.9})
+        for (int n = 0; n < 2000; ++n) {
+            // Moments in order: the second is the middle one.
+            V sorted = bodies.inertia().moments;
+            std::sort(sorted.begin(), sorted.end());
+            const double p = sorted.x(), r = sorted.y(), q = sorted.z();
+            const Body I(p, r, q);
+            const double fraction = (q - r) * (r - p) / (p * q);
+            REQUIRE(fraction <= 1 + 1e-12);
+            const auto E_by_D = [&](const V& w) {
+                return kinetic_energy(I, w) / (1 - fraction * w.y() * w.y() / 4);
+            };
+            const V start = size * bodies.direction();
+            V w = start;
+            for (int i = 0; i < 100; ++i) {
+                w = half_step_jacobian.step(I, w, 1.0);
+                REQUIRE(kinetic_energy(I, w) <=
+                        kinetic_energy(I, start) / (1 - size * size / 4) * (1 + 1e-12));
+            }
+            REQUIRE(std::fabs(E_by_D(w) / E_by_D(start) - 1) < 1e-11);
+        }
+    // The bound is met, nearly: a needle, thrown close to its middle axis.
+    const Body needle(0.12, 620.7, 620.8199);
+    V w(-0.0007, 0.499999, 0.0006);
+    const double E = kinetic_energy(needle, w);
+    double most = 0;
+    for (int i = 0; i < 60; ++i) {
+        w = half_step_jacobian.step(needle, w, 1.0);
+        most = std::max(most, kinetic_energy(needle, w) / E);
+    }
+    CHECK(most > 1.06);
 }
 
 TEST_CASE("at 60 Hz and 100 rad/s ball and remainder 4 is right, and alone", "[ch8]") {
@@ -178,7 +230,7 @@ TEST_CASE("at 60 Hz and 100 rad/s ball and remainder 4 is right, and alone", "[c
     }
 }
 
-TEST_CASE("ball and remainder 4 is nearer than Runge-Kutta 4 at twice its rate", "[ch8]") {
+TEST_CASE("ball and remainder 4 is nearer than Runge-Kutta 4 at three times its rate", "[ch8]") {
     for (const Body& I : three)
         for (const double spin : {1.0, 10.0, 100.0})
             for (const long rate : {15, 30, 60, 120, 240}) {
@@ -186,6 +238,6 @@ TEST_CASE("ball and remainder 4 is nearer than Runge-Kutta 4 at twice its rate",
                 if (mine > 0.1 || mine < 1e-11) continue;  // lost, or roundoff
                 INFO("I = " << I.moments.transpose() << ", " << spin << " rad/s, " << rate
                             << " Hz");
-                CHECK(mine < worst(RungeKutta{}, I, spin, 2 * rate));
+                CHECK(mine < worst(RungeKutta{}, I, spin, 3 * rate));
             }
 }

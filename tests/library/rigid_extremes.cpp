@@ -6,6 +6,7 @@
 
 #include <timestep/gyroscopic.hpp>
 #include <timestep/rigid/shapes.hpp>
+#include <timestep/rigid/symmetric_remainder.hpp>
 
 using namespace timestep;
 using V = Vector3<double>;
@@ -87,6 +88,21 @@ TEST_CASE("the passive step is a number as long as the square of hω is one", "[
     CHECK(passive_gyroscopic.step(big, V(1e155 * d), 1.0).hasNaN());
     CHECK(passive_gyroscopic.step(small, F(1e18f * d.cast<float>()), 1.0f).allFinite());
     CHECK(passive_gyroscopic.step(small, F(1e20f * d.cast<float>()), 1.0f).hasNaN());
+    // A needle's limit is less by the root of the moments' ratio.
+    const PrincipalInertia<float> needle(1, 1, 1e-12f);
+    CHECK(passive_gyroscopic.step(needle, F(1e13f * d.cast<float>()), 1.0f).allFinite());
+    CHECK(passive_gyroscopic.step(needle, F(1e14f * d.cast<float>()), 1.0f).hasNaN());
+}
+
+TEST_CASE("ball and remainder are numbers to 1e19 in float", "[library][ch8]") {
+    const RemainderInertia<float> I(PrincipalInertia<float>(1, 2, 2.5f));
+    const auto spun = [&](float size) {
+        return SpinState<float>{0, Quaternion<float>::Identity(), size * F(0.48f, 0.6f, 0.64f)};
+    };
+    CHECK(is_finite(symmetric_remainder_2.step(I, spun(1e18f), 1.0f)));
+    CHECK(is_finite(symmetric_remainder_4.step(I, spun(1e18f), 1.0f)));
+    CHECK(!is_finite(symmetric_remainder_2.step(I, spun(1e20f), 1.0f)));
+    CHECK(!is_finite(symmetric_remainder_4.step(I, spun(1e20f), 1.0f)));
 }
 
 // Half a turn is what is left of so fast a spin: q₂ = (0, u) q₁, with the axis u.

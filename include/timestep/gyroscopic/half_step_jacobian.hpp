@@ -11,8 +11,9 @@ namespace timestep {
 /// Kimura 2000). Order two; a step of −h undoes a step of h; the energy swings and does not drift.
 /// Two quantities are kept exactly, which confine ω to a closed curve near the true one.
 ///
-/// The Jacobian is singular from h|ω| near 2 on: there it may add energy without limit, or divide
-/// by zero. Take shorter steps, or CayleyGyroscopic.
+/// With the first h|ω| below 2 the energy is never more than 1/(1 − (h|ω|/2)²) of that at the start.
+/// From there on the Jacobian may be singular: it may add energy without limit, or divide by zero.
+/// Take shorter steps, or CayleyGyroscopic.
 struct HalfStepJacobian {
     static constexpr const char* name = "half-step Jacobian";  ///< for tables and keys
     static constexpr int order = 2;  ///< of the error of ω after a whole run

@@ -41,6 +41,8 @@ Real kinetic_energy(const Inertia& inertia, const RigidState<Real>& s) {
 /// and out, with the attitude as the rotation matrix `R` that engines keep beside the quaternion.
 /// `Gyroscopic` solves in body coordinates, where the inertia does not change (N47). A body without a
 /// gyroscopic torque does not even change coordinates: nothing is compiled (N41).
+// Rounded, R is no exact rotation. Only the change goes back through it: if the whole of ω did, step
+// after step, the energy would creep, in `float` by several percent an hour.
 /// [gyroscopic]
 template <class Gyroscopic, class Inertia, class Real>
 TIMESTEP_INLINE
@@ -52,7 +54,8 @@ Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
         return omega;
     } else {
         const Vector3<Real> body = in_body(R, omega);
-        return in_world(R, solver.step(inertia, body, h));
+        const Vector3<Real> change = solver.step(inertia, body, h) - body;
+        return omega + in_world(R, change);
     }
 }
 /// [gyroscopic]
