@@ -24,7 +24,7 @@ plot "many_caches.tsv" using 2:(8) with impulses @faint notitle, \
 set title "bodies, passive step and attitude"
 set xlabel "how many there are"
 set yrange [1:2000]
-set ytics (1, 2, 5, 10, 20, 50, 100, 200)
+set ytics (1, 2, 5, 10, 20, 50, 100, 200, 500)
 plot "many_caches.tsv" using 3:(200) with impulses @faint notitle, \
      "" using 3:(140):1 with labels left offset 0.4,0 textcolor rgb "#666666" notitle, \
      "many_bodies.tsv" using 1:2 with linespoints @second pt 7 ps 0.5 title "one by one", \

@@ -66,7 +66,7 @@ void orders(const Settings&, lab::Findings& out) {
     });
     // The same solver, the attitude by the new ω instead of the mean.
     const auto [spin, attitude] =
-        write("half-step Jacobian, new ω", "half_step_new",
+        write("half-step Jacobian, new omega", "half_step_new",
               measured(brick, start, 2, [&](const Spin& s, double h) -> Spin {
                   const Vector omega = half_step_jacobian.step(brick, s.omega, h);
                   return {s.t + h, turned_in_body(s.q, omega, h), omega};

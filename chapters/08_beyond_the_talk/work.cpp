@@ -127,6 +127,7 @@ void work(const Settings&, lab::Findings& out) {
         const std::string k = key(method);
         const double step = a_step(all["box_game"], k);
         out.number("cost_" + k, step / talk, "", "time of a step over that of the talk's", 2);
+        out.number("ns_" + k, step * 1e9, "ns", "time of a step", 3);
     });
     out.number("work_seconds", contest::seconds, "s", "how long every body is watched");
     out.text("processor", lab::processor(), "what the times were measured on");
@@ -136,7 +137,19 @@ void work(const Settings&, lab::Findings& out) {
                                 a_step(all["box_game"], "runge_kutta_4"),
                "", "time of a step of ball and remainder 4 over that of Runge-Kutta 4", 2);
 
+    const std::string magnus = lab::id(MagnusTaylor::name);
+    out.number("magnus_price",
+               100 * a_step(all["box_game"], magnus) / a_step(all["box_game"], "remainder_2"), "%",
+               "time of a step of Magnus and Taylor over that of ball and remainder 2", 2);
+
     // Errors and rates, which no other machine changes.
+    bool nearer = true;
+    for (const auto& [id, points] : all)
+        if (!id.ends_with("_fast"))
+            nearer = nearer && at(points, magnus, rate).error <=
+                                   std::max(at(points, "remainder_2", rate).error, 1e-9);
+    out.check("magnus_nearer", nearer,
+              "at 60 Hz, up to 10 rad/s, Magnus and Taylor are nearer than ball and remainder 2");
     bool alone = true, thrice = true;
     for (const Shape& shape : shapes) {
         const Points& fast = all[std::string(shape.id) + "_fast"];
