@@ -78,12 +78,12 @@ void ends(lab::Findings& out) {
         tumbles += over;
     }
     std::printf("  of %d random bodies at 10 rad/s, after 10 minutes at 60 Hz, Jolt's rule has\n"
-                "  left %d the energy of a turn about the middle axis (up to x %.2f of theirs), and\n"
-                "  %d tumble; ODE's turn %d about the axis of the largest moment\n",
+                "  left %d the energy of a turn about the middle axis (up to x %.2f), and %d\n"
+                "  tumble; ODE's turn %d about the axis of the largest moment\n",
                 many, about_middle, most, tumbles, about_largest);
     out.number("engines_bodies", many, "", "random bodies that were spun");
     out.number("engines_about_middle", about_middle, "",
-               "of them have the energy of a turn about the middle axis in the end, by Jolt's rule");
+               "of them end with the energy of a turn about the middle axis, by Jolt's rule");
     out.number("engines_jolt_tumbles", tumbles, "", "of them turn over in the minute after");
     out.number("engines_about_largest", about_largest, "",
                "of them turn about the axis of the largest moment in the end, by ODE's rule");
@@ -251,8 +251,8 @@ void long_steps(lab::Findings& out) {
         magnus = std::max(magnus, most(magnus_taylor, 1, 1000));
         midpoint = std::max(midpoint, most(midpoint_spin, 1, 50));
     }
-    std::printf("  in 1000 steps at h|omega| = 0.5 the energy rises by Magnus-Taylor up to x %.2f,\n"
-                "  at 0.6 x %.1f, at 1 x %.1f; by implicit midpoint it is off by %.0e\n",
+    std::printf("  in 1000 steps at h|omega| = 0.5 the energy rises by Magnus-Taylor up to\n"
+                "  x %.2f, at 0.6 x %.1f, at 1 x %.1f; by implicit midpoint it is off by %.0e\n",
                 1 + magnus_05, 1 + magnus_06, 1 + magnus, midpoint);
     out.number("engines_magnus_fails", 0.6, "", "h|omega| from which on Magnus-Taylor fails");
     out.number("engines_magnus_there", 1 + magnus_06, "",

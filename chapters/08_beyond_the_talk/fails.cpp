@@ -181,8 +181,8 @@ void fails(const Settings& settings, lab::Findings& out) {
               "no splitting brings the energy above |L|²/2I of the least moment");
     const double plate_2 = plate_turns_over(symmetric_remainder_2),
                  plate_4 = plate_turns_over(symmetric_remainder_4);
-    out.number("plate_2", plate_2, "", "h|omega| at which a plate turns over by ball and remainder 2",
-               2);
+    out.number("plate_2", plate_2, "",
+               "h|omega| at which a plate turns over by ball and remainder 2", 2);
     out.number("plate_4", plate_4, "", "the same by ball and remainder 4", 2);
     out.check("plate", plate_2 > 2 && plate_2 < 2.5 && plate_4 > 2 * plate_2 && plate_4 < 10,
               "a plate spun about its short axis turns over by ball and remainder 2 from h|ω| "
@@ -193,8 +193,8 @@ void fails(const Settings& settings, lab::Findings& out) {
     out.number("fails_below_spin", half_more / settings.step, "rad/s", "the spin that this is", 2);
     out.number("fails_many", many, "", "random bodies a point");
     out.number("calm", calm, "", "h|omega| of a substep");
-    out.number("calm_gain", calm_bound, "", "gain of the half-step Jacobian in such substeps, at most",
-               3);
+    out.number("calm_gain", calm_bound, "",
+               "gain of the half-step Jacobian in such substeps, at most", 3);
     out.check("fails_bound", astray < 1e-9,
               "the half-step Jacobian keeps E/Δ to roundoff, 100 steps at h|ω| = 1.8");
     out.check("fails_first", first > half_more,

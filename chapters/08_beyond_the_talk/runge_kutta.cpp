@@ -44,7 +44,7 @@ void runge_kutta(const Settings&, lab::Findings& out) {
         for (int n = 0; n < throws; ++n)
             loss = std::max(loss, lost_in_a_minute(inertia, calm / h * random.direction(), h));
         worst = std::max(worst, loss);
-        std::printf("  loss with h to the power of %.2f; at h|omega| = %.1f up to %.2g %% a minute\n",
+        std::printf("  loss with h to the power of %.2f; at h|omega| = %.1f at most %.2g %%\n",
                     power, calm, 100 * loss);
     }
     out.number("rk4_calm", calm, "", "h|omega| at which Runge-Kutta 4 was watched for a minute");

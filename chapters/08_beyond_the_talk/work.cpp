@@ -168,8 +168,8 @@ void work(const Settings&, lab::Findings& out) {
                          p.error < other.error(std::lround(3 * p.rate * contest::seconds));
     }
     out.check("fast_alone", alone,
-              "100 rad/s at 60 Hz, the figure's throw: ball and remainder 4 is off by less than 2 % "
-              "with all three bodies, all others by more than half a radian, but for ball and "
+              "100 rad/s at 60 Hz, the figure's throw: ball and remainder 4 is off by less than 2 "
+              "% with all three bodies, all others by more than half a radian, but ball and "
               "remainder 2 with the nearly symmetric one");
     out.check("third_of_the_rate", thrice,
               "ball and remainder 4 is nearer than Runge-Kutta 4 at three times its rate, on all "

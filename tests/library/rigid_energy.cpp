@@ -116,18 +116,24 @@ TEST_CASE("a symmetric body neither gains nor loses by the passive step", "[libr
 }
 
 // The rounded attitude is no exact rotation. If every step took the whole of ω into the body and
-// back, this box would gain 6 % of its energy in the hour.
-TEST_CASE("in float the passive step of a body in the world gains nothing in an hour", "[library][N51]") {
-    const PrincipalInertia<float> I(4.0797f, 2.58941f, 4.60743f);
-    RigidState<float> s{0, Quaternion<float>::Identity(), {2.6292f, -2.62973f, -1.20197f}};
-    const Vector3<double> moments = I.moments.cast<double>();
-    double least = 1e9, rise = 0;
-    for (int n = 0; n < 216000; ++n) {
-        s = turn(passive_gyroscopic, I, s, 1 / 60.0f);
-        if (n % 600 != 0) continue;
-        const Vector3<double> w = s.q.cast<double>().normalized().conjugate() * s.omega.cast<double>();
-        const double E = w.cwiseAbs2().dot(moments);
-        least = std::min(least, E), rise = std::max(rise, E / least - 1);
+// back, some boxes would gain several percent of their energy in the hour.
+TEST_CASE("in float the passive step of bodies in the world gains nothing in an hour",
+          "[library][N51]") {
+    RandomInertia random(1859);
+    double rise = 0;
+    for (int i = 0; i < 40; ++i) {
+        const auto I = random.inertia<float>(10);
+        const Vector3<float> start = 5 * random.direction<float>();
+        RigidState<float> s{0, Quaternion<float>::Identity(), start};
+        double least = 1e9;
+        for (int n = 0; n < 216000; ++n) {
+            s = turn(passive_gyroscopic, I, s, 1 / 60.0f);
+            if (n % 600 != 0) continue;
+            const Quaternion<double> q = s.q.cast<double>().normalized();
+            const Vector3<float> w = (q.conjugate() * s.omega.cast<double>()).cast<float>();
+            const double E = energy(I, w) / energy(I, start);
+            least = std::min(least, E), rise = std::max(rise, E / least - 1);
+        }
     }
-    CHECK(rise < 1e-3);
+    CHECK(rise < 2e-3);
 }
