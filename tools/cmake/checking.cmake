@@ -10,6 +10,10 @@ function(timestep_check_learners told)
   set(learner "${PROJECT_SOURCE_DIR}/tools/checker/learner")
   set(flags -std=c++20 -O1 -g1 -Wall -Wextra -Wno-unused-parameter -Werror=return-type
       -ffp-contract=off -D_GLIBCXX_ASSERTIONS)
+  # A file that is no C++ would have it say as much of every byte.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    list(APPEND flags -fmax-errors=20)
+  endif()
   # What was never written is no lucky zero.
   check_cxx_compiler_flag(-ftrivial-auto-var-init=pattern TIMESTEP_FILLS_VARIABLES)
   if(TIMESTEP_FILLS_VARIABLES)
