@@ -48,8 +48,8 @@ struct CayleyGyroscopic {
                          (l.z() * V.x()) * (l.z() * V.y());
         const Real share = 2 / (1 + t_t);
         const Vector3<Real> part = share * omega;
-        const Vector3<Real> t_part = V.cwiseProduct(l.cross(part));
-        return omega + t_part + V.cwiseProduct(l.cross(t_part));
+        const Vector3<Real> t_y = V.cwiseProduct(l.cross(part));
+        return omega + t_y + V.cwiseProduct(l.cross(t_y));
     }
     /// [step]
 
