@@ -1,7 +1,7 @@
 # The appendix: the energy over a minute of a box thrown about each of its axes. Box3D's, Bullet's
 # and MuJoCo's rule is the talk's, ODE's is the passive step, Godot drops the torque: those colours.
 box3d = "lc rgb '#0072b2' lw 2.5 dt 1"
-jolt = "lc rgb '#882255' lw 2.5 dt 1"
+jolt = "lc rgb '#999933' lw 2.5 dt 1"
 godot = "lc rgb '#b15a98' lw 6 dt 1"
 
 call figure "engines.svg" 640 900
@@ -27,7 +27,7 @@ do for [throw in "short middle long"] {
     plot "engines_godot_".throw.".tsv" using 1:2 with lines @godot title "Godot: no torque", \
          "engines_implicit_midpoint_".throw.".tsv" using 1:2 with lines @implicit_midpoint title "midpoint, Moser–Veselov", \
          "engines_explicit_euler_".throw.".tsv" using 1:2 with lines @explicit_gyroscopic title "explicit Euler", \
-         "engines_jolt_".throw.".tsv" using 1:2 with lines @jolt title "Jolt, PhysX, Rapier", \
+         "engines_jolt_".throw.".tsv" using 1:2 with lines @jolt title "Jolt, PhysX, Rapier, Avian", \
          "engines_ode_".throw.".tsv" using 1:2 with lines @passive_gyroscopic title "ODE", \
          "engines_box3d_".throw.".tsv" using 1:2 with lines @box3d title "Box3D, four substeps", \
          "engines_bullet_".throw.".tsv" using 1:2 with lines @implicit_gyroscopic title "Bullet, MuJoCo"

@@ -156,7 +156,9 @@ test_two_gradings_at_once() {
     echo 'usleep(1000000);' | answer dave
     start_course grade class --out one --seed 7
     wait_until [ -e one/journal.jsonl ]
+    kill -STOP $running  # so that it does not come to its end before the other has waited for it
     expect 2 course grade class --out one
+    kill -CONT $running
     is "$(cat err)" 'course: one: another grading writes there; --out takes another folder'
     expect 1 course grade class --out two --seed 7
     wait $running || true

@@ -16,7 +16,8 @@ test_their_limits_are_those_of_the_checker() {
     seconds() { sed -n "s/.* $1 = \([0-9]*\);.*/\1/p" "$source/$2"; }
     says "$source/docs/promises.md" "each of a compiler's programs has $(seconds compiler_seconds tools/course/places.hpp) s of work (with Eigen 18), \
 a call $(seconds call_seconds tools/checker/remote.hpp) s, \
-all calls $(seconds total_seconds tools/checker/remote.hpp) s."
+all calls $(seconds total_seconds tools/checker/remote.hpp) s. \
+A compiler that only waits is ended after $(seconds idle_seconds tools/course/verdict.cpp) s."
 }
 
 test_there_are_adversaries_enough() {

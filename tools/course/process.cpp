@@ -17,6 +17,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "at_work.hpp"
 #include "interrupt.hpp"
 #include "stop.hpp"
 
@@ -154,6 +155,25 @@ private:
     pid_t guard_;
 };
 
+// Tells, once a second, whether that process and all that come of it have worked in so many seconds.
+class Idleness {
+public:
+    Idleness(pid_t process, double seconds) : process_(process), seconds_(seconds) {}
+    bool is_too_long() {
+        if (seconds_ == 0 || now() < next_look_) return false;
+        next_look_ = now() + 1;
+        const long work = work_of(process_);
+        if (work != last_work_ || work < 0) worked_ = now();
+        last_work_ = work;
+        return now() - worked_ > seconds_;
+    }
+
+private:
+    pid_t process_;
+    double seconds_, worked_ = now(), next_look_ = now() + 1;
+    long last_work_ = -1;
+};
+
 }  // namespace
 
 void hand_over(const std::vector<std::string>& command) {
@@ -200,10 +220,12 @@ Outcome run_within(const std::vector<std::string>& command, const Allowance& all
     char piece[4096];
     int status = 0;
     bool listening = true, ended = false;
-    while (!ended && !interrupted() && now() < deadline) {
+    Idleness idleness(group, allowance.idle_seconds);
+    while (!ended && !interrupted() && now() < deadline && !outcome.waited) {
         if (listening) {
             const ssize_t size = hear(running.output, piece, sizeof piece, turn);
             listening = size != 0;
+            if (size < 0) outcome.waited = idleness.is_too_long();
             if (size <= 0) continue;
             // Of what is too long the beginning and the end, where a compiler says why it ended.
             std::string& part = outcome.said.size() < most ? outcome.said : end;
@@ -211,6 +233,7 @@ Outcome run_within(const std::vector<std::string>& command, const Allowance& all
             if (end.size() > 2 * sizeof piece) end.erase(0, end.size() - sizeof piece);
         } else {
             ended = has_ended(group, status, turn);
+            outcome.waited = !ended && idleness.is_too_long();
         }
     }
     close(running.output);

@@ -29,11 +29,13 @@ struct Allowance {
     std::size_t processes = 0;       ///< and threads, above what the machine runs anyway
     std::string temporary = {};      ///< the folder for its temporary files; empty: the usual one
     int processor_seconds = 0;       ///< of each of its processes
+    double idle_seconds = 0;         ///< in which none of them does any work
 };
 
 struct Outcome {
     int status = 0;         ///< its exit status; 128 + signal where one ended it
     bool too_slow = false;  ///< it was stopped
+    bool waited = false;    ///< and that because it did no work
     std::string said;       ///< standard output and error together, of a million bytes and more the beginning and the end
 };
 
