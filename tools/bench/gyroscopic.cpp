@@ -75,8 +75,8 @@ Row ours(const std::string& name, std::vector<Body<Inertia>>& all, const Solver&
     row.name = name;
     row.pass = [&all, solver] {
         for (auto& body : all)
-            body.change = after_gyroscopic_torque(solver, body.inertia, body.R, body.omega,
-                                                  typename Inertia::Scalar(h)) - body.omega;
+            body.change = gyroscopic_change(solver, body.inertia, body.R, body.omega,
+                                            typename Inertia::Scalar(h));
     };
     return row;
 }

@@ -88,8 +88,7 @@ template <class Inertia, class Solver>
 [[gnu::noinline]] void pass(std::vector<Body<Inertia>>& all, const Solver& solver) {
     const typename Inertia::Scalar step(h);
     for (auto& body : all)
-        body.change =
-            after_gyroscopic_torque(solver, body.inertia, body.R, body.omega, step) - body.omega;
+        body.change = gyroscopic_change(solver, body.inertia, body.R, body.omega, step);
 }
 
 template <class Inertia, class Solver>

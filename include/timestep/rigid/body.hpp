@@ -37,10 +37,28 @@ Real kinetic_energy(const Inertia& inertia, const RigidState<Real>& s) {
     return kinetic_energy(inertia, Vector3<Real>(s.q.conjugate() * s.omega));
 }
 
-/// The angular velocity after the gyroscopic torque has acted for `h` seconds, world coordinates in
-/// and out, with the attitude as the rotation matrix `R` that engines keep beside the quaternion.
-/// `Gyroscopic` solves in body coordinates, where the inertia does not change (N47). A body without a
-/// gyroscopic torque does not even change coordinates: nothing is compiled (N41).
+/// What the gyroscopic torque adds to the angular velocity in `h` seconds, world coordinates in and
+/// out, with the attitude as the rotation matrix `R` that engines keep beside the quaternion.
+/// `Gyroscopic` solves in body coordinates, where the inertia does not change (N47). For a body without a
+/// gyroscopic torque nothing is computed (N41).
+/// [change]
+template <class Gyroscopic, class Inertia, class Real>
+TIMESTEP_INLINE
+Vector3<Real> gyroscopic_change(const Gyroscopic& solver,
+                                const Inertia& inertia,
+                                const Matrix3<Real>& R,
+                                const Vector3<Real>& omega, Real h) {
+    if constexpr (!Inertia::gyroscopic) {
+        return Vector3<Real>::Zero();
+    } else {
+        const Vector3<Real> body = in_body(R, omega);
+        const Vector3<Real> after = solver.step(inertia, body, h);
+        return in_world(R, Vector3<Real>(after - body));
+    }
+}
+/// [change]
+
+/// The angular velocity after that.
 // Rounded, R is no exact rotation. Only the change goes back through it: if the whole of ω did, step
 // after step, the energy would creep, in `float` by several percent an hour.
 /// [gyroscopic]
@@ -50,13 +68,10 @@ Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
                                       const Inertia& inertia,
                                       const Matrix3<Real>& R,
                                       const Vector3<Real>& omega, Real h) {
-    if constexpr (!Inertia::gyroscopic) {
+    if constexpr (!Inertia::gyroscopic)
         return omega;
-    } else {
-        const Vector3<Real> body = in_body(R, omega);
-        const Vector3<Real> change = solver.step(inertia, body, h) - body;
-        return omega + in_world(R, change);
-    }
+    else
+        return omega + gyroscopic_change(solver, inertia, R, omega, h);
 }
 /// [gyroscopic]
 
