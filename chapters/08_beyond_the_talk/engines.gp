@@ -22,7 +22,7 @@ do for [throw in "short middle long"] {
     if (throw eq "long") {
         set xtics 10 format "%g"
         set xlabel "time t (s)"
-        set key at screen 0.99,0.12 right top vertical maxrows 4 reverse Left samplen 3 width -5
+        set key at screen 0.99,0.12 right top vertical maxrows 4 reverse Left samplen 2 width -7
     }
     plot "engines_godot_".throw.".tsv" using 1:2 with lines @godot title "Godot: no torque", \
          "engines_implicit_midpoint_".throw.".tsv" using 1:2 with lines @implicit_midpoint title "midpoint, Moser–Veselov", \

@@ -121,7 +121,8 @@ do for [j = 1:3] { do for [i = 1:3] {
     set bmargin at screen top(j) - 0.24
     set title (j == 1 ? head(word(bodies, i)) : "") textcolor rgb ink offset 0,-0.5
     set format y (i == 1 ? "%g" : "")
-    set ylabel (i == 1 ? spin(word(paces, j)).": attitude off by (rad)" : "") offset 0.5
+    set ylabel (i == 1 ? "attitude off by (rad)" : "") offset 0.5
+    if (i == 3) { set label 1 spin(word(paces, j)) at graph 1.05,0.5 center rotate by -90 textcolor rgb ink }
     set xlabel (j == 3 ? "µs a second of the motion" : "") offset 0,0.3
     if (i > 1) { set ytics ("" 1, "" 0.01, "" 1e-4, "" 1e-6, "" 1e-8, "" 1e-10, "" 1e-12) } \
     else { set ytics ("1" 1, "10^{-2}" 0.01, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8, "10^{-10}" 1e-10, "10^{-12}" 1e-12) }
@@ -135,6 +136,7 @@ do for [j = 1:3] { do for [i = 1:3] {
         all = all.sprintf(", name using (%s && $3 == 60 ? $5 : NaN):4 with points pt 7 ps 0.6 %s notitle", mine, colour_of(style))
     }
     eval "plot ".all
+    unset label 1
 } }
 # The key has a row of its own.
 set lmargin at screen 0.02; set rmargin at screen 0.98; set tmargin at screen 0.095; set bmargin at screen 0

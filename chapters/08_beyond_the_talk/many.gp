@@ -1,11 +1,13 @@
 # The cost of one among many, with the machine's caches.
-call figure "many.svg" 760 760
+call figure "many.svg" 760 840
 reset_axes = "unset multiplot; unset logscale; unset title; set autoscale; set border 3; set key default"
+reset_tics = "set xtics; set ytics; set tics nomirror out scale 0.6 textcolor rgb ink"
 reset_margins = "unset lmargin; unset rmargin; unset tmargin; unset bmargin"
 @reset_axes
+@reset_tics
 @reset_margins
 set grid lc rgb soft lt 1 lw 0.8
-set multiplot layout 2,1 margins 0.13,0.93,0.1,0.91 spacing 0,0.16
+set multiplot layout 2,1 margins 0.13,0.93,0.1,0.88 spacing 0,0.19
 set logscale xy
 set format xy "%g"
 set xrange [99:1.01e6]
@@ -21,7 +23,7 @@ plot "many_caches.tsv" using 2:(20) with impulses @faint notitle, \
      "many_springs.tsv" using 1:2 with linespoints @second pt 7 ps 0.5 title "one by one", \
      "" using 1:3 with linespoints @first pt 7 ps 0.5 title "lanes", \
      "" using 1:4 with linespoints @third pt 7 ps 0.5 title "lanes, 32 a pass"
-set title "bodies, passive step and attitude"
+set title "bodies, passive step and attitude" offset 0,1.3
 set xlabel "how many there are"
 set yrange [1:2000]
 set ytics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
