@@ -2,7 +2,9 @@
 // The chapter's methods, one after the other, each as a step of the whole body.
 
 #include <algorithm>
+#include <string>
 #include <tuple>
+#include <type_traits>
 
 #include <timestep/gyroscopic.hpp>
 #include <timestep/gyroscopic/cayley_gyroscopic.hpp>
@@ -49,6 +51,13 @@ const char* key(const Method&) {
     if constexpr (std::is_same_v<Method, SymmetricRemainder4>) return "remainder_4";
     if constexpr (std::is_same_v<Method, RungeKuttaSpin>) return "runge_kutta_4";
     return "other";
+}
+
+// Its name in tables and in what the program prints.
+template <class Method>
+std::string name_of(const Method& method) {
+    const bool talk = std::is_same_v<Method, timestep::Tumble<timestep::ImplicitGyroscopic>>;
+    return talk ? "talk" : method.name;
 }
 
 // Calls visit(method) for each of the chapter's line.

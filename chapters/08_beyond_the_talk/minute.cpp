@@ -39,8 +39,8 @@ void minute(const Settings& settings, lab::Findings& out) {
     std::printf("  %-24s %15s %15s %15s\n", "energy and momentum", "box", "capsule", "fast box");
     for_each_method([&](const auto& method) {
         const std::string k = key(method);
-        std::vector<lab::Cell> cells{std::string(method.name)};
-        std::printf("  %-24s", method.name);
+        std::vector<lab::Cell> cells{name_of(method)};
+        std::printf("  %-24s", name_of(method).c_str());
         auto& history = out.table("minute_" + k + ".tsv", {"t", "energy_off", "momentum_off"});
         for (const Case& c : cases) {
             const std::string id = c.id;
@@ -86,8 +86,8 @@ void minute(const Settings& settings, lab::Findings& out) {
         Spin s = pill_case.start;
         while (s.t < patience && s.omega.z() > pill_case.start.omega.z() / 2)
             s = method.step(pill_case.inertia, s, settings.step);
-        std::printf("  %s: half of the capsule's spin gone after %.0f s%s\n", method.name, s.t,
-                    s.t < patience ? "" : ", or later");
+        std::printf("  %s: half of the capsule's spin gone %s %.0f s\n", method.name,
+                    s.t < patience ? "after" : "not yet after", s.t);
         return s.t;
     };
     const double passive = keeps(tumble<PassiveGyroscopic>),

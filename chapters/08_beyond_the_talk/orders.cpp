@@ -46,11 +46,12 @@ void orders(const Settings&, lab::Findings& out) {
     auto& table = out.table("orders.tsv", {"method", "order in ω", "order in the attitude"});
     auto& points = out.table("order_points.tsv", {"method", "h", "spin", "attitude"});
     bool as_declared = true;
-    const auto write = [&](const char* name, const std::string& id, const Measured& m) {
+    const auto write = [&](const std::string& name, const std::string& id, const Measured& m) {
         const double spin = measured_order(m.h, m.spin);
         const double attitude = measured_order(m.h, m.attitude);
-        std::printf("  %-36s order %.2f in omega, %.2f in the attitude\n", name, spin, attitude);
-        table.row({std::string(name), rounded(spin), rounded(attitude)});
+        std::printf("  %-36s order %.2f in omega, %.2f in the attitude\n", name.c_str(), spin,
+                    attitude);
+        table.row({name, rounded(spin), rounded(attitude)});
         for (std::size_t i = 0; i < m.h.size(); ++i)
             points.row({id, m.h[i], m.spin[i], m.attitude[i]});
         points.gap();
@@ -58,7 +59,7 @@ void orders(const Settings&, lab::Findings& out) {
     };
     for_each_method([&](const auto& method) {
         const auto [spin, attitude] =
-            write(method.name, key(method),
+            write(name_of(method), key(method),
                   measured(brick, start, method.order,
                            [&](const Spin& s, double h) { return method.step(brick, s, h); }));
         as_declared = as_declared && std::fabs(spin - method.order) < 0.2 &&

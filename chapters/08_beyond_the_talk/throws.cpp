@@ -113,7 +113,7 @@ void throws(const Settings&, lab::Findings& out) {
     auto& table = out.table("throws.tsv", columns);
     std::map<std::string, Errors> all;  // by method and case
     for_each_method([&](const auto& method) {
-        std::vector<lab::Cell> row{std::string(method.name)};
+        std::vector<lab::Cell> row{name_of(method)};
         for (std::size_t i = 0; i < thrown.size(); ++i) {
             const Errors e = summed_up(thrown[i].errors(method));
             all[std::string(key(method)) + " " + cases[i].id] = e;

@@ -28,7 +28,7 @@ double seconds_of(const Entry& entry, long steps, long runs) {
 template <class Method>
 Entry entry(const Method& method, const Body& inertia, const Spin& start, bool ours) {
     const auto body = prepared(method, inertia);
-    Entry e{method.name, ours ? key(method) : lab::id(method.name), ours, {}, {}};
+    Entry e{ours ? name_of(method) : method.name, ours ? key(method) : lab::id(method.name), ours, {}, {}};
     e.error = [=](long steps) {
         const Exact exact(inertia, start);
         const double h = seconds / double(steps);
