@@ -122,6 +122,7 @@ void flush() {
 void ProgressLine::say(const std::string& line) {
     clear();
     std::fprintf(stderr, "%s\n", line.c_str());
+    told_ = std::chrono::steady_clock::now();
 }
 
 void ProgressLine::now(const std::string& line) {
@@ -130,11 +131,17 @@ void ProgressLine::now(const std::string& line) {
 }
 
 void ProgressLine::tick() {
-    if (isatty(STDERR_FILENO) != 1 || line_.empty()) return;
-    const auto gone = std::chrono::steady_clock::now() - begin_;
-    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(gone).count();
-    std::fprintf(stderr, "\r\033[K%s",
-                 cut("  " + std::to_string(seconds) + " s  " + line_, columns() - 1).c_str());
+    if (line_.empty()) return;
+    using namespace std::chrono;
+    const auto now = steady_clock::now();
+    const auto seconds = duration_cast<std::chrono::seconds>(now - begin_).count();
+    const std::string text = "  " + std::to_string(seconds) + " s  " + line_;
+    if (isatty(STDERR_FILENO) == 1) {
+        std::fprintf(stderr, "\r\033[K%s", cut(text, columns() - 1).c_str());
+    } else if (now - told_ > minutes(1)) {
+        std::fprintf(stderr, "%s\n", text.c_str());
+        told_ = now;
+    }
 }
 
 void ProgressLine::clear() {

@@ -50,14 +50,14 @@ public:
     ~ProgressLine() { clear(); }
     /// Something worth a line of its own, wherever it is read.
     void say(const std::string& line);
-    /// How far it is: rewritten in place on a terminal, left out elsewhere.
+    /// How far it is: rewritten in place on a terminal, elsewhere told where a minute brought no line.
     void now(const std::string& line);
     /// Shows the same line again with the seconds that have gone by.
     void tick();
     void clear();
 
 private:
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now(), told_ = begin_;
     std::string line_;  // drawn at this moment, if any
 };
 
