@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
         minute(settings, out);
         work(settings, out);
         throws(settings, out);
+        contacts(settings, out);
         runge_kutta(settings, out);
         many(settings, out);
         demo(settings, out);

@@ -50,6 +50,8 @@ const char* key(const Method&) {
     if constexpr (std::is_same_v<Method, SymmetricRemainder2>) return "remainder_2";
     if constexpr (std::is_same_v<Method, SymmetricRemainder4>) return "remainder_4";
     if constexpr (std::is_same_v<Method, RungeKuttaSpin>) return "runge_kutta_4";
+    if constexpr (std::is_same_v<Method, MagnusTaylor>) return "magnus";
+    if constexpr (std::is_same_v<Method, MidpointSpin>) return "midpoint";
     return "other";
 }
 

@@ -18,6 +18,7 @@ void fails(const Settings&, lab::Findings&);        // fails.cpp
 void minute(const Settings&, lab::Findings&);       // minute.cpp
 void work(const Settings&, lab::Findings&);         // work.cpp
 void throws(const Settings&, lab::Findings&);       // throws.cpp
+void contacts(const Settings&, lab::Findings&);     // contacts.cpp
 void runge_kutta(const Settings&, lab::Findings&);  // runge_kutta.cpp
 void many(const Settings&, lab::Findings&);         // many.cpp
 void demo(const Settings&, lab::Findings&);         // demo.cpp

@@ -137,7 +137,20 @@ void work(const Settings&, lab::Findings& out) {
                                 a_step(all["box_game"], "runge_kutta_4"),
                "", "time of a step of ball and remainder 4 over that of Runge-Kutta 4", 2);
 
-    const std::string magnus = lab::id(MagnusTaylor::name);
+    const std::string magnus = lab::id(MagnusTaylor::name), midpoint = lab::id(MidpointSpin::name);
+    const Points& box_game = all["box_game"];
+    out.number("ns_magnus", a_step(box_game, magnus) * 1e9, "ns", "a step of Magnus and Taylor", 3);
+    out.number("ns_midpoint", a_step(box_game, midpoint) * 1e9, "ns", "of implicit midpoint", 3);
+    out.number("cost_magnus", a_step(box_game, magnus) / talk, "", "over that of the talk's", 2);
+    out.number("cost_midpoint", a_step(box_game, midpoint) / talk, "", "the same", 2);
+    const double by_midpoint = at(box_game, midpoint, rate).error,
+                 by_half_step = at(box_game, "half_step", rate).error;
+    out.number("midpoint_error", 100 * by_midpoint, "%",
+               "implicit midpoint: the box's attitude at 10 rad/s and 60 Hz", 2);
+    out.number("half_step_error", 100 * by_half_step, "%", "the half-step Jacobian's", 2);
+    out.check("midpoint_no_nearer", by_midpoint > 0.9 * by_half_step,
+              "10 rad/s at 60 Hz, the box: the attitude by implicit midpoint is no nearer than by "
+              "the half-step Jacobian");
     out.number("magnus_price",
                100 * a_step(all["box_game"], magnus) / a_step(all["box_game"], "remainder_2"), "%",
                "time of a step of Magnus and Taylor over that of ball and remainder 2", 2);

@@ -60,7 +60,6 @@ struct RemainderStep {
         : inertia(inertia_), h(h_), body{s.q, inertia_.unit.cwiseProduct(s.omega)} {
         body.q = s.q * turn_by(Vector3<Real>(h * (inertia.ball * body.L)));
     }
-    /// [parts]
     TIMESTEP_INLINE void a(Real part) {
         const int i = inertia.a;
         body.spin(i, part * h * (inertia.A * body.L[i]));
@@ -69,7 +68,6 @@ struct RemainderStep {
         const int i = inertia.b;
         body.spin(i, part * h * (inertia.B * body.L[i]));
     }
-    /// [parts]
     TIMESTEP_INLINE SpinState<Real> end(Real t) const {
         return {t + h, over_its_length(body.q), body.L.cwiseQuotient(inertia.unit)};
     }
