@@ -1,4 +1,5 @@
-// What the pages do themselves: typeset formulas, and let a reader stop an animation.
+// What the pages do themselves: typeset formulas, let a reader stop an animation, and show where a table
+// goes on.
 
 // Formulas come as \(…\) and \[…\]. KaTeX is loaded where there are some; where it is not to be had
 // they stay as they are. Listings are left alone: a backslash in a source file is no formula.
@@ -61,4 +62,18 @@ function addPlayButtons() {
     }
 }
 
-document.addEventListener("DOMContentLoaded", () => { typesetFormulas(); addPlayButtons(); });
+// What is wider than the page scrolls in itself. Its edge fades where it goes on.
+function fadeWhatGoesOn() {
+    for (const box of document.querySelectorAll("table.markdownTable, p.formulaDsp, a.card, pre.run")) {
+        const look = () => {
+            box.classList.toggle("goes-on", box.scrollLeft + box.clientWidth < box.scrollWidth - 4);
+        };
+        box.addEventListener("scroll", look, { passive: true });
+        new ResizeObserver(look).observe(box);
+    }
+}
+
+document.addEventListener("DOMContentLoaded", () => {
+    addPlayButtons();
+    typesetFormulas().finally(fadeWhatGoesOn);
+});
