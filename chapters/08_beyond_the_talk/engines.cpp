@@ -167,14 +167,14 @@ void a_minute(const PrincipalInertia<double>& brick, const std::map<std::string,
               lab::Findings& out) {
     std::vector<std::string> columns{"rule", "order of ω", "of the attitude", "ns a step"};
     for (const Throw& thrown : throws)
-        for (const char* left : {": energy", ": momentum"})
+        for (const char* left : {": energy", ": $\\lvert L\\rvert$"})
             columns.push_back(std::string(thrown.about) + left);
     auto& table = out.table("engines_minute.tsv", columns);
     std::set<std::string> engines;
     for_each_engine([&](const auto& method) { engines.insert(method.name); });
     std::map<std::string, Left> left_of;
     std::printf("  energy left of a box thrown about its short, its middle and its long axis,\n"
-                "  after a minute at 60 Hz; the methods from books keep all of it:\n");
+                "  after a minute at 60 Hz; the methods from books keep it to a thousandth:\n");
     for_each_other([&](const auto& method) {
         const std::string key = lab::id(method.name);
         const auto [spin, attitude] = orders(method);
@@ -192,7 +192,7 @@ void a_minute(const PrincipalInertia<double>& brick, const std::map<std::string,
             });
             left_of[id] = left;
             const bool burst = left.burst > 0;
-            const std::string energy = burst ? rounded(left.burst, "blown up after %.1f s")
+            const std::string energy = burst ? rounded(left.burst, "blown up after %.1f\u00a0s")
                                              : rounded(left.energy, "%.3f");
             cells.push_back(energy);
             cells.push_back(burst ? std::string("–") : rounded(left.momentum, "%.3f"));
@@ -224,14 +224,14 @@ void a_minute(const PrincipalInertia<double>& brick, const std::map<std::string,
 // Explicit Euler bursts at a moment that hangs on roundoff: ω in the world's axes instead of the
 // body's, as chapter 5 has it, or another start, as near as roundoff, shifts it.
 void burst_moment(const PrincipalInertia<double>& brick, lab::Findings& out) {
-    const double E0 = kinetic_energy(brick, tumbling.omega), h = 1.0 / 60, minute = 60;
-    const auto intact = [&](double energy, double t) { return energy < 1e6 * E0 && t < minute; };
+    const double E0 = kinetic_energy(brick, tumbling.omega), h = 1.0 / 60, patience = 60;
+    const auto intact = [&](double energy, double t) { return energy < 1e6 * E0 && t < patience; };
     RigidState<double> in_the_world = in_world(tumbling);
     while (intact(kinetic_energy(brick, in_the_world), in_the_world.t))
         in_the_world = turn(explicit_gyroscopic, brick, in_the_world, h);
     const double apart = 1e-12;
     const int many = 100;
-    double earliest = minute, latest = 0;
+    double earliest = patience, latest = 0;
     for (int n = 0; n < many; ++n) {
         Spin s = tumbling;
         s.omega.x() += apart * n / many;
