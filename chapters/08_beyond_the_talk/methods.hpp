@@ -2,6 +2,7 @@
 // The chapter's methods, one after the other, each as a step of the whole body.
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -96,6 +97,11 @@ public:
 private:
     timestep::ExactFreeBody<double> motion_;
 };
+
+// The larger one; and where a value is no number, that stays to be seen as ∞.
+inline double larger(double most, double value) {
+    return value <= most ? most : std::isnan(value) ? INFINITY : value;
+}
 
 // Of two attitudes an angle α apart 2 sin(α/2): the angle in radians while it is small, at most 2.
 inline double apart(const timestep::Quaternion<double>& p, const timestep::Quaternion<double>& q) {

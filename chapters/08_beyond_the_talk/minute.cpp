@@ -33,8 +33,8 @@ void minute(const Settings& settings, lab::Findings& out) {
          {pill.across, 1.02 * pill.across, pill.along},
          spinning(Vector(0.5, 0, 20))},
         {"fast", "the box, fast", box(1.0, 1.0, 2.0, 3.0), spinning(Vector(10, 100, 1))}};
-    auto& table = out.table("minute.tsv", {"method", "box: energy", "momentum", "capsule: energy",
-                                           "momentum", "fast box: energy", "momentum"});
+    auto& table = out.table("minute.tsv", {"method", "box: energy", "box: |L|", "capsule: energy",
+                                           "capsule: |L|", "fast box: energy", "fast box: |L|"});
     const long steps = std::lround(60 / settings.step);
     std::printf("  %-24s %15s %15s %15s\n", "energy and momentum", "box", "capsule", "fast box");
     for_each_method([&](const auto& method) {
@@ -50,8 +50,7 @@ void minute(const Settings& settings, lab::Findings& out) {
             double E = 1, M = 1, off_E = 0, off_L = 0;
             for (long n = 0; n <= steps; ++n) {
                 E = kinetic_energy(c.inertia, s.omega) / E0, M = L(s) / L0;
-                off_E = std::max(off_E, std::fabs(E - 1)),
-                off_L = std::max(off_L, std::fabs(M - 1));
+                off_E = larger(off_E, std::fabs(E - 1)), off_L = larger(off_L, std::fabs(M - 1));
                 if (id == "box" && n % 6 == 0) history.row({s.t, off_E, off_L});
                 s = method.step(c.inertia, s, settings.step);
             }
