@@ -275,7 +275,7 @@ void price(const PrincipalInertia<double>& brick, const std::map<std::string, do
         s = midpoint_spin.step(brick, s, 1.0 / 60, [&] { ++iterations; });
     const double each = double(iterations) / 3600;
     const auto over = [&](const char* key) { return ns.at(key) / ns.at("half_step"); };
-    std::printf("  Over the half-step Jacobian: implicit midpoint x %s, Moser-Veselov 4 x %s.\n",
+    std::printf("  Over half-step: implicit midpoint x %s, Moser-Veselov 4 x %s.\n",
                 plain(over("implicit_midpoint")).c_str(), plain(over("moser_veselov_4")).c_str());
     out.number("engines_midpoint_newton", each, "", "Newton steps in a step of implicit midpoint",
                2);

@@ -205,8 +205,8 @@ void fails(const Settings& settings, lab::Findings& out) {
         varying = larger(varying, gain_of_varying_steps(ruler, omega, false));
         asked = larger(asked, gain_of_varying_steps(ruler, omega, true));
     }
-    std::printf("  a ruler, steps of 1/60 and 1/120 s at random: energy up to x %.2g, asked x %.2g\n",
-                varying, asked);
+    std::printf("  a ruler, steps of 1/60 and 1/120 s at random: energy up to x %.2g,\n"
+                "  with h|omega| asked in each x %.2g\n", varying, asked);
     out.number("asked_gain", asked, "", "a ruler, steps that vary, h|omega| asked in each", 3);
     out.check("varying", varying > 2,
               "with steps of 1/60 and 1/120 s at random a ruler at 30 rad/s at some time has more "

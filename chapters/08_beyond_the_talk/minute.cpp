@@ -33,8 +33,10 @@ void minute(const Settings& settings, lab::Findings& out) {
          {pill.across, 1.02 * pill.across, pill.along},
          spinning(Vector(0.5, 0, 20))},
         {"fast", "the box, fast", box(1.0, 1.0, 2.0, 3.0), spinning(Vector(10, 100, 1))}};
-    auto& table = out.table("minute.tsv", {"method", "box: energy", "box: |L|", "capsule: energy",
-                                           "capsule: |L|", "fast box: energy", "fast box: |L|"});
+    const std::string L_of = ": $\\lvert L\\rvert$";  // | would end the table's cell
+    auto& table = out.table("minute.tsv", {"method", "box: energy", "box" + L_of, "capsule: energy",
+                                           "capsule" + L_of, "fast box: energy",
+                                           "fast box" + L_of});
     const long steps = std::lround(60 / settings.step);
     std::printf("  %-24s %15s %15s %15s\n", "energy and momentum", "box", "capsule", "fast box");
     for_each_method([&](const auto& method) {

@@ -49,7 +49,7 @@ void orders(const Settings&, lab::Findings& out) {
     const auto write = [&](const std::string& name, const std::string& id, const Measured& m) {
         const double spin = measured_order(m.h, m.spin);
         const double attitude = measured_order(m.h, m.attitude);
-        std::printf("  %-36s order %.2f in omega, %.2f in the attitude\n", name.c_str(), spin,
+        std::printf("  %-30s order %.2f in omega, %.2f in the attitude\n", name.c_str(), spin,
                     attitude);
         table.row({name, rounded(spin), rounded(attitude)});
         for (std::size_t i = 0; i < m.h.size(); ++i)

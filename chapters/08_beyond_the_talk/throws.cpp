@@ -179,9 +179,9 @@ void throws(const Settings&, lab::Findings& out) {
     const Throws fast_ruler(ruler, 30, Throws::About::middle);
     const Errors middle_30 = summed_up(fast_ruler.errors(symmetric_remainder_4)),
                  middle_half = summed_up(fast_ruler.errors(symmetric_remainder_4, 120));
-    std::printf("  of %d throws of a ruler at 10 rad/s and 60 Hz ball and remainder 2 is off by\n"
-                "  more than 1 %% in %.0f %%, ball and remainder 4 by %.2g %% at most; at\n"
-                "  30 rad/s by %.2g %%, and at 100 rad/s it loses %.0f %% of them\n",
+    std::printf("  of %d throws of a ruler at 10 rad/s, 60 Hz, ball and remainder 2 is off\n"
+                "  by more than 1 %% in %.0f %%, ball and remainder 4 by %.2g %% at most;\n"
+                "  at 30 rad/s by %.2g %%, and at 100 rad/s it loses %.0f %% of them\n",
                 throws_of_each, two.wrong, 100 * of("remainder_4", "ruler").worst, 100 * worst_30,
                 ruler_100.lost);
     out.number("throws", throws_of_each, "", "throws of each body");
