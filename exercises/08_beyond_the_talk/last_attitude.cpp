@@ -7,8 +7,8 @@
 //
 //   q        attitude at the first frame, of length one: q * v is in world coordinates what v is in
 //            the body's
-//   times    of the frames, in s: 1 to 1000 of them, none before the one before it, but two may be
-//            equal (the game was paused)
+//   times    of the frames, in s: 1 to 1000 of them, none before the one before it, but several in
+//            a row may be equal (the game was paused)
 //   spins    the spin at each frame, as many as times, in the body's own axes, in rad/s; may be
 //            zero
 //   returns  the attitude at the last frame, of length one
@@ -20,10 +20,10 @@
 // (2, 0, 0)} turn by 0.09 radians about x: the answer is Quaterniond(0.9990, 0.0450, 0, 0),
 // rounded.
 //
-// What is checked: one frame, no spin, and a spin that reverses in a gap; the length; a constant
-// spin, about which axis and by what angle; a clock that was started at another time; two replays,
-// one after the other; the replay backwards, to twelve digits; half the gaps leave a quarter of the
-// error.
+// What is checked: one frame, a pause, no spin, and a spin that reverses in a gap; the length; a
+// constant spin, about which axis and by what angle; a clock that was started at another time; two
+// replays, one after the other; the replay backwards, to twelve digits; half the gaps leave a
+// quarter of the error.
 
 #include "exercise_eigen.hpp"
 

@@ -27,9 +27,9 @@
 // L = (0, 0, 4) and up = (0.5265, -0.2877, 0.8), rounded.
 //
 // What is checked: no time; a top at rest, upright or hanging; spin about one axis, without
-// gravity; the length of up, and without gravity of L; the momentum about the vertical; each for
-// any step; the step back; half the step leaves a quarter of the error; the energy of a long dance.
-// Eleven digits count.
+// gravity; a tilted top that is let go; the length of up, and without gravity of L; the momentum
+// about the vertical; each for any step; the step back; half the step leaves a quarter of the
+// error; the energy of a long dance. Eleven digits count.
 
 #include "exercise_eigen.hpp"
 

@@ -20,15 +20,16 @@ struct Replay {
     double duration() const { return times.back() - times.front(); }
 };
 
-// Frames at uneven times; from one to the next the body turns by `turn` at most. Every fifth gap is
-// none: the game was paused. Nothing begins at zero.
+// Frames at uneven times; from one to the next the body turns by `turn` at most. Of five gaps one,
+// two or three are none: the game was paused. Nothing begins at zero.
 Replay draw_replay(Draw& draw, int frames, double turn) {
     Replay replay{draw_rotation(draw), {draw.real(-100, 100)}, {}};
     const double speed = draw.log(0.1, 50);
+    const int pause = draw.integer(1, 3);
     for (int i = 0; i < frames; ++i) {
         replay.spins.push_back(draw.real(0.1, 1) * speed * draw_direction(draw));
         if (i == 0) continue;
-        const double gap = i % 5 == 4 ? 0 : draw.real(0.2, 1) * turn / speed;
+        const double gap = i % 5 >= 5 - pause ? 0 : draw.real(0.2, 1) * turn / speed;
         replay.times.push_back(replay.times.back() + gap);
     }
     return replay;
@@ -93,7 +94,7 @@ struct Smooth {
 
 }  // namespace
 
-PROPERTY("one frame alone leaves the attitude as it is, and so does a replay without any spin") {
+PROPERTY("one frame leaves the attitude as it is, and so does a pause, or a replay without spin") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
         const Replay one = draw_replay(draw, 1, 0.1);
@@ -101,6 +102,9 @@ PROPERTY("one frame alone leaves the attitude as it is, and so does a replay wit
         Replay still = draw_replay(draw, 10, 0.1);
         for (Vector3d& spin : still.spins) spin.setZero();
         REQUIRE(apart(still.answer(), still.q) < 1e-6);
+        Replay paused = draw_replay(draw, static_cast<int>(draw.log(2, 100)), 0.1);
+        for (double& t : paused.times) t = paused.times[0];
+        REQUIRE(apart(paused.answer(), paused.q) < 1e-6);
     }
 }
 
