@@ -26,13 +26,13 @@ do for [throw in "short middle long"] {
         set key at screen 0.99,0.12 right top vertical maxrows 4 reverse Left samplen 2 width -7
     }
     plot "engines_godot_".throw.".tsv" using 1:2 with lines @godot title "Godot: no torque", \
-         "engines_jolt_".throw.".tsv" using 1:2 with lines @jolt title "Jolt, PhysX, Rapier, Avian", \
          "engines_ode_".throw.".tsv" using 1:2 with lines @passive_gyroscopic title "ODE", \
          "engines_box3d_".throw.".tsv" using 1:2 with lines @box3d title "Box3D, four substeps", \
          "engines_bullet_".throw.".tsv" using 1:2 with lines @implicit_gyroscopic title "Bullet, MuJoCo", \
          "engines_explicit_euler_".throw.".tsv" using 1:2 with lines @explicit_gyroscopic title "explicit Euler", \
          "engines_implicit_midpoint_".throw.".tsv" using 1:2 with lines @implicit_midpoint title "midpoint, Moser–Veselov", \
-         "engines_magnus_taylor_4_".throw.".tsv" using 1:2 with lines @implicit_midpoint title "Magnus–Taylor"
+         "engines_magnus_taylor_4_".throw.".tsv" using 1:2 with lines @implicit_midpoint title "Magnus–Taylor", \
+         "engines_jolt_".throw.".tsv" using 1:2 with lines @jolt title "Jolt, PhysX, Rapier, Avian"
 }
 unset multiplot
 unset label

@@ -25,7 +25,7 @@ plot "token_exact.tsv" using 1:2 with lines @exact, \
 unset multiplot
 
 # Orders: the attitude.
-call figure "orders.svg" 760 500
+call figure "orders.svg" 640 600
 set autoscale
 set logscale xy
 set format xy "10^{%T}"
@@ -35,7 +35,7 @@ set xlabel "step h (s)"
 set ylabel "attitude after two seconds, off by (rad)"
 set xrange [1.2e-3:0.2]
 set yrange [1e-11:1]
-set key outside right top vertical reverse Left samplen 2 spacing 1.1
+set key below horizontal maxcols 3 reverse Left samplen 2
 # Cayley lies on the half-step Jacobian, which is drawn broad below it.
 broad_half_step = colour_of(half_step_jacobian)." lw 6"
 of(id) = sprintf("strcol(1) eq '%s' ? $4 : NaN", id)
@@ -51,7 +51,7 @@ eval "plot ".curve("implicit", implicit_gyroscopic, "talk").", ".curve("passive"
 half_step_in_substeps = colour_of(half_step_jacobian)." lw 2.5 dt (3,4)"
 broad_passive = colour_of(passive_gyroscopic)." lw 11"
 less_broad_cayley = colour_of(cayley_gyroscopic)." lw 6.5"
-call figure "fails.svg" 800 420
+call figure "fails.svg" 640 560
 unset logscale
 set logscale x
 set format xy "%g"
@@ -61,7 +61,7 @@ set xrange [0.3:32]
 set xtics (0.3, 1, 2, 3, 10, 30)
 set yrange [-1.5:50]
 set ytics 10
-set key outside right top vertical reverse Left samplen 2 spacing 1.1
+set key below horizontal maxcols 3 reverse Left samplen 2
 # What lies on the zero line is drawn broad to narrow, so that each is seen beside the next.
 plot "fails.tsv" using 1:(100*$5) with lines @broad_passive title "passive", \
      "" using 1:(100*$4) with lines @less_broad_cayley title "Cayley", \
