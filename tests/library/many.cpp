@@ -11,6 +11,13 @@
 #include <timestep/gyroscopic/implicit_gyroscopic.hpp>
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
 #include <timestep/methods/semi_implicit_euler.hpp>
+#if defined(__linux__)
+#include <pthread.h>
+#endif
+
+#include <timestep/gyroscopic/cayley_gyroscopic.hpp>
+#include <timestep/gyroscopic/explicit_gyroscopic.hpp>
+#include <timestep/gyroscopic/half_step_jacobian.hpp>
 #include <timestep/methods/velocity_verlet.hpp>
 #include <timestep/rigid/many_bodies.hpp>
 #include <timestep/rigid/shapes.hpp>
@@ -154,3 +161,53 @@ TEST_CASE("shares for threads are every part once, whatever does not divide", "[
             for (const int times : seen) REQUIRE(times == 1);
         }
 }
+    // 1e200 is a number, its square is none; in `float` neither is that of 1e25.
+    CHECK_THROWS_MATCHES(
+        boxes.add(crate, Quaternion<double>::Identity(), Vector3<double>(0, 1e200, 0)),
+        std::invalid_argument,
+        Message("speed = 1e+200: must be so low that its square is a number"));
+    ManyBodies<float, UniformInertia> balls;
+    CHECK_THROWS_MATCHES(
+        balls.add(sphere(1.0f, 1.0f), Quaternion<float>::Identity(), Vector3<float>(0, 0, 1e25f)),
+        std::invalid_argument,
+        Message("speed = 1e+25: must be so low that its square is a number"));
+    CHECK(balls.size<UniformInertia>() == 0);
+    CHECK_NOTHROW(balls.add(sphere(1.0f, 1.0f), Quaternion<float>::Identity(),
+                            Vector3<float>(0, 0, 1e18f)));
+// A length other than one would be a stretch, and the energy would go with it.
+TEMPLATE_TEST_CASE("an attitude that is too long or too short is a rotation all the same",
+                   "[library][ch8]", float, double) {
+    using Real = TestType;
+    using Limits = std::numeric_limits<Real>;
+    const auto crate = box(Real(1), Real(1), Real(2), Real(3));
+    const Quaternion<Real> even(Real(0.5), Real(0.5), Real(-0.5), Real(0.5));
+    const Vector3<Real> omega(1, 2, 3);
+    for (const Real size : {Real(1), Real(2), Real(10), Real(1e-25), Real(1e25),
+                            Limits::denorm_min() * 4, Limits::max()}) {
+        ManyBodies<Real, PrincipalInertia> boxes;
+        boxes.add(crate, Quaternion<Real>(even.coeffs() * size), omega);
+        boxes.add(crate, Quaternion<Real>(0, 0, size, 0), omega);
+        INFO("size " << size);
+        const RigidState<Real> start = boxes.template state<PrincipalInertia>(0);
+        CHECK((start.q.coeffs() - even.coeffs()).norm() <= 4 * Limits::epsilon());
+        CHECK(boxes.template state<PrincipalInertia>(1).q.coeffs() ==
+              Quaternion<Real>(0, 0, 1, 0).coeffs());
+        const Real E = kinetic_energy(crate, start);
+        boxes.step(cayley_gyroscopic, Real(1) / 60);
+        const RigidState<Real> end = boxes.template state<PrincipalInertia>(0);
+        CHECK(is_finite(end));
+        CHECK(std::fabs(kinetic_energy(crate, end) / E - 1) < 64 * Limits::epsilon());
+    }
+    const Quaternion<Real> huge(Limits::max(), Limits::max(), -Limits::max(), Limits::max());
+    CHECK((as_rotation(huge).coeffs() - even.coeffs()).norm() <= 4 * Limits::epsilon());
+    // What is a rotation stays one, to the last bit.
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal;
+    for (int i = 0; i < 1000; ++i) {
+        Quaternion<Real> q;
+        for (int k = 0; k < 4; ++k) q.coeffs()[k] = Real(normal(random));
+        q.normalize();
+        REQUIRE(as_rotation(q).coeffs() == q.coeffs());
+    }
+}
+
