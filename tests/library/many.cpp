@@ -3,9 +3,12 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <system_error>
+#include <thread>
 #include <vector>
 
 #include <timestep/gyroscopic/implicit_gyroscopic.hpp>
@@ -211,3 +214,44 @@ TEMPLATE_TEST_CASE("an attitude that is too long or too short is a rotation all 
     }
 }
 
+TEST_CASE("shares for threads are every part once, whatever does not divide", "[library][ch8]") {
+    for (const std::size_t count : {0, 1, 2, 7, 1000})
+        for (const unsigned threads : {0u, 1u, 2u, 3u, 8u}) {
+            std::vector<int> seen(count, 0);  // no two shares overlap, so no two threads meet here
+            share_out(count, threads, [&](std::size_t first, std::size_t last) {
+                for (std::size_t i = first; i < last; ++i) ++seen[i];
+            });
+            for (const int times : seen) REQUIRE(times == 1);
+        }
+}
+
+TEST_CASE("there are no more shares than there is work, and none is empty", "[library][ch8]") {
+    std::atomic<int> calls = 0, empty = 0;
+    share_out(3, 8, [&](std::size_t first, std::size_t last) { ++calls, empty += first == last; });
+    CHECK(calls == 3);
+    CHECK(empty == 0);
+}
+
+#if defined(__GLIBC__)
+// Threads with a stack that no memory holds cannot be started.
+TEST_CASE("where no thread can be started, the caller does its share", "[library][ch8]") {
+    pthread_attr_t before, greedy;
+    REQUIRE(pthread_getattr_default_np(&before) == 0);
+    REQUIRE(pthread_getattr_default_np(&greedy) == 0);
+    REQUIRE(pthread_attr_setstacksize(&greedy, std::size_t(1) << 60) == 0);
+    REQUIRE(pthread_setattr_default_np(&greedy) == 0);
+    bool started = true;
+    try {
+        std::thread([] {}).join();
+    } catch (const std::system_error&) {
+        started = false;
+    }
+    std::vector<int> seen(100, 0);
+    share_out(seen.size(), 4, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) ++seen[i];
+    });
+    REQUIRE(pthread_setattr_default_np(&before) == 0);
+    CHECK_FALSE(started);
+    for (const int times : seen) CHECK(times == 1);
+}
+#endif
