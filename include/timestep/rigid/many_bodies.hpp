@@ -88,7 +88,7 @@ public:
     /// `std::invalid_argument` where its state is not finite, or |ω|² is not.
     template <template <class> class Kind>
     void add(const Kind<Real>& inertia, const Quaternion<Real>& q, const Vector3<Real>& omega) {
-        if (!is_finite(RigidState<Real>{t, q, omega}))
+        if (!is_finite(RigidState<Real>{Real(t), q, omega}))
             throw std::invalid_argument("body: its state must be finite, its attitude not zero");
         const Real speed = std::hypot(omega.x(), omega.y(), omega.z());
         if (!is_finite(speed * speed)) refuse("speed", speed, "so low that its square is a number");
@@ -122,7 +122,7 @@ public:
         const auto& pack = group<Kind>().packs[i / Pack::lanes];
         const int lane = int(i % Pack::lanes);
         const auto& q = pack.q;
-        return {t,
+        return {Real(t),
                 {q.w()[lane], q.x()[lane], q.y()[lane], q.z()[lane]},
                 {pack.omega.x()[lane], pack.omega.y()[lane], pack.omega.z()[lane]}};
     }
@@ -139,7 +139,7 @@ public:
     }
     /// [step all]
 
-    Real t = 0;  ///< time, s
+    double t = 0;  ///< time, s; a sum of steps, which in `float` is off by seconds an hour
 
 private:
     /// \cond
