@@ -4,21 +4,32 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <thread>
 #include <vector>
 
 namespace timestep {
 
 /// Calls `work(first, last)` for `threads` equal shares of 0 … `count`, each in a thread of its
-/// own, the last one in the caller's, and waits for all. To start a thread takes as long as to step
-/// some thousands of bodies: it pays where a share is larger than that. No thread, as a system may
-/// say that does not know how many it has, is one. `work` must not throw.
+/// own, the last one in the caller's, and waits for all. To start the threads takes as long as to
+/// step some 1,500 to 8,000 boxes in lanes, by the machine: it pays where a share is larger than
+/// that. No thread, as a system may say that does not know how many it has, is one; there are never
+/// more than `count`, and where the system gives no thread, the caller does that share, too. `work`
+/// must not throw.
 template <class Work>
 void share_out(std::size_t count, unsigned threads, const Work& work) {
+    if (threads > count) threads = unsigned(count);  // no share is empty
     threads = std::max(threads, 1u);
     const auto share = [&](unsigned i) { work(count * i / threads, count * (i + 1) / threads); };
     std::vector<std::thread> others;
-    for (unsigned i = 1; i < threads; ++i) others.emplace_back(share, i - 1);
+    others.reserve(threads - 1);  // so that nothing is thrown once a thread is under way
+    for (unsigned i = 0; i + 1 < threads; ++i) {
+        try {
+            others.emplace_back(share, i);
+        } catch (const std::exception&) {  // no thread to be had, or no memory for one
+            share(i);
+        }
+    }
     share(threads - 1);
     for (std::thread& other : others) other.join();
 }

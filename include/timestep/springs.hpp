@@ -45,7 +45,7 @@ public:
     State<Real> operator[](std::size_t i) const {
         const std::size_t pack = i / Pack::lanes;
         const int lane = int(i % Pack::lanes);
-        return {t, x_[pack][lane], v_[pack][lane]};
+        return {Real(t), x_[pack][lane], v_[pack][lane]};
     }
 
     /// Takes `steps` steps of `h` seconds. With more than one, a spring takes all of them while it
@@ -53,7 +53,7 @@ public:
     template <class Method>
     void step(const Method& method, Real h, long steps = 1) {
         step(method, h, steps, 0, packs());
-        for (long n = 0; n < steps; ++n) t += h;
+        for (long n = 0; n < steps; ++n) t += double(h);
     }
 
     /// The same for the packs from `first` to before `last`, without the time: a thread's share.
@@ -64,7 +64,7 @@ public:
         rest<under_way - 1>(method, h, steps, first, last);
     }
 
-    Real t = 0;  ///< time, s
+    double t = 0;  ///< time, s; a sum of steps, which in `float` is off by seconds an hour
 
 private:
     // A step waits for the step before it, a few cycles an operation; with some packs under way the

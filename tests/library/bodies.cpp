@@ -165,6 +165,25 @@ TEST_CASE("a body that no scene could step is refused where it is added", "[libr
     CHECK_NOTHROW(checked(Nothing{}));
 }
 
+TEST_CASE("a body's attitude is scaled to length one where it is added", "[library][ch6]") {
+    const Box crate{box(3.0, 1.0, 2.0, 3.0)};
+    for (const double size : {2.0, 10.0, 1e-200, 1e200, 0.5e-323}) {
+        Bodies<double, Box> boxes;
+        Motion<double> m{{0, Quaternion<double>(size, size, size, -size), V(1, 2, 3)},
+                         V(4, 5, 6), V(7, 8, 9)};
+        boxes.add(crate, m);
+        const Motion<double>& added = boxes.of<Box>()[0].motion;
+        INFO("size " << size);
+        CHECK((added.turning.q.coeffs() - Quaternion<double>(0.5, 0.5, 0.5, -0.5).coeffs())
+                  .norm() < 1e-15);
+        CHECK((added.turning.omega == V(1, 2, 3) && added.x == m.x && added.v == m.v));
+    }
+    Bodies<double, Box> boxes;
+    Motion<double> none{{0, Quaternion<double>(0, 0, 0, 0), V(1, 2, 3)}, V::Zero(), V::Zero()};
+    CHECK_THROWS_AS(boxes.add(crate, none), std::invalid_argument);
+    CHECK(boxes.size() == 0);
+}
+
 // Who steps a body that has not been let in shall at least see it.
 TEST_CASE("friction and resistance that cannot be computed are not dropped in silence",
           "[library][ch6]") {

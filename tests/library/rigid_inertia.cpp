@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include <timestep/lanes.hpp>
 #include <timestep/rigid/body.hpp>
 #include <timestep/rigid/shapes.hpp>
 #include <timestep/rigid/solve3.hpp>
@@ -181,6 +182,74 @@ TEST_CASE("only the ratios of the moments count, and they survive a milligram in
     CHECK((crumb.unit - ton.unit).norm() < 8 * std::numeric_limits<float>::epsilon());
     CHECK((crumb.ratio - ton.ratio).norm() < 8 * std::numeric_limits<float>::epsilon());
     CHECK(std::fabs(crumb.unit.prod() - 1) < 8 * std::numeric_limits<float>::epsilon());
+}
+
+// The largest over the least is infinite, or their mean has no digits left.
+TEST_CASE("moments that cannot be scaled are refused", "[library]") {
+    const auto refused = [](float I1, float I2, float I3, const char* message) {
+        CHECK_THROWS_MATCHES(PrincipalInertia<float>(I1, I2, I3), std::invalid_argument,
+                             Message(message));
+    };
+    const char* far =
+        "moment of inertia = 1e-38: must be so large that the largest over it is finite";
+    refused(1e38f, 1e38f, 1e-38f, far);
+    refused(1e38f, 1e-38f, 1e38f, far);
+    refused(1e-38f, 1e38f, 1e38f, far);
+    refused(1, 1, 1e-45f,
+            "moment of inertia = 1.4013e-45: must be so large that the largest over it is finite");
+    refused(5e-45f, 4e-45f, 1.4e-45f,
+            "moment of inertia = 1.4013e-45: must be such that the moments over their geometric "
+            "mean have the product one");
+    CHECK_THROWS_AS(PrincipalInertia<double>(1e200, 1e200, 1e-200), std::invalid_argument);
+    CHECK_THROWS_AS(PrincipalInertia<double>(5e-324, 5e-324, 5e-324 * 2), std::invalid_argument);
+    CHECK_NOTHROW(PrincipalInertia<float>(1, 1, 1e-38f));
+    CHECK_NOTHROW(PrincipalInertia<float>(1e38f, 1e38f, 1));
+    CHECK_NOTHROW(PrincipalInertia<double>(1e300, 1e300, 1e-7));
+    // In lanes: any of them.
+    using L = Lanes<float>;
+    L bad(1);
+    bad.set(L::lanes - 1, 1e-45f);
+    CHECK_THROWS_AS(PrincipalInertia<L>(L(1), L(1), bad), std::invalid_argument);
+    CHECK_NOTHROW(PrincipalInertia<L>(L(1), L(1), L(1e-38f)));
+}
+
+TEMPLATE_TEST_CASE("what is let through has a product of one", "[library]", float, double) {
+    using Real = TestType;
+    std::mt19937_64 random(3);
+    const double most = std::log(double(std::numeric_limits<Real>::max())),
+                 least = std::log(double(std::numeric_limits<Real>::denorm_min()));
+    std::uniform_real_distribution<double> size(least, most);
+    const double needle = std::log(1e-5);
+    std::uniform_real_distribution<double> reach(needle, 0);
+    int refused = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const double A = std::exp(reach(random)), B = std::exp(reach(random)),
+                     C = std::exp(reach(random)), all = std::exp(size(random)) / 2;
+        const Real I1 = Real((B + C) * all), I2 = Real((C + A) * all), I3 = Real((A + B) * all);
+        try {
+            const PrincipalInertia<Real> I(I1, I2, I3);
+            REQUIRE(std::fabs(double(I.unit.prod()) - 1) <=
+                    70 * double(std::numeric_limits<Real>::epsilon()));
+        } catch (const std::invalid_argument&) {
+            // Only where digits are lost: near the subnormal numbers, or near the largest.
+            ++refused;
+            const Real middle = std::max({I1, I2, I3});
+            const bool small = std::min({I1, I2, I3}) < 1e6 * std::numeric_limits<Real>::min();
+            REQUIRE((small || middle > std::numeric_limits<Real>::max() / 16));
+        }
+    }
+    CHECK(refused < 30000);
+}
+
+TEST_CASE("a full matrix whose inverse is no number is refused", "[library]") {
+    const auto even = [](float moment) {
+        return FullInertia<float>(Matrix3<float>(moment * Matrix3<float>::Identity()));
+    };
+    CHECK_THROWS_AS(even(3e-42f), std::invalid_argument);
+    CHECK_THROWS_MATCHES(even(2e-39f), std::invalid_argument,
+                         Message("least moment of inertia = 2e-39: must be so large that the "
+                                 "inverse of the matrix is finite"));
+    CHECK(even(4e-39f).inverse.allFinite());
 }
 
 TEST_CASE("skew(a) b is a cross b", "[library][N47]") {

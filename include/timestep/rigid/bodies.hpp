@@ -2,13 +2,25 @@
 /// \file
 /// Many bodies, sorted by what their inertia needs.
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <tuple>
 #include <vector>
 
 #include <timestep/rigid/body_scene.hpp>
 
 namespace timestep {
+
+/// The rotation that a quaternion stands for, of length one: `q`, finite
+/// and not zero, over its length. A rotation stays as it is, to the last bit.
+template <class Real>
+Quaternion<Real> as_rotation(const Quaternion<Real>& q) {
+    if (std::abs(q.squaredNorm() - 1) <= 8 * std::numeric_limits<Real>::epsilon()) return q;
+    // Over the largest number first: in `float` neither 1e25 nor 1e-25 has a square.
+    const Quaternion<Real> scaled(q.coeffs() / q.coeffs().cwiseAbs().maxCoeff());
+    return over_its_length(scaled);
+}
 
 /// One vector a kind of body: `Bodies<double, Ball, Staff, Crate> all;`
 ///
@@ -25,11 +37,13 @@ public:
         Motion<Real> motion;  ///< what it does
     };
 
-    /// Adds a body to the others of its kind. Throws `std::invalid_argument`, as `checked` does,
-    /// where a scene could not step it.
+    /// Adds a body to the others of its kind, its attitude scaled to length one. Throws
+    /// `std::invalid_argument`, as `checked` does, where a scene could not step it.
     template <class Kind>
     void add(const Kind& body, const Motion<Real>& start) {
-        of<Kind>().push_back({checked(body), checked(start)});
+        Member<Kind> member{checked(body), checked(start)};
+        member.motion.turning.q = as_rotation(start.turning.q);
+        of<Kind>().push_back(member);
     }
 
     /// All bodies of one kind, in the order in which they were added.

@@ -75,6 +75,24 @@ void triangle_rule(Real a, Real b, Real c) {
         },
         a, b, c);
 }
+
+// The solvers compute with the moments over their geometric mean, and divide by them. Moments that
+// are further apart than numbers reach have none, and of subnormal moments it has lost digits: then
+// the product is not one. (64 ε is what three cube roots may be off by, cubed.)
+template <class Real>
+void scale_rule(const Vector3<Real>& moments, const Vector3<Real>& unit) {
+    for_each_number(
+        [](auto I1, auto I2, auto I3, auto U1, auto U2, auto U3) {
+            const auto roundoff = std::numeric_limits<decltype(I1)>::epsilon();
+            const auto least = std::min({I1, I2, I3});
+            if (!std::isfinite(std::max({I1, I2, I3}) / least))
+                refuse("moment of inertia", least, "so large that the largest over it is finite");
+            if (!(std::abs(U1 * U2 * U3 - 1) <= 64 * roundoff))
+                refuse("moment of inertia", least,
+                       "such that the moments over their geometric mean have the product one");
+        },
+        moments.x(), moments.y(), moments.z(), unit.x(), unit.y(), unit.z());
+}
 }  // namespace detail
 /// \endcond
 
@@ -120,7 +138,8 @@ struct PrincipalInertia {
     Vector3<Real> unit;                       ///< U₁, U₂, U₃ = I₁, I₂, I₃ over ∛(I₁I₂I₃)
     Vector3<Real> ratio;  ///< a₁ = (I₃ − I₂)/I₁ and so on round: ω̇₁ = −a₁ ω₂ ω₃
 
-    /// Moments in kg m², above zero, none larger than the sum of the others.
+    /// Moments in kg m², above zero, none larger than the sum of the others; the ratio of any two,
+    /// and their geometric mean, must be numbers that `Real` can hold with all digits.
     /// Throws `std::invalid_argument`.
     PrincipalInertia(Real I1, Real I2, Real I3) : moments(I1, I2, I3) {
         using std::cbrt;
@@ -128,6 +147,7 @@ struct PrincipalInertia {
         detail::triangle_rule(I1, I2, I3);
         ratio = {(I3 - I2) / I1, (I1 - I3) / I2, (I2 - I1) / I3};
         unit = moments / (cbrt(I1) * cbrt(I2) * cbrt(I3));
+        detail::scale_rule(moments, unit);
     }
 
     /// Angular momentum Iω, kg m²/s.
@@ -151,12 +171,15 @@ struct FullInertia {
 
     /// A symmetric matrix in kg m² whose eigenvalues are what PrincipalInertia asks for, none below
     /// 100 ε of the largest: in `float` a needle's least moment must be 1e-5 of its others or more.
-    /// Throws `std::invalid_argument`.
+    /// Its inverse must be finite. Throws `std::invalid_argument`.
     explicit FullInertia(const Matrix3<Real>& I)
         : matrix(checked(I)), axes(eigen(I).eigenvectors()), principal(of(eigen(I).eigenvalues())) {
         if (axes.determinant() < 0) axes.col(0) = -axes.col(0);  // a rotation, no reflection
         unit = matrix / std::exp2(Real(std::ilogb(matrix.cwiseAbs().maxCoeff())));
         inverse = axes * principal.moments.cwiseInverse().asDiagonal() * axes.transpose();
+        if (!is_finite(inverse))
+            refuse("least moment of inertia", principal.moments.minCoeff(),
+                   "so large that the inverse of the matrix is finite");
     }
 
     /// Angular momentum Iω, kg m²/s.

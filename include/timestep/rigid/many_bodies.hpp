@@ -2,13 +2,14 @@
 /// \file
 /// Many bodies that turn, sorted by what their inertia needs, in packs.
 
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <tuple>
 #include <vector>
 
 #include <timestep/lanes.hpp>
-#include <timestep/rigid/body.hpp>
+#include <timestep/rigid/bodies.hpp>
 
 namespace timestep {
 
@@ -83,12 +84,15 @@ class ManyBodies {
 public:
     using Pack = Lanes<Real>;  ///< so many are stepped at once
 
-    /// Adds a body to the others of its kind. Throws `std::invalid_argument` where its state is not
-    /// finite.
+    /// Adds a body to the others of its kind, its attitude scaled to length one. Throws
+    /// `std::invalid_argument` where its state is not finite, or |ω|² is not.
     template <template <class> class Kind>
     void add(const Kind<Real>& inertia, const Quaternion<Real>& q, const Vector3<Real>& omega) {
-        if (!is_finite(RigidState<Real>{t, q, omega}))
+        if (!is_finite(RigidState<Real>{Real(t), q, omega}))
             throw std::invalid_argument("body: its state must be finite, its attitude not zero");
+        const Real speed = std::hypot(omega.x(), omega.y(), omega.z());
+        if (!is_finite(speed * speed)) refuse("speed", speed, "so low that its square is a number");
+        const Quaternion<Real> attitude = as_rotation(q);
         auto& [size, packs] = group<Kind>();
         const int lane = int(size % Pack::lanes);
         if (lane == 0)
@@ -96,7 +100,7 @@ public:
                              Vector3<Pack>::Zero()});
         for (int i = lane; i < Pack::lanes; ++i) {
             detail::set_lane(packs.back().inertia, i, inertia);
-            detail::set_lane(packs.back().q.coeffs(), i, q.coeffs());
+            detail::set_lane(packs.back().q.coeffs(), i, attitude.coeffs());
             detail::set_lane(packs.back().omega, i, omega);
         }
         ++size;
@@ -118,7 +122,7 @@ public:
         const auto& pack = group<Kind>().packs[i / Pack::lanes];
         const int lane = int(i % Pack::lanes);
         const auto& q = pack.q;
-        return {t,
+        return {Real(t),
                 {q.w()[lane], q.x()[lane], q.y()[lane], q.z()[lane]},
                 {pack.omega.x()[lane], pack.omega.y()[lane], pack.omega.z()[lane]}};
     }
@@ -135,7 +139,7 @@ public:
     }
     /// [step all]
 
-    Real t = 0;  ///< time, s
+    double t = 0;  ///< time, s; a sum of steps, which in `float` is off by seconds an hour
 
 private:
     /// \cond
