@@ -64,7 +64,7 @@ public:
         rest<under_way - 1>(method, h, steps, first, last);
     }
 
-    double t = 0;  ///< time, s; a sum of steps, which in `float` is off by seconds an hour
+    double t = 0;  ///< time, s; such a sum in `float` would be off by seconds an hour
 
 private:
     // A step waits for the step before it, a few cycles an operation; with some packs under way the

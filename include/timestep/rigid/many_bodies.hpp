@@ -139,7 +139,7 @@ public:
     }
     /// [step all]
 
-    double t = 0;  ///< time, s; a sum of steps, which in `float` is off by seconds an hour
+    double t = 0;  ///< time, s; such a sum in `float` would be off by seconds an hour
 
 private:
     /// \cond
