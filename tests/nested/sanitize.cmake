@@ -25,7 +25,9 @@ function(timestep_sanitize)
     target_link_options(${target} PRIVATE ${flags})
   endforeach()
   # Some sources are hundreds of functions that are called once: optimised, they take two or three times as
-  # long to compile. (What is compiled beforehand is optimised, and not for them.)
+  # long to compile. (What is compiled beforehand is optimised, and not for them.) None of them computes much
+  # with Eigen's small vectors: of a function that several sources have the linker takes any copy, and so
+  # one that is not optimised could slow down all tests.
   if(TARGET stability)
     set(room "${PROJECT_SOURCE_DIR}/chapters/06_stability")
     set_source_files_properties("${room}/extreme_methods.cpp" "${room}/extreme_bodies.cpp"
@@ -33,7 +35,7 @@ function(timestep_sanitize)
       SKIP_PRECOMPILE_HEADERS ON)
   endif()
   set(once chapters/02_arrays chapters/06_cloth library/extremes library/lanes library/linear_solve
-    library/many library/models)
+    library/models)
   list(TRANSFORM once PREPEND "${PROJECT_SOURCE_DIR}/tests/")
   list(TRANSFORM once APPEND .cpp)
   set_source_files_properties(${once} TARGET_DIRECTORY timestep_tests PROPERTIES COMPILE_OPTIONS -O0
