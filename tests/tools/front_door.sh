@@ -65,12 +65,99 @@ test_root_installs_what_is_missing_then_builds_and_hands_over() {
     says calls "cmake --build $folder/checkout/build --target course"
 }
 
-test_the_second_time_nothing_is_asked_of_apt() {
+# A checkout with what the course program is made of.
+make_sources() {
+    mkdir -p checkout/tools/course checkout/tools/cmake checkout/include
+    : >checkout/CMakeLists.txt
+    : >checkout/tools/CMakeLists.txt
+    : >checkout/tools/course/main.cpp
+    : >checkout/include/state.hpp
+}
+
+test_with_nothing_new_it_hands_over_and_asks_nobody() {
+    new_machine 0
+    have_all
+    make_sources
+    expect 7 course list
+    for tool in cat sed grep dirname apt-cache cmake tr env flock; do
+        stand_in $tool "echo $tool >>'$folder/calls'; exit 1"
+    done
+    : >calls
+    for command in tour list run check watch hint solution reset advise bench site kit test; do
+        expect 7 course $command 1
+        is "$(/bin/cat out err)" "handed over: $command 1"
+    done
+    is "$(/usr/bin/wc -l <calls)" 0
+}
+
+test_what_is_new_is_built_first() {
+    new_machine 0
+    have_all
+    make_sources
+    expect 7 course list
+    for file in tools/course/main.cpp tools/course/more.cpp include/state.hpp CMakeLists.txt \
+        tools/cmake/new.cmake course; do
+        : >calls
+        touch "checkout/$file"
+        expect 7 course list
+        is "$file: $(cat calls)" "$file: cmake --build $folder/checkout/build --target course"
+        : >calls
+        expect 7 course list
+        is "$(lines calls)" 0
+    done
+    : >calls
+    rm checkout/tools/course/more.cpp
+    expect 7 course list
+    says calls '--target course'
+    : >calls
+    cp -p checkout/tools/CMakeLists.txt old
+    mv old checkout/tools/course/old.cpp  # old, and new here
+    expect 7 course list
+    says calls '--target course'
+    # What failed is not taken for done.
+    touch checkout/tools/course/main.cpp
+    : >build_fails
+    expect 1 course list
+    rm build_fails
+    : >calls
+    expect 7 course list
+    says calls '--target course'
+}
+
+test_the_first_chapter_comes_before_the_course_program() {
     new_machine 0
     have_all
     expect 7 course tour
+    says err "course: chapter 1 can be read: file://$folder/checkout/build/site/html/index.html"
+    is "$(grep -n -e first_chapter calls | cut -d: -f1)" 2
+    mkdir -p checkout/build/site/html
+    : >checkout/build/site/html/index.html
+    touch checkout/course
     : >calls
     expect 7 course tour
+    silent_on calls first_chapter
+}
+
+test_two_at_once_in_a_build_folder_take_turns() {
+    new_machine 0
+    have_all
+    command -v flock >/dev/null || exit 77
+    mkdir -p checkout/build
+    flock checkout/build/course.lock sleep 2 &
+    while ! flock --nonblock checkout/build/course.lock true; do break; done
+    sleep 0.3
+    expect 7 course list
+    says err 'course: another ./course is building here; waiting for it'
+    wait
+}
+
+test_the_second_time_nothing_is_asked_of_apt() {
+    new_machine 0
+    have_all
+    expect 7 course list
+    : >calls
+    touch checkout/course
+    expect 7 course list
     is "$(cat calls)" "cmake --build $folder/checkout/build --target course"
     is "$(lines err)" 0
 }
@@ -127,13 +214,22 @@ test_what_is_still_too_old_after_installing_is_named() {
 test_grading_in_a_kit_wants_no_more_than_its_setup_and_bubblewrap() {
     new_machine 0
     mkdir -p checkout/kit
-    echo '{}' >checkout/kit/kit.json
+    echo "{\"processor\": \"$(uname -m)\"}" >checkout/kit/kit.json
+    printf '#!/bin/sh\necho "handed over: $*"\nexit 7\n' >checkout/kit/course
+    chmod +x checkout/kit/course
     expect 0 course setup --yes
     expect 7 course grade class --trust
     silent_on err 'lacks'
     expect 7 course grade class
     says err 'course: this machine lacks: bubblewrap'
     silent_on err catch2
+    # Its course program comes built.
+    silent_on calls 'cmake -S'
+    silent_on calls 'cmake --build'
+    sed -i 's/: ".*"/: "abacus"/' checkout/kit/kit.json
+    touch checkout/course
+    expect 3 course list
+    says err "course: this learner's edition was made for abacus; here is $(uname -m): ask"
 }
 
 test_setup_installs_and_builds_nothing() {
@@ -252,7 +348,8 @@ test_without_rights_catch2_alone_is_left_to_cmake() {
     # Fetched, it is there.
     mkdir -p checkout/build/_deps/catch2-src
     : >checkout/build/_deps/catch2-src/CMakeLists.txt
-    expect 7 course tour
+    touch checkout/course
+    expect 7 course list
     is "$(lines err)" 0
     # Where the fetch fails, too, the way out is named.
     rm -r checkout/build

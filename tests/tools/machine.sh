@@ -1,7 +1,8 @@
 # A machine of stand-ins: $folder/bin is all there is on PATH, $folder/usr all there is of headers.
 # What is asked of apt-get, sudo and cmake is kept in $folder/calls.
 
-stand_in() { printf '#!/bin/sh\n%s\n' "$2" >"bin/$1"; chmod +x "bin/$1"; }
+# What stands there is a link to the real one: it must go first.
+stand_in() { rm -f "bin/$1"; printf '#!/bin/sh\n%s\n' "$2" >"bin/$1"; chmod +x "bin/$1"; }
 
 # new_machine USER_ID: with apt-get, apt-cache and nothing that the course needs.
 new_machine() {

@@ -17,6 +17,15 @@ foreach(compiler GNU CLANG)
 endforeach()
 set(TIMESTEP_GNU_NAME g++)
 set(TIMESTEP_CLANG_NAME clang++)
+# What the compiler of this build does to the tests that compile something is seen by all who run the tests;
+# what the other one does, where they take their time.
+set(TIMESTEP_GNU_LABEL "")
+set(TIMESTEP_CLANG_LABEL "")
+foreach(compiler IN LISTS TIMESTEP_COMPILERS)
+  if(NOT TIMESTEP_${compiler} STREQUAL CMAKE_CXX_COMPILER)
+    set(TIMESTEP_${compiler}_LABEL long)
+  endif()
+endforeach()
 
 # A test that cannot run here stands in the summary as skipped, with the reason in its output.
 function(timestep_skipped_test name reason)

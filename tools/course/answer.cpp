@@ -71,6 +71,8 @@ void declare_bench(CLI::App& app, Asked& asked) {
     bench->add_subcommand("loops", "the library beside loops written by hand, and the targets");
     bench->add_subcommand("gyroscopic", "the gyroscopic solvers beside Bullet's, and the target");
     bench->add_subcommand("many", "springs and bodies by the thousand, and the targets");
+    bench->add_subcommand("front-door", "how long a reader waits, in a copy of the course: ten minutes")
+        ->add_flag("--tests", asked.all, "and how long the tests take: half an hour");
     bench->add_subcommand("latency", "from a saved file to its verdict")
         ->add_option("--rounds", asked.rounds, "checks of each exercise")
         ->check(CLI::Range(1, 1000));
@@ -192,6 +194,7 @@ void answer_bench(const CLI::App& bench, Asked& asked) {
     if (name == "gyroscopic") bench_gyroscopic();
     if (name == "many") bench_many();
     if (name == "latency") bench_latency(asked.rounds);
+    if (name == "front-door") bench_front_door(asked.all);
 }
 
 }  // namespace

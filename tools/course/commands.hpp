@@ -80,6 +80,10 @@ void bench_many();
 /// How long it takes from a saved file to its verdict.
 void bench_latency(int rounds);
 
+/// How long a reader waits, from a clone to the site and from a change to the verdict, measured in a
+/// copy of the course; with the tests, it takes half an hour.
+void bench_front_door(bool with_tests);
+
 /// What is asked of `advise`: a spring or a spinning body, and a step. What was not given is empty.
 struct Question {
     std::optional<double> omega, stiffness, mass, damping, zeta;  ///< rad/s, N/m, kg, N s/m, no unit

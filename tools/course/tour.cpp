@@ -67,8 +67,8 @@ void tour() {
                  (is_kit() ? ":" : ", making the site:"));
     if (!is_kit() && !std::filesystem::exists(places().build / "site/html/made")) {
         // The first page first; then the site grows with every chapter.
-        build({"grow_" + chapters.front().folder}, progress);
-        progress.say("  The site grows from now on: " + site_address());
+        build({"first_chapter"}, progress);
+        progress.say("  The site is there, and grows: " + site_address());
         build({"growing_site", "docs"}, progress);
     } else {
         build({"docs"}, progress);

@@ -1,0 +1,33 @@
+# What CMake has found stays in its cache, also when it is gone from the machine. Here it is forgotten
+# then, to be looked for again; and that it is gone makes CMake configure again, instead of a build that
+# fails in Ninja's words.
+function(timestep_for_all_found do)
+  get_cmake_property(names CACHE_VARIABLES)
+  foreach(name IN LISTS names)
+    get_property(type CACHE ${name} PROPERTY TYPE)
+    set(path "$CACHE{${name}}")
+    if(type MATCHES "^(FILEPATH|PATH)$" AND IS_ABSOLUTE "${path}" AND NOT name MATCHES "^CMAKE_(INSTALL|HOME)")
+      cmake_language(CALL ${do} ${name} "${path}")
+    endif()
+  endforeach()
+endfunction()
+
+function(timestep_forget_gone)
+  function(forget name path)
+    if(NOT EXISTS "${path}")
+      message(STATUS "${path} is gone; looking for another")
+      unset(${name} CACHE)
+    endif()
+  endfunction()
+  timestep_for_all_found(forget)
+endfunction()
+
+# To be called at the end.
+function(timestep_watch_found)
+  function(watch name path)
+    if(NOT IS_DIRECTORY "${path}")
+      set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${path}")
+    endif()
+  endfunction()
+  timestep_for_all_found(watch)
+endfunction()

@@ -1,0 +1,184 @@
+// course bench front-door: how long a reader waits, from a clone to the site, from a change to the
+// verdict. All of it happens in a copy of the course, with the commands that a reader types.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "commands.hpp"
+#include "exercises.hpp"
+#include "files.hpp"
+#include "places.hpp"
+#include "process.hpp"
+#include "stop.hpp"
+
+namespace course {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// What a command took, with all that it started in turn.
+struct Cost {
+    double seconds = 0;    // by the clock
+    double processor = 0;  // of all cores
+    double megabytes = 0;  // of the largest of its processes
+};
+
+// Types `command` in `folder`. `heard` gets its lines, and the seconds from the beginning to each.
+Cost cost_of(const fs::path& folder, const std::vector<std::string>& command,
+             const std::function<void(const std::string&, double)>& heard = {}) {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) throw Stop(Status::missing, "no pipe can be made");
+    const auto begin = Clock::now();
+    const pid_t process = fork();
+    if (process == 0) {
+        const int nothing = open("/dev/null", O_RDONLY);
+        dup2(nothing, 0);
+        dup2(ends[1], 1);
+        dup2(ends[1], 2);
+        std::vector<char*> words;
+        for (const auto& word : command) words.push_back(const_cast<char*>(word.c_str()));
+        words.push_back(nullptr);
+        if (chdir(folder.c_str()) == 0) execvp(words[0], words.data());
+        _exit(127);
+    }
+    close(ends[1]);
+    std::string said;
+    Lines lines([&](const std::string& line) {
+        said = (said + line + "\n");
+        if (said.size() > 20'000) said.erase(0, 10'000);
+        if (heard) heard(line, since(begin));
+    });
+    char piece[4096];
+    for (ssize_t got = 0; (got = read(ends[0], piece, sizeof piece)) > 0;)
+        lines({piece, static_cast<std::size_t>(got)});
+    close(ends[0]);
+    int status = 0;
+    rusage used{};
+    wait4(process, &status, 0, &used);
+    Cost cost;
+    cost.seconds = since(begin);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    cost.processor = seconds(used.ru_utime) + seconds(used.ru_stime);
+    cost.megabytes = static_cast<double>(used.ru_maxrss) / 1024;
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+        std::fprintf(stderr, "%s", said.c_str());
+        throw Stop(Status::wrong, "bench front-door: '" + command[0] + " " + command[1] +
+                                      "' failed in " + folder.string() + "; its words stand above");
+    }
+    return cost;
+}
+
+void say(const std::string& what, const Cost& cost, const std::string& wanted) {
+    std::printf("%-52s %9.2f %9.1f   %s\n", what.c_str(), cost.seconds, cost.processor,
+                wanted.c_str());
+    std::fflush(stdout);
+}
+
+// A new line at the end of the file.
+void append(const fs::path& file, const std::string& line) {
+    std::ofstream(file, std::ios::app) << line << "\n";
+}
+
+// The checkout as it stands, without what was built.
+void copy_course(const fs::path& to) {
+    fs::remove_all(to);
+    fs::create_directories(to);
+    for (const auto& entry : fs::directory_iterator(places().source)) {
+        const std::string name = entry.path().filename().string();
+        if (name != "build" && !name.starts_with(".git") && name != ".progress")
+            fs::copy(entry.path(), to / name, fs::copy_options::recursive);
+    }
+}
+
+// From the saved file to the verdict: the median of some checks of the course's own answer.
+Cost check_of(const fs::path& folder, const std::string& room) {
+    const fs::path answer = folder / "exercises" / (room + ".cpp");
+    fs::copy_file(places().source / "solutions" / (room + ".cpp"), answer,
+                  fs::copy_options::overwrite_existing);
+    const std::string name = fs::path(room).filename().string();
+    cost_of(folder, {"./course", "check", name});  // the first makes its hidden tests
+    std::vector<Cost> costs;
+    for (int i = 0; i < 11; ++i) {
+        append(answer, "// saved");
+        costs.push_back(cost_of(folder, {"./course", "check", name}));
+    }
+    std::sort(costs.begin(), costs.end(),
+              [](const Cost& a, const Cost& b) { return a.seconds < b.seconds; });
+    return costs[costs.size() / 2];
+}
+
+}  // namespace
+
+void bench_front_door(bool with_tests) {
+    if (is_kit())
+        throw Stop(Status::bad_use,
+                   "this is the learner's edition: bench front-door is for the course");
+    const fs::path place = places().build / "front_door", copy = place / "course",
+                   edition = place / "kit";
+    copy_course(copy);
+    fs::remove_all(edition);
+    const std::string plain = "01_derivatives/velocity_now",
+                      eigen = "05_gyroscopic/world_acceleration";
+
+    std::printf("%-52s %9s %9s   %s\n", "what", "seconds", "processor", "to reach");
+    Cost first;
+    const Cost tour =
+        cost_of(copy, {"./course", "tour", "--yes"}, [&](const std::string& line, double at) {
+            if (first.seconds == 0 && line.find("can be read") != std::string::npos)
+                first.seconds = at;
+        });
+    say("the first chapter can be read", first, "60");
+    say("cold tour", tour, "300 (600)");
+    std::printf("%-52s %9.0f MB            600\n", "the largest compiler's memory", tour.megabytes);
+    say("tour with nothing to do", cost_of(copy, {"./course", "tour"}), "0.2");
+
+    const fs::path chapter = copy / "chapters/03_euler_variants";
+    append(chapter / "chapter.md", "One word more.");
+    say("a word changed in a chapter", cost_of(copy, {"./course", "site"}), "2");
+    append(chapter / "euler_variants.cpp", "[[maybe_unused]] constexpr int one_number_more = 1;");
+    say("a number changed in a chapter's program", cost_of(copy, {"./course", "site"}), "10");
+    append(copy / "include/timestep/methods/semi_implicit_euler.hpp", "// one comment more");
+    say("a comment changed in a method's header", cost_of(copy, {"./course", "site"}), "60");
+
+    say("first check of an exercise",
+        cost_of(copy, {"./course", "check", "steps_of_frames", "--file",
+                       (copy / "solutions/02_first_order_form/steps_of_frames.cpp").string()}),
+        "3");
+    say("check, save to verdict", check_of(copy, plain), "0.3");
+    say("check, save to verdict, with Eigen", check_of(copy, eigen), "");
+
+    say("kit after a tour", cost_of(copy, {"./course", "kit", edition.string()}), "45");
+    say("first command in a fresh kit", cost_of(edition, {"./course", "list"}), "1");
+    const fs::path answer = copy / "solutions" / (plain + ".cpp");
+    say("first check in a fresh kit",
+        cost_of(edition, {"./course", "check", "velocity_now", "--file", answer.string()}), "");
+    say("check in the kit, save to verdict", check_of(edition, plain), "0.3");
+    say("check in the kit, save to verdict, with Eigen", check_of(edition, eigen), "");
+
+    say("bench --quick, building included", cost_of(copy, {"./course", "bench", "--quick"}), "90");
+    if (with_tests) {
+        say("test after a tour", cost_of(copy, {"./course", "test"}), "300");
+        copy_course(copy);
+        say("cold test", cost_of(copy, {"./course", "test"}), "540");
+    }
+    fs::remove_all(place);
+}
+
+}  // namespace course
