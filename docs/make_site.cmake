@@ -1,7 +1,8 @@
 # Makes the site: Doxygen on the filled pages, then what Doxygen cannot do. Called as
 #   cmake -DDOXYGEN=… -DDOXYFILE=… -DSITE=… -DHEADS="a.html;b.html" -DKATEX=folder
 #         -DFIGURES=folder -DLINK_SOURCES=program [-DUNLINKED=tests/] -P make_site.cmake
-# All of it happens in SITE/unfinished, which becomes SITE/html when nothing went wrong.
+# All of it happens in SITE/unfinished, which becomes SITE/html when nothing went wrong. There the file
+# `made` tells that the site is whole.
 
 cmake_minimum_required(VERSION 3.25)
 set(html "${SITE}/unfinished")
@@ -45,5 +46,6 @@ if(KATEX)
 endif()
 run("${LINK_SOURCES}" "${html}" ${UNLINKED})
 
+file(WRITE "${html}/made" "")
 file(REMOVE_RECURSE "${SITE}/html")
 file(RENAME "${html}" "${SITE}/html")

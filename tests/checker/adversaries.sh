@@ -120,7 +120,7 @@ test_what_is_no_text() {
     must_be does_not_compile 'The file has no function'
     head -c 1000000 /dev/zero | tr '\0' '(' >answer.cpp  # no compiler bears that
     must_be does_not_compile 'does not compile'
-    cp "$real_build/exercises/check" answer.cpp
+    cp "$real_build/exercises/hidden/velocity_now" answer.cpp
     course check velocity_now --file answer.cpp >out 2>err && fail 'it passes'
     is "$(lines err)" 1
 }
@@ -138,7 +138,7 @@ test_the_solution_by_other_ways() {
 
 test_bytes_of_the_course() {
     grep -q incbin "$real_build/exercises/commands.json" || exit 77
-    for name in "$source/solutions/01_derivatives/velocity_now.cpp" "$real_build/exercises/check" \
+    for name in "$source/solutions/01_derivatives/velocity_now.cpp" "$real_build/exercises/hidden/velocity_now" \
         "$source/tests/exercises/01_derivatives/velocity_now/properties.cpp"; do
         {
             echo '#include "exercise.hpp"'

@@ -59,7 +59,7 @@ test_a_submission_sees_nothing_but_itself() {
     export HOME="$folder/home"
     for place in "$source/tests/exercises/01_derivatives/velocity_now/properties.cpp" \
         "$source/solutions/01_derivatives/velocity_now.cpp" "$source/README.md" "$HOME/secret" \
-        "$real_build/exercises/check" "$real_build/exercises/generated/velocity_now_variants.cpp" \
+        "$real_build/exercises/hidden/velocity_now" "$real_build/exercises/generated/velocity_now_variants.cpp" \
         "$folder/class/alice/velocity_now.cpp" /etc/passwd /etc/hostname; do
         printf '#if __has_include("%s")\n#error sees %s\n#endif\n' "$place" "$place"
         [ -e "$place" ] || fail "$place is not there: the test tests nothing"

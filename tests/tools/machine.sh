@@ -7,7 +7,7 @@ stand_in() { printf '#!/bin/sh\n%s\n' "$2" >"bin/$1"; chmod +x "bin/$1"; }
 new_machine() {
     mkdir -p bin usr checkout apt tmp
     cp "$source/course" checkout/course
-    for tool in sh cat sed grep tail head tee env mkdir mktemp rm chmod dirname readlink tr cp; do
+    for tool in sh cat sed grep tail head tee env mkdir mktemp rm mv touch chmod readlink tr cp find uname flock; do
         ln -s "$(command -v $tool)" bin/$tool
     done
     : >calls

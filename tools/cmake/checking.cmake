@@ -1,6 +1,6 @@
 # How a learner's file is compiled and checked: by the course program, and without it. The hidden tests
-# have been built (tests/exercises) or come built (the learner's edition): the targets check,
-# exercise_workers and timestep_worker. `told` is the folder of what is told of each exercise,
+# are built (tests/exercises) or come built (the learner's edition): for each exercise the targets
+# hidden_NAME and worker_NAME, and timestep_worker. What a check of it needs is target ready_NAME. `told` is the folder of what is told of each exercise,
 # NN_chapter/NAME/about.json; the build folder has the declarations, exercises/generated/NAME_declared.hpp.
 include(CheckCXXCompilerFlag)
 include(CheckCXXSourceCompiles)
@@ -23,6 +23,10 @@ function(timestep_check_learners told)
   # Without the course program: the target check_NAME compiles the learner's file and checks it. A file
   # that is not there must stop that target and nothing else: the compiler misses it, not CMake. (Not
   # marked as GENERATED: `ninja clean` would remove it.)
+  set(checks "")
+  set(workers "")
+  set(comma "")
+  set(all_ready "")
   file(GLOB abouts CONFIGURE_DEPENDS RELATIVE "${told}" "${told}/*/*/about.json")
   foreach(about IN LISTS abouts)
     cmake_path(GET about PARENT_PATH room)
@@ -38,17 +42,25 @@ function(timestep_check_learners told)
     if(eigen)
       set(header exercise_eigen)
     endif()
-    add_executable(answer_${name} EXCLUDE_FROM_ALL "${file}"
-      "$<FILTER:$<TARGET_OBJECTS:exercise_workers>,INCLUDE,/${name}_worker[.]>")
+    add_executable(answer_${name} EXCLUDE_FROM_ALL "${file}" $<TARGET_OBJECTS:worker_${name}>)
     target_link_libraries(answer_${name} PRIVATE timestep_worker timestep)
     target_include_directories(answer_${name} PRIVATE "${generated}" "${learner}")
     target_compile_options(answer_${name} PRIVATE -UNDEBUG ${flags}
       "SHELL:-include ${header}.hpp" "SHELL:-include ${name}_declared.hpp")
     target_link_options(answer_${name} PRIVATE -no-pie -fno-lto)
     add_custom_target(check_${name} COMMAND "${CMAKE_COMMAND}" -D NAME=${name} -D FILE=${file}
-      -D ABOUT=${told}/${about} -D CHECK=$<TARGET_FILE:check>
+      -D ABOUT=${told}/${about} -D CHECK=$<TARGET_FILE:hidden_${name}>
       -D WORKER=$<TARGET_FILE:answer_${name}> -P "${PROJECT_SOURCE_DIR}/tools/cmake/say_verdict.cmake"
-      DEPENDS check VERBATIM)
+      DEPENDS hidden_${name} VERBATIM)
+    add_custom_target(ready_${name})
+    add_dependencies(ready_${name} hidden_${name} timestep_worker ready_${header})
+    if(NOT TIMESTEP_KIT)
+      add_dependencies(ready_${name} worker_${name})
+    endif()
+    list(APPEND all_ready ready_${name})
+    string(APPEND checks "${comma}\n  \"${name}\": \"$<TARGET_FILE:hidden_${name}>\"")
+    string(APPEND workers "${comma}\n  \"${name}\": \"$<TARGET_OBJECTS:worker_${name}>\"")
+    set(comma ",")
   endforeach()
 
   # The same for the course program. The headers that the file includes are compiled beforehand, which
@@ -75,11 +87,10 @@ function(timestep_check_learners told)
               -o "${compiled}" -MD -MQ "${compiled}" -MF "${compiled}.d"
       DEPENDS "${learner}/${header}.hpp"
       DEPFILE "${compiled}.d" COMMENT "Compiling what the exercises include" VERBATIM)
-    list(APPEND headers_ready "${compiled}")
+    add_custom_target(ready_${header} DEPENDS "${compiled}")
   endforeach()
-  add_custom_target(exercise_headers DEPENDS ${headers_ready})
   add_custom_target(exercises ALL)
-  add_dependencies(exercises check exercise_workers timestep_worker exercise_headers)
+  add_dependencies(exercises ${all_ready})
 
   # All that as JSON.
   timestep_json_words(compile "${CMAKE_CXX_COMPILER}" ${use_exercise} ${flags} ${includes})
@@ -120,9 +131,9 @@ function(timestep_check_learners told)
  \"sanitize\": ${sanitize},
  \"lists\": ${lists},
  \"link\": ${link},
- \"check\": \"$<TARGET_FILE:check>\",
+ \"checks\": {${checks}},
  \"worker\": \"$<TARGET_FILE:timestep_worker>\",
- \"workers\": [\"$<JOIN:$<TARGET_OBJECTS:exercise_workers>,\", \">\"]}
+ \"workers\": {${workers}}}
 ")
 endfunction()
 

@@ -137,8 +137,9 @@ int main() {
     string(APPEND includes "namespace mistake_${mistake} {\n#include \"${source}/${room}/mistake_${mistake}.cpp\"\n}\n")
     string(APPEND list "    {\"${mistake}\", checker::answer_of(&mistake_${mistake}::${name})},\n")
   endforeach()
-  file(CONFIGURE OUTPUT "${generated}/${name}_mistakes.cpp" CONTENT
-"// Each in a namespace of its own; the headers they include are read before.
+  file(CONFIGURE OUTPUT "${generated}/${name}_hidden.cpp" CONTENT
+"// The mistakes that are known, each in a namespace of its own, with the headers that they include read
+// before; and the hidden tests. One source, for reading the headers is most of the work.
 #include \"@learners_header@\"
 #include \"@numbers_header@\"
 #include \"session.hpp\"
@@ -148,6 +149,8 @@ namespace {
 const bool known = checker::know(\"@name@\", {
 @list@});
 }
+
+#include \"@source@/@room@/properties.cpp\"
 " @ONLY)
   set(includes "")
   set(list "")

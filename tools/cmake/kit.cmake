@@ -5,13 +5,17 @@ set(kit "${PROJECT_SOURCE_DIR}/kit")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${kit}/kit.json")
 timestep_require_machine("${kit}/kit.json")
 
-add_executable(check IMPORTED)
-set_target_properties(check PROPERTIES IMPORTED_LOCATION "${kit}/check")
 add_library(timestep_worker STATIC IMPORTED)
 set_target_properties(timestep_worker PROPERTIES IMPORTED_LOCATION "${kit}/libtimestep_worker.a")
 file(GLOB workers "${kit}/workers/*")
-add_library(exercise_workers OBJECT IMPORTED)
-set_target_properties(exercise_workers PROPERTIES IMPORTED_OBJECTS "${workers}")
+foreach(worker IN LISTS workers)
+  cmake_path(GET worker FILENAME name)
+  string(REGEX REPLACE "_worker[.].*" "" name "${name}")
+  add_library(worker_${name} OBJECT IMPORTED)
+  set_target_properties(worker_${name} PROPERTIES IMPORTED_OBJECTS "${worker}")
+  add_executable(hidden_${name} IMPORTED)  # one program for all
+  set_target_properties(hidden_${name} PROPERTIES IMPORTED_LOCATION "${kit}/check")
+endforeach()
 
 # Where the course program looks for the stubs and the compiler for the declarations.
 file(GLOB generated RELATIVE "${kit}" "${kit}/generated/*")

@@ -70,8 +70,8 @@ void bench_latency(int rounds) {
         throw Stop(Status::bad_use,
                    "this is the learner's edition: it has no solutions to check for bench latency");
     ProgressLine progress;
-    build({"exercises"}, progress);
     const auto exercises = read_exercises();
+    make_ready(exercises, progress);
     std::vector<std::vector<double>> seconds(exercises.size());
     for (int round = 0; round < rounds; ++round) {
         progress.now("round " + std::to_string(round + 1) + " of " + std::to_string(rounds));

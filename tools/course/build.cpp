@@ -7,10 +7,14 @@
 #include <fstream>
 #include <thread>
 
+#include <unistd.h>
+
 #include "exercises.hpp"
+#include "files.hpp"
 #include "places.hpp"
 #include "process.hpp"
 #include "stop.hpp"
+#include "verdict.hpp"
 
 namespace course {
 
@@ -62,9 +66,69 @@ std::vector<std::string> reason(const std::vector<std::string>& log) {
     return lines;
 }
 
+// The learner's edition is configured when there is something to build: its course program comes
+// built.
+void configure_kit(ProgressLine& progress) {
+    const fs::path& root = places().source;
+    const std::string home = "CMAKE_HOME_DIRECTORY:INTERNAL=" + root.string();
+    std::ifstream cache(places().build / "CMakeCache.txt");
+    for (std::string line; std::getline(cache, line);)
+        if (line == home) return;
+    progress.say("Looking at the compiler and the libraries of this machine:");
+    std::string unfit, all;
+    Lines lines([&](const std::string& line) {
+        if (line.starts_with("course: ")) unfit = line.substr(8);
+        all += line + "\n";
+    });
+    const int status = listen({places().cmake, "-S", root.string(), "-B", places().build.string(),
+                               "--fresh", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"},
+                              std::ref(lines), [&] { progress.tick(); });
+    progress.clear();
+    if (status == 0) return;
+    if (unfit.empty()) std::fprintf(stderr, "%s", all.c_str());
+    throw Stop(Status::missing, unfit.empty() ? "CMake could not configure the build" : unfit);
+}
+
+// What says that an exercise was found ready, at the time when it was written: which course, which
+// CMake.
+fs::path ready_mark(const Exercise& exercise) {
+    return places().build / "exercises/found_ready" / exercise.name;
+}
+std::string our_mark() {
+    return places().source.string() + "\n" + places().cmake + "\n";
+}
+
+// Has nothing been touched that a check of the exercise is made of, since it was found ready?
+bool is_ready(const Exercise& exercise) {
+    const auto since = written_at(ready_mark(exercise));
+    if (!since || contents(ready_mark(exercise)) != our_mark()) return false;
+    const fs::path &source = places().source, &build = places().build;
+    const std::string room = exercise.chapter + "/" + exercise.name;
+    std::vector<fs::path> parts{source / "CMakeLists.txt", source / "include",
+                                source / "tools/cmake", source / "tools/checker",
+                                build / "CMakeCache.txt"};
+    if (is_kit())
+        parts.push_back(source / "kit");
+    else
+        parts.insert(parts.end(),
+                     {source / "tests/CMakeLists.txt", source / "tests/exercises/CMakeLists.txt",
+                      source / "tests/exercises" / room, source / "solutions" / (room + ".cpp")});
+    const fs::path packages = "/var/lib/dpkg/status";  // a compiler may be a new one
+    if (fs::exists(packages)) parts.push_back(packages);
+    return std::none_of(parts.begin(), parts.end(),
+                        [&](const fs::path& part) { return touched_since(part, *since); }) &&
+           fs::exists(build / "exercises/commands.json") && fs::exists(hidden_tests_of(exercise));
+}
+
 }  // namespace
 
 void build(const std::vector<std::string>& targets, ProgressLine& progress) {
+    std::error_code ignored;
+    fs::create_directories(places().build, ignored);
+    const fs::path lock = places().build / "course.lock";
+    if (Lock::is_held(lock)) progress.say("Another ./course is building here; waiting for it:");
+    const Lock one_at_a_time(lock);
+    if (is_kit()) configure_kit(progress);
     const fs::path log_path = places().build / "course.log";
     std::ofstream log(log_path);
     std::vector<std::string> heard;
@@ -96,10 +160,33 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress) {
                                   log_path.string());
 }
 
+void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) {
+    std::vector<std::string> targets;
+    std::vector<fs::path> marks;
+    for (const auto& exercise : exercises) {
+        if (is_ready(exercise)) continue;
+        targets.push_back("ready_" + exercise.name);
+        marks.push_back(ready_mark(exercise));
+    }
+    if (targets.empty()) return;
+    // Written before: what is touched while it is built is new.
+    const std::string fresh = ".new" + std::to_string(getpid());
+    std::error_code ignored;
+    fs::create_directories(marks.front().parent_path(), ignored);
+    for (const auto& mark : marks) write_whole(mark.string() + fresh, our_mark());
+    try {
+        build(targets, progress);
+    } catch (...) {
+        for (const auto& mark : marks) fs::remove(mark.string() + fresh, ignored);
+        throw;
+    }
+    for (const auto& mark : marks) fs::rename(mark.string() + fresh, mark, ignored);
+}
+
 std::string site_address() {
     std::string address = "file://";
-    const fs::path page = is_kit() ? places().source / "site/index.html"
-                                   : places().build / "site/html/index.html";
+    const fs::path page =
+        is_kit() ? places().source / "site/index.html" : places().build / "site/html/index.html";
     for (const char c : page.string()) {
         const auto byte = static_cast<unsigned char>(c);
         char coded[4];

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "exercises.hpp"
 #include "terminal.hpp"
 
 namespace course {
@@ -13,6 +14,9 @@ namespace course {
 /// course.log in the build folder; where it fails, the lines that say why are shown, and Stop
 /// (wrong) is thrown.
 void build(const std::vector<std::string>& targets, ProgressLine& progress);
+
+/// Builds what a check of these exercises needs: their hidden tests.
+void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress);
 
 /// The address of the site's first page, as a browser takes it.
 std::string site_address();

@@ -24,9 +24,9 @@ std::uint64_t seed_or_new(const std::optional<std::uint64_t>& seed) {
     return seed ? *seed : std::random_device{}() % 1'000'000;
 }
 
-void bring_up_to_date() {
+void bring_up_to_date(const std::vector<Exercise>& exercises) {
     ProgressLine progress;
-    build({"exercises"}, progress);
+    make_ready(exercises, progress);
 }
 
 // The first exercise after this one, round the course, that is still to be done.
@@ -52,7 +52,8 @@ std::string way_on(const Exercise& exercise, const Verdict& verdict) {
     if (verdict.kind == "pass") {
         std::string text = "\n";
         if (!is_kit())
-            text += "  The course's answer beside yours:  ./course solution " + exercise.name + "\n";
+            text +=
+                "  The course's answer beside yours:  ./course solution " + exercise.name + "\n";
         const auto next = next_after(exercise);
         if (next)
             return text + "  Next:  " + next->place() + " " + next->title + "\n         " +
@@ -73,8 +74,11 @@ void check_all(bool json, const std::optional<std::uint64_t>& seed) {
     std::string first_wrong, list;
     int checked = 0;
     bool course_error = false;
-    for (const auto& exercise : read_exercises()) {
-        if (state_of(exercise, progress) == "not started") continue;
+    std::vector<Exercise> begun;
+    for (const auto& exercise : read_exercises())
+        if (state_of(exercise, progress) != "not started") begun.push_back(exercise);
+    if (!begun.empty()) bring_up_to_date(begun);
+    for (const auto& exercise : begun) {
         const Verdict verdict = check_file(exercise, exercise.file(), seed_or_new(seed));
         list += (checked++ > 0 ? ",\n " : "") + as_json(exercise, verdict);
         course_error = course_error || verdict.kind == "course_error";
@@ -106,14 +110,13 @@ void check(const std::string& name, const std::optional<std::string>& file, bool
         if (file)
             throw Stop(Status::bad_use, "check --file needs the exercise that the file answers");
         if (sanitize) throw Stop(Status::bad_use, "check --sanitize needs the exercise to check");
-        bring_up_to_date();
         return check_all(json, seed);
     }
     const Exercise exercise = find_exercise(name);
     if (file && file->empty()) throw Stop(Status::bad_use, "--file '': must be the name of a file");
     const fs::path answer = file ? fs::path(*file) : exercise.file();
     answer_in(exercise, answer);  // or one clear line, before anything is built
-    bring_up_to_date();
+    bring_up_to_date({exercise});
     const Verdict verdict = sanitize ? check_sanitized(exercise, answer, seed_or_new(seed))
                                      : check_file(exercise, answer, seed_or_new(seed));
     if (verdict.kind == "pass" && !file) remember_pass(exercise);
@@ -141,13 +144,13 @@ void watch(const std::string& name) {
         std::printf("There is nothing left to watch: you have passed them all.\n");
         return;
     }
-    bring_up_to_date();
     const auto saved = [](const Exercise& watched) {
         std::error_code error;
         return fs::last_write_time(watched.file(), error);
     };
     while (exercise) {
         auto seen = saved(*exercise);  // before the check: what is saved during it counts
+        bring_up_to_date({*exercise});
         if (on_terminal()) std::printf("\033[2J\033[H");
         try {
             const Verdict verdict = check_file(*exercise, exercise->file(), seed_or_new({}));

@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "stop.hpp"
@@ -55,6 +56,30 @@ std::string shown(const fs::path& file) {
     const std::string whole = file.string();
     const std::string here = fs::relative(file, fs::current_path(ignored), ignored).string();
     return harmless_line(here.empty() || here.size() > whole.size() ? whole : here);
+}
+
+namespace {
+
+double seconds(const timespec& time) {
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
+
+bool touched_since(const fs::path& place, double since) {
+    struct stat status;
+    if (stat(place.c_str(), &status) != 0 || seconds(status.st_ctim) > since) return true;
+    if (!S_ISDIR(status.st_mode)) return false;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(place, error))
+        if (!entry.is_symlink(error) && touched_since(entry.path(), since)) return true;
+    return static_cast<bool>(error);
+}
+
+std::optional<double> written_at(const fs::path& file) {
+    struct stat status;
+    if (stat(file.c_str(), &status) != 0) return {};
+    return seconds(status.st_mtim);
 }
 
 // Where a file system knows no locks, we do without.

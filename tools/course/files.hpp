@@ -3,6 +3,7 @@
 /// Reading and writing whole files, where others may be at work, too.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace course {
@@ -17,6 +18,13 @@ void write_whole(const std::filesystem::path& file, const std::string& text);
 /// A file's path for people, in one line that no terminal obeys: from where they are, unless the
 /// path from the root is shorter.
 std::string shown(const std::filesystem::path& file);
+
+/// Has this file, or anything in this folder, been touched since `since` (in seconds), or is it
+/// gone? What counts is when the system noticed, which nobody can set back.
+bool touched_since(const std::filesystem::path& place, double since);
+
+/// When this file was last written, in seconds; nothing where it is not there.
+std::optional<double> written_at(const std::filesystem::path& file);
 
 /// While it lives, nobody else has a lock on this file, which is made where there is none. Throws
 /// Stop(bad_use) where it cannot be opened.

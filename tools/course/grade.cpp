@@ -5,6 +5,7 @@
 #include <fstream>
 #include <optional>
 #include <random>
+#include <set>
 #include <thread>
 
 #include <unistd.h>
@@ -28,10 +29,12 @@ namespace fs = std::filesystem;
 namespace {
 
 // What grades depend on besides the answers: the hidden tests, and how answers are compiled.
-std::string edition() {
+std::string edition(const std::vector<Exercise>& exercises) {
+    std::set<fs::path> parts{places().build / "exercises/commands.json"};
+    for (const auto& exercise : exercises) parts.insert(hidden_tests_of(exercise));
     std::string all;
-    for (const char* part : {"exercises/check", "exercises/commands.json"}) {
-        std::ifstream stream(places().build / part, std::ios::binary);
+    for (const auto& part : parts) {
+        std::ifstream stream(part, std::ios::binary);
         all += std::string(std::istreambuf_iterator<char>(stream), {});
     }
     return mark_of(all);
@@ -49,8 +52,9 @@ public:
         // One that was killed a moment ago may still be tidying up.
         for (int look = 0; look < 100 && Lock::is_held(folder / "lock"); ++look) usleep(100'000);
         if (Lock::is_held(folder / "lock"))
-            throw Stop(Status::bad_use, in_one_line(folder.string()) +
-                                            ": another grading writes there; --out takes another folder");
+            throw Stop(Status::bad_use,
+                       in_one_line(folder.string()) +
+                           ": another grading writes there; --out takes another folder");
         lock_.emplace(folder / "lock");
     }
     fs::path operator/(const char* file) const { return folder_ / file; }
@@ -65,10 +69,11 @@ private:
 fs::path desk_for(const Grading& grading) {
     std::error_code ignored;
     const fs::path place = fs::canonical(grading.place, ignored);
-    const fs::path desk = grading.out ? fs::path(*grading.out)
-                                      : fs::path(place.filename().string() + ".grades");
+    const fs::path desk =
+        grading.out ? fs::path(*grading.out) : fs::path(place.filename().string() + ".grades");
     if (desk.empty()) throw Stop(Status::bad_use, "--out '': must be the name of a folder");
-    const fs::path way = fs::relative(fs::weakly_canonical(fs::absolute(desk, ignored), ignored), place, ignored);
+    const fs::path way =
+        fs::relative(fs::weakly_canonical(fs::absolute(desk, ignored), ignored), place, ignored);
     if (!way.empty() && *way.begin() != "..")
         throw Stop(Status::bad_use, in_one_line(desk.string()) +
                                         ": the grades would lie among the submissions; --out takes "
@@ -134,8 +139,7 @@ Grade check_one(const Submission& submission, const Exercise& exercise, const st
         const Workshop workshop;
         const fs::path copy = workshop.folder() / (exercise.name + ".cpp");
         write_whole(copy, answer);
-        const Verdict verdict = check_file(exercise, copy, seed, sandbox,
-                                           Watch::nobody, patience);
+        const Verdict verdict = check_file(exercise, copy, seed, sandbox, Watch::nobody, patience);
         grade.verdict = verdict.kind;
         grade.says = told(exercise, verdict, copy);
         for (const std::string& place : {copy.string(), shown(copy)})
@@ -164,7 +168,8 @@ void print(const Pile& pile, const std::vector<Grade>& grades) {
             const auto missing = std::count_if(
                 begin, end, [](const Grade& grade) { return grade.verdict == "missing"; });
             std::printf("%s  %td of %zu%s\n",
-                        padded(in_one_line(pile.submission(i).name), longest).c_str(), passed, width,
+                        padded(in_one_line(pile.submission(i).name), longest).c_str(), passed,
+                        width,
                         missing > 0 ? (", " + std::to_string(missing) + " missing").c_str() : "");
         }
         if (grades[i].verdict == "refused")
@@ -189,8 +194,13 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
     for (std::size_t i = 0; i < grades.size(); ++i) {
         const HandedIn& answer = pile.answers[i];
         const std::string& name = pile.exercise(i).name;
-        grades[i] = {pile.submission(i).name, name, "missing", name + ": nothing was handed in",
-                     seed, 0, true};
+        grades[i] = {pile.submission(i).name,
+                     name,
+                     "missing",
+                     name + ": nothing was handed in",
+                     seed,
+                     0,
+                     true};
         if (answer.file.empty()) continue;
         try {
             texts[i] = text_of(answer);
@@ -212,7 +222,8 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
     std::size_t done = 0;
     const auto work = [&](int patience) {
         return [&, patience](std::size_t i) {
-            return check_one(pile.submission(i), pile.exercise(i), texts[i], seed, sandbox, patience);
+            return check_one(pile.submission(i), pile.exercise(i), texts[i], seed, sandbox,
+                             patience);
         };
     };
     const auto keep = [&](std::size_t i, const Grade& grade) {
@@ -233,7 +244,8 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
     });
     if (!once_more.empty())
         progress.say("  " + std::to_string(once_more.size()) +
-                     (once_more.size() == 1 ? " was" : " were") + " not done in time; once more, one at a time and with more of it");
+                     (once_more.size() == 1 ? " was" : " were") +
+                     " not done in time; once more, one at a time and with more of it");
     in_parallel(once_more, 1, work(3), keep);
     return grades;
 }
@@ -249,12 +261,11 @@ void grade(const Grading& grading) {
     std::optional<Sandbox> sandbox;
     if (!grading.trust) sandbox.emplace();
     {
-        const Lock one_at_a_time(places().build / "exercises" / "build.lock");
         ProgressLine progress;
-        build({"exercises"}, progress);
+        make_ready(pile.exercises, progress);
     }
     const fs::path journal_file = desk / "journal.jsonl";
-    const std::string mark = edition() + (grading.trust ? "_trusted" : "");
+    const std::string mark = edition(pile.exercises) + (grading.trust ? "_trusted" : "");
     const std::uint64_t seed =
         grading.seed ? *grading.seed
                      : Journal::seed_in(journal_file, mark, std::random_device{}() % 1'000'000);
@@ -274,17 +285,20 @@ void grade(const Grading& grading) {
                                       [](const Grade& grade) { return grade.passed(); });
     if (pile.exercises.empty())
         std::printf("No file has the name of an exercise, like velocity_now.cpp.\n");
-    std::printf("\n%td of %zu right, %zu submission%s, in %.1f s, seed %llu%s; in %s:\n"
-                "  grades.csv, grades.json, junit.xml%s\n",
-                passed, grades.size(), pile.submissions.size(), single ? "" : "s", taken.count(),
-                static_cast<unsigned long long>(seed), grading.trust ? ", without isolation" : "",
-                in_one_line(shown(desk.folder())).c_str(), single ? ", results.json" : "");
+    std::printf(
+        "\n%td of %zu right, %zu submission%s, in %.1f s, seed %llu%s; in %s:\n"
+        "  grades.csv, grades.json, junit.xml%s\n",
+        passed, grades.size(), pile.submissions.size(), single ? "" : "s", taken.count(),
+        static_cast<unsigned long long>(seed), grading.trust ? ", without isolation" : "",
+        in_one_line(shown(desk.folder())).c_str(), single ? ", results.json" : "");
     flush();
     const bool failed = std::any_of(grades.begin(), grades.end(), [](const Grade& grade) {
         return grade.verdict == "course_error";
     });
-    if (failed) throw Stop(Status::missing, "some could not be checked; the same command tries them again");
-    if (static_cast<std::size_t>(passed) < grades.size() || grades.empty()) throw Stop(Status::wrong, "");
+    if (failed)
+        throw Stop(Status::missing, "some could not be checked; the same command tries them again");
+    if (static_cast<std::size_t>(passed) < grades.size() || grades.empty())
+        throw Stop(Status::wrong, "");
 }
 
 }  // namespace course

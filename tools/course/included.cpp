@@ -61,7 +61,7 @@ std::string not_ones_own(const std::vector<fs::path>& files, const fs::path& ans
         for (const auto& hidden :
              {places().source / "solutions", places().source / "include", places().source / "tests",
               places().build / "tests",
-              places().build / "exercises/check", places().build / "exercises/self_test",
+              places().build / "exercises/hidden", places().build / "exercises/check", places().build / "exercises/self_test",
               places().source / "kit"}) {
             const fs::path below = real.lexically_relative(fs::canonical(hidden, none));
             if (!below.empty() && *below.begin() != "..")

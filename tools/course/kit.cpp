@@ -122,11 +122,13 @@ void write_exercises(const Unfinished& kit) {
         kit.copy(exercise.declared(), "kit/generated" / exercise.declared().filename());
     }
     const auto commands = nlohmann::json::parse(contents(built / "commands.json"));
-    copy_stripped(std::string(commands.at("check")), kit.at("kit/check"), "--strip-all");
+    copy_stripped(places().build / "tools/course/kit_course", kit.at("kit/course"), "--strip-all");
+    copy_stripped(built / "check", kit.at("kit/check"), "--strip-all");
     copy_stripped(std::string(commands.at("worker")), kit.at("kit/libtimestep_worker.a"),
                   "--strip-debug");
-    for (const std::string object : commands.at("workers"))
-        copy_stripped(object, kit.at("kit/workers" / fs::path(object).filename()), "--strip-debug");
+    for (const auto& [name, object] : commands.at("workers").items())
+        copy_stripped(std::string(object), kit.at("kit/workers/" + name + "_worker.o"),
+                      "--strip-debug");
     kit.copy(built / "machine.json", "kit/kit.json");
 }
 
@@ -186,7 +188,7 @@ void kit(const std::string& name) {
     {
         ProgressLine progress;
         progress.say("Building what the learner's edition holds:");
-        build({"exercises", "kit_site"}, progress);
+        build({"kit"}, progress);
     }
     try {
         const Unfinished unfinished(folder);
@@ -198,7 +200,8 @@ void kit(const std::string& name) {
                                         "; is the disk full?); nothing is left of it");
     }
     std::printf(
-        "The learner's edition: %s\nIt holds no test's source and no solution. Hand it out as it is, for "
+        "The learner's edition: %s\nIt holds no test's source and no solution. Hand it out as it "
+        "is, for "
         "machines of this kind:\nthe same system, processor and compiler.\n",
         folder.c_str());
 }

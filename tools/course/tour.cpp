@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "chapters.hpp"
 #include "commands.hpp"
 #include "exercises.hpp"
+#include "places.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
 
@@ -61,10 +63,16 @@ void tour() {
     const auto begin = std::chrono::steady_clock::now();
     const auto chapters = read_chapters();
     ProgressLine progress;
-    progress.say(
-        std::string("Building the programs, running the chapters, drawing the figures") +
-        (is_kit() ? ":" : ", making the site:"));
-    build({"all", "docs"}, progress);
+    progress.say(std::string("Building the programs, running the chapters, drawing the figures") +
+                 (is_kit() ? ":" : ", making the site:"));
+    if (!is_kit() && !std::filesystem::exists(places().build / "site/html/made")) {
+        // The first page first; then the site grows with every chapter.
+        build({"grow_" + chapters.front().folder}, progress);
+        progress.say("  The site grows from now on: " + site_address());
+        build({"growing_site", "docs"}, progress);
+    } else {
+        build({"docs"}, progress);
+    }
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     progress.say("  done in " + std::to_string(std::lround(taken.count())) + " s\n");
     print_table(chapters);

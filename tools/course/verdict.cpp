@@ -35,18 +35,14 @@ struct Commands {
 Commands read_commands(const Exercise& exercise) {
     const fs::path file = places().build / "exercises/commands.json";
     const auto json = nlohmann::json::parse(contents(file));
-    Commands commands{json.at(exercise.eigen ? "compile_eigen" : "compile"),
-                      json.at(exercise.eigen ? "bare_eigen" : "bare"),
-                      json.at("sanitize"),
-                      json.at("lists"),
-                      json.at("link"),
-                      json.at("check"),
-                      "",
-                      json.at("worker")};
-    for (const std::string object : json.at("workers"))
-        if (fs::path(object).filename().string().starts_with(exercise.name + "_worker."))
-            commands.worker_object = object;
-    return commands;
+    return {json.at(exercise.eigen ? "compile_eigen" : "compile"),
+            json.at(exercise.eigen ? "bare_eigen" : "bare"),
+            json.at("sanitize"),
+            json.at("lists"),
+            json.at("link"),
+            json.at("checks").at(exercise.name),
+            json.at("workers").at(exercise.name),
+            json.at("worker")};
 }
 
 void put_before(Words& words, const Words& others) {
@@ -69,7 +65,8 @@ void stop_if_full(const fs::path& folder) {
 }
 
 // The name of the signal that has ended the compiler or one of its programs, of which the one that
-// starts them tells on a line of its own: "c++: fatal error: Killed signal terminated program cc1plus".
+// starts them tells on a line of its own: "c++: fatal error: Killed signal terminated program
+// cc1plus".
 std::string ended_by(const Outcome& outcome) {
     if (outcome.status == 0) return "";
     if (outcome.status > 128) return strsignal(outcome.status - 128);
@@ -176,6 +173,10 @@ bool meddled_with(const Outcome& outcome, const std::string& verdict) {
 }
 
 }  // namespace
+
+fs::path hidden_tests_of(const Exercise& exercise) {
+    return read_commands(exercise).check;
+}
 
 Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_t seed,
                    const Sandbox* sandbox, Watch watch, int patience) {

@@ -34,6 +34,9 @@ struct Verdict {
 /// builds in; valgrind's memcheck.
 enum class Watch { nobody, sanitizers, memcheck };
 
+/// The program that holds the hidden tests of the exercise.
+std::filesystem::path hidden_tests_of(const Exercise& exercise);
+
 /// Checks `file` as an answer to the exercise, with inputs drawn from `seed`; a stranger's in a
 /// sandbox, watched by nobody. The compiler has `patience` times what it has usually. Throws Stop where
 /// the file cannot be read or the machine is at fault.

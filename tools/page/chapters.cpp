@@ -19,17 +19,38 @@ std::string seconds(long milliseconds) {
     return text;
 }
 
+/// The chapter's first picture, as a link to its page.
+std::string card(Context& context, const Chapter& chapter) {
+    if (chapter.figures.empty()) {
+        return {};
+    }
+    std::string name;
+    const std::string& file = chapter.figures.front();
+    const std::filesystem::path drawn = context.run_of(chapter.folder + "/", name).figure(file);
+    context.figures.emplace(chapter.folder + "/" + file, drawn);
+    const ImageSize size = image_size(drawn);
+    return "<a class=\"card\" href=\"" + chapter.id() + ".html\"><img src=\"figures/" +
+           chapter.folder + "/" + file + "\" alt=\"\" width=\"" + std::to_string(size.width) +
+           "\" height=\"" + std::to_string(size.height) + "\" loading=\"lazy\"></a>";
+}
+
 }  // namespace
 
 std::string chapter_header(Context& context) {
     const Chapter& chapter = *context.chapter();
     std::string name;
-    const RunData& run = context.run_of(chapter.folder + "/", name);
     const std::string program = chapter.program();
     std::string facts =
         "Program: " +
-        source_link(program, 0, escape_markdown(program.substr(program.rfind('/') + 1))) +
-        ", runs in " + seconds(run.milliseconds()) + "\u202fs";
+        source_link(program, 0, escape_markdown(program.substr(program.rfind('/') + 1)));
+    try {
+        const RunData& run = context.run_of(chapter.folder + "/", name);
+        facts += ", runs in " + seconds(run.milliseconds()) + "\u202fs";
+    } catch (const NotYet&) {
+        if (!context.draft) {
+            throw;
+        }
+    }
     std::string before;
     for (const Chapter& other : context.chapters()) {
         for (const std::string& needed : chapter.builds_on) {
@@ -69,22 +90,20 @@ std::string chapters_markdown(Context& context) {
     std::string list = "\n\\htmlonly[block]<div class=\"chapters\">\\endhtmlonly\n";
     for (const Chapter& chapter : context.chapters()) {
         std::string picture;
-        if (!chapter.figures.empty()) {
-            std::string name;
-            const std::string& file = chapter.figures.front();
-            const std::filesystem::path drawn =
-                context.run_of(chapter.folder + "/", name).figure(file);
-            context.figures.emplace(chapter.folder + "/" + file, drawn);
-            const ImageSize size = image_size(drawn);
-            picture = "<a class=\"card\" href=\"" + chapter.id() + ".html\"><img src=\"figures/" +
-                      chapter.folder + "/" + file + "\" alt=\"\" width=\"" +
-                      std::to_string(size.width) + "\" height=\"" + std::to_string(size.height) +
-                      "\" loading=\"lazy\"></a>";
+        std::string state;
+        try {
+            picture = card(context, chapter);
+        } catch (const NotYet&) {
+            if (!context.draft) {
+                throw;
+            }
+            ++context.gaps;
+            state = " <span class=\"gap\">being made</span>";
         }
         list += "\n\\htmlonly[block]<div class=\"chapter\">" + picture +
                 "<div class=\"about\">\\endhtmlonly\n<b>\\subpage " + chapter.id() + " \"" +
-                replace_all(chapter.heading(), "\"", "'") + "\"</b>\n\n" + chapter.question +
-                "\n\n\\htmlonly[block]</div></div>\\endhtmlonly\n";
+                replace_all(chapter.heading(), "\"", "'") + "\"</b>" + state + "\n\n" +
+                chapter.question + "\n\n\\htmlonly[block]</div></div>\\endhtmlonly\n";
     }
     return list + "\n\\htmlonly[block]</div>\\endhtmlonly\n";
 }

@@ -38,7 +38,7 @@ const std::string& Context::folder_of(const std::string& reference) {
     if (found == data_.end()) {
         // What is measured beside the chapters leaves a run of its own.
         if (!std::filesystem::is_directory(runs_ / folder / "run")) {
-            throw std::out_of_range{"there is no run of " + folder};
+            throw NotYet{"there is no run of " + folder};
         }
         found = data_.emplace(folder, RunData{folder, runs_ / folder / "run"}).first;
     }
@@ -48,7 +48,12 @@ const std::string& Context::folder_of(const std::string& reference) {
 RunData& Context::run_of(const std::string& reference, std::string& name) {
     const std::size_t slash = reference.find('/');
     name = slash == std::string::npos ? reference : reference.substr(slash + 1);
-    return data_.at(folder_of(reference));
+    const std::string& folder = folder_of(reference);
+    if (const std::filesystem::path done = runs_ / folder / "run/done";
+        std::filesystem::exists(done)) {
+        inputs.insert(done);  // the page is out of date when that run is made again
+    }
+    return data_.at(folder);
 }
 
 }  // namespace page

@@ -22,12 +22,6 @@ struct TalkRow {
     int line;                         ///< in docs/talks.tsv
 };
 
-/// Where a Catch2 test stands that is tagged with a row.
-struct TestPlace {
-    std::string row, name, file;
-    int line;
-};
-
 /// What the page that is being filled knows of the course, and what it gathers on its way.
 class Context {
 public:
@@ -50,7 +44,9 @@ public:
     std::map<std::string, std::filesystem::path> figures;  ///< shown here: `chapter/file`, drawn at
     std::set<std::string> anchors;                         ///< ids of those figures
     std::set<std::filesystem::path> inputs;                ///< files read besides the runs'
-    std::filesystem::path indexes, tests;                  ///< for the page of the talks
+    bool draft = false;  ///< what no run has left yet becomes a gap
+    int gaps = 0;        ///< so many, in a draft
+    std::filesystem::path indexes;                         ///< for the page of the talks
 
 private:
     std::filesystem::path root_, runs_;

@@ -26,6 +26,12 @@ public:
         for (const Piece& piece : pieces) {
             try {
                 page += fill(piece);
+            } catch (const NotYet& missing) {
+                if (!context_.draft) {
+                    throw Error{file_, piece.line, missing.what()};
+                }
+                ++context_.gaps;
+                page += gap(piece);
             } catch (const std::logic_error& wrong) {  // out_of_range, invalid_argument
                 throw Error{file_, piece.line, wrong.what()};
             }
@@ -34,6 +40,14 @@ public:
     }
 
 private:
+    /// What stands in a draft for what no run has left yet.
+    static std::string gap(const Piece& piece) {
+        const bool is_block = piece.kind == Kind::directive && piece.own_line;
+        return is_block ? "\n<div class=\"gap\">Not there yet: this comes from a run that is still "
+                          "to be made.</div>\n"
+                        : "<span class=\"gap\">…</span>";
+    }
+
     std::string fill(const Piece& piece) {
         switch (piece.kind) {
             case Kind::heading:
@@ -104,9 +118,8 @@ private:
         if (name == "check") {
             return check_markdown(context_, directive);
         }
-        static const std::set<std::string> blocks{"figure", "code",  "run",     "table",
-                                                  "rows",   "talks", "chapters", "said",
-                                                  "exercises"};
+        static const std::set<std::string> blocks{"figure", "code",     "run",  "table",    "rows",
+                                                  "talks",  "chapters", "said", "exercises"};
         if (blocks.count(name) == 0) {
             if (!directive.arguments.empty() || !directive.text.empty()) {
                 throw std::invalid_argument{"there is no {{" + name + " …}}"};
@@ -183,6 +196,16 @@ void check_complete(const Context& context) {
     }
 }
 
+/// Says of a draft that it is one, below the page's title.
+std::string with_notice(std::string page) {
+    const std::size_t title_end = page.find('\n') + 1;
+    return page.insert(
+        title_end,
+        "\n<div class=\"draft\"><b>This page is being made.</b> Where something is still to "
+        "come it says so, or shows <span class=\"gap\">…</span> for a number. "
+        "Load it again in a minute or two.</div>\n");
+}
+
 }  // namespace
 
 Directive parse_directive(const std::string& inner) {
@@ -203,13 +226,18 @@ Directive parse_directive(const std::string& inner) {
 std::string fill(Context& context, std::string_view source, const std::string& file) {
     const std::vector<Piece> pieces = scan(source, file);
     Filler filler{context, file};
+    std::string page;
     if (context.chapter() == nullptr) {
-        return filler.fill(pieces);
+        page = filler.fill(pieces);
+    } else {
+        check_skeleton(pieces, *context.chapter(), file);
+        const std::string body = filler.fill(pieces);
+        if (context.gaps == 0) {
+            check_complete(context);
+        }
+        page = chapter_header(context) + body + chapter_footer(context);
     }
-    check_skeleton(pieces, *context.chapter(), file);
-    const std::string body = filler.fill(pieces);
-    check_complete(context);
-    return chapter_header(context) + body + chapter_footer(context);
+    return context.gaps > 0 ? with_notice(page) : page;
 }
 
 }  // namespace page

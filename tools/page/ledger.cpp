@@ -4,7 +4,6 @@
 #include "text.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace page {
 namespace {
@@ -38,19 +37,6 @@ std::map<std::string, TalkRow> load_talks(const std::filesystem::path& file) {
         }
     });
     return talks;
-}
-
-std::vector<TestPlace> load_tests(const std::filesystem::path& file,
-                                  const std::filesystem::path& root) {
-    std::vector<TestPlace> tests;
-    for_each_record(file, 4, [&](const std::vector<std::string>& record, int) {
-        const std::filesystem::path place{record[2]};
-        const std::filesystem::path relative =
-            place.is_absolute() ? std::filesystem::proximate(place, root) : place;
-        tests.push_back({record[0], record[1], relative.generic_string(),
-                         static_cast<int>(std::strtol(record[3].c_str(), nullptr, 10))});
-    });
-    return tests;
 }
 
 std::vector<IndexEntry> load_indexes(const std::filesystem::path& folder) {

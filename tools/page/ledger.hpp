@@ -12,11 +12,6 @@ namespace page {
 /// docs/talks.tsv: id, talk, what the talks show, erratum (or nothing). Throws Error.
 std::map<std::string, TalkRow> load_talks(const std::filesystem::path& file);
 
-/// The list that `timestep_tests --list-tests --reporter ledger` prints: row, test, file, line.
-/// Paths are made relative to `root`.
-std::vector<TestPlace> load_tests(const std::filesystem::path& file,
-                                  const std::filesystem::path& root);
-
 /// Every index file in the folder.
 std::vector<IndexEntry> load_indexes(const std::filesystem::path& folder);
 

@@ -23,15 +23,16 @@ using Options = std::map<std::string, std::string>;
 constexpr const char* usage =
     "usage: page --source ROOT --runs DIR --input FILE --output FILE\n"
     "            [--chapter NN_name] [--index FILE] [--figures DIR] [--depfile FILE]\n"
-    "            [--indexes DIR --tests FILE]\n"
+    "            [--indexes DIR] [--draft yes]\n"
     "Fills a page's source from the runs below DIR. --index writes where ledger rows are taught,\n"
-    "--figures copies what the page shows, --depfile lists what it quotes; --indexes and --tests\n"
-    "are what {{talks}} is made of.\n";
+    "--figures copies what the page shows, --depfile lists what it quotes; --indexes is what\n"
+    "{{talks}} is made of, with the tests below ROOT/tests. A draft has gaps where\n"
+    "something comes from a run that is still to be made.\n";
 
 Options parse(int argc, char** argv) {
     Options options{{"--source", ""},  {"--runs", ""},  {"--input", ""},   {"--output", ""},
                     {"--chapter", ""}, {"--index", ""}, {"--figures", ""}, {"--depfile", ""},
-                    {"--indexes", ""}, {"--tests", ""}};
+                    {"--indexes", ""}, {"--draft", ""}};
     for (int i = 1; i < argc; i += 2) {
         const std::string name{argv[i]};
         if (options.count(name) == 0) {
@@ -80,7 +81,7 @@ std::string depfile(const std::string& output, const page::Context& context) {
 void make_page(Options& options) {
     page::Context context{options["--source"], options["--runs"]};
     context.indexes = options["--indexes"];
-    context.tests = options["--tests"];
+    context.draft = options["--draft"] == "yes";
     if (!options["--chapter"].empty()) {
         context.set_chapter(options["--chapter"]);
     }

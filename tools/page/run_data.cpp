@@ -14,7 +14,11 @@ RunData::RunData(std::string chapter, std::filesystem::path folder)
 std::filesystem::path RunData::existing(const std::string& file) const {
     const std::filesystem::path path = folder_ / file;
     if (!std::filesystem::is_regular_file(path)) {
-        throw std::out_of_range{"the run of " + chapter_ + " left no " + file};
+        const std::string words = "the run of " + chapter_ + " left no " + file;
+        if (std::filesystem::exists(folder_ / "done")) {
+            throw std::out_of_range{words};
+        }
+        throw NotYet{words};
     }
     return path;
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,12 @@ struct Number {
 struct Table {
     std::vector<std::string> columns;
     std::vector<std::vector<std::string>> rows;
+};
+
+/// The run has not been made, or is not over yet. A draft of the page leaves a gap there.
+class NotYet : public std::out_of_range {
+public:
+    using std::out_of_range::out_of_range;
 };
 
 /// What one run left behind in its folder. Files are read when they are first asked for; a thing

@@ -3,10 +3,9 @@
 #include "directives.hpp"
 #include "error.hpp"
 #include "ledger.hpp"
+#include "tagged_tests.hpp"
 #include "text.hpp"
 
-#include <algorithm>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -41,20 +40,12 @@ std::string plain_html(const std::string& name) {
     return html;
 }
 
-/// Links to the tests of a row: the first, and the others folded away. A test that Catch2 makes for
-/// several types, "name - float" and "name - double", is one place in a file and so one test here.
+/// Links to the tests of a row: the first, and the others folded away.
 std::string test_links(const Sources& sources, const std::string& row) {
     std::vector<std::string> links;
-    std::set<std::pair<std::string, int>> places;
     for (const TestPlace& test : sources.tests) {
-        if (test.row == row && places.emplace(test.file, test.line).second) {
-            const auto instances = std::count_if(
-                sources.tests.begin(), sources.tests.end(), [&](const TestPlace& other) {
-                    return other.row == row && other.file == test.file && other.line == test.line;
-                });
-            const std::string name =
-                instances > 1 ? test.name.substr(0, test.name.rfind(" - ")) : test.name;
-            links.push_back(source_link(test.file, test.line, plain_html(name)));
+        if (test.row == row) {
+            links.push_back(source_link(test.file, test.line, plain_html(test.name)));
         }
     }
     if (links.empty()) {
@@ -101,13 +92,16 @@ std::string row_markdown(const Sources& sources, const std::string& row, const C
 }  // namespace
 
 std::string talks_markdown(Context& context) {
-    if (context.tests.empty() || context.indexes.empty()) {
-        throw std::invalid_argument{"{{talks}} needs the options --indexes and --tests"};
+    if (context.indexes.empty()) {
+        throw std::invalid_argument{"{{talks}} needs the option --indexes"};
     }
     const std::filesystem::path file = context.root() / "docs/talks.tsv";
     const Sources sources{load_talks(file), load_indexes(context.indexes),
-                          load_tests(context.tests, context.root())};
+                          load_tests(context.root())};
     context.inputs.insert(file);
+    for (const std::filesystem::path& source : test_sources(context.root())) {
+        context.inputs.insert(source);
+    }
     std::string tables;
     for (const Chapter& chapter : context.chapters()) {
         if (chapter.rows.empty()) {

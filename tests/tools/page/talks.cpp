@@ -4,6 +4,7 @@
 #include "error.hpp"
 #include "fill.hpp"
 #include "ledger.hpp"
+#include "tagged_tests.hpp"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -16,14 +17,13 @@ void index_row(const Course& course) {
     course.write("index/03_springs.tsv",
                  "N22\tsection\tchapter_03.html\tch3_steps\tSteps\n"
                  "N22\tfigure\tchapter_03.html\tfig-spiral\tspiral\n");
-    course.write("tests.tsv",
-                 "N22\tit grows as $n$\t" + (course / "tests/a.cpp").string() + "\t42\n");
+    course.write("tests/chapters/a.cpp",
+                 "#include <x>\n\nTEST_CASE(\"it grows as $n$\", \"[N22][ch3]\") {\n");
 }
 
 std::string talks(const Course& course) {
     page::Context context{course / "", course / "runs"};
     context.indexes = course / "index";
-    context.tests = course / "tests.tsv";
     try {
         return page::fill(context, "{{talks}}\n", "talks.md");
     } catch (const page::Error& wrong) {
@@ -43,21 +43,42 @@ TEST_CASE("a row stands with what the talks show, its erratum, section, figure a
                          "Not always.</span>"));
     CHECK_THAT(page, ContainsSubstring("<a href=\"chapter_03.html#ch3_steps\">Steps</a>"));
     CHECK_THAT(page, ContainsSubstring("<a href=\"chapter_03.html#fig-spiral\">spiral</a>"));
-    CHECK_THAT(page, ContainsSubstring(
-                         "<a href=\"source:tests/a.cpp#l00042\">it grows as &#36;n&#36;</a>"));
+    CHECK_THAT(page,
+               ContainsSubstring(
+                   "<a href=\"source:tests/chapters/a.cpp#l00003\">it grows as &#36;n&#36;</a>"));
 }
 
-TEST_CASE("a test for several types is one test; all but a row's first test are folded away") {
+TEST_CASE("all but a row's first test are folded away") {
     const Course course;
     index_row(course);
-    course.write("tests.tsv",
-                 "N22\tgrows - float\ta.cpp\t7\nN22\tgrows - double\ta.cpp\t7\n"
-                 "N22\tan end - to end\ta.cpp\t9\nN22\tx < y\ta.cpp\t11\n");
+    course.write("tests/chapters/a.cpp",
+                 "TEMPLATE_TEST_CASE(\"grows\", \"[N22]\", float, double) {\n}\n"
+                 "TEST_CASE(\"an end - \"\n          \"to end\", \"[ch3][N22]\") {\n}\n");
+    course.write("tests/library/b.cpp", "TEST_CASE(\"x < y\", \"[N22]\") {\n}\n");
     CHECK_THAT(
         talks(course),
-        ContainsSubstring("<a href=\"source:a.cpp#l00007\">grows</a><details><summary>and 2 more"
-                          "</summary><a href=\"source:a.cpp#l00009\">an end - to end</a><br>"
-                          "<a href=\"source:a.cpp#l00011\">x &lt; y</a></details>"));
+        ContainsSubstring("<a href=\"source:tests/chapters/a.cpp#l00001\">grows</a><details>"
+                          "<summary>and 2 more</summary>"
+                          "<a href=\"source:tests/chapters/a.cpp#l00003\">an end - to end"
+                          "</a><br><a href=\"source:tests/library/b.cpp#l00001\">x &lt; y</a>"
+                          "</details>"));
+}
+
+TEST_CASE("tests are told by their macro at the beginning of a line, and by their tags") {
+    const auto rows = [](const std::string& text) {
+        std::string found;
+        for (const page::TestPlace& test : page::tagged_tests(text, "a.cpp")) {
+            found += test.row + " " + test.name + " " + std::to_string(test.line) + "\n";
+        }
+        return found;
+    };
+    CHECK(rows("TEST_CASE(\"a\", \"[N01]\")") == "N01 a 1\n");
+    CHECK(rows("// TEST_CASE(\"a\", \"[N01]\")\n") == "");
+    CHECK(rows("TEST_CASE(\"a\") { CHECK(x == \"[N01]\"); }\n") == "");
+    CHECK(rows("\n\nTEST_CASE(\n    \"a \\\"b\\\", c\",\n    \"[N01]\"\n    \"[I12][ch1][N1]\") "
+               "{\n") == "N01 a \"b\", c 3\nI12 a \"b\", c 3\n");
+    CHECK(rows("TEMPLATE_LIST_TEST_CASE(\"a\", \"[N01]\", Reals) {\n}\nTEST_CASE(\"b") ==
+          "N01 a 1\n");
 }
 
 TEST_CASE("a claimed row without its text, section or test is an error") {
@@ -66,7 +87,7 @@ TEST_CASE("a claimed row without its text, section or test is an error") {
     course.write("docs/talks.tsv", "N23\tN\tOther.\t\n");
     CHECK_THAT(talks(course), ContainsSubstring("N22 is claimed, but docs/talks.tsv does not say"));
     course.write("docs/talks.tsv", "N22\tN\tIt spirals.\t\n");
-    course.write("tests.tsv", "N23\tother\ttests/a.cpp\t1\n");
+    course.write("tests/chapters/a.cpp", "TEST_CASE(\"other\", \"[N23]\") {\n}\n");
     CHECK_THAT(talks(course), ContainsSubstring("N22 is claimed, but no test is tagged [N22]"));
     index_row(course);
     course.write("index/03_springs.tsv", "N22\tfigure\tchapter_03.html\tfig-spiral\tspiral\n");
@@ -80,8 +101,7 @@ TEST_CASE("the page of the talks without the options it needs says which") {
         page::fill(context, "First.\n\n{{talks}}\n", "talks.md");
         FAIL("it was filled");
     } catch (const page::Error& wrong) {
-        CHECK(std::string{wrong.what()} ==
-              "talks.md:3: {{talks}} needs the options --indexes and --tests");
+        CHECK(std::string{wrong.what()} == "talks.md:3: {{talks}} needs the option --indexes");
     }
 }
 

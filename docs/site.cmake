@@ -1,0 +1,130 @@
+# How the site is made: from pages that are filled from the runs, by Doxygen, with a theme. Included before
+# the chapters, which show themselves on the growing site as soon as each has run.
+find_program(DOXYGEN doxygen)
+set(site "${PROJECT_BINARY_DIR}/site")
+set(theme "${PROJECT_SOURCE_DIR}/docs/theme")
+
+# Two packages make the site pretty; without them it has Doxygen's looks and formulas in TeX.
+find_path(KATEX katex.min.css PATHS /usr/share/javascript/katex /usr/share/nodejs/katex/dist)
+find_path(AWESOME doxygen-awesome.css PATHS /usr/share/doxygen-awesome-css)
+if(NOT KATEX)
+  message(STATUS "KaTeX not found: formulas stand as TeX source (package libjs-katex)")
+endif()
+if(NOT AWESOME)
+  message(STATUS "doxygen-awesome-css not found: Doxygen's own theme (package doxygen-awesome-css)")
+endif()
+
+set(heads "${theme}/head.html")
+set(styles "")
+set(scripts "${theme}/timestep.js" "${theme}/logo.svg")
+if(AWESOME)
+  foreach(part "" -sidebar-only -sidebar-only-darkmode-toggle)
+    list(APPEND styles "${AWESOME}/doxygen-awesome${part}.css")
+  endforeach()
+  foreach(part darkmode-toggle fragment-copy-button interactive-toc)
+    list(APPEND scripts "${AWESOME}/doxygen-awesome-${part}.js")
+  endforeach()
+  list(APPEND heads "${theme}/head_awesome.html")
+endif()
+list(APPEND styles "${theme}/timestep.css")
+if(KATEX)
+  list(APPEND heads "${theme}/head_katex.html")
+endif()
+
+# Doxygen's lists are words between quotes.
+function(doxygen_list variable)
+  list(JOIN ARGN "\" \"" words)
+  set(${variable} "\"${words}\"" PARENT_SCOPE)
+endfunction()
+doxygen_list(stylesheets ${styles})
+doxygen_list(extra_files ${scripts})
+set(filter "$<TARGET_FILE:source_filter>")
+set(colour_style "")
+if(DOXYGEN)
+  # From 1.9.5 on Doxygen has a dark mode of its own, which the theme's replaces.
+  execute_process(COMMAND "${DOXYGEN}" --version OUTPUT_VARIABLE version)
+  if(AWESOME AND version VERSION_GREATER_EQUAL 1.9.5)
+    set(colour_style "HTML_COLORSTYLE = LIGHT")
+  endif()
+endif()
+
+# Writes ${site}/Doxyfile for the pages in the folder `pages`, and sets `make` to what make_site.cmake must know
+# to make the site ${site}/html from it, with the figures in `figures`. `tests` is the folder of the tests, or nothing.
+# A gap in the documentation is an error, or with OFF none.
+function(timestep_doxyfile name site pages figures tests strict make)
+  doxygen_list(inputs "${pages}" "${PROJECT_SOURCE_DIR}/docs/library.dox"
+               "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}/chapters" ${tests})
+  set(unlinked "")
+  if(NOT tests)
+    set(unlinked tests/)
+  endif()
+  set(as_error NO)
+  if(strict)
+    set(as_error FAIL_ON_WARNINGS)
+  endif()
+  set(configured "${PROJECT_BINARY_DIR}/docs/Doxyfile_${name}")
+  configure_file("${PROJECT_SOURCE_DIR}/docs/Doxyfile.in" "${configured}" @ONLY)
+  file(GENERATE OUTPUT "${site}/Doxyfile" INPUT "${configured}")
+  string(REPLACE ";" "\\;" all_heads "${heads}")
+  set(${make} "-DDOXYGEN=${DOXYGEN}" "-DDOXYFILE=${site}/Doxyfile" "-DSITE=${site}"
+    "-DFIGURES=${figures}" "-DHEADS=${all_heads}" "-DKATEX=${KATEX}"
+    "-DLINK_SOURCES=$<TARGET_FILE:link_sources>" "-DUNLINKED=${unlinked}" PARENT_SCOPE)
+endfunction()
+
+# How a page is filled.
+set(fill page --source "${PROJECT_SOURCE_DIR}" --runs "${PROJECT_BINARY_DIR}/chapters")
+
+# The runs that a page names besides its own: {{03_euler_variants/amplitude}}.
+function(timestep_runs_named_in page result)
+  file(STRINGS "${page}" lines REGEX "{{")
+  string(REGEX MATCHALL "(instructions|programs|exercises|[0-9][0-9]_[a-z0-9_]+)/[a-z0-9_]+[^a-z0-9_/]" named "${lines}")
+  list(TRANSFORM named REPLACE "/.*" "")
+  list(REMOVE_DUPLICATES named)
+  set(${result} ${named} PARENT_SCOPE)
+endfunction()
+
+# The page of the chapter in chapters/${chapter}, filled from its run and from those that it names.
+function(timestep_page chapter)
+  set(input "${PROJECT_SOURCE_DIR}/chapters/${chapter}/chapter.md")
+  set(output "${site}/pages/${chapter}.md")
+  set(index "${site}/index/${chapter}.tsv")
+  timestep_runs_named_in("${input}" named)
+  list(TRANSFORM named REPLACE "(.+)" "${PROJECT_BINARY_DIR}/chapters/\\1/run/done" OUTPUT_VARIABLE runs)
+  add_custom_command(
+    OUTPUT "${output}" "${index}"
+    COMMAND ${fill} --figures "${site}/figures" --chapter ${chapter} --input "${input}"
+            --output "${output}" --index "${index}" --depfile "${output}.d"
+    DEPENDS page "${input}" ${runs} "${PROJECT_BINARY_DIR}/chapters/${chapter}/run/done"
+    DEPFILE "${output}.d" COMMENT "Filling the page of ${chapter}" VERBATIM)
+  add_custom_target(page_${chapter} DEPENDS "${output}")
+  foreach(run IN LISTS named ITEMS ${chapter})
+    string(REGEX REPLACE "^[0-9]+_" "" run "${run}")
+    add_dependencies(page_${chapter} run_${run})
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY TIMESTEP_PAGES "${output}")
+  set_property(GLOBAL APPEND PROPERTY TIMESTEP_PAGE_TARGETS page_${chapter})
+  set_property(GLOBAL APPEND PROPERTY TIMESTEP_INDEXES "${index}")
+endfunction()
+
+# ---- The growing site ------------------------------------------------------------------------------
+
+# As long as there is no whole site, each chapter that has run makes one of what is there so far: drafts of
+# all pages, with gaps. Target growing_site; `./course tour` asks for it.
+add_custom_target(growing_site)
+timestep_doxyfile(growing "${site}/growing" "${site}/growing/pages" "${site}/growing/figures" "" OFF make_draft)
+set_property(GLOBAL APPEND PROPERTY JOB_POOLS growing_site=1)
+
+function(timestep_grows chapter)
+  string(REGEX REPLACE "^0*([0-9]+)_.*" "\\1" number "${chapter}")
+  set(shown "${site}/growing/shown_${chapter}")
+  add_custom_command(OUTPUT "${shown}"
+    COMMAND "${CMAKE_COMMAND}" "-DWHOLE=${site}" "-DROOT=${PROJECT_SOURCE_DIR}" "-DRUNS=${PROJECT_BINARY_DIR}/chapters"
+            "-DPAGE=$<TARGET_FILE:page>" "-DSHOWN=${shown}" ${make_draft}
+            -P "${PROJECT_SOURCE_DIR}/docs/grow_site.cmake"
+    DEPENDS "${PROJECT_BINARY_DIR}/chapters/${chapter}/run/done" page source_filter link_sources
+    JOB_POOL growing_site COMMENT "Chapter ${number} can be read" VERBATIM)
+  add_custom_target(grow_${chapter} DEPENDS "${shown}")
+  string(REGEX REPLACE "^[0-9]+_" "run_" run "${chapter}")
+  add_dependencies(grow_${chapter} ${run})
+  add_dependencies(growing_site grow_${chapter})
+endfunction()
