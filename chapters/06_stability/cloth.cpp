@@ -211,9 +211,6 @@ void price(lab::Findings& out) {
         "cloth_products_grow",
         hard.products > 10 * soft.products && hard.few_products < hard.products / 10,
         "the stiffer the cloth, the more products the gradients take, to one percent far fewer");
-    // A factor of four where this was written.
-    out.check("cloth_hard_prefers_implicit", hard.many > hard.factors,
-              "at 1e6 N/m one factorised step is cheaper than the explicit ones");
 }
 
 // Two moments, seen from the side and above.

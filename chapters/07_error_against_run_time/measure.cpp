@@ -35,6 +35,13 @@ long runs_for(const Entry& entry, long steps) {
     return runs;
 }
 
+// The page looks up what everybody makes of 240 Hz, and ours of 960 Hz where a step is cheap. A machine
+// that is slow, or busy with others, keeps nobody from there.
+long looked_up(const Scene& scene, const Entry& entry) {
+    const double rate = entry.library == "Timestep" && scene.patience == 1 ? 960 : 240;
+    return std::lround(rate * duration);
+}
+
 // At the roundoff floor shorter steps make nothing better.
 bool at_the_floor(const std::vector<Point>& points) {
     if (points.size() < 3) return false;
@@ -90,7 +97,8 @@ std::vector<Point> measure(const Scene& scene, const Effort& effort,
             // Or was it disturbed?
             for (int again = 0; again < 5 && seconds > scene.patience * effort.longest_run; ++again)
                 seconds = std::min(seconds, seconds_of(entry, steps, runs));
-            if (seconds > scene.patience * effort.longest_run || at_the_floor(points)) break;
+            const bool too_long = seconds > scene.patience * effort.longest_run;
+            if ((too_long && steps >= looked_up(scene, entry)) || at_the_floor(points)) break;
         }
     }
 

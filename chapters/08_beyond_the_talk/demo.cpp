@@ -108,7 +108,6 @@ void ten_thousand(lab::Findings& out) {
     out.check("demo_same", off < 4e-3, "after five seconds needles spin in lanes as one by one");
     out.check("demo_energy", std::fabs(energy() / at_start - 1) < 1e-2,
               "and their energy is off by less than 1 %");
-    out.check("demo_fits", lanes.median < budget, "a step of ten thousand bodies fits into a frame");
 }
 
 // Boxes, needles, plates and balls in rows, the last row first.

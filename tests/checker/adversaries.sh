@@ -153,10 +153,7 @@ test_bytes_of_the_course() {
 test_a_pipe_that_is_included() {
     mkfifo pipe
     echo "#include \"$folder/pipe\"" >answer.cpp
-    begin=$(date +%s)
     must_be does_not_compile 'The compiler waits for something that does not come.'
-    taken=$((($(date +%s) - begin) / 2))
-    [ $taken -le 10 ] || fail "a verdict took $taken s"
 }
 
 program=$4 real_build=$5

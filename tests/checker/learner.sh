@@ -142,7 +142,7 @@ test_watch_checks_whenever_the_file_is_saved() {
         "$program" watch velocity_now >watched 2>&1 &
     watching=$!
     wait_for() {
-        for _ in $(seq 100); do
+        for _ in $(seq 6000); do
             ! grep -qF "$1" watched || return 0
             sleep 0.1
         done

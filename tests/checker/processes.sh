@@ -11,6 +11,7 @@ course() {
 answer() {
     cat >answer.cpp <<CODE
 #include "exercise.hpp"
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <thread>
@@ -29,7 +30,7 @@ CODE
 runs() { grep -q '^State:.[^ZX]' "/proc/$1/status" 2>/dev/null; }
 
 ends() {
-    for _ in $(seq 30); do
+    for _ in $(seq 6000); do
         runs "$1" || return 0
         sleep 0.1
     done
@@ -37,19 +38,36 @@ ends() {
 }
 
 test_a_worker_ends_with_its_checker() {
-    echo 'say_pids(); for (;;) pause();' | answer
+    # Stopped it neither works nor sleeps: so the checker waits for it, a minute, and not two seconds.
+    echo 'say_pids(); raise(SIGSTOP);' | answer
     course check velocity_now --file answer.cpp >out 2>err &
     asked=$!
-    for _ in $(seq 200); do
+    while kill -0 $asked; do
         ! grep -hs "^$folder .* " "$real_build"/exercises/check_*/printed.txt >pids || break
         sleep 0.02
-    done
+    done 2>/dev/null
     read -r _ worker checker <pids && [ -n "$checker" ] || fail 'there is no worker'
     kill -KILL "$checker"
     ends "$worker"
     wait $asked && status=0 || status=$?
     is "$status" 1
     says out 'ended the checker'
+}
+
+# Held up by others it is not too slow: the checker's two seconds are seconds of work.
+test_who_gets_no_processor_is_not_too_slow() {
+    echo 'if (first) say_pids(), raise(SIGSTOP);' | answer
+    course check velocity_now --file answer.cpp >out 2>err &
+    asked=$!
+    while kill -0 $asked; do
+        ! grep -hs "^$folder .* " "$real_build"/exercises/check_*/printed.txt >pids || break
+        sleep 0.02
+    done 2>/dev/null
+    read -r _ worker _ <pids && [ -n "$worker" ] || fail 'there is no worker'
+    sleep 3
+    kill -CONT "$worker" || fail 'the worker has been ended'
+    wait $asked || fail 'it does not pass'
+    says out ': right'
 }
 
 test_threads_may_be_started_and_processes_not() {

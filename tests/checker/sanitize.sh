@@ -150,7 +150,7 @@ CODE
     for (;;) {}
 CODE
     expect 1 course check velocity_now --file answer.cpp --sanitize
-    says out 'There was no answer in time (2 s for one call, 8 s for all)'
+    says out 'There was no answer in time (2 s of work for one call, 8 s for all)'
 }
 
 test_a_report_that_is_printed_counts_for_nothing() {

@@ -50,9 +50,10 @@ start_course() {
 default_signals=
 ! env --default-signal=INT true 2>/dev/null || default_signals=--default-signal=INT
 
-# wait_until COMMAND…: ends the test where it is not so within 20 s.
+# wait_until COMMAND…: ends the test where it is not so after many looks, some ten minutes: on a busy
+# machine everything takes its time.
 wait_until() {
-    for _ in $(seq 200); do
+    for _ in $(seq 6000); do
         ! "$@" || return 0
         sleep 0.1
     done

@@ -20,8 +20,8 @@ test_reset_brings_back_what_is_no_file_any_more() {
     for odd in 'mkdir' 'ln -s nowhere' 'mkfifo'; do
         rm -rf $file
         $odd $file
-        expect 0 timeout 20 sh -c "$(declared) list"
-        expect 0 timeout 20 sh -c "$(declared) reset velocity_now"
+        expect 0 timeout 600 sh -c "$(declared) list"
+        expect 0 timeout 600 sh -c "$(declared) reset velocity_now"
         cmp -s $file build/exercises/generated/velocity_now_stub.cpp || fail "$odd: not the stub"
     done
 }
@@ -31,7 +31,7 @@ test_odd_files_are_refused_in_one_line() {
     mkfifo fifo
     head -c 1100000 /dev/zero | tr '\0' '\n' >large.cpp
     for odd in "$(printf '%0300d' 0)" loop.cpp fifo large.cpp /dev/zero $file/x; do
-        expect 2 timeout 20 sh -c "$(declared) check velocity_now --file '$odd'"
+        expect 2 timeout 600 sh -c "$(declared) check velocity_now --file '$odd'"
         is "$(cat err | sed 's/ (.*)//')" "course: $odd: cannot be read"
     done
     for empty in --seed --file; do
@@ -80,7 +80,7 @@ test_a_full_standard_output_is_no_success() {
     cp "$mistake" $file
     for words in 'check velocity_now' 'check' 'hint velocity_now' 'watch velocity_now'; do
         got=0
-        timeout 60 sh -c "$(declared) $words" >/dev/full 2>err </dev/null || got=$?
+        timeout 600 sh -c "$(declared) $words" >/dev/full 2>err </dev/null || got=$?
         is "$words: $got" "$words: 2"
         says err 'course: standard output: cannot be written'
     done
@@ -89,7 +89,7 @@ test_a_full_standard_output_is_no_success() {
 }
 
 test_an_interrupt_ends_all_and_leaves_nothing() {
-    own_build 'sleep 1000 & echo "$! $$" >running; wait'
+    own_build "$works_a_little & "'echo "$! $$" >running; wait'
     signals='TERM HUP'
     [ -z "$default_signals" ] || signals='TERM HUP INT'
     for command in check watch; do
@@ -113,10 +113,10 @@ test_an_interrupt_ends_all_and_leaves_nothing() {
 test_an_interrupt_ends_the_hidden_tests() {
     own_build
     {
-        printf '#include <unistd.h>\n'
-        sed 's/return not_started;.*/sleep(1000); return h;/' $file
-    } >sleeper.cpp
-    start_course check velocity_now --file sleeper.cpp
+        printf '#include <csignal>\n'
+        sed 's/return not_started;.*/raise(SIGSTOP); return h;/' $file
+    } >stopped.cpp  # where it is waited for a minute: what only sleeps has two seconds
+    start_course check velocity_now --file stopped.cpp
     wait_until sh -c '[ -e build/exercises/check_*/printed.txt ]'
     kill $running
     got=0
@@ -127,7 +127,7 @@ test_an_interrupt_ends_the_hidden_tests() {
 }
 
 test_a_killed_check_leaves_no_compiler() {
-    own_build 'sleep 1000 & echo "$! $$" >running; wait'
+    own_build "$works_a_little & "'echo "$! $$" >running; wait'
     start_course check velocity_now
     wait_until [ -s running ]
     kill -KILL $running
@@ -141,8 +141,9 @@ test_what_a_killed_check_has_left_is_swept() {
     own_build
     mkdir build/exercises/check_killed build/exercises/check_at_work
     : >build/exercises/check_killed/lock
-    flock --no-fork build/exercises/check_at_work/lock sleep 30 &
+    flock --no-fork build/exercises/check_at_work/lock sleep 1000 &
     at_work=$!
+    trap 'kill $at_work 2>/dev/null' EXIT
     wait_until [ -e build/exercises/check_at_work/lock ]
     expect 1 course check velocity_now
     is "$(ls build/exercises | grep check_)" check_at_work
@@ -157,10 +158,10 @@ test_watch_notices_what_is_saved_during_a_check() {
 }
 
 test_a_compiler_that_does_not_end_is_told_first() {
-    own_build 'echo "$TMPDIR $LC_ALL" >surroundings; : >"$TMPDIR/cc.s"; seq 9000; exec sleep 1000'
+    own_build 'echo "$TMPDIR $LC_ALL" >surroundings; : >"$TMPDIR/cc.s"; seq 9000; '"$works_a_little"
     export STAGE_COMPILER_SECONDS=1  # instead of 9
     expect 1 course check velocity_now
-    is "$(sed -n 3p out)" '  The compiler had not come to an end after 4 s.'
+    is "$(sed -n 3p out)" '  The compiler had not come to an end after 10 s.'
     read -r temporary locale <surroundings
     is "${temporary%_*} $locale" "$folder/build/exercises/check C.UTF-8"
     [ ! -e "$temporary" ] || fail 'the folder of temporary files is still there'
@@ -198,6 +199,9 @@ test_paths_are_shown_from_where_one_is() {
 
 # A zombie is gone, too.
 is_gone() { case $(ps -o stat= -p "$1") in '' | Z*) ;; *) return 1 ;; esac; }
+
+# Of a compiler: neither too much work nor none, so that only the clock ends it, and that late.
+works_a_little='while :; do seq 300000 >/dev/null; sleep 0.3; done'
 
 # What `timeout sh -c` needs in front of the words for the course.
 declared() {

@@ -23,6 +23,7 @@ answer() {
     cat >"class/$1/velocity_now.cpp" <<CODE
 #include "exercise.hpp"
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>

@@ -37,7 +37,7 @@ test_what_is_no_file_is_refused() {
     cp $solved class/two/a/velocity_now.cpp
     cp $solved class/two/b/velocity_now.cpp
     cp $solved class/archive.zip
-    expect 1 timeout 120 $(words) grade class
+    expect 1 timeout 600 $(words) grade class
     for name in link folder fifo linked big device two archive.zip; do
         case $name in linked | archive.zip) continue ;; esac
         is "$name $(verdict_of $name)" "$name refused"

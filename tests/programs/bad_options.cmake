@@ -61,7 +61,7 @@ foreach(word --no-such-option --no-such-option=1 -x word 42 - -- --OUT --outer -
   run_program(--out never "${word}")
   must_refuse("${shown}" "${shown}: unknown option")
 endforeach()
-execute_process(COMMAND "${PROGRAM}" --out never "" WORKING_DIRECTORY "${WORK}" TIMEOUT 60
+execute_process(COMMAND "${PROGRAM}" --out never "" WORKING_DIRECTORY "${WORK}" TIMEOUT ${patience}
   RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE err)
 must_refuse("an empty word" "\"\": unknown option")
 

@@ -152,8 +152,8 @@ endif()
 # Several runs into one folder at once do not trouble each other.
 if(NOT CMAKE_HOST_WIN32)
   set(at_once "for i in 1 2 3 4 5 6; do \"$@\" >/dev/null & all=\"$all $!\"; done")
-  execute_process(COMMAND sh -c "${at_once}; for one in $all; do wait $one || exit; done"
-    sh "${PROGRAM}" ${quick} --out together WORKING_DIRECTORY "${WORK}" TIMEOUT 60
+  execute_process(COMMAND sh -c "${a_minute} ${at_once}; for one in $all; do wait $one || exit; done"
+    sh "${PROGRAM}" ${quick} --out together WORKING_DIRECTORY "${WORK}" TIMEOUT ${patience}
     RESULT_VARIABLE status ERROR_VARIABLE err)
   file(GLOB left "${WORK}/together/.*")
   if(NOT status EQUAL 0 OR left)

@@ -126,7 +126,7 @@ class Browser:
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
-        self.driver.set_script_timeout(20)
+        self.driver.set_script_timeout(300)
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
             "width": PHONE[0], "height": PHONE[1], "deviceScaleFactor": 1, "mobile": False})
 
@@ -158,12 +158,13 @@ class Browser:
         return found
 
 
-    def search_finds(self, path, word):
-        """Does the search field of this page offer a result for the word?"""
+    def search_finds(self, path, word, looks=2400):
+        """Does the search field of this page offer a result for the word? Two minutes are given to it, for the
+        machine may be busy."""
         from selenium.webdriver.common.by import By
         self.driver.get(pathlib.Path(path).resolve().as_uri())
         self.driver.find_element(By.ID, "MSearchField").send_keys(word)
-        for _ in range(60):
+        for _ in range(looks):
             frames = self.driver.find_elements(By.CSS_SELECTOR, "iframe#MSearchResults")
             if frames:  # Doxygen up to 1.9.4 shows results in a frame
                 self.driver.switch_to.frame(frames[0])

@@ -142,7 +142,7 @@ class Pages(SiteCase):
         index = os.path.join(self.folder.name, "index.html")
         self.plant('<input id="MSearchField"><a class="SRSymbol">Euler</a>')
         self.assertTrue(self.browser.search_finds(index, "euler"))
-        self.assertFalse(self.browser.search_finds(index, "verlet"))
+        self.assertFalse(self.browser.search_finds(index, "verlet", looks=60))
 
     def test_modes(self):
         self.expect("<style>body { background: #fff !important; }</style>",

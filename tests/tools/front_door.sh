@@ -368,16 +368,31 @@ test_the_command_told_leaves_out_a_catch2_that_is_too_old() {
 
 # ---- On a terminal --------------------------------------------------------------------------------
 
-# answer WORD COMMAND…: runs the command on a terminal where WORD is typed; all it says is in `out`.
+# answer WORD COMMAND…: runs the command on a terminal where WORD is typed as soon as there is a question, or
+# the command is over; all it says is in `out`.
 answer() {
     command -v script >/dev/null || exit 77
     word=$1
     shift
     cat >on_terminal.sh <<END
-exec env -i PATH='$folder/bin' HOME='$folder' COURSE_PLACES='$folder/usr' checkout/course $*
+env -i PATH='$folder/bin' HOME='$folder' COURSE_PLACES='$folder/usr' checkout/course $*
+got=\$?
+: >ended
+exit \$got
 END
     got=0
-    { sleep 1; echo "$word"; sleep 1; } | script -qec 'sh on_terminal.sh' /dev/null >out || got=$?
+    : >out
+    {
+        for _ in $(seq 6000); do
+            [ ! -e ended ] && ! grep -qF '[Y/n]' out || break
+            sleep 0.1
+        done
+        echo "$word"
+        for _ in $(seq 6000); do
+            [ ! -e ended ] || break
+            sleep 0.1
+        done
+    } | script -qec 'sh on_terminal.sh' /dev/null >out || got=$?
     : >err
 }
 

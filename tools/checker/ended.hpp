@@ -14,7 +14,7 @@ enum class Kind {
     wrong,            ///< a property does not hold; of Ended: one that all functions have
     not_finite,       ///< an answer is NaN or infinite
     crash,            ///< a signal, or an exception that nobody caught
-    too_slow,         ///< a call took longer than it may
+    too_slow,         ///< a call took more than it may
     too_much_memory,  ///< more than it may have
     left_early,       ///< the program ended, or spoke out of turn, instead of answering
     course_error      ///< the checker itself failed
@@ -22,6 +22,9 @@ enum class Kind {
 
 /// `not_started` and so on.
 const char* name_of(Kind kind);
+
+/// What is told of a too_slow that has not worked too long.
+inline constexpr const char *too_slow_asleep = "asleep", *too_slow_by_the_clock = "by the clock";
 
 /// Thrown by an Answer that gave none.
 struct Ended : std::runtime_error {

@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include "alone.hpp"
+#include "look.hpp"
 #include "memcheck.hpp"
 #include "pipe.hpp"
 
@@ -30,6 +31,8 @@ double now() {
     using namespace std::chrono;
     return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
+
+constexpr double turn = 0.1;  // s, between two looks at a worker that has not answered yet
 
 void limit(int resource, std::size_t amount, std::size_t hard) {
     const rlimit both{amount, hard};
@@ -154,11 +157,15 @@ std::string hexadecimal(const void* address) {
 
 Remote::Remote(const std::string& program, const std::string& printed,
                const std::vector<std::string>& launcher, const Limits& limits)
-    : limits_(limits), launched_(!launcher.empty()), begin_(now()) {
+    : limits_(limits),
+      launched_(!launcher.empty()),
+      begin_(now()),
+      call_begin_(begin_),
+      next_look_(begin_ + turn) {
     std::signal(SIGPIPE, SIG_IGN);
     int calls[2], answers[2], failed[2];
-    const int file = open(printed.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW,
-                          0644);
+    const int file =
+        open(printed.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644);
     if (file < 0) throw Ended(Kind::course_error, printed + ": cannot be written");
     if (pipe2(calls, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0 ||
         pipe2(failed, O_CLOEXEC) != 0)
@@ -212,7 +219,8 @@ void Remote::end() {
 }
 
 void Remote::await() {
-    hear(Reply::ready, now() + limits_.call_seconds);
+    begin_call();
+    hear(Reply::ready);
     // The first call's number is not to be guessed, so that nothing said beforehand is an answer.
     std::random_device random;
     number_ = (static_cast<std::uint64_t>(random()) << 32) | random();
@@ -221,21 +229,58 @@ void Remote::await() {
 Numbers Remote::operator()(const Numbers& arguments) {
     const Head call{++number_, Reply::answer,
                     static_cast<std::uint32_t>(arguments.size() * sizeof(double))};
-    const double deadline = std::min(now() + limits_.call_seconds, begin_ + limits_.total_seconds);
+    begin_call();
     // Who does not listen has perhaps said why, and that comes first: `hear` knows.
-    if (send(&call, sizeof call, deadline)) send(arguments.data(), call.bytes, deadline);
-    const std::string bytes = hear(Reply::answer, deadline);
+    if (send(&call, sizeof call)) send(arguments.data(), call.bytes);
+    const std::string bytes = hear(Reply::answer);
     Numbers result(bytes.size() / sizeof(double));
     std::memcpy(result.data(), bytes.data(), result.size() * sizeof(double));
     return result;
 }
 
-// False where it is not taken in time. A pipe holds 64 KB, and a call may be longer.
-bool Remote::send(const void* from, std::size_t size, double deadline) {
+// Most calls take microseconds: then one look in many calls is enough to know what all have taken.
+void Remote::begin_call() {
+    call_begin_ = now();
+    call_used_ = -1;
+    asleep_ = 0;
+    if (call_begin_ >= next_look_) look(false);
+}
+
+// The first look of a call tells what was used before it, and is at most a turn late.
+void Remote::look(bool in_call) {
+    const Look seen = look_at(process_, launched_);
+    next_look_ = now() + turn;
+    if (seen.known) {
+        if (call_used_ < 0) call_used_ = seen.seconds;
+        if (seen.seconds - call_used_ >= limits_.call_seconds ||
+            seen.seconds >= limits_.total_seconds)
+            throw Ended(Kind::too_slow, "");
+    }
+    if (next_look_ - call_begin_ > limits_.clock_seconds ||
+        next_look_ - begin_ > 4 * limits_.clock_seconds)
+        throw Ended(Kind::too_slow, too_slow_by_the_clock);
+    // Before a call it sleeps, and after its answer.
+    pollfd answered{answers_, POLLIN, 0};
+    if (!in_call || !seen.asleep || poll(&answered, 1, 0) != 0) return;
+    ++asleep_, ++all_asleep_;
+    if (asleep_ * turn >= limits_.call_seconds || all_asleep_ * turn >= limits_.total_seconds)
+        throw Ended(Kind::too_slow, too_slow_asleep);
+}
+
+// Returns when the pipe is ready, or nobody holds its other end. Throws Ended where that takes too
+// much.
+void Remote::wait_for(int pipe, short event) {
+    for (;;) {
+        pollfd waiting{pipe, event, 0};
+        if (poll(&waiting, 1, static_cast<int>(turn * 1000)) > 0) return;
+        if (now() >= next_look_) look(true);
+    }
+}
+
+// False where nobody listens any more. A pipe holds 64 KB, and a call may be longer.
+bool Remote::send(const void* from, std::size_t size) {
     for (const char* at = static_cast<const char*>(from); size > 0;) {
-        const double left = deadline - now();
-        pollfd waiting{calls_, POLLOUT, 0};
-        if (left <= 0 || poll(&waiting, 1, static_cast<int>(left * 1000) + 1) == 0) return false;
+        wait_for(calls_, POLLOUT);
         const ssize_t put = write(calls_, at, size);
         if (put < 0 && (errno == EINTR || errno == EAGAIN)) continue;
         if (put <= 0) return false;
@@ -246,16 +291,16 @@ bool Remote::send(const void* from, std::size_t size, double deadline) {
 }
 
 // What comes with the reply. Throws Ended where it is not the one expected.
-std::string Remote::hear(Reply expected, double deadline) {
+std::string Remote::hear(Reply expected) {
     Head head;
-    receive(&head, sizeof head, deadline);
+    receive(&head, sizeof head);
     if (head.number != number_ || head.reply > Reply::crashed)
         throw Ended(Kind::left_early, "The program wrote to the pipe that its answers go through");
     if (head.bytes > (8u << 20))
         throw Ended(Kind::left_early, "The answer was too long, " +
                                           std::to_string(head.bytes / sizeof(double)) + " numbers");
     std::string bytes(head.bytes, '\0');
-    receive(bytes.data(), bytes.size(), deadline);
+    receive(bytes.data(), bytes.size());
     if (head.reply == Reply::not_started) throw Ended(Kind::not_started, "");
     if (head.reply == Reply::out_of_memory) throw Ended(Kind::too_much_memory, "");
     if (head.reply == Reply::arguments_changed)
@@ -271,14 +316,10 @@ std::string Remote::hear(Reply expected, double deadline) {
     return bytes;
 }
 
-void Remote::receive(void* to, std::size_t size, double deadline) {
+void Remote::receive(void* to, std::size_t size) {
     char* at = static_cast<char*>(to);
     while (size > 0) {
-        const double left = deadline - now();
-        pollfd waiting{answers_, POLLIN, 0};
-        const int ready = left > 0 ? poll(&waiting, 1, static_cast<int>(left * 1000) + 1) : 0;
-        if (ready < 0 && errno == EINTR) continue;
-        if (ready <= 0) throw Ended(Kind::too_slow, "");
+        wait_for(answers_, POLLIN);
         const ssize_t got = read(answers_, at, size);
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) gone();
@@ -287,11 +328,23 @@ void Remote::receive(void* to, std::size_t size, double deadline) {
     }
 }
 
-// The pipe has an end before the answer. The process stays there to be looked at until `end`.
+// The pipe has an end before the answer. The process stays there to be looked at until `end`. One
+// that is about to end has little left to do, but perhaps no processor to do it; one that is not
+// works or sleeps.
 void Remote::gone() {
     siginfo_t how{};
-    for (const double deadline = now() + 0.2; how.si_pid == 0 && now() < deadline; usleep(500))
+    double used = -1, looked = now();
+    const double deadline = now() + limits_.clock_seconds;
+    for (int asleep = 0; asleep < 2 && now() < deadline; usleep(500)) {
         waitid(P_PID, static_cast<id_t>(process_), &how, WEXITED | WNOHANG | WNOWAIT);
+        if (how.si_pid != 0) break;
+        if (now() < looked + turn) continue;
+        const Look seen = look_at(process_, launched_);
+        looked = now();
+        asleep += seen.asleep;
+        if (used < 0) used = seen.seconds;
+        if (seen.seconds - used > 2 * turn) break;
+    }
     if (how.si_pid == 0)
         throw Ended(Kind::left_early, "The program closed the pipe that its answers go through");
     if (how.si_code == CLD_EXITED && launched_ && how.si_status > 128) {  // as a launcher says it

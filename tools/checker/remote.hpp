@@ -19,11 +19,14 @@ namespace checker {
 /// memcheck, which needs files of its own: there the worker does without the rules of alone.hpp.
 enum class Watch { nobody, sanitizers, memcheck };
 
-/// How much a worker may take.
+/// How much a worker may take. Seconds are those of a processor: on a busy machine the clock goes
+/// on while others work. For who sleeps they are those in which he was seen asleep. The clock ends
+/// only what neither works nor sleeps, as far as the system tells.
 struct Limits {
     Watch watch = Watch::nobody;
-    double call_seconds = 2;   ///< for one answer
-    double total_seconds = 8;  ///< for all of them
+    double call_seconds = 2;    ///< for one answer
+    double total_seconds = 8;   ///< for all of them
+    double clock_seconds = 60;  ///< by the clock, for one answer; for all of them four times that
     std::size_t megabytes = 1024;
     std::size_t printed_bytes = 1 << 20;
     std::size_t threads = 256;  ///< above what the machine runs anyway
@@ -33,8 +36,8 @@ struct Limits {
 /// other process and ends with this one. What it prints goes to a file.
 class Remote {
 public:
-    /// Starts `program`; the file `printed` gets what it prints. `launcher` are the words of another
-    /// program before it, which shuts it away: bubblewrap and its options.
+    /// Starts `program`; the file `printed` gets what it prints. `launcher` are the words of
+    /// another program before it, which shuts it away: bubblewrap and its options.
     Remote(const std::string& program, const std::string& printed,
            const std::vector<std::string>& launcher = {}, const Limits& limits = {});
     ~Remote();
@@ -50,9 +53,12 @@ public:
     void close_down();
 
 private:
-    bool send(const void* from, std::size_t size, double deadline);
-    std::string hear(Reply expected, double deadline);
-    void receive(void* to, std::size_t size, double deadline);
+    void begin_call();
+    void look(bool in_call);
+    void wait_for(int pipe, short event);
+    bool send(const void* from, std::size_t size);
+    std::string hear(Reply expected);
+    void receive(void* to, std::size_t size);
     [[noreturn]] void gone();
     void end();
 
@@ -62,7 +68,9 @@ private:
     int calls_ = -1, answers_ = -1;
     std::FILE* found_ = nullptr;  // by memcheck; without a name, out of the learner's reach
     std::uint64_t number_ = 0;    // of the last call
-    double begin_;
+    double begin_, call_begin_, next_look_;  // by the clock
+    double call_used_ = -1;                  // processor time before this call; -1: not known yet
+    int asleep_ = 0, all_asleep_ = 0;        // looks that found it so: in this call, in all
 };
 
 }  // namespace checker

@@ -54,7 +54,7 @@ long work_of(pid_t process) {
         for (std::size_t i = 0; i < all.size() && ancestor != process && all.contains(ancestor); ++i)
             ancestor = all[ancestor].parent;
         if (ancestor != process) continue;
-        if (member.state == 'D') return -1;
+        if (member.state == 'R' || member.state == 'D') return -1;
         ticks += member.ticks;
     }
     return ticks;

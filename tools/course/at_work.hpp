@@ -7,7 +7,7 @@
 namespace course {
 
 /// The processor time, in the system's ticks, that this process and all that come of it have taken so
-/// far; -1 where one of them waits for a disk, or where the system tells nothing.
+/// far; -1 where one of them waits for a processor or a disk, or where the system tells nothing.
 long work_of(pid_t process);
 
 }  // namespace course

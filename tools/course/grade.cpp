@@ -50,7 +50,7 @@ public:
             throw Stop(Status::bad_use, in_one_line(folder.string()) + ": cannot be written" +
                                             (error ? " (" + error.message() + ")" : ""));
         // One that was killed a moment ago may still be tidying up.
-        for (int look = 0; look < 20 && Lock::is_held(folder / "lock"); ++look) usleep(100'000);
+        for (int look = 0; look < 100 && Lock::is_held(folder / "lock"); ++look) usleep(100'000);
         if (Lock::is_held(folder / "lock"))
             throw Stop(Status::bad_use,
                        in_one_line(folder.string()) +

@@ -12,7 +12,7 @@ struct Places {
     std::filesystem::path build;   ///< the build folder that this program belongs to
     std::string cmake, ctest;      ///< the programs that made the build folder
     /// So long a compiler may work for a learner's file, in a processor's time; by the clock it has
-    /// four times that, for it may have neighbours.
+    /// ten times that, for it may have neighbours.
     int compiler_seconds = 9;
 };
 

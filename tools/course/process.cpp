@@ -155,7 +155,8 @@ private:
     pid_t guard_;
 };
 
-// Tells, once a second, whether that process and all that come of it have worked in so many seconds.
+// Tells, once a second, whether that process and all that come of it have worked in so many seconds. It is
+// the looks that count: on a busy machine much time may go by between two of them.
 class Idleness {
 public:
     Idleness(pid_t process, double seconds) : process_(process), seconds_(seconds) {}
@@ -163,15 +164,16 @@ public:
         if (seconds_ == 0 || now() < next_look_) return false;
         next_look_ = now() + 1;
         const long work = work_of(process_);
-        if (work != last_work_ || work < 0) worked_ = now();
+        idle_looks_ = work != last_work_ || work < 0 ? 0 : idle_looks_ + 1;
         last_work_ = work;
-        return now() - worked_ > seconds_;
+        return idle_looks_ > seconds_;
     }
 
 private:
     pid_t process_;
-    double seconds_, worked_ = now(), next_look_ = now() + 1;
+    double seconds_, next_look_ = now() + 1;
     long last_work_ = -1;
+    int idle_looks_ = 0;
 };
 
 }  // namespace

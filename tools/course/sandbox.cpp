@@ -84,7 +84,7 @@ Sandbox::Sandbox() : bubblewrap_(find_program("bwrap")) {
 
 std::string Sandbox::fault_of(std::vector<std::string> before) {
     before.push_back("true");
-    const Outcome outcome = run_within(before, {10});
+    const Outcome outcome = run_within(before, {.seconds = 120, .processor_seconds = 10});
     if (outcome.too_slow) return "bwrap: has not come to an end";
     return outcome.status == 0 ? "" : outcome.said.substr(0, outcome.said.find('\n'));
 }

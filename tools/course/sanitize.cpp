@@ -31,7 +31,7 @@ Verdict check_sanitized(const Exercise& exercise, const std::filesystem::path& f
     Verdict verdict = check_file(exercise, file, seed, nullptr, Watch::sanitizers);
     if (verdict.kind == "too_slow") return unwatched(exercise, file, seed);
     if (verdict.kind != "pass") return verdict;
-    if (run_within({"valgrind", "--version"}, {5}).status != 0) {
+    if (run_within({"valgrind", "--version"}, {.seconds = 60, .processor_seconds = 5}).status != 0) {
         verdict.remark =
             "Values that were never written have not been looked for: there is no valgrind.";
         return verdict;

@@ -105,10 +105,19 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
                     "\n";
         return text;
     }
-    if (kind == "too_slow")
-        return wrapped("There was no answer in time (2 s for one call, 8 s for all), " +
-                           when(exercise, verdict) + ". Is there a loop that never ends?",
-                       2);
+    if (kind == "too_slow") {
+        const bool asleep = verdict.detail == "asleep";
+        const std::string in_time = "There was no answer in time (2 s " +
+                                    std::string(asleep ? "of sleep" : "of work") +
+                                    " for one call, 8 s for all), " + when(exercise, verdict);
+        if (asleep)
+            return wrapped(in_time + ". The code sleeps, or waits for what does not come.", 2);
+        if (verdict.detail == "by the clock")
+            return wrapped("There was no answer in a minute, " + when(exercise, verdict) +
+                               ", though there was little work: is the code stopped, or waits it for a disk?",
+                           2);
+        return wrapped(in_time + ". Is there a loop that never ends?", 2);
+    }
     if (kind == "too_much_memory")
         return wrapped("The program asked for more memory than there is for an exercise, 1 GB, " +
                            when(exercise, verdict) + ".",

@@ -90,7 +90,7 @@ constexpr double idle_seconds = 5;
 bool succeeds(const Words& command, const Workshop& workshop, Verdict& verdict, int patience) {
     const int seconds = places().compiler_seconds * patience;
     const Outcome outcome = run_within(
-        command, {4. * seconds, 4096, 64, 64, workshop.folder().string(), seconds, idle_seconds});
+        command, {10. * seconds, 4096, 64, 64, workshop.folder().string(), seconds, idle_seconds});
     // The words may be the answer's own: so the disk is asked, too.
     if (outcome.status != 0 && outcome.said.find("No space left on device") != std::string::npos)
         stop_if_full(workshop.folder());
@@ -102,7 +102,7 @@ bool succeeds(const Words& command, const Workshop& workshop, Verdict& verdict, 
         verdict.compiler += "The compiler waits for something that does not come.\n";
     else if (outcome.too_slow || too_much_work)
         verdict.compiler += "The compiler had not come to an end after " +
-                            std::to_string(too_much_work ? seconds : 4 * seconds) + " s" +
+                            std::to_string(too_much_work ? seconds : 10 * seconds) + " s" +
                             (too_much_work ? " of work" : "") + ".\n";
     if (signal == strsignal(SIGXFSZ))
         verdict.compiler += "What the compiler makes of the file is larger than 64 MB.\n";
@@ -119,7 +119,7 @@ int line_of_crash(const std::string& trace, const Words& around, const fs::path&
     put_before(command, around);  // a stranger may have written what it reads
     std::istringstream addresses(trace);
     for (std::string address; addresses >> address;) command.push_back(address);
-    std::istringstream places(run_within(command, {5, 512}).said);
+    std::istringstream places(run_within(command, {.seconds = 60, .megabytes = 512, .processor_seconds = 5}).said);
     for (std::string place; std::getline(places, place);)
         if (place.starts_with(file.string() + ":"))
             return std::atoi(place.c_str() + file.string().size() + 1);
@@ -248,7 +248,8 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
         check.push_back(watch == Watch::sanitizers ? "sanitizers" : "memcheck");
     around = sandbox != nullptr ? sandbox->before_worker(worker) : Words{};
     check.insert(check.end(), around.begin(), around.end());
-    const Outcome outcome = run_within(check, {watch == Watch::nobody ? 30. : 60.});
+    // It gives the learner's code its limits itself, and for all calls a few minutes by the clock.
+    const Outcome outcome = run_within(check, {.seconds = 600, .processor_seconds = 60});
     auto said = read_lines(outcome.said);
     const auto text = printed_in(printed);
     verdict.printed = text.value_or("");
@@ -271,7 +272,9 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     }
     if (outcome.status > 1 || said["verdict"].empty()) {
         verdict.detail =
-            outcome.too_slow ? "the hidden tests did not come to an end" : outcome.said;
+            outcome.too_slow || outcome.status == 128 + SIGXCPU
+                ? "the hidden tests did not come to an end"
+                : outcome.said;
         return ended("course_error");
     }
     verdict.line = line_of_crash(said["trace"], around, worker, file);

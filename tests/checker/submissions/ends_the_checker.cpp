@@ -1,4 +1,4 @@
-// velocity_now too_slow: Is there a loop
+// velocity_now too_slow: waits for what does not come
 #include "exercise.hpp"
 
 #include <csignal>

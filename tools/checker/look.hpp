@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// What a process has done so far, as the system tells it: its work, not the time that has gone by,
+/// which on a busy machine is mostly other people's.
+
+#include <sys/types.h>
+
+namespace checker {
+
+/// One look at a process.
+struct Look {
+    bool known = false;   ///< has the system told anything?
+    double seconds = 0;   ///< of processor time, in all its threads
+    bool asleep = false;  ///< none of its threads works, or would work if it had a processor
+};
+
+/// Looks at `process`; with `descendants` at all that come of it, too.
+Look look_at(pid_t process, bool descendants);
+
+}  // namespace checker
