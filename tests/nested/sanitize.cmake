@@ -1,6 +1,5 @@
 # Included by project() of the nested build: what is compiled from the library alone, its tests and the
-# chapters' programs, is compiled with the flags in SANITIZE. Eigen's own checks are on. Chapters have Eigen
-# compiled beforehand here; that their sources include what they need is seen in the build around this one.
+# chapters' programs, is compiled with the flags in SANITIZE. Eigen's own checks are on.
 function(timestep_sanitize)
   get_property(programs GLOBAL PROPERTY TIMESTEP_CHAPTERS)
   list(TRANSFORM programs REPLACE "^[0-9]+_" "")
@@ -8,19 +7,7 @@ function(timestep_sanitize)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     list(APPEND flags -Wno-error)  # g++ warns of paths that only its sanitizers' own code makes
   endif()
-  set(first "")
-  foreach(program IN LISTS programs)
-    get_target_property(libraries ${program} LINK_LIBRARIES)
-    if(NOT "timestep" IN_LIST libraries)
-      continue()
-    elseif(first)
-      target_precompile_headers(${program} REUSE_FROM ${first})
-    else()
-      target_precompile_headers(${program} PRIVATE <Eigen/Dense>)
-      set(first ${program})
-    endif()
-  endforeach()
-  foreach(target timestep_lab timestep_tests ${programs})
+  foreach(target timestep_lab timestep_eigen_ready timestep_tests ${programs})
     target_compile_options(${target} PRIVATE -UNDEBUG ${flags})
     target_link_options(${target} PRIVATE ${flags})
   endforeach()

@@ -5,6 +5,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include "context.hpp"
+#include "error.hpp"
 #include "fill.hpp"
 
 using Catch::Matchers::ContainsSubstring;
@@ -241,4 +242,38 @@ TEST_CASE("words that a run left stand on the page as they are") {
           "chapter.md:5: {{said …}} must stand on a line of its own");
     course.write("runs/03_springs/run/empty.txt", "\n");
     CHECK(course.paragraph_error("{{said empty.txt}}") == "chapter.md:5: empty.txt holds no word");
+}
+
+TEST_CASE("a draft has gaps where something comes from a run that is still to be made") {
+    const Course course;
+    std::filesystem::remove_all(course / "runs/03_springs");
+    const auto draft = [&] {
+        page::Context context{course / "", course / "runs"};
+        context.draft = true;
+        context.set_chapter("03_springs");
+        return page::fill(context, course.read("chapters/03_springs/chapter.md"), "chapter.md");
+    };
+    const std::string page = draft();
+    CHECK_THAT(page, ContainsSubstring("<b>This page is being made.</b>"));
+    CHECK_THAT(page, ContainsSubstring("It grows to <span class=\"gap\">…</span>."));
+    CHECK_THAT(page, ContainsSubstring("Not there yet"));
+    CHECK_THAT(page, ContainsSubstring("## Break it {#ch3_break_it}"));
+    CHECK_THAT(page, ContainsSubstring("x += h * v;"));
+    // What is misspelt is not taken for what is still to come.
+    course.replace("chapters/03_springs/chapter.md", "include/step.hpp step", "include/step.hpp stop");
+    CHECK_THROWS_AS(draft(), page::Error);
+}
+
+TEST_CASE("a draft of what is all there is the page itself, and a misspelt number is an error in it") {
+    const Course course;
+    course.write("runs/03_springs/run/done", "");
+    const auto draft = [&] {
+        page::Context context{course / "", course / "runs"};
+        context.draft = true;
+        context.set_chapter("03_springs");
+        return page::fill(context, course.read("chapters/03_springs/chapter.md"), "chapter.md");
+    };
+    CHECK(draft() == course.fill());
+    course.replace("chapters/03_springs/chapter.md", "It grows to {{amplitude}}", "It grows to {{amplitud}}");
+    CHECK_THROWS_AS(draft(), page::Error);
 }

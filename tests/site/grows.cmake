@@ -1,0 +1,87 @@
+# A site of what is there so far: with the run of the first chapter alone, with the second's, and when the
+# whole one is there. Called as
+#   cmake -DWORK=folder -DCHAPTERS=folder of the runs -DGROW=grow_site.cmake -DLINKS=links.py -DPYTHON=…
+#         and what GROW takes, -P grows.cmake
+cmake_minimum_required(VERSION 3.25)
+set(RUNS "${WORK}/runs")
+set(html "${WORK}/html")
+file(REMOVE_RECURSE "${html}" "${RUNS}" "${WORK}/growing/drawn.txt")
+
+# Reads a page of the site into `text`.
+function(read page)
+  file(READ "${html}/${page}.html" words)
+  set(text "${words}" PARENT_SCOPE)
+endfunction()
+function(says page words)
+  read(${page})
+  string(FIND "${text}" "${words}" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "${page}.html does not say: ${words}")
+  endif()
+endfunction()
+function(silent_on page words)
+  read(${page})
+  string(FIND "${text}" "${words}" place)
+  if(NOT place EQUAL -1)
+    message(FATAL_ERROR "${page}.html says: ${words}")
+  endif()
+endfunction()
+function(grow)
+  execute_process(COMMAND "${CMAKE_COMMAND}" "-DWHOLE=${WORK}" "-DROOT=${ROOT}" "-DRUNS=${RUNS}" "-DPAGE=${PAGE}"
+    "-DSHOWN=${WORK}/shown" "-DDOXYGEN=${DOXYGEN}" "-DDOXYFILE=${DOXYFILE}" "-DSITE=${SITE}" "-DFIGURES=${FIGURES}"
+    "-DHEADS=${HEADS}" "-DKATEX=${KATEX}" "-DLINK_SOURCES=${LINK_SOURCES}" "-DUNLINKED=${UNLINKED}" -P "${GROW}"
+    RESULT_VARIABLE status ERROR_VARIABLE words)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${words}")
+  endif()
+  if(NOT EXISTS "${WORK}/shown")
+    message(FATAL_ERROR "nothing says that it was shown")
+  endif()
+  file(REMOVE "${WORK}/shown")
+endfunction()
+function(links_lead_somewhere)
+  execute_process(COMMAND "${PYTHON}" "${LINKS}" "${html}" RESULT_VARIABLE status OUTPUT_VARIABLE words
+    ERROR_VARIABLE words)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${words}")
+  endif()
+endfunction()
+
+file(GLOB chapters RELATIVE "${CHAPTERS}" "${CHAPTERS}/0*")
+list(GET chapters 0 first)
+list(GET chapters 1 second)
+set(draft "<b>This page is being made.</b>")
+file(MAKE_DIRECTORY "${RUNS}")
+file(CREATE_LINK "${CHAPTERS}/${first}" "${RUNS}/${first}" SYMBOLIC)
+grow()
+silent_on(chapter_01 "${draft}")
+says(chapter_02 "${draft}")
+says(chapter_02 "Not there yet")
+says(index "${draft}")
+says(index "being made")
+links_lead_somewhere()
+
+# With nothing new it is left as it is.
+file(TIMESTAMP "${html}/index.html" before "%s%f")
+grow()
+file(TIMESTAMP "${html}/index.html" after "%s%f")
+if(NOT before STREQUAL after)
+  message(FATAL_ERROR "made again with nothing new")
+endif()
+
+file(CREATE_LINK "${CHAPTERS}/${second}" "${RUNS}/${second}" SYMBOLIC)
+grow()
+silent_on(chapter_01 "${draft}")
+says(chapter_03 "${draft}")
+says(chapter_02 "fig-")
+links_lead_somewhere()
+
+# A whole site stays.
+file(WRITE "${html}/made" "")
+file(REMOVE "${WORK}/growing/drawn.txt")
+file(TIMESTAMP "${html}/index.html" before "%s%f")
+grow()
+file(TIMESTAMP "${html}/index.html" after "%s%f")
+if(NOT before STREQUAL after)
+  message(FATAL_ERROR "a draft has taken the place of the whole site")
+endif()
