@@ -6,6 +6,15 @@
 
 find_program(GNUPLOT gnuplot)
 
+# Compiles the target's sources only where more than a comment has changed in what they read.
+find_program(SHELL sh)
+function(timestep_compiles_what_changed target)
+  if(SHELL AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER
+      "${SHELL};${PROJECT_SOURCE_DIR}/tools/cmake/compile_what_changed.sh")
+  endif()
+endfunction()
+
 # Reads a list of strings from about.json.
 function(timestep_json_list json key result)
   string(JSON count LENGTH "${json}" ${key})
@@ -88,6 +97,7 @@ function(timestep_chapter chapter)
   file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp")
   add_executable(${name} ${sources})
   target_link_libraries(${name} PRIVATE timestep_headers timestep_lab timestep_warnings)
+  timestep_compiles_what_changed(${name})
   # Hundreds of functions that are called once: fully optimised, they take twice as long to compile.
   file(GLOB once CONFIGURE_DEPENDS "${folder}/extreme_*.cpp")
   if(once AND NOT MSVC)

@@ -25,6 +25,26 @@ function(fail status text)
   message(FATAL_ERROR "${text}")
 endfunction()
 
+# The same program and the same script make the same run: nothing is run for a program that was only
+# built again.
+set(made_from "")
+get_filename_component(room "${SCRIPT}" DIRECTORY)
+get_filename_component(styles "${STYLE}" DIRECTORY)
+file(GLOB scripts "${room}/*.gp" "${styles}/*.gp" "${CMAKE_CURRENT_LIST_DIR}/run.cmake"
+  "${CMAKE_CURRENT_LIST_DIR}/chapter_figures.cmake")
+foreach(file IN ITEMS "${PROGRAM}" "${ABOUT}" ${scripts})
+  file(SHA256 "${file}" sum)
+  string(APPEND made_from "${sum}\n")
+endforeach()
+# (What the compiler says of a misuse depends on the library, too; a reader's own run is always made.)
+if(QUIET AND EXISTS "${OUT}/made_from.txt" AND NOT MISUSES AND NOT DEFINED COMPLAINT)
+  file(READ "${OUT}/made_from.txt" before)
+  if(before STREQUAL made_from)
+    file(TOUCH "${OUT}/done")
+    return()
+  endif()
+endif()
+
 # Another run may be at work in OUT: the folder's name is new.
 string(RANDOM LENGTH 12 word)
 set(work "${OUT}/.unfinished_run_${word}")
@@ -67,6 +87,7 @@ foreach(source IN LISTS MISUSES)
   endif()
 endforeach()
 
+file(WRITE "${work}/made_from.txt" "${made_from}")
 file(GLOB old "${OUT}/*.tsv" "${OUT}/*.svg" "${OUT}/*.gif")
 if(old)
   file(REMOVE ${old})
