@@ -122,7 +122,19 @@ function(timestep_check_learners told)
   endif()
   timestep_json_words(lists ${lists})
   # What an answer may bring for link-time optimization, with options of its own, is not made use of.
-  timestep_json_words(link "${CMAKE_CXX_COMPILER}" -no-pie -fno-lto)
+  # The linker that comes to an end first, where it is there.
+  set(linker "")
+  foreach(name gold lld)
+    if(NOT linker)
+      set(CMAKE_REQUIRED_LINK_OPTIONS -fuse-ld=${name})
+      check_cxx_source_compiles("int main() {}" TIMESTEP_LINKS_BY_${name})
+      if(TIMESTEP_LINKS_BY_${name})
+        set(linker -fuse-ld=${name})
+      endif()
+      unset(CMAKE_REQUIRED_LINK_OPTIONS)
+    endif()
+  endforeach()
+  timestep_json_words(link "${CMAKE_CXX_COMPILER}" -no-pie -fno-lto ${linker})
   file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/exercises/commands.json" CONTENT
 "{\"compile\": ${compile},
  \"compile_eigen\": ${compile_eigen},

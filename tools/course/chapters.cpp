@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include <nlohmann/json.hpp>
+#include "json_of.hpp"
 
 #include "places.hpp"
 #include "stop.hpp"
@@ -29,7 +29,7 @@ Chapter read_chapter(const fs::path& folder) {
     try {
         std::ifstream file(about);
         if (!file) throw Stop(Status::bad_use, about.string() + ": cannot be read");
-        const auto json = nlohmann::json::parse(file);
+        const auto json = json_of(std::string(std::istreambuf_iterator<char>(file), {}));
         return {name,
                 name.substr(3),
                 json.at("title"),

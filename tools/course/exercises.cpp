@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include <nlohmann/json.hpp>
+#include "json_of.hpp"
 
 #include "places.hpp"
 #include "stop.hpp"
@@ -17,7 +17,7 @@ namespace {
 Exercise read_exercise(const fs::path& about) {
     const fs::path folder = about.parent_path();
     try {
-        const auto json = nlohmann::json::parse(contents(about));
+        const auto json = json_of(contents(about));
         Exercise exercise;
         exercise.name = folder.filename().string();
         exercise.chapter = folder.parent_path().filename().string();

@@ -30,10 +30,11 @@ std::string contents(const fs::path& file) {
         refuse(type == fs::file_type::directory ? "it is a folder" : "it is no regular file");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) refuse(std::strerror(errno));
-    std::string text(most + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    std::string text;
+    char piece[8192];
+    while (text.size() <= most && (stream.read(piece, sizeof piece) || stream.gcount() > 0))
+        text.append(piece, static_cast<std::size_t>(stream.gcount()));
     if (stream.bad()) refuse(std::strerror(errno));
-    text.resize(static_cast<std::size_t>(stream.gcount()));
     if (text.size() > most) refuse("it is larger than 1 MB");
     return text;
 }

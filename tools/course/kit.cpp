@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <random>
 
-#include <nlohmann/json.hpp>
+#include "json_of.hpp"
 
 #include "build.hpp"
 #include "commands.hpp"
@@ -121,7 +121,7 @@ void write_exercises(const Unfinished& kit) {
         kit.copy(exercise.stub(), "kit/generated" / exercise.stub().filename());
         kit.copy(exercise.declared(), "kit/generated" / exercise.declared().filename());
     }
-    const auto commands = nlohmann::json::parse(contents(built / "commands.json"));
+    const auto commands = json_of(contents(built / "commands.json"));
     copy_stripped(places().build / "tools/course/kit_course", kit.at("kit/course"), "--strip-all");
     copy_stripped(built / "check", kit.at("kit/check"), "--strip-all");
     copy_stripped(std::string(commands.at("worker")), kit.at("kit/libtimestep_worker.a"),

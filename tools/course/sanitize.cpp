@@ -1,6 +1,6 @@
 // course check --sanitize
 
-#include <nlohmann/json.hpp>
+#include "json_of.hpp"
 
 #include "places.hpp"
 #include "process.hpp"
@@ -23,7 +23,7 @@ Verdict unwatched(const Exercise& exercise, const std::filesystem::path& file, s
 
 Verdict check_sanitized(const Exercise& exercise, const std::filesystem::path& file,
                         std::uint64_t seed) {
-    const auto json = nlohmann::json::parse(contents(places().build / "exercises/commands.json"));
+    const auto json = json_of(contents(places().build / "exercises/commands.json"));
     if (json.at("sanitize").empty())
         throw Stop(Status::missing,
                    "check --sanitize: the compiler has no AddressSanitizer and no "

@@ -8,7 +8,7 @@
 #include <optional>
 #include <sstream>
 
-#include <nlohmann/json.hpp>
+#include "json_of.hpp"
 #include <sys/prctl.h>
 
 #include "included.hpp"
@@ -34,7 +34,7 @@ struct Commands {
 
 Commands read_commands(const Exercise& exercise) {
     const fs::path file = places().build / "exercises/commands.json";
-    const auto json = nlohmann::json::parse(contents(file));
+    const auto json = json_of(contents(file));
     return {json.at(exercise.eigen ? "compile_eigen" : "compile"),
             json.at(exercise.eigen ? "bare_eigen" : "bare"),
             json.at("sanitize"),

@@ -1,0 +1,17 @@
+#pragma once
+/// \file
+/// Reading JSON: compiled once, and optimised, for what every command waits for.
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace course {
+
+/// What the text says. Throws nlohmann::json::exception where it is no JSON.
+nlohmann::json json_of(const std::string& text);
+
+/// The same; where it is no JSON, a value that is_discarded().
+nlohmann::json json_or_nothing(const std::string& text);
+
+}  // namespace course
