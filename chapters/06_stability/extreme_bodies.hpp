@@ -130,7 +130,8 @@ private:
              const S& start, Real step, long steps, const Theory& theory, const Size<S>& size) {
         const std::string name = std::string(solver.name) + ", " + kind;
         solver.name = name.c_str();
-        cells_.push_back(cell<Inertia>(scene, solver, [&] { return inertia; }, start, step, steps, theory, size));
+        cells_.push_back(cell<Inertia>(
+            scene, solver, [&] { return inertia; }, start, step, steps, theory, size));
     }
 
     void inputs(const Solver& solver, const std::string& kind) {
@@ -202,7 +203,8 @@ private:
                                : Theory{Word::bounded, bound(10)},
                 energy(Real(1e18)));
         // The attitude's step squares hω/2.
-        add("spin huge", solver, kind, inertia, spinning(is_float<Real> ? Real(1e24) : Real(1e200), kind), h, 10,
+        add("spin huge", solver, kind, inertia,
+            spinning(is_float<Real> ? Real(1e24) : Real(1e200), kind), h, 10,
             {Word::reported, 0, 0, 1}, [](const S&) { return 0.0; });
     }
 
@@ -218,8 +220,8 @@ private:
     // turned.
     void scaled(const char* scene, const Solver& solver, const std::string& kind, Real unit) {
         const S right = run(solver, inertia_of<Real>(kind, 1), spinning(1, kind), h, 1000);
-        add(scene, solver, kind, inertia_of(kind, unit), spinning(1, kind), h, 1000, {Word::exact, 1000 * 100 * eps<Real>},
-            [=](const S& s) {
+        add(scene, solver, kind, inertia_of(kind, unit), spinning(1, kind), h, 1000,
+            {Word::exact, 1000 * 100 * eps<Real>}, [=](const S& s) {
                 return double((s.omega - right.omega).norm() +
                               (s.q.coeffs() - right.q.coeffs()).norm());
             });
