@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <random>
 
 #include <timestep/advise_spin.hpp>
@@ -30,22 +31,18 @@ public:
 
     // One scene for one method. Those without a boundary make up a quarter of all, so of the others two in
     // three are put within 10 % of theirs. Below ωh = 0.02 no run of this length shows a slow growth.
-    template <class Method>
-    void spring(const Method& method, bool near, Tally& tally) {
-        constexpr bool damped = detail::takes_damping<Method>;
+    void spring(const OnSprings& method, bool near, Tally& tally) {
+        const bool damped = method.damped.takes_force();
         const double zeta = damped && even(0, 1) > 0.1 ? even_in_log(0.01, 10) : 0;
         const double omega = even_in_log(0.1, 1e5);
-        const double limit = stability_limit(method, zeta).value;
+        const double limit = method.limit(zeta);
         const bool has_boundary = limit > 0 && std::isfinite(limit);
         const double s = near && has_boundary ? limit * even(0.9, 1.1) : even_in_log(0.02, 10);
         const double h = s / omega;
         const Verdict said = verdict(s, limit);
         tally.near += has_boundary && std::fabs(s / limit - 1) <= 0.1;
-        bool grew;
-        if constexpr (damped)
-            grew = grows(method, DampedSpring<double>(omega, zeta), omega, h);
-        else
-            grew = grows(method, Spring<double>(omega), omega, h);
+        const bool grew = damped ? grows(method.damped, DampedSpring<double>(omega, zeta), omega, h)
+                                 : grows(method.spring, Spring<double>(omega), omega, h);
         count(said, grew, tally);
         if (said == (grew ? Verdict::stable : Verdict::grows))
             std::printf("  missed: %s, zeta = %g, omega h = %.6g of %.6g\n", method.name, zeta, s, limit);
@@ -73,15 +70,27 @@ private:
     std::mt19937_64 random_;
 };
 
-// Can one step raise the energy of this body at this rate of spin? A thousand directions are tried, and
+// The energy after a step over that before it, at an angular velocity.
+using Gain = std::function<double(const Vector3<double>& omega)>;
+
+// Can one step raise the energy of a body at this rate of spin? A thousand directions are tried, and
 // the one that the advice itself names.
-template <class Solver>
-bool gains(const Solver& solver, const PrincipalInertia<double>& inertia, double spin, double h,
-           const Vector3<double>& named, Scenes& scenes) {
-    double most = named.isZero() ? 1 : energy_gain(solver, inertia, named, h);
+bool gains(const Gain& gain, double spin, const Vector3<double>& named, Scenes& scenes) {
+    double most = named.isZero() ? 1 : gain(named);
     for (int i = 0; i < 1000 && !(most > 1 + 1e-12); ++i)
-        most = std::max(most, energy_gain(solver, inertia, Vector3<double>(spin * scenes.direction()), h));
+        most = std::max(most, gain(spin * scenes.direction()));
     return !(most <= 1 + 1e-12);
+}
+
+// The advice for one body, and what the trials say.
+template <class Solver>
+void spinning(const Solver& solver, const PrincipalInertia<double>& inertia, double spin, double h,
+              Scenes& scenes, Tally& tally) {
+    const SpinAdvice advised = detail::advise_spin(solver, inertia, spin, h);
+    const Gain gain = [&](const Vector3<double>& omega) {
+        return energy_gain(solver, inertia, omega, h);
+    };
+    Scenes::count(advised.verdict, gains(gain, spin, advised.worst_spin, scenes), tally);
 }
 
 void add(lab::Table& table, const std::string& what, const Tally& tally) {
@@ -137,15 +146,13 @@ void advice(const Settings&, lab::Findings& out) {
     Scenes scenes(6);
     std::vector<Tally> tallies;
 
-    const auto springs = [&](const auto& method) {
+    const auto springs = [&](const OnSprings& method) {
         Tally tally;
         for (int i = 0; i < 738; ++i) scenes.spring(method, i % 3 != 0, tally);
         add(table, method.name, tally);
         tallies.push_back(tally);
     };
-    for_each_method(springs);
-    springs(semi_implicit_euler_new_damping);
-    for_each_verlet_method(springs);
+    for_all_methods(springs);
 
     // Spinning bodies: the talk's iteration near its boundary, every solver elsewhere.
     Tally bodies;
@@ -158,15 +165,10 @@ void advice(const Settings&, lab::Findings& out) {
             const double limit = detail::longest_safe_step(inertia, spin);
             const double h = limit * scenes.even(0.9, 1.1);
             ++bodies.near;
-            const auto advised = detail::advise_spin(implicit_gyroscopic, inertia, spin, h);
-            Scenes::count(advised.verdict,
-                          gains(implicit_gyroscopic, inertia, spin, h, advised.worst_spin, scenes), bodies);
+            spinning(implicit_gyroscopic, inertia, spin, h, scenes, bodies);
         } else {
             for_each_gyroscopic([&](const auto& solver) {
-                if (which++ != i / 2 % 6) return;
-                const auto advised = detail::advise_spin(solver, inertia, spin, size / spin);
-                Scenes::count(advised.verdict,
-                              gains(solver, inertia, spin, size / spin, advised.worst_spin, scenes), bodies);
+                if (which++ == i / 2 % 6) spinning(solver, inertia, spin, size / spin, scenes, bodies);
             });
         }
     }

@@ -4,8 +4,6 @@
 #include <cstdio>
 #include <vector>
 
-#include <Eigen/Dense>
-
 #include <timestep/methods.hpp>
 #include <timestep/methods/semi_implicit_euler_new_damping.hpp>
 #include <timestep/models/damped_spring.hpp>
@@ -76,22 +74,31 @@ double found_by_bisection(const Grows& grows) {
     return std::exp(stable);
 }
 
+// The condition number of A's eigenvectors, the columns (a.xv, λ − a.xx) of length one. The squares of
+// the two singular values are 1 ± c with the cosine c between the columns, and so the larger over the
+// smaller is (1 + c) over their product, the determinant.
+double condition(const StepMatrix<double>& a) {
+    const auto [first, second] = eigenvalues(a);
+    const Complex below1 = first - a.xx, below2 = second - a.xx;
+    const double sizes = std::sqrt(a.xv * a.xv + std::norm(below1)) *
+                         std::sqrt(a.xv * a.xv + std::norm(below2));
+    const double cosine = std::abs(a.xv * a.xv + std::conj(below1) * below2) / sizes;
+    const double determinant = std::abs(a.xv * (below2 - below1)) / sizes;
+    return (1 + cosine) / determinant;
+}
+
 // How far off may such a run be? In n steps a state is multiplied by Aⁿ, whose size lies between
 // |λ|ⁿ/κ and κ|λ|ⁿ with the condition number κ of A's eigenvectors. So it tells |λ| from 1 where
 // n ln|λ| > ln κ, and ln|λ| rises with ln(ωh) at a rate that we take from A a little beyond.
 template <class Method>
 double bound(const Method& method, double zeta, double wh) {
     const DampedSpring model(1.0, zeta);
-    const StepMatrix<double> a = step_matrix(method, model, wh);
-    const Eigen::Matrix2d matrix{{a.xx, a.xv}, {a.vx, a.vv}};
-    const Eigen::Matrix2cd vectors = Eigen::EigenSolver<Eigen::Matrix2d>(matrix).eigenvectors();
-    const Eigen::Vector2d sizes = Eigen::JacobiSVD<Eigen::Matrix2cd>(vectors).singularValues();
     const double beyond = 1e-3;
     const double rate =
         std::log(spectral_radius(step_matrix(method, model, wh * (1 + beyond)))) / beyond;
     const double steps = std::clamp(200 * 2 * pi / wh, 4000.0, 200000.0);
     const double bisected = std::log(1e5) / std::pow(2.0, 34);
-    return std::log(sizes[0] / sizes[1]) / (steps * rate) + 2 * bisected;
+    return std::log(condition(step_matrix(method, model, wh))) / (steps * rate) + 2 * bisected;
 }
 
 struct Worst {

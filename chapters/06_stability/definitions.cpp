@@ -5,8 +5,6 @@
 #include <vector>
 
 #include <timestep/measured_order.hpp>
-#include <timestep/methods.hpp>
-#include <timestep/methods/semi_implicit_euler_new_damping.hpp>
 #include <timestep/models/damped_spring.hpp>
 #include <timestep/models/decay.hpp>
 #include <timestep/models/drag.hpp>
@@ -14,9 +12,9 @@
 #include <timestep/models/projectile.hpp>
 #include <timestep/models/spring.hpp>
 #include <timestep/rigid/elliptic.hpp>
-#include <timestep/run.hpp>
 #include <timestep/scene.hpp>
 
+#include "any_method.hpp"
 #include "sections.hpp"
 
 using namespace timestep;
@@ -39,33 +37,30 @@ struct Always42 {
 };
 /// [always 42]
 
-// Every method of the course, and one that is none.
-template <class Visit>
-void for_each(const Visit& visit) {
-    for_each_method(visit);
-    visit(semi_implicit_euler_new_damping);
-    for_each_verlet_method(visit);
-    visit(Always42{});
-}
+using Fall = Scene<Projectile<double>, Drag<double>>;
 
-// Verlet's kind takes no velocity, new damping wants a linear force, and a first-order system is
-// not for methods that treat position and velocity differently.
-template <class Method, class Model, class X>
-constexpr bool takes(const State<X>&) {
-    if constexpr (std::is_same_v<Method, Verlet> || std::is_same_v<Method, VelocityVerlet> ||
-                  std::is_same_v<Method, Leapfrog>)
-        return PositionForce<Model, X>;
-    else if constexpr (std::is_same_v<Method, SemiImplicitEulerNewDamping>)
-        return LinearForce<Model, X>;
-    else
-        return true;
-}
-template <class Method, class Model, class Y>
-constexpr bool takes(const FirstOrder<Y>&) {
-    using S = FirstOrder<Y>;
-    return TwoStepMethod<Method, Model, S> || requires(const Method& m, const Model& f, S s) {
-        m.step(f, s, 0.1);
-    };
+// A method on the scenes of the two tables below.
+struct Tried {
+    const char* name;
+    int order;  // as it declares; -1 where it declares none
+    AnyMethod<Spring<double>, State<double>> spring;
+    AnyMethod<DampedSpring<double>, State<double>> damped;
+    AnyMethod<Pendulum<double>, State<double>> pendulum;
+    AnyMethod<Fall, State<double>> fall;
+    AnyMethod<Decay<double>, FirstOrder<double>> decay;
+
+    template <class Method>
+    Tried(const Method& m) : name(m.name), order(-1), spring(m), damped(m), pendulum(m), fall(m), decay(m) {
+        if constexpr (requires { Method::order; }) order = Method::order;
+    }
+};
+
+// Every method of the course, and one that is none.
+std::vector<Tried> all_tried() {
+    std::vector<Tried> all;
+    for_all_methods([&](const auto& method) { all.push_back(method); });
+    all.push_back(Always42{});
+    return all;
 }
 
 double distance(const State<double>& a, const State<double>& b) {
@@ -100,27 +95,25 @@ constexpr double seconds = 2;
 
 // How fast the error at the end falls with the step. The compiler refuses a scene that the method
 // does not take.
-template <class Method, class Model, class S>
-std::string order_on(const char* scene, const Method& method, const Model& model, const S& start,
-                     const S& exact, lab::Table& errors, bool& as_declared) {
-    if constexpr (!takes<Method, Model>(S{})) {
-        return "refused";
-    } else {
-        std::vector<double> h, error;
-        for (const int steps : {64, 128, 256, 512}) {
-            h.push_back(seconds / steps);
-            error.push_back(distance(run(method, model, start, h.back(), steps), exact));
-            errors.row({std::string(method.name), std::string(scene), h.back(), error.back()});
-        }
-        const double order = measured_order(h, error);
-        // The error is C hᵖ (1 + c h) with c of a few 1/s: for h of 0.01 s the slope is off by a
-        // few hundredths.
-        if constexpr (requires { Method::order; })
-            as_declared = as_declared && std::fabs(order - Method::order) < 0.1;
-        else
-            as_declared = as_declared && std::fabs(order) < 1e-9 && error.back() > 1;
-        return rounded(order);
+template <class Model, class S>
+std::string order_on(const char* scene, const AnyMethod<Model, S>& method, int declared,
+                     const Model& model, const S& start, const S& exact, lab::Table& errors,
+                     bool& as_declared) {
+    if (!method.takes_force()) return "refused";
+    std::vector<double> h, error;
+    for (const int steps : {64, 128, 256, 512}) {
+        h.push_back(seconds / steps);
+        error.push_back(distance(run(method, model, start, h.back(), steps), exact));
+        errors.row({std::string(method.name), std::string(scene), h.back(), error.back()});
     }
+    const double order = measured_order(h, error);
+    // The error is C hᵖ (1 + c h) with c of a few 1/s: for h of 0.01 s the slope is off by a
+    // few hundredths.
+    if (declared >= 0)
+        as_declared = as_declared && std::fabs(order - declared) < 0.1;
+    else
+        as_declared = as_declared && std::fabs(order) < 1e-9 && error.back() > 1;
+    return rounded(order);
 }
 
 void convergence(lab::Findings& out) {
@@ -128,7 +121,7 @@ void convergence(lab::Findings& out) {
     const DampedSpring damped(1.0, 0.3);
     const Pendulum pendulum(1.0);
     const double terminal = 4, g = 9.81, angle = 2;
-    const Scene fall{Projectile(-g), Drag<double>::from_terminal_speed(terminal, g)};
+    const Fall fall{Projectile(-g), Drag<double>::from_terminal_speed(terminal, g)};
     const Decay decay(-1.0);
     const State<double> swing{0, 1.0, 0.3}, tilted{0, angle, 0.0}, rest{0, 0.0, 0.0};
     const FirstOrder<double> one{0, 1.0};
@@ -139,27 +132,28 @@ void convergence(lab::Findings& out) {
                                            "fall with drag", "decay", "converges"});
     auto& errors = out.table("errors.tsv", {"method", "scene", "h", "error"});
     bool every = true, fails = false;
-    for_each([&](const auto& method) {
+    for (const Tried& m : all_tried()) {
         bool good = true;
-        const std::vector<std::string> cell{
-            order_on("spring", method, spring, swing, spring.exact(swing, seconds), errors, good),
-            order_on("damped", method, damped, swing, damped.exact(swing, seconds), errors, good),
-            order_on("pendulum", method, pendulum, tilted, swung(pendulum, angle, seconds), errors,
-                     good),
-            order_on("fall", method, fall, rest, fallen(terminal, g, seconds), errors, good),
-            order_on("decay", method, decay, one, decay.exact(one, seconds), errors, good)};
-        const bool converges = requires {
-            method.order;
+        const auto order = [&](const char* scene, const auto& method, const auto& model,
+                               const auto& start, const auto& exact) {
+            return order_on(scene, method, m.order, model, start, exact, errors, good);
         };
+        const std::vector<std::string> cell{
+            order("spring", m.spring, spring, swing, spring.exact(swing, seconds)),
+            order("damped", m.damped, damped, swing, damped.exact(swing, seconds)),
+            order("pendulum", m.pendulum, pendulum, tilted, swung(pendulum, angle, seconds)),
+            order("fall", m.fall, fall, rest, fallen(terminal, g, seconds)),
+            order("decay", m.decay, decay, one, decay.exact(one, seconds))};
+        const bool converges = m.order >= 0;
         if (converges)
             every = every && good;
         else
             fails = good;
-        std::printf("  %-32s %8s %8s %8s %8s %8s\n", method.name, cell[0].c_str(), cell[1].c_str(),
+        std::printf("  %-32s %8s %8s %8s %8s %8s\n", m.name, cell[0].c_str(), cell[1].c_str(),
                     cell[2].c_str(), cell[3].c_str(), cell[4].c_str());
-        table.row({std::string(method.name), cell[0], cell[1], cell[2], cell[3], cell[4],
+        table.row({std::string(m.name), cell[0], cell[1], cell[2], cell[3], cell[4],
                    std::string(converges ? "yes" : "no")});
-    });
+    }
     out.check("converges", every,
               "every method converges on every scene it takes, with the order it declares");
     out.check("always_42_fails", fails, "the answer 42 has an error that no step makes smaller");
@@ -169,18 +163,15 @@ constexpr int many = 20000;  // steps
 
 // Does the answer leave every bound? A swing of size 1 or a decay may reach a few times that on its
 // way; what grows by a thousandth a step is past 10⁶ after as many steps.
-template <class Method, class Model, class S>
-std::string bounded(const Method& method, const Model& model, const S& start, double h) {
-    if constexpr (!takes<Method, Model>(S{})) {
-        return "refused";
-    } else {
-        double most = 0;
-        run(method, model, start, h, many, [&](const S& s) {
-            const double size = distance(s, S{});
-            most = std::isfinite(size) ? std::max(most, size) : 1e300;
-        });
-        return most < 1e4 ? "bounded" : "grows";
-    }
+template <class Model, class S>
+std::string bounded(const AnyMethod<Model, S>& method, const Model& model, const S& start, double h) {
+    if (!method.takes_force()) return "refused";
+    double most = 0;
+    run(method, model, start, h, many, [&](const S& s) {
+        const double size = distance(s, S{});
+        most = std::isfinite(size) ? std::max(most, size) : 1e300;
+    });
+    return most < 1e4 ? "bounded" : "grows";
 }
 
 void boundedness(lab::Findings& out) {
@@ -193,18 +184,18 @@ void boundedness(lab::Findings& out) {
     out.number("bounded_steps", many, "",
                "steps of each run that is asked whether it stays bounded");
     std::string holds;
-    for_each([&](const auto& method) {
-        const std::string cell[] = {bounded(method, Spring(1.0), swing, 0.5),
-                                    bounded(method, Spring(1.0), swing, 2.5),
-                                    bounded(method, DampedSpring(1.0, 0.5), swing, 2.5),
-                                    bounded(method, Decay(-1.0), one, 10)};
-        std::printf("  %-32s %9s %9s %9s %9s\n", method.name, cell[0].c_str(), cell[1].c_str(),
+    for (const Tried& m : all_tried()) {
+        const std::string cell[] = {bounded(m.spring, Spring(1.0), swing, 0.5),
+                                    bounded(m.spring, Spring(1.0), swing, 2.5),
+                                    bounded(m.damped, DampedSpring(1.0, 0.5), swing, 2.5),
+                                    bounded(m.decay, Decay(-1.0), one, 10)};
+        std::printf("  %-32s %9s %9s %9s %9s\n", m.name, cell[0].c_str(), cell[1].c_str(),
                     cell[2].c_str(), cell[3].c_str());
-        table.row({std::string(method.name), cell[0], cell[1], cell[2], cell[3]});
+        table.row({std::string(m.name), cell[0], cell[1], cell[2], cell[3]});
         if (std::none_of(std::begin(cell), std::end(cell),
                          [](const auto& c) { return c == "grows"; }))
-            holds += std::string(method.name) + "; ";
-    });
+            holds += std::string(m.name) + "; ";
+    }
     out.check(
         "stable_everywhere", holds == "implicit Euler; implicit midpoint; BDF2; always 42; ",
         "only implicit Euler, implicit midpoint, BDF2 and the answer 42 stay bounded on all four");

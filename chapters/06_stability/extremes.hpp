@@ -10,11 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <timestep/models/damped_spring.hpp>
-#include <timestep/models/spring.hpp>
 #include <timestep/run.hpp>
-#include <timestep/stability.hpp>
-#include <timestep/stability_limit.hpp>
 
 namespace extremes {
 
@@ -136,62 +132,10 @@ Cell cell(const char* scene, const Method& method, const Make<Model>& make, cons
     return cell;
 }
 
-// Does the method step this force? Those of Verlet's kind have no velocity to hand to it, and
-// damping at the new velocity needs a linear one.
-template <class Method, class Model, class X>
-inline constexpr bool takes = VelocityForce<Model, X>;
-template <class Model, class X>
-inline constexpr bool takes<Verlet, Model, X> = PositionForce<Model, X>;
-template <class Model, class X>
-inline constexpr bool takes<VelocityVerlet, Model, X> = PositionForce<Model, X>;
-template <class Model, class X>
-inline constexpr bool takes<Leapfrog, Model, X> = PositionForce<Model, X>;
-template <class Model, class X>
-inline constexpr bool takes<SemiImplicitEulerNewDamping, Model, X> = LinearForce<Model, X>;
-
-template <class Visit>
-void for_all_methods(const Visit& visit) {
-    for_each_method(visit);
-    visit(semi_implicit_euler_new_damping);
-    for_each_verlet_method(visit);
-}
-
-// By how much a step of ωh = s multiplies in the long run. Plain Verlet goes through the positions
-// of velocity Verlet; BDF2 never grows, and is never asked.
-template <class Method>
-long double growth(const Method& method, long double zeta, long double s) {
-    if constexpr (std::is_same_v<Method, Verlet>)
-        return growth(velocity_verlet, zeta, s);
-    else if constexpr (std::is_same_v<Method, Bdf2>)
-        return 1;
-    else if constexpr (takes<Method, DampedSpring<long double>, long double>)
-        return spectral_radius(step_matrix(method, DampedSpring<long double>(1, zeta), s));
-    else
-        return spectral_radius(step_matrix(method, Spring<long double>(1), s));
-}
-
-// A spring, or several of which the fastest has this ω: the longest stable step decides, and beyond
-// it the larger eigenvalue. A stable state may swell before it settles: the ellipses that it goes
-// round have axes in a ratio of 3.4 at the most, here at ωh = 5/3; 8 leaves room for a start off
-// both axes.
-template <class Real, class Method>
-Theory spring_theory(const Method& method, double omega, double zeta, double h, long steps) {
-    const double s = omega * h;
-    if (s <= stability_limit(method, zeta).value) return {Word::bounded, 8};
-    const double log_step = static_cast<double>(std::log(growth(method, zeta, s)));
-    const double log_largest = std::log(static_cast<double>(std::numeric_limits<Real>::max()));
-    const double log_last = log_step * steps;
-    if (log_last + std::log(8 * std::max(1.0, omega)) < log_largest)
-        return {Word::grows, 0, log_last};
-    if (log_last < log_largest * 1.01 + 3 * log_step)
-        throw std::logic_error("extremes: take more steps");
-    Theory theory{Word::reported, 0, 0, log_largest * 1.01 / log_step + 3};
-    theory.earliest = (log_largest - std::log(8 * std::max(1.0, omega))) * 0.99 / log_step - 3;
-    return theory;
-}
-
-// All cells: of every method on every force, and of every gyroscopic solver on every inertia.
+// All cells: of every method on every force, and of every gyroscopic solver on every inertia, with
+// those of a ball on the ground.
 std::vector<Cell> of_methods();
 std::vector<Cell> of_bodies();
+std::vector<Cell> of_balls();
 
 }  // namespace extremes

@@ -6,12 +6,11 @@
 
 #include <Eigen/Dense>
 
-#include <timestep/methods.hpp>
 #include <timestep/models/robertson.hpp>
 #include <timestep/models/van_der_pol.hpp>
-#include <timestep/run.hpp>
 
 #include "adaptive.hpp"
+#include "any_method.hpp"
 #include "sections.hpp"
 
 using namespace timestep;
@@ -20,6 +19,8 @@ namespace {
 
 using Pair = Eigen::Vector2d;
 using Shares = Eigen::Vector3d;
+using OnVanDerPol = AnyMethod<VanDerPol<double>, FirstOrder<Pair>>;
+using OnRobertson = AnyMethod<Robertson<double>, FirstOrder<Shares>>;
 
 std::string words(const char* format, double value) {
     char text[24];
@@ -45,8 +46,8 @@ double first_without_root(long steps) {
 long jumps_of_even_steps(long steps) {
     double before = 2;
     long jumps = 0;
-    run(implicit_euler, VanDerPol<double>(1e6), FirstOrder<Pair>{0, Pair(2, 0)}, 2 / double(steps), steps,
-        [&](const auto& s) {
+    run(OnVanDerPol(implicit_euler), VanDerPol<double>(1e6), FirstOrder<Pair>{0, Pair(2, 0)},
+        2 / double(steps), steps, [&](const auto& s) {
             jumps += before * s.y(0) < 0;
             before = s.y(0);
         });
@@ -76,19 +77,14 @@ double semi_implicit_steps(double count, lab::Table& table) {
     return error;
 }
 
-template <class Method>
-double fixed_steps(const Method& method, const std::string& note, double count, lab::Table& table,
-                   lab::Table* curve) {
+double fixed_steps(const OnVanDerPol& method, const std::string& note, double count,
+                   lab::Table& table, lab::Table* curve) {
     const VanDerPol<double> oscillator(1e6);
-    const FirstOrder<Pair> start{0, Pair(2, 0)};
-    FirstOrder<Pair> end = start;
     const auto steps = long(count);
-    if (curve)
-        end = run(method, oscillator, start, 2 / count, steps, [&](const auto& s) {
-            curve->row({s.t, s.y(0)});
-        });
-    else
-        end = run(method, oscillator, start, 2 / count, steps);
+    const FirstOrder<Pair> end = run(method, oscillator, FirstOrder<Pair>{0, Pair(2, 0)}, 2 / count,
+                                     steps, [&](const FirstOrder<Pair>& s) {
+                                         if (curve) curve->row({s.t, s.y(0)});
+                                     });
     const double error = std::fabs(end.y(0) - van_der_pol_at_2(0));
     std::printf("  %-28s %8ld steps: %s\n", note.c_str(), steps, words("%.1e off", error).c_str());
     table.row({note, double(steps), words("%.1e", error)});
@@ -168,8 +164,8 @@ void van_der_pol(lab::Findings& out) {
               "with a step that adapts implicit Euler meets the published value");
 }
 
-template <class Method>
-double react(const Method& method, const char* name, double count, lab::Table& table) {
+double react(const OnRobertson& method, double count, lab::Table& table) {
+    const char* name = method.name;
     const Robertson<double> reaction;
     const auto end =
         run(method, reaction, FirstOrder<Shares>{0, Shares(1, 0, 0)}, 40 / count, long(count));
@@ -183,17 +179,17 @@ double react(const Method& method, const char* name, double count, lab::Table& t
 void robertson(lab::Findings& out) {
     std::printf("  Robertson, from t = 0 to 40:\n");
     auto& table = out.table("robertson.tsv", {"method", "to t", "steps", "error"});
-    const double few = react(explicit_euler, "explicit Euler", 6e4, table);
-    const double many = react(explicit_euler, "explicit Euler", 8e4, table);
+    const double few = react(explicit_euler, 6e4, table);
+    const double many = react(explicit_euler, 8e4, table);
     bool explicit_fails = !std::isfinite(few), explicit_arrives = many < 1e-4;
-    const auto both = [&](const auto& method) {
-        explicit_fails &= !(react(method, method.name, 4e4, table) < 1e-3);
-        explicit_arrives &= react(method, method.name, 8e4, table) < 1e-4;
+    const auto both = [&](const OnRobertson& method) {
+        explicit_fails &= !(react(method, 4e4, table) < 1e-3);
+        explicit_arrives &= react(method, 8e4, table) < 1e-4;
     };
     both(midpoint), both(heun), both(runge_kutta_4);
-    const double euler = react(implicit_euler, "implicit Euler", 400, table);
-    const double turned = react(implicit_midpoint, "implicit midpoint", 400, table);
-    const double bdf = react(bdf2, "BDF2", 400, table);
+    const double euler = react(implicit_euler, 400, table);
+    const double turned = react(implicit_midpoint, 400, table);
+    const double bdf = react(bdf2, 400, table);
 
     const Robertson<double> reaction;
     Account account;

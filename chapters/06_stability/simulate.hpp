@@ -3,29 +3,45 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
-#include <timestep/run.hpp>
+#include <timestep/advise.hpp>
+
+#include "any_method.hpp"
+
+template <class Model>
+using OnNumbers = AnyMethod<Model, timestep::State<double>>;
+
+// A method on a spring, and on one with a damper where it takes it; and what theory knows of it.
+struct OnSprings {
+    const char* name;
+    OnNumbers<timestep::Spring<double>> spring;
+    OnNumbers<timestep::DampedSpring<double>> damped;
+    double (*limit)(double zeta);  // the longest stable ωh
+    std::vector<timestep::detail::Complex> (*multipliers)(long double zeta, long double wh);
+
+    template <class Method>
+    OnSprings(const Method& m) : name(m.name), spring(m), damped(m) {
+        limit = [](double zeta) { return timestep::stability_limit(Method{}, zeta).value; };
+        multipliers = [](long double zeta, long double wh) {
+            return timestep::detail::multipliers(Method{}, zeta, wh);
+        };
+    }
+};
 
 // A run, piece by piece; of each piece the largest size |x| + |v|/ω.
-template <class Method, class Model>
+template <class Model>
 class Watched {
 public:
-    Watched(const Method& method, const Model& model, double omega, double h)
+    Watched(const OnNumbers<Model>& method, const Model& model, double omega, double h)
         : method_(method), model_(model), omega_(omega), h_(h), before_{0, 0.8, 0.6 * omega} {
-        if constexpr (timestep::TwoStepMethod<Method, Model, timestep::State<double>>) {
-            state_ = method_.start(model_, before_, h_);
-        } else {
-            state_ = before_;
-        }
+        // Two states, where two are needed.
+        state_ = method_.from_two ? method_.start(model_, before_, h_) : before_;
     }
     double largest_of(long steps) {
         double largest = 0;
         for (long n = 0; n < steps; ++n) {
-            timestep::State<double> next;
-            if constexpr (timestep::TwoStepMethod<Method, Model, timestep::State<double>>)
-                next = method_.step(model_, before_, state_, h_);
-            else
-                next = method_.step(model_, state_, h_);
+            const auto next = method_.step(model_, before_, state_, h_);
             before_ = state_;
             state_ = next;
             const double size = std::abs(state_.x) + std::abs(state_.v) / omega_;
@@ -35,7 +51,7 @@ public:
     }
 
 private:
-    Method method_;
+    OnNumbers<Model> method_;
     Model model_;
     double omega_, h_;
     timestep::State<double> before_, state_;
@@ -45,9 +61,9 @@ private:
 // Does it grow? The verdict is plain when the size is 1000 times the first or a
 // thousandth of it. Else the last quarter of a long run is compared with the
 // second: what neither grows nor shrinks is bounded, and that is stable.
-template <class Method, class Model>
-bool grows(const Method& method, const Model& model, double omega, double h,
-           long quarter = 32'768) {
+template <class Model>
+bool grows(const OnNumbers<Model>& method, const Model& model, double omega,
+           double h, long quarter = 32'768) {
     Watched run(method, model, omega, h);
     const double first = run.largest_of(64);
     double second = 0, last = 0;

@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <timestep/advise.hpp>
-#include <timestep/run.hpp>
-
 #include "sections.hpp"
+#include "simulate.hpp"
 
 using namespace timestep;
 
@@ -20,8 +18,8 @@ constexpr long ten_seconds = 600;
 
 // What has become of a spring after ten seconds: the step at which it was a million times too
 // large, or what is left of it.
-template <class Method, class Model>
-std::string outcome(const Method& method, const Model& model, double omega) {
+template <class Model>
+std::string outcome(const OnNumbers<Model>& method, const Model& model, double omega) {
     long n = 0, blown = 0;
     double left = 0;
     run(method, model, State<double>{0, 1, 0}, h, ten_seconds, [&](const State<double>& s) {
@@ -37,8 +35,8 @@ enum Fate { swings, dies, rings, blows_up };
 
 // What a kicked spring does in ten seconds, in one word. It rings when its velocity changes sign in
 // each of the last hundred steps and is more than a thousandth of the kick.
-template <class Method, class Model>
-Fate fate(const Method& method, const Model& model, double omega) {
+template <class Model>
+Fate fate(const OnNumbers<Model>& method, const Model& model, double omega) {
     double left = 0, before = 0;
     long turns = 0;
     run(method, model, State<double>{0, 0, omega}, h, ten_seconds, [&](const State<double>& s) {
@@ -57,25 +55,25 @@ void fates(lab::Findings& out) {
     auto& dampers = out.table("damper_fates.tsv", {"zeta", "row", "fate"});
     double row = 0;
     bool explicit_gone = true, implicit_stay = true, ring = true;
-    const auto of_springs = [&](const auto& method) {
+    const auto of_springs = [&](const OnSprings& method) {
         const std::string name = method.name;
         const bool implicit = name.starts_with("implicit") || name == "BDF2";
         ++row;
         for (int i = 0; i <= 24; ++i) {
             const double omega = std::pow(10, i / 3.0);
-            Fate f = fate(method, Spring<double>(omega), omega);
+            Fate f = fate(method.spring, Spring<double>(omega), omega);
             if (f == rings) f = swings;  // no damper: so it should
             springs.row({omega, row, double(f)});
             if (omega > 200)
                 (implicit ? implicit_stay : explicit_gone) &= (f == blows_up) != implicit;
         }
     };
-    const auto of_both = [&](const auto& method) {
+    const auto of_both = [&](const OnSprings& method) {
         of_springs(method);
         const bool should_ring = std::string(method.name) == "implicit midpoint";
         for (int i = 0; i <= 24; ++i) {
             const double zeta = std::pow(10, i / 3.0 - 2);
-            const Fate f = fate(method, DampedSpring<double>(10, zeta), 10);
+            const Fate f = fate(method.damped, DampedSpring<double>(10, zeta), 10);
             dampers.row({zeta, row, double(f)});
             if (zeta > 3e3) ring &= (f == rings) == should_ring;
         }
@@ -117,18 +115,18 @@ void stiff_springs(const Settings&, lab::Findings& out) {
     std::printf("  %-34s %s\n", "after ten seconds, a spring of",
                 "1, 10, 100, 1e3, 1e4, 1e8 rad/s:");
     bool as_predicted = true;
-    const auto spring_row = [&](const auto& method) {
+    const auto spring_row = [&](const OnSprings& method) {
         std::vector<lab::Cell> cells{method.name};
         std::printf("  %-34s", method.name);
         for (const double omega : omegas) {
-            const std::string what = outcome(method, Spring<double>(omega), omega);
+            const std::string what = outcome(method.spring, Spring<double>(omega), omega);
             cells.push_back(what);
             std::printf(" %s,", what.c_str());
             // Gone is what grows more than a million-fold in ten seconds. (Close to it, the shape
             // of the swing decides.)
             const double s = omega * h;
             double largest = 0;
-            for (const auto& each : detail::multipliers(method, 0, s))
+            for (const auto& each : method.multipliers(0, s))
                 largest = std::max(largest, double(std::abs(each)));
             const double grown = ten_seconds * std::log10(largest);
             const bool gone = what.starts_with("gone");
@@ -145,13 +143,13 @@ void stiff_springs(const Settings&, lab::Findings& out) {
     // The damper: ω = 10 rad/s, ζ from 1 to a million.
     auto& dampers = out.table("hard_dampers.tsv", {"method", "ζ = 1", "10", "100", "10⁴", "10⁶"});
     bool holds = true;
-    const auto damper_row = [&](const auto& method) {
+    const auto damper_row = [&](const OnSprings& method) {
         std::vector<lab::Cell> cells{method.name};
         for (const double zeta : {1.0, 10.0, 100.0, 1e4, 1e6}) {
-            const std::string what = outcome(method, DampedSpring<double>(10, zeta), 10);
+            const std::string what = outcome(method.damped, DampedSpring<double>(10, zeta), 10);
             cells.push_back(what);
             holds =
-                holds && what.starts_with("gone") == (10 * h > stability_limit(method, zeta).value);
+                holds && what.starts_with("gone") == (10 * h > method.limit(zeta));
         }
         dampers.row(cells);
     };

@@ -7,11 +7,10 @@
 
 #include <Eigen/Dense>
 
-#include <timestep/methods.hpp>
 #include <timestep/models/coupled_springs.hpp>
-#include <timestep/run.hpp>
 #include <timestep/stability_limit.hpp>
 
+#include "any_method.hpp"
 #include "sections.hpp"
 
 using namespace timestep;
@@ -19,10 +18,11 @@ using namespace timestep;
 namespace {
 
 using Two = Eigen::Vector2d;
+using Row = CoupledSprings<double, 2>;
 
 // Two masses of 1 kg, each tied to its wall by 1 N/m and to the other by a rod that gives a little:
 // in step they swing at 1 rad/s, against each other at 1e4.
-CoupledSprings<double, 2> two_scales_row() {
+Row two_scales_row() {
     const double rod = (1e8 - 1) / 2;
     return {Two(1, 1), Eigen::Vector3d(1, rod, 1)};
 }
@@ -31,8 +31,7 @@ struct Ended {
     double slow_error, fast;  // of the swing in step, and what is left of that against each other
 };
 
-template <class Method>
-Ended after_ten_seconds(const Method& method, const CoupledSprings<double, 2>& row, double h) {
+Ended after_ten_seconds(const AnyMethod<Row, State<Two>>& method, const Row& row, double h) {
     const State<Two> start{0, {1 + 1e-3, 1 - 1e-3}, {0, 0}};
     const State<Two> end = run(method, row, start, h, std::lround(10 / h));
     const double slow = (end.x[0] + end.x[1]) / 2, slow_v = (end.v[0] + end.v[1]) / 2;
@@ -57,15 +56,14 @@ void two_scales(const Settings&, lab::Findings& out) {
         return std::string(text);
     };
     // At 60 Hz, and where a method does not stand that, with as few steps as the fast swing allows.
-    const auto at = [&](const auto& method, double rate) {
+    const auto at = [&](const AnyMethod<Row, State<Two>>& method, double rate) {
         const Ended e = after_ten_seconds(method, row, 1 / rate);
         std::printf("  %-34s %8.0f %12s %12s\n", method.name, rate, words(e.slow_error).c_str(),
                     words(e.fast).c_str());
         ended[method.name + std::string(rate > 60 ? ", enough" : "")] = e;
         return e;
     };
-    const auto every = [&](const auto& method) {
-        const double limit = stability_limit(method, 0).value;
+    const auto every = [&](const AnyMethod<Row, State<Two>>& method, double limit) {
         Ended e = at(method, 60);
         double rate = 60;
         if (limit > 0 && std::isfinite(limit)) e = at(method, rate = std::ceil(1.0001e4 / limit));
@@ -76,9 +74,7 @@ void two_scales(const Settings&, lab::Findings& out) {
         else
             table.row({method.name, "none is enough", "–", "–"});
     };
-    for_each_method(every);
-    every(semi_implicit_euler_new_damping);
-    for_each_verlet_method(every);
+    for_all_methods([&](const auto& method) { every(method, stability_limit(method, 0).value); });
     const Ended euler = ended["implicit Euler"], middle = ended["implicit midpoint"], bdf = ended["BDF2"];
     int gone = 0, enough = 0;
     for (const auto& [name, e] : ended) {

@@ -1,6 +1,9 @@
 // The claims of chapter 6 about extreme inputs: every cell of its table ends as theory says.
 #include <catch2/catch_test_macros.hpp>
 
+#include <timestep/methods/implicit_euler.hpp>
+#include <timestep/models/spring.hpp>
+
 #include "../../chapters/06_stability/extremes.hpp"
 
 using namespace extremes;
