@@ -3,6 +3,7 @@
 /// The operations in which a number and a matrix differ when an implicit method solves for
 /// its new state. Eigen is used where the caller brings Eigen types, and not included here.
 
+#include <cmath>
 #include <type_traits>
 #include <utility>
 
@@ -61,8 +62,15 @@ template <class X>
 real_of<X> safe_magnitude(const X& x) {
     if constexpr (is_number<X>)
         return magnitude(x);
-    else
-        return x.stableNorm();
+    else {
+        real_of<X> largest = 0;
+        for (const auto& part : x)
+            if (!(magnitude(part) <= largest)) largest = magnitude(part);
+        if (largest == 0) return largest;
+        real_of<X> sum = 0;  // NaN where a part is, or is infinite
+        for (const auto& part : x) sum += (part / largest) * (part / largest);
+        return largest * std::sqrt(sum);
+    }
 }
 
 /// The x with A x = b by Gauss's elimination, for few equations. In each column the largest number left
