@@ -72,7 +72,10 @@ bool is_finite(const X& x) {
         for_each_number([&](auto number) { all = all && std::isfinite(number); }, x);
         return all;
     } else {
-        return x.array().isFinite().all();
+        bool all = true;
+        for (int j = 0; j < x.cols(); ++j)
+            for (int i = 0; i < x.rows(); ++i) all = all && is_finite(x(i, j));
+        return all;
     }
 }
 /// Time, position and velocity, all of them.

@@ -34,8 +34,12 @@ using Half = std::conditional_t<size_of<Y>() == 2, real_of<Y>,
 
 template <class X>
 Eigen::Matrix<real_of<X>, 2 * size_of<X>(), 1> stack(const X& upper, const X& lower) {
-    Eigen::Matrix<real_of<X>, 2 * size_of<X>(), 1> y;
-    y << upper, lower;
+    constexpr int n = size_of<X>();
+    Eigen::Matrix<real_of<X>, 2 * n, 1> y;
+    if constexpr (n == 1)
+        y(0) = upper, y(1) = lower;
+    else
+        for (int i = 0; i < n; ++i) y(i) = upper(i), y(n + i) = lower(i);
     return y;
 }
 
@@ -88,9 +92,17 @@ struct FirstOrderForm {
         using Block = Eigen::Matrix<real_of<Y>, n, n>;
         const FirstOrder<detail::Whole<Y>> state{t, y};
         const auto [time, x, v] = unstacked(state);
-        Eigen::Matrix<real_of<Y>, 2 * n, 2 * n> slope;
-        slope << Block::Zero(), Block::Identity(),  //
-            matrix<Block>(slope_x(model, x, v)), matrix<Block>(slope_v(model, x, v));
+        const Block by_x = matrix<Block>(slope_x(model, x, v));
+        const Block by_v = matrix<Block>(slope_v(model, x, v));
+        using Slope = Eigen::Matrix<real_of<Y>, 2 * n, 2 * n>;
+        Slope slope = Slope::Zero();
+        for (int i = 0; i < n; ++i) {
+            slope(i, n + i) = 1;
+            for (int j = 0; j < n; ++j) {
+                slope(n + i, j) = by_x(i, j);
+                slope(n + i, n + j) = by_v(i, j);
+            }
+        }
         return slope;
     }
 

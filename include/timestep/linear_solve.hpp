@@ -3,20 +3,13 @@
 /// The operations in which a number and a matrix differ when an implicit method solves for
 /// its new state. Eigen is used where the caller brings Eigen types, and not included here.
 
+#include <cmath>
 #include <type_traits>
+#include <utility>
 
 #include <timestep/state.hpp>
 
 namespace timestep {
-
-/// The x with A x = b: a division, or an LU solve. A number A stands for A times the identity.
-template <class A, class X>
-X solve(const A& a, const X& b) {
-    if constexpr (is_number<A>)
-        return b / a;
-    else
-        return a.partialPivLu().solve(b);
-}
 
 /// The 1 of numbers and of matrices.
 template <class A>
@@ -69,8 +62,58 @@ template <class X>
 real_of<X> safe_magnitude(const X& x) {
     if constexpr (is_number<X>)
         return magnitude(x);
+    else {
+        real_of<X> largest = 0;
+        for (const auto& part : x)
+            if (!(magnitude(part) <= largest)) largest = magnitude(part);
+        if (largest == 0) return largest;
+        real_of<X> sum = 0;  // NaN where a part is, or is infinite
+        for (const auto& part : x) sum += (part / largest) * (part / largest);
+        return largest * std::sqrt(sum);
+    }
+}
+
+/// The x with A x = b by Gauss's elimination, for few equations. In each column the largest number left
+/// is the pivot, by which the others are divided; so no share of a row that is taken from another
+/// exceeds one. (Eigen does the same, for any size, and takes seconds to compile.)
+/// [eliminate]
+template <class Matrix, class X>
+X eliminate(Matrix a, X b) {
+    constexpr int n = Matrix::RowsAtCompileTime;
+    for (int k = 0; k < n; ++k) {
+        int pivot = k;
+        for (int i = k + 1; i < n; ++i)
+            if (magnitude(a(i, k)) > magnitude(a(pivot, k))) pivot = i;
+        for (int j = 0; j < n; ++j) std::swap(a(k, j), a(pivot, j));
+        std::swap(b(k), b(pivot));
+        for (int i = k + 1; i < n; ++i) {
+            a(i, k) /= a(k, k);  // the share, kept where it has made a zero
+            for (int j = k + 1; j < n; ++j) a(i, j) -= a(i, k) * a(k, j);
+        }
+    }
+    for (int i = 1; i < n; ++i) {  // the right side loses the same shares
+        real_of<X> taken = 0;
+        for (int j = i - 1; j >= 0; --j) taken += a(i, j) * b(j);
+        b(i) -= taken;
+    }
+    for (int i = n - 1; i >= 0; --i) {  // the last equation has one unknown, the one before it two
+        real_of<X> known = 0;
+        for (int j = n - 1; j > i; --j) known += a(i, j) * b(j);
+        b(i) = (b(i) - known) / a(i, i);
+    }
+    return b;
+}
+/// [eliminate]
+
+/// The x with A x = b: a division, or an elimination. A number A stands for A times the identity.
+template <class A, class X>
+X solve(const A& a, const X& b) {
+    if constexpr (is_number<A>)
+        return b / a;
+    else if constexpr (0 < A::RowsAtCompileTime && A::RowsAtCompileTime <= 4)
+        return eliminate<typename A::PlainObject>(a, b);
     else
-        return x.stableNorm();
+        return a.partialPivLu().solve(b);
 }
 
 /// x / |x|, the direction of x: for a number its sign. Zero has none and stays zero. Right for short

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include <Eigen/Dense>
+#include <timestep/checks.hpp>
 #include <timestep/linear_solve.hpp>
 
 using namespace timestep;
@@ -33,6 +34,22 @@ TEMPLATE_TEST_CASE("matrices are solved by elimination", "[library]", float, dou
     Matrix products;
     products << 8, 10, 12, 15;
     CHECK(outer(Vector(2, 3), Vector(4, 5)) == products);
+}
+
+// Of `a`, what is left of the second column is 0, 0 and 4: without a swap there would be no answer.
+TEST_CASE("an elimination takes the largest pivot in every column", "[library]") {
+    Eigen::Matrix4d a;
+    a << 4, 8, 4, 0,  //
+        2, 4, 2, 8,   //
+        1, 2, 2, 1,   //
+        0, 4, 8, 4;
+    CHECK(solve(a, Eigen::Vector4d(a * Eigen::Vector4d(1, -2, 4, 8))) == Eigen::Vector4d(1, -2, 4, 8));
+    const Eigen::Matrix3d b = a.topLeftCorner<3, 3>() + Eigen::Vector3d(0, 0, 1) * Eigen::RowVector3d(0, 2, 0);
+    CHECK_FALSE(is_finite(solve(b, Eigen::Vector3d(1, 2, 3))));  // its second row is half of the first
+    // The largest number comes to the top: the small one above it would leave no digit of the 2.
+    Eigen::Matrix2d tiny;
+    tiny << 0x1p-80, 1, 1, 1;
+    CHECK(solve(tiny, Eigen::Vector2d(1, 2)) == Eigen::Vector2d(1, 1));
 }
 
 TEST_CASE("the matrix of an implicit step is a number where both slopes are", "[library]") {

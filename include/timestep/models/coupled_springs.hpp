@@ -2,12 +2,13 @@
 /// \file
 /// Masses in a row, coupled by springs.
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include <timestep/checks.hpp>
+#include <timestep/eigenvectors.hpp>
 #include <timestep/models/spring.hpp>
 
 namespace timestep {
@@ -46,7 +47,7 @@ public:
             if (i > 0) stiffness(i, i - 1) = stiffness(i - 1, i) = -stiffnesses(i);
         }
         slope_x_ = -(masses.cwiseInverse().asDiagonal() * stiffness);
-        if (!slope_x_.allFinite())
+        if (!is_finite(slope_x_))
             throw std::invalid_argument("stiffness / mass: must be finite for every mass");
         find_modes(masses, stiffness, free_pieces(stiffnesses));
     }
@@ -94,20 +95,12 @@ private:
     // as many modes as it has pieces that no spring ties to a wall; so many are zero exactly.
     /// [modes]
     void find_modes(const Vector& masses, const Matrix& stiffness, int zeros) {
-        // S is tridiagonal as K is: its two diagonals are all that the solver needs. It wants them
-        // scaled, as it squares. The size is not told to the compiler: one solver for all rows.
-        using AnySize = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
         const Vector root = masses.cwiseSqrt();
         const Vector over_root = root.cwiseInverse();
-        const Matrix s = over_root.asDiagonal() * stiffness * over_root.asDiagonal();
-        const Real largest = s.cwiseAbs().maxCoeff();
-        const Real scale = largest > 0 ? largest : Real(1);
-        Eigen::SelfAdjointEigenSolver<AnySize> solver(N);
-        solver.computeFromTridiagonal(s.diagonal() / scale, s.diagonal(-1) / scale);
-        const Vector omega_squared = solver.eigenvalues() * scale;
-        const Matrix q = solver.eigenvectors();
-        frequencies_ = omega_squared.cwiseMax(Real(0)).cwiseSqrt();
-        frequencies_.head(zeros).setZero();
+        Matrix s = over_root.asDiagonal() * stiffness * over_root.asDiagonal();
+        const Matrix q = eigenvectors(s);
+        for (int i = 0; i < N; ++i)
+            frequencies_(i) = i < zeros ? Real(0) : std::sqrt(std::max(s(i, i), Real(0)));
         to_modes_ = q.transpose() * root.asDiagonal();
         from_modes_ = over_root.asDiagonal() * q;
     }

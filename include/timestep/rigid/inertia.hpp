@@ -14,9 +14,8 @@
 #include <algorithm>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
-
 #include <timestep/checks.hpp>
+#include <timestep/eigenvectors.hpp>
 #include <timestep/rigid/rotation.hpp>
 
 namespace timestep {
@@ -172,15 +171,7 @@ struct FullInertia {
     /// A symmetric matrix in kg m² whose eigenvalues are what PrincipalInertia asks for, none below
     /// 100 ε of the largest: in `float` a needle's least moment must be 1e-5 of its others or more.
     /// Its inverse must be finite. Throws `std::invalid_argument`.
-    explicit FullInertia(const Matrix3<Real>& I)
-        : matrix(checked(I)), axes(eigen(I).eigenvectors()), principal(of(eigen(I).eigenvalues())) {
-        if (axes.determinant() < 0) axes.col(0) = -axes.col(0);  // a rotation, no reflection
-        unit = matrix / std::exp2(Real(std::ilogb(matrix.cwiseAbs().maxCoeff())));
-        inverse = axes * principal.moments.cwiseInverse().asDiagonal() * axes.transpose();
-        if (!is_finite(inverse))
-            refuse("least moment of inertia", principal.moments.minCoeff(),
-                   "so large that the inverse of the matrix is finite");
-    }
+    explicit FullInertia(const Matrix3<Real>& I) : FullInertia(checked(I), Matrix3<Real>(I)) {}
 
     /// Angular momentum Iω, kg m²/s.
     Vector3<Real> momentum(const Vector3<Real>& omega) const { return matrix * omega; }
@@ -188,6 +179,16 @@ struct FullInertia {
     Vector3<Real> velocity(const Vector3<Real>& L) const { return inverse * L; }
 
 private:
+    // `turned` is the matrix, to be seen from its principal axes.
+    FullInertia(const Matrix3<Real>& I, Matrix3<Real> turned)
+        : matrix(I), axes(eigenvectors(turned)), principal(of(turned.diagonal())) {
+        if (axes.determinant() < 0) axes.col(0) = -axes.col(0);  // a rotation, no reflection
+        unit = matrix / std::exp2(Real(std::ilogb(matrix.cwiseAbs().maxCoeff())));
+        inverse = axes * principal.moments.cwiseInverse().asDiagonal() * axes.transpose();
+        if (!is_finite(inverse))
+            refuse("least moment of inertia", principal.moments.minCoeff(),
+                   "so large that the inverse of the matrix is finite");
+    }
     static const Matrix3<Real>& checked(const Matrix3<Real>& I) {
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) finite("inertia", I(i, j));
@@ -196,16 +197,13 @@ private:
             refuse("inertia's asymmetry", unlike, "zero: the matrix equals its transpose");
         return I;
     }
-    static Eigen::SelfAdjointEigenSolver<Matrix3<Real>> eigen(const Matrix3<Real>& I) {
-        return Eigen::SelfAdjointEigenSolver<Matrix3<Real>>(I);
-    }
     // From the eigenvalues, rising. Each is off by as much as the matrix at the worst (Weyl), and that
     // is some ε of the LARGEST: up to 4 ε by the products that turned the body into these axes, and up
-    // to 12 ε by the solver. (So much was seen in a million bodies.)
+    // to 3 ε by the solver. (So much was seen in a million bodies.)
     //
-    // A plate has I₃ = I₁ + I₂. What it seems to have more, 2I₃ minus the trace, is twice that error,
-    // 32 ε, and is taken off. A least moment of 100 ε is known to a sixth; of a smaller one no digit
-    // would be right, and the body would wobble by chance.
+    // A plate has I₃ = I₁ + I₂. What it seems to have more, 2I₃ minus the trace, is at most twice that
+    // error; 32 ε are taken off, in case there are worse bodies. A least moment of 100 ε is known to a
+    // sixth; of a smaller one no digit would be right, and the body would wobble by chance.
     static PrincipalInertia<Real> of(const Vector3<Real>& I) {
         const Real roundoff = std::numeric_limits<Real>::epsilon() * I.z();
         if (std::abs(I.x()) < 100 * roundoff)

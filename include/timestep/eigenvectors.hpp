@@ -1,0 +1,65 @@
+#pragma once
+/// \file
+/// The eigenvalues and eigenvectors of a symmetric matrix. Eigen is used where the caller brings its
+/// matrices, and not included here. (Its own solver takes a second or more to compile, in every file.)
+
+#include <cmath>
+#include <utility>
+
+#include <timestep/real.hpp>
+
+namespace timestep {
+
+/// Turns symmetric `a` into a diagonal matrix, its eigenvalues, rising; returns its eigenvectors, in
+/// columns at right angles, of length one: eigenvectors · a · eigenvectorsᵀ is the matrix that was.
+/// `a` has a size known at compile time, and finite numbers.
+///
+/// Jacobi's method: turn the axes i and j by the angle that makes a(i, j) zero, for each pair of them,
+/// and again, as each turn brings a little back where an earlier one has been. From the third round on
+/// the little is squared each time; five or six rounds leave nothing. What is found is off by some ε of
+/// the LARGEST eigenvalue.
+/// [jacobi]
+template <class Matrix>
+Matrix eigenvectors(Matrix& a) {
+    using Real = real_of<Matrix>;
+    constexpr int n = Matrix::RowsAtCompileTime;
+    Matrix axes = Matrix::Identity();
+    for (int round = 0; round < 50; ++round) {
+        bool diagonal = true;
+        for (int i = 0; i < n; ++i)
+            for (int j = i + 1; j < n; ++j) {
+                if (a(i, j) == 0) continue;
+                diagonal = false;
+                // cot 2φ = (a(j, j) − a(i, i)) / 2 a(i, j), and t is the tangent of the smaller φ.
+                const Real cot = (a(j, j) - a(i, i)) / a(i, j) / 2;
+                const Real t = std::copysign(1 / (std::abs(cot) + std::sqrt(1 + cot * cot)), cot);
+                const Real c = 1 / std::sqrt(1 + t * t), s = t * c;
+                a(i, i) -= t * a(i, j);
+                a(j, j) += t * a(i, j);
+                a(i, j) = a(j, i) = 0;
+                const auto turn = [&](Real& u, Real& v) {
+                    const Real old = u;
+                    u = c * old - s * v;
+                    v = s * old + c * v;
+                };
+                for (int k = 0; k < n; ++k) {
+                    turn(axes(k, i), axes(k, j));
+                    if (k == i || k == j) continue;
+                    turn(a(k, i), a(k, j));
+                    a(i, k) = a(k, i);
+                    a(j, k) = a(k, j);
+                }
+            }
+        if (diagonal) break;
+    }
+    for (int i = 0; i < n; ++i)  // rising
+        for (int j = i + 1; j < n; ++j)
+            if (a(j, j) < a(i, i)) {
+                std::swap(a(i, i), a(j, j));
+                for (int k = 0; k < n; ++k) std::swap(axes(k, i), axes(k, j));
+            }
+    return axes;
+}
+/// [jacobi]
+
+}  // namespace timestep
