@@ -1,6 +1,7 @@
 #pragma once
 // Rigid bodies as entries of a contest, ours and other people's.
 
+#include <memory>
 #include <string>
 
 #include <timestep/gyroscopic.hpp>
@@ -22,41 +23,46 @@ Place place(const timestep::Matrix3<Real>& R) {
     return Place(numbers.data(), numbers.data() + 9);
 }
 
-// A `Body` is copied for every run. restart() puts it back to the start, which matters where the copy
-// shares what it points to; step(h) steps it; count(work, h), called before, counts what that step
-// asks for; place() tells where it is, and number() any number that depends on all steps.
+// A body that is stepped. One call of `advance` takes a whole run: what the call costs is nothing
+// beside it.
+class Runner {
+public:
+    virtual ~Runner() = default;
+    virtual void restart() = 0;
+    virtual void advance(double h, long steps) = 0;
+    virtual void count(Work& work, double h) const = 0;
+    virtual Place place() const = 0;
+    virtual double number() const = 0;
+};
+
+Entry stepped(const std::string& method, const std::string& library,
+              std::unique_ptr<Runner>);  // bodies.cpp
+
+// restart() puts a `Body` back to the start; step(h) steps it; count(work, h), called before,
+// counts what that step asks for; place() tells where it is, and number() any number that depends
+// on all steps.
 template <class Body>
-Entry stepped(const std::string& method, const std::string& library, const Body& at_start) {
-    Entry e{method, library, {}, {}, {}};
-    e.track = [=](long steps) {
-        Track track;
-        Body body = at_start;
-        body.restart();
-        for (int mark = 0; mark < marks; ++mark) {
-            for (long i = 0; i < steps / marks; ++i) body.step(duration / double(steps));
-            track.push_back(body.place());
-        }
-        return track;
-    };
-    e.run = [=](long steps) {
-        const double h = duration / double(steps);
-        Body body = at_start;
-        body.restart();
+class RunnerOf : public Runner {
+public:
+    explicit RunnerOf(const Body& body) : body_(body) {}
+
+    void restart() override { body_.restart(); }
+    void advance(double h, long steps) override {
+        Body body = body_;  // nobody else looks at the copy: it may stay in registers
         for (long i = 0; i < steps; ++i) body.step(h);
-        sink = double(body.number());
-    };
-    e.work = [=](long steps) {
-        const double h = duration / double(steps);
-        Work work;
-        Body body = at_start;
-        body.restart();
-        for (; work.steps < steps; ++work.steps) {
-            body.count(work, h);
-            body.step(h);
-        }
-        return work;
-    };
-    return e;
+        body_ = body;
+    }
+    void count(Work& work, double h) const override { body_.count(work, h); }
+    Place place() const override { return body_.place(); }
+    double number() const override { return double(body_.number()); }
+
+private:
+    Body body_;
+};
+
+template <class Body>
+Entry stepped(const std::string& method, const std::string& library, const Body& body) {
+    return stepped(method, library, std::unique_ptr<Runner>(new RunnerOf<Body>(body)));
 }
 
 // What one step asks for: the gyroscopic torque ω × Iω is the force of a free body, and a solve is one

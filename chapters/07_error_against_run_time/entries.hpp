@@ -2,6 +2,8 @@
 // The course's methods as entries of a contest.
 
 #include <cmath>
+#include <memory>
+#include <string>
 
 #include <timestep/methods.hpp>
 #include <timestep/run.hpp>
@@ -29,22 +31,6 @@ void drain(const State& s) {
     else
         sink = double(s.x[0]);
 }
-
-// Notes every `steps / marks`-th state but the start.
-class Watch {
-public:
-    explicit Watch(long steps) : every_(steps / marks) {}
-    template <class State>
-    void operator()(const State& s) {
-        if (seen_ > 0 && seen_ % every_ == 0) track_.push_back(place(s));
-        ++seen_;
-    }
-    Track track() const { return track_; }
-
-private:
-    long every_, seen_ = 0;
-    Track track_;
-};
 
 // A model that counts how often it is asked, and otherwise is the one it wraps.
 template <class Model>
@@ -92,28 +78,75 @@ struct Counted {
     }
 };
 
-template <class Method, class Model, class S>
-Entry entry(const Method& method, const Model& model, const S& start, const std::string& library = "Timestep") {
+// A method on a problem. A call takes all steps of a run: what the call costs is nothing beside
+// them.
+template <class S>
+struct Stepper {
     using Real = timestep::real_of<S>;
-    const auto h = [](long steps) { return Real(duration / double(steps)); };
-    Entry e{Method::name, library, {}, {}, {}};
-    e.track = [=](long steps) {
-        Watch watch(steps);
-        run(method, model, start, h(steps), steps, watch);
-        return watch.track();
-    };
-    e.run = [=](long steps) { drain(run(method, model, start, h(steps), steps)); };
-    e.work = [=](long steps) {
-        Work work;
-        bool begun = false;  // what is asked before the first step is no part of it
-        run(method, Counted<Model>{&model, &work}, start, h(steps), steps, [&](const S&) {
-            if (!begun) work = {};
-            begun = true;
-        });
-        work.steps = steps;
+    virtual ~Stepper() = default;
+
+    virtual S run(const S& from, Real h, long steps) const = 0;
+    virtual Work count(const S& from, Real h, long steps) const = 0;  // what the same run asks for
+    virtual bool two_step() const = 0;  // where the next step goes, one state alone does not say
+};
+
+template <class Method, class Model, class S>
+struct StepperOf : Stepper<S> {
+    using Real = timestep::real_of<S>;
+    Method method;
+    Model model;
+
+    StepperOf(const Method& its_method, const Model& its_model)
+        : method(its_method), model(its_model) {}
+
+    S run(const S& from, Real h, long steps) const override {
+        return timestep::run(method, model, from, h, steps);
+    }
+    Work count(const S& from, Real h, long steps) const override {
+        Work work{steps, 0, 0};
+        timestep::run(method, Counted<Model>{&model, &work}, from, h, steps);
         return work;
+    }
+    bool two_step() const override { return timestep::TwoStepMethod<Method, Model, S>; }
+};
+
+// Where the steps lead, mark by mark. A method of one step goes on from the last mark; what is no
+// number any more stays none. One of two steps comes anew from the start each time.
+template <class S>
+Track track(const Stepper<S>& stepper, const S& start, timestep::real_of<S> h, long steps) {
+    Track track;
+    S s = start;
+    for (long mark = 1; mark <= marks; ++mark) {
+        if (stepper.two_step())
+            s = stepper.run(start, h, mark * (steps / marks));
+        else if (is_finite(s))
+            s = stepper.run(s, h, steps / marks);
+        track.push_back(place(s));
+    }
+    return track;
+}
+
+template <class S>
+Entry entry(const std::string& method, const std::string& library,
+            std::unique_ptr<Stepper<S>> its_stepper, const S& start) {
+    const std::shared_ptr<Stepper<S>> stepper = std::move(its_stepper);
+    const auto h = [](long steps) { return timestep::real_of<S>(duration / double(steps)); };
+    Entry e{method, library, {}, {}, {}};
+    e.track = [=](long steps) { return track(*stepper, start, h(steps), steps); };
+    e.run = [=](long steps) { drain(stepper->run(start, h(steps), steps)); };
+    e.work = [=](long steps) {
+        const Work work = stepper->count(start, h(steps), steps);
+        const Work before = stepper->count(start, h(steps), 0);  // run() looks at the force, too
+        return Work{steps, work.evaluations - before.evaluations, work.solves - before.solves};
     };
     return e;
+}
+
+template <class Method, class Model, class S>
+Entry entry(const Method& method, const Model& model, const S& start,
+            const std::string& library = "Timestep") {
+    std::unique_ptr<Stepper<S>> stepper(new StepperOf<Method, Model, S>(method, model));
+    return entry(Method::name, library, std::move(stepper), start);
 }
 
 // Enters every method of the course that steps this force.

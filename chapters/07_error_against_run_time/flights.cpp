@@ -33,10 +33,14 @@ auto through_air() {
 // A flight through air has no simple solution. This is Runge-Kutta 4 with long doubles.
 Track through_air(long steps) {
     using Vector = Eigen::Matrix<long double, 2, 1>;
-    Watch watch(steps);
-    run(runge_kutta_4, through_air<long double>(), State{0, Vector(0, 0), Vector(15, 20)},
-        static_cast<long double>(duration) / steps, steps, watch);
-    return watch.track();
+    const long double h = static_cast<long double>(duration) / steps;
+    State s{0, Vector(0, 0), Vector(15, 20)};
+    Track track;
+    for (int mark = 0; mark < marks; ++mark) {
+        s = run(runge_kutta_4, through_air<long double>(), s, h, steps / marks);
+        track.push_back(place(s));
+    }
+    return track;
 }
 
 constexpr double restitution = 0.8;  // the speed after the bounce over the speed before

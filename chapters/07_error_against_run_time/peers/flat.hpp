@@ -3,6 +3,7 @@
 
 #include <array>
 #include <type_traits>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -43,6 +44,14 @@ template <class X>
 void write(const timestep::State<X>& s, double* y) {
     write(s.x, y);
     write(s.v, y + size_of<X>());
+}
+
+// A state as they want it, where the size is not known to the compiler.
+template <class X>
+std::vector<double> flat(const timestep::State<X>& s) {
+    std::vector<double> y(2 * size_of<X>());
+    write(s, y.data());
+    return y;
 }
 
 /// [slope]

@@ -2,6 +2,8 @@
 // A solver of another library as an entry.
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "../entries.hpp"
 #include "flat.hpp"
@@ -15,36 +17,52 @@ inline double tolerance(long steps) {
     return share * share;
 }
 
-// `set_up(model)` makes the solver. That is not timed: memory is asked for once. What it makes has
-//
-//     long run(steps, observe)
-//
-// which starts anew, shows `observe` where things are (a pointer to the coordinates) after each
-// step, or at each mark if it is adaptive, and returns how many steps it took.
-template <class X, class Model, class SetUp>
-Entry peer(const std::string& method, const std::string& library, const Model& model,
-           const SetUp& set_up) {
-    using Solver = decltype(set_up(model));
-    const std::shared_ptr<Solver> solver(new Solver(set_up(model)));
-    Entry e{method, library, {}, {}, {}, Solver::adaptive};
-    e.track = [solver](long steps) {
-        Track track;
-        const long every = Solver::adaptive ? 1 : steps / marks;
-        long seen = 0;
-        solver->run(steps, [&](const double* x) {
-            if (++seen % every == 0) track.emplace_back(x, x + size_of<X>());
-        });
-        return track;
-    };
-    e.run = [solver](long steps) { solver->run(steps, [](const double*) {}); };
-    e.work = [model, set_up](long steps) {
-        Work work;
-        auto counted = set_up(Counted<Model>{&model, &work});
-        work.steps = counted.run(steps, [](const double*) {});
-        if constexpr (requires { counted.solves(); }) work.solves = counted.solves();
-        return work;
-    };
-    return e;
+// A solver and its problem. One call of `advance` takes a whole run: what the call costs is nothing
+// beside it.
+class Solver {
+public:
+    explicit Solver(bool is_adaptive) : adaptive(is_adaptive) {}
+    Solver(const Solver&) = delete;
+    virtual ~Solver() = default;
+
+    const bool adaptive;
+    // Back to the start, for a run of so many steps.
+    virtual void restart(long steps) = 0;
+    // So many steps on; if adaptive, so many marks.
+    virtual void advance(long n) = 0;
+    // Where things are: the coordinates.
+    virtual const double* place() const = 0;
+    // Since the start. Who is not adaptive need not count its steps.
+    virtual long steps_taken() const { return 0; }
+    virtual long solves() const { return 0; }
+};
+
+// What a library has for a problem.
+struct Method {
+    const char* name;
+    std::unique_ptr<Solver> solver;
+};
+using Methods = std::vector<Method>;
+
+// Enters the methods that are timed. (Making a solver is not: memory is asked for once.) `counting`
+// are the same, on a model that counts in `asked`.
+void enter(Scene& scene, const std::string& library, int coordinates, Methods timed,
+           Methods counting, const std::shared_ptr<Work>& asked);  // peers.cpp
+
+// A model, and how often it was asked.
+template <class Model>
+struct Tally {
+    Model model;
+    Work asked = {};
+    Counted<Model> counted{&model, &asked};
+};
+
+// `methods(model)` makes the methods.
+template <class X, class Model, class Make>
+void enter(Scene& scene, const std::string& library, const Model& model, const Make& methods) {
+    const std::shared_ptr<Tally<Model>> tally(new Tally<Model>{model});
+    const std::shared_ptr<Work> asked(tally, &tally->asked);  // keeps all of the tally
+    enter(scene, library, size_of<X>(), methods(model), methods(tally->counted), asked);
 }
 
 }  // namespace contest

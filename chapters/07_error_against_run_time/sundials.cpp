@@ -1,0 +1,175 @@
+// SUNDIALS' solvers.
+
+#ifdef TIMESTEP_WITH_SUNDIALS
+
+#include "peers/sundials.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <arkode/arkode_erkstep.h>
+#include <cvode/cvode.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+
+namespace contest::sundials {
+
+namespace {
+
+// What both solvers need: the problem, and a vector of theirs.
+class Unknowns {
+public:
+    explicit Unknowns(const Problem& problem) : problem_(problem) {
+        SUNContext_Create(0, &context_);  // no MPI
+        y_ = N_VNew_Serial(size(), context_);
+        to_start();
+    }
+    Unknowns(const Unknowns&) = delete;
+    ~Unknowns() {
+        N_VDestroy(y_);
+        SUNContext_Free(&context_);
+    }
+
+    const Problem& problem() const { return problem_; }
+    void* model() { return problem_.model.get(); }
+    int size() const { return int(problem_.start.size()); }
+    SUNContext context() { return context_; }
+    N_Vector y() { return y_; }
+    double* numbers() const { return N_VGetArrayPointer(y_); }
+    void to_start() { std::copy(problem_.start.begin(), problem_.start.end(), numbers()); }
+    void give_up() { std::fill_n(numbers(), size(), std::numeric_limits<double>::quiet_NaN()); }
+
+private:
+    Problem problem_;
+    SUNContext context_ = nullptr;
+    N_Vector y_ = nullptr;
+};
+
+// A run that has blown up is no error here: nothing is printed.
+void silent(int, const char*, const char*, char*, void*) {}
+
+// ARKODE steps any table of Runge and Kutta's kind. This is the classical one, without an estimate
+// of the error, and with a fifth stage of weight zero: the force at the end of the step, which it
+// keeps for the next one. Some of its releases (6.4 among them) take the fourth stage for that
+// where there is no fifth, as it stands at the end of the step, too: then they are of order three.
+class RungeKutta4 : public Solver {
+public:
+    explicit RungeKutta4(const Problem& problem) : Solver(false), unknowns_(problem) {
+        constexpr double third = 1.0 / 3, sixth = 1.0 / 6;
+        double c[] = {0, 0.5, 0.5, 1, 1};
+        double a[] = {0,     0,     0,     0,     0,  //
+                      0.5,   0,     0,     0,     0,  //
+                      0,     0.5,   0,     0,     0,  //
+                      0,     0,     1,     0,     0,  //
+                      sixth, third, third, sixth, 0};
+        double b[] = {sixth, third, third, sixth, 0};
+        solver_ = ERKStepCreate(problem.f, 0, unknowns_.y(), unknowns_.context());
+        const ARKodeButcherTable table = ARKodeButcherTable_Create(5, 4, 0, c, a, b, nullptr);
+        ERKStepSetTable(solver_, table);
+        ARKodeButcherTable_Free(table);
+        ERKStepSetUserData(solver_, unknowns_.model());
+        ERKStepSetErrHandlerFn(solver_, silent, nullptr);
+    }
+    ~RungeKutta4() override { ERKStepFree(&solver_); }
+
+    void restart(long steps) override {
+        unknowns_.to_start();
+        ERKStepReInit(solver_, unknowns_.problem().f, 0, unknowns_.y());
+        ERKStepSetFixedStep(solver_, duration / double(steps));
+        status_ = 0;
+    }
+    void advance(long n) override {
+        double t = 0;
+        for (long i = 0; i < n; ++i) {
+            if (status_ >= 0)
+                status_ = ERKStepEvolve(solver_, duration, unknowns_.y(), &t, ARK_ONE_STEP);
+            if (status_ < 0) unknowns_.give_up();
+        }
+    }
+    const double* place() const override { return unknowns_.numbers(); }
+
+private:
+    Unknowns unknowns_;
+    void* solver_ = nullptr;
+    int status_ = 0;
+};
+
+// CVODE chooses order and step, and at a mark reads its polynomial: Adams' methods up to order 12,
+// each step iterated as it stands; or backward differences (BDF) up to order 5, by Newton's
+// iteration with the force's slopes.
+class Multistep : public Solver {
+public:
+    Multistep(const Problem& problem, int kind)
+        : Solver(true), unknowns_(problem), solver_(CVodeCreate(kind, unknowns_.context())) {
+        CVodeInit(solver_, problem.f, 0, unknowns_.y());
+        CVodeSetUserData(solver_, unknowns_.model());
+        CVodeSetErrHandlerFn(solver_, silent, nullptr);
+        CVodeSetMaxNumSteps(solver_, -1);  // as many as it takes
+        if (kind == CV_ADAMS) {
+            iteration_ = SUNNonlinSol_FixedPoint(unknowns_.y(), 0, unknowns_.context());
+            CVodeSetNonlinearSolver(solver_, iteration_);
+        } else {
+            const int n = unknowns_.size();
+            matrix_ = SUNDenseMatrix(n, n, unknowns_.context());
+            linear_ = SUNLinSol_Dense(unknowns_.y(), matrix_, unknowns_.context());
+            CVodeSetLinearSolver(solver_, linear_, matrix_);
+            CVodeSetJacFn(solver_, problem.slopes);
+        }
+    }
+    ~Multistep() override {
+        CVodeFree(&solver_);
+        if (iteration_) SUNNonlinSolFree(iteration_);
+        if (linear_) SUNLinSolFree(linear_);
+        if (matrix_) SUNMatDestroy(matrix_);
+    }
+
+    void restart(long steps) override {
+        unknowns_.to_start();
+        CVodeReInit(solver_, 0, unknowns_.y());
+        CVodeSStolerances(solver_, 0, tolerance(steps) * unknowns_.problem().size);
+        mark_ = status_ = 0;
+    }
+    void advance(long n) override {
+        double t = 0;
+        for (const int last = mark_ + int(n); mark_ < last;) {
+            const double end = duration * ++mark_ / marks;
+            if (status_ >= 0) status_ = CVode(solver_, end, unknowns_.y(), &t, CV_NORMAL);
+            if (status_ < 0) unknowns_.give_up();
+        }
+    }
+    const double* place() const override { return unknowns_.numbers(); }
+    long steps_taken() const override {
+        long taken = 0;
+        CVodeGetNumSteps(solver_, &taken);
+        return taken;
+    }
+    // Each of Newton's iterations solves a linear system. The matrix is factorised more rarely.
+    long solves() const override {
+        long iterations = 0;
+        if (linear_) CVodeGetNumNonlinSolvIters(solver_, &iterations);
+        return iterations;
+    }
+
+private:
+    Unknowns unknowns_;
+    void* solver_;
+    SUNNonlinearSolver iteration_ = nullptr;
+    SUNMatrix matrix_ = nullptr;
+    SUNLinearSolver linear_ = nullptr;
+    int mark_ = 0, status_ = 0;
+};
+
+}  // namespace
+
+Methods methods(const Problem& problem) {
+    Methods all;
+    all.push_back({"Runge-Kutta 4", std::make_unique<RungeKutta4>(problem)});
+    all.push_back({"Adams, adaptive", std::make_unique<Multistep>(problem, CV_ADAMS)});
+    if (problem.slopes)
+        all.push_back({"BDF, adaptive", std::make_unique<Multistep>(problem, CV_BDF)});
+    return all;
+}
+
+}  // namespace contest::sundials
+
+#endif
