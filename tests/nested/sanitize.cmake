@@ -16,8 +16,8 @@ function(timestep_sanitize)
   # with Eigen's small vectors: of a function that several sources have the linker takes any copy, and so
   # one that is not optimised could slow down all tests.
   if(TARGET stability)
-    set(room "${PROJECT_SOURCE_DIR}/chapters/06_stability")
-    set_source_files_properties("${room}/extreme_methods.cpp" "${room}/extreme_bodies.cpp"
+    file(GLOB extremes "${PROJECT_SOURCE_DIR}/chapters/06_stability/extreme_*.cpp")
+    set_source_files_properties(${extremes}
       TARGET_DIRECTORY stability PROPERTIES COMPILE_OPTIONS -O0
       SKIP_PRECOMPILE_HEADERS ON)
   endif()
