@@ -37,7 +37,6 @@ endforeach()
 
 include("${CMAKE_CURRENT_LIST_DIR}/make_site.cmake")
 file(REMOVE "${SITE}/html/made")  # it is not the whole site
-file(REMOVE_RECURSE "${WHOLE}/html")
-file(RENAME "${SITE}/html" "${WHOLE}/html")
+put_in_place("${SITE}/html" "${WHOLE}/html")
 file(WRITE "${SITE}/drawn.txt" "${runs}")
 file(TOUCH "${SHOWN}")
