@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <thread>
 
 #include <unistd.h>
@@ -125,9 +127,15 @@ bool is_ready(const Exercise& exercise) {
 void build(const std::vector<std::string>& targets, ProgressLine& progress) {
     std::error_code ignored;
     fs::create_directories(places().build, ignored);
-    const fs::path lock = places().build / "course.lock";
-    if (Lock::is_held(lock)) progress.say("Another ./course is building here; waiting for it:");
-    const Lock one_at_a_time(lock);
+    // A build that asks this program for a transcript, say, is not to be waited for.
+    std::optional<Lock> one_at_a_time;
+    const char* const builder = std::getenv("TIMESTEP_BUILDS_IN");
+    if (builder == nullptr || builder != places().build.string()) {
+        const fs::path lock = places().build / "course.lock";
+        if (Lock::is_held(lock)) progress.say("Another ./course is building here; waiting for it:");
+        one_at_a_time.emplace(lock);
+        setenv("TIMESTEP_BUILDS_IN", places().build.c_str(), 1);
+    }
     if (is_kit()) configure_kit(progress);
     const fs::path log_path = places().build / "course.log";
     std::ofstream log(log_path);
@@ -153,6 +161,7 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress) {
         "--target"};
     command.insert(command.end(), targets.begin(), targets.end());
     const int status = listen(command, std::ref(lines), [&] { progress.tick(); });
+    if (one_at_a_time) unsetenv("TIMESTEP_BUILDS_IN");
     progress.clear();
     if (status == 0) return;
     for (const auto& line : reason(heard)) std::fprintf(stderr, "%s\n", line.c_str());
