@@ -134,7 +134,8 @@ void same_momentum(AllKinds<Real>& all, const Kind<Real>& inertia, int i) {
     const Vector3<Real> omega(pack.omega.x()[k], pack.omega.y()[k], pack.omega.z()[k]);
     const Vector3<Real> alone = inertia.momentum(omega);
     for (int j = 0; j < 3; ++j)
-        REQUIRE(std::fabs(double(in_pack[j][k] - alone[j])) <= allowed<Real> * double(alone.norm()));
+        REQUIRE(std::fabs(double(in_pack[j][k] - alone[j])) <=
+                allowed<Real> * double(alone.norm()));
 }
 
 // The same state as alone; the angular velocity has changed since the start, or has not.
@@ -234,8 +235,8 @@ TEST_CASE("a body that is not finite is refused, and nothing is added", "[librar
         std::invalid_argument,
         Message("speed = 1e+25: must be so low that its square is a number"));
     CHECK(balls.size<UniformInertia>() == 0);
-    CHECK_NOTHROW(balls.add(sphere(1.0f, 1.0f), Quaternion<float>::Identity(),
-                            Vector3<float>(0, 0, 1e18f)));
+    CHECK_NOTHROW(
+        balls.add(sphere(1.0f, 1.0f), Quaternion<float>::Identity(), Vector3<float>(0, 0, 1e18f)));
     CHECK(boxes.size<PrincipalInertia>() == 0);
     CHECK(boxes.packs<PrincipalInertia>().empty());
 }
