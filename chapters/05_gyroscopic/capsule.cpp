@@ -1,4 +1,5 @@
-// Bodies with two equal moments, or nearly so, thrown and left alone: a capsule and a slender staff.
+// Bodies with two equal moments, or nearly so, thrown and left alone: a capsule and a slender
+// staff.
 
 #include <cmath>
 #include <cstdio>
@@ -34,9 +35,9 @@ void free_capsule(const Settings& settings, lab::Findings& out) {
                 pill.along, seconds);
     std::printf("  (a run ends when it has a thousand times its energy)\n");
     std::printf("                               energy     |L|   L turned by   E > 1000 E0 at\n");
-    for_each_gyroscopic([&](const auto& solver) {
-        auto& table = out.table(std::string("capsule_") + key(solver) + ".tsv",
-                                {"t", "energy", "momentum", "turned"});
+    for (const Solver& solver : solvers()) {
+        auto& table =
+            out.table("capsule_" + solver.key + ".tsv", {"t", "energy", "momentum", "turned"});
         double most = 0, least = 1, off = 0, late = -1, energy = 1, length = 1;
         double moved = 0;
         spin_on(solver, pill, start, h, std::lround(seconds / h), [&](const RigidState<double>& s) {
@@ -52,19 +53,19 @@ void free_capsule(const Settings& settings, lab::Findings& out) {
         });
         char when[24] = "never";
         if (late > 0) std::snprintf(when, sizeof when, "%.2f s", late);
-        std::printf("  %-25s %10.4g %7.4g %9.1f deg   %s\n", solver.name, energy, length, off,
-                    when);
-        const std::string id = std::string("capsule_") + key(solver);
+        std::printf("  %-25s %10.4g %7.4g %9.1f deg   %s\n", solver.name.c_str(), energy, length,
+                    off, when);
+        const std::string id = "capsule_" + solver.key;
         out.number(id + "_energy", energy, "", "kinetic energy at the end over that at the start");
         out.number(id + "_most", most, "", "its largest energy over that at the start");
         out.number(id + "_momentum", length, "", "|L| at the end over that at the start");
         out.number(id + "_turned", off, "°", "the farthest that its angular momentum turned");
-        if (std::string(key(solver)) == "explicit") {
+        if (solver.key == "explicit") {
             out.number("capsule_blow_up", late, "s",
                        "until explicit has a thousand times the energy");
             out.check("capsule_explicit_blows_up", late > 0,
                       "with the explicit term the capsule's energy passes a thousandfold");
-        } else if (std::string(key(solver)) == "dropped") {
+        } else if (solver.key == "dropped") {
             // Into the body's axes and back: two products with a matrix a step, each good to some 4
             // ε.
             const double roundoff = 8 * 2.2e-16 * seconds / h;
@@ -72,13 +73,13 @@ void free_capsule(const Settings& settings, lab::Findings& out) {
                       "without the term ω stands still in the world, to roundoff");
             out.check("capsule_dropped_momentum", off > 30,
                       "without the term the angular momentum swings by more than 30 degrees");
-        } else if (std::string(key(solver)) == "old_inertia") {
+        } else if (solver.key == "old_inertia") {
             // L is rotated there and back each step: some ε of it a step.
             out.check("capsule_old_momentum", off < 1e-6,
                       "with the old inertia the angular momentum stays");
             out.check("capsule_old_energy", energy > 1.5,
                       "with the old inertia the capsule ends with more than 1.5 times its energy");
-        } else if (std::string(key(solver)) == "passive") {
+        } else if (solver.key == "passive") {
             // A step keeps the energy to 8 ε, and going into the body's axes and back to as much
             // again. In n steps such errors add up like √n: to some 16 ε √600 = 9e-14 here, if they
             // do not conspire.
@@ -86,18 +87,18 @@ void free_capsule(const Settings& settings, lab::Findings& out) {
                       "the passive step keeps a symmetric body's energy, to 1e-12 of it");
         } else {
             out.check(id + "_no_gain", most < 1 + 1e-12 && energy < 0.9,
-                      std::string(solver.name) +
+                      solver.name +
                           ": the capsule is given no energy, and loses more than a tenth of it");
         }
-    });
+    }
     out.number("capsule_seconds", seconds, "s", "length of the capsule's run");
     out.number("capsule_step", h * 1000, "ms", "time step");
     out.text("capsule_size", "0.9 m long and 0.3 m thick", "the capsule");
     out.text("capsule_start", "(5, 0, 20) rad/s", "its spin at the start, the last along its axis");
 }
 
-// The same capsule, its moments across not quite equal; and with equal ones in the type that does not
-// know that they are.
+// The same capsule, its moments across not quite equal; and with equal ones in the type that does
+// not know that they are.
 void uneven_capsule(const Settings& settings, lab::Findings& out) {
     out.section("A spin about the length");
     const auto pill = capsule(1.0, 0.15, 0.6);
@@ -105,11 +106,13 @@ void uneven_capsule(const Settings& settings, lab::Findings& out) {
     const double h = settings.step, seconds = 10;
     out.text("uneven_start", "(0.5, 0, 20) rad/s", "spin at the start, the last along the length");
     out.number("uneven_seconds", seconds, "s", "length of these runs");
-    std::printf("  omega = (0.5, 0, 20) rad/s, its last component   after 1 s  after %g s\n", seconds);
+    std::printf("  omega = (0.5, 0, 20) rad/s, its last component   after 1 s  after %g s\n",
+                seconds);
     struct End {
         double second = 0, spin = 0, energy = 0, momentum = 0, flat = 0;
     };
-    const auto after = [&](const auto& solver, const auto& inertia, double step, const char* what) {
+    const auto after = [&](const Solver& solver, const auto& inertia, double step,
+                           const char* what) {
         const double E0 = kinetic_energy(inertia, start),
                      L0 = angular_momentum(inertia, start).norm();
         End end;
@@ -122,17 +125,18 @@ void uneven_capsule(const Settings& settings, lab::Findings& out) {
                     end.flat = std::hypot(w.x(), w.y());
                     return true;
                 });
-        std::printf("  %-23s %-25s %7.2f %10.2f\n", solver.name, what, end.second, end.spin);
+        std::printf("  %-23s %-25s %7.2f %10.2f\n", solver.name.c_str(), what, end.second,
+                    end.spin);
         return end;
     };
     const double share = 2;  // per cent
     const PrincipalInertia<double> uneven(pill.across, pill.across * (1 + share / 100), pill.along),
         untyped(pill.across, pill.across, pill.along);
-    const End passive = after(passive_gyroscopic, uneven, h, "2 % apart");
-    const End quarter = after(passive_gyroscopic, uneven, h / 4, "the same, h/4");
-    const End implicit = after(implicit_gyroscopic, uneven, h, "2 % apart");
-    const End equal = after(passive_gyroscopic, untyped, h, "equal, PrincipalInertia");
-    const End typed = after(passive_gyroscopic, pill, h, "equal, SymmetricInertia");
+    const End passive = after(solver("passive"), uneven, h, "2 % apart");
+    const End quarter = after(solver("passive"), uneven, h / 4, "the same, h/4");
+    const End implicit = after(solver("implicit"), uneven, h, "2 % apart");
+    const End equal = after(solver("passive"), untyped, h, "equal, PrincipalInertia");
+    const End typed = after(solver("passive"), pill, h, "equal, SymmetricInertia");
     out.number("uneven_share", share, "%", "by which its moments across differ");
     out.number("uneven_after_second", passive.second, "rad/s",
                "passive: what is left after a second of the spin about the length");
@@ -170,8 +174,8 @@ void staff(const Settings& settings, lab::Findings& out) {
     // How fast the staff points elsewhere: its axis goes round L in truth, round ω without the
     // term.
     const double truth = turn_rate(exact(0), exact(0.01), L0.normalized());
-    const auto path = [&](const auto& solver) {
-        auto& of = out.table(std::string("staff_") + key(solver) + ".tsv", {"t", "x", "y", "z"});
+    const auto path = [&](const Solver& solver) {
+        auto& of = out.table("staff_" + solver.key + ".tsv", {"t", "x", "y", "z"});
         double off = 0, miss = 0;
         spin_on(solver, stick, start, h, steps, [&](const RigidState<double>& s) {
             const V L = angular_momentum(stick, s), tip = axis(s);
@@ -181,15 +185,13 @@ void staff(const Settings& settings, lab::Findings& out) {
             return true;
         });
         std::printf("  %-9s L turns by up to %6.2f deg, the tip is off by up to %.3f m\n",
-                    solver.name, off, miss);
-        out.number(std::string("staff_") + key(solver) + "_turned", off, "°",
-                   "the farthest that L turned");
-        out.number(std::string("staff_") + key(solver) + "_miss", miss, "m",
-                   "the farthest that the tip was off");
+                    solver.name.c_str(), off, miss);
+        out.number("staff_" + solver.key + "_turned", off, "°", "the farthest that L turned");
+        out.number("staff_" + solver.key + "_miss", miss, "m", "the farthest that the tip was off");
         return miss;
     };
-    const double dropped = path(no_gyroscopic), passive = path(passive_gyroscopic);
-    const auto after = turn(no_gyroscopic, stick, start, h);
+    const double dropped = path(solver("dropped")), passive = path(solver("passive"));
+    const auto after = solver("dropped").turn(stick, start, h);
     const double without = turn_rate(start, after, start.omega.normalized());
     std::printf("  its axis turns with %.2f rad/s in truth, with %.2f rad/s without the term\n",
                 truth, without);
@@ -201,7 +203,8 @@ void staff(const Settings& settings, lab::Findings& out) {
     out.check("staff_spins_too_much", without > 2 * truth,
               "without the term the staff's axis goes round more than twice too fast");
     // Order one: of the half length of 1 m, about half of h|ω| = 0.17.
-    out.check("staff_passive_close", passive < 0.1 && dropped > 1,
-              "with the passive step the tip stays within 0.1 m of the exact path; without the term "
-              "it is off by more than 1 m");
+    out.check(
+        "staff_passive_close", passive < 0.1 && dropped > 1,
+        "with the passive step the tip stays within 0.1 m of the exact path; without the term "
+        "it is off by more than 1 m");
 }

@@ -7,7 +7,6 @@
 
 #include <timestep/measured_order.hpp>
 
-#include "plane_scene.hpp"
 #include "sections.hpp"
 
 using namespace timestep;
@@ -76,15 +75,15 @@ void driven_body(const Settings&, lab::Findings& out) {
     std::printf("%-24s %10s %10s %10s\n", "", "h = 1/60 s", "1/1920 s", "order");
     bool order_one = true;
     double of_passive = 0, of_dropped = 0, of_explicit = 0, least = 1e9;
-    scene::for_each_variant([&](const std::string& key, const std::string& name,
-                                const auto& solver) {
+    for (const Solver& solver : solvers()) {
+        const std::string &key = solver.key, &name = solver.name;
         auto& table = out.table("driven_" + key + ".tsv", {"h", "attitude", "spin"});
         std::vector<double> steps, errors;
         for (long rate = 60; rate <= 1920; rate *= 2) {
             const double h = 1.0 / static_cast<double>(rate);
             RigidState<double> s = start();
             for (long n = 0; n < std::lround(seconds) * rate; ++n)
-                s = turn(solver, inertia, s, motor(s.t), h);
+                s = solver.turn(inertia, s, motor(s.t), h);
             const double error = angle(s.q, exact.q);
             table.row({h, error, (s.omega - exact.omega).norm()});
             steps.push_back(h);
@@ -106,7 +105,7 @@ void driven_body(const Settings&, lab::Findings& out) {
                       "dropped: steps 32 times as short help nothing");
         else
             order_one = order_one && std::fabs(order - 1) < 0.1;
-    });
+    }
     out.check("driven_at_60", of_passive > of_dropped && of_explicit == least,
               "at 60 Hz, for so short a time, explicit is nearest, and passive is farther off than "
               "dropped");

@@ -9,7 +9,7 @@
 #include <timestep/rigid/exact_free_body.hpp>
 
 #include "picture.hpp"
-#include "plane_scene.hpp"
+#include "plane_solvers.hpp"
 #include "sections.hpp"
 
 using namespace timestep;
@@ -55,9 +55,9 @@ void tumbling(lab::Findings& out) {
         captions.row(caption);
         for (int n = 1; n <= steps; ++n) {
             now[0] = exact((frame * steps + n) / rate);
-            now[1] = turn(no_gyroscopic, inertia, now[1], 1 / rate);
-            now[2] = turn(implicit_gyroscopic, inertia, now[2], 1 / rate);
-            now[3] = turn(passive_gyroscopic, inertia, now[3], 1 / rate);
+            now[1] = solver("dropped").turn(inertia, now[1], 1 / rate);
+            now[2] = solver("implicit").turn(inertia, now[2], 1 / rate);
+            now[3] = solver("passive").turn(inertia, now[3], 1 / rate);
             for (int i = 0; i < 4; ++i) {
                 // Dropped, ω stands still in the world and in the body: no flip, ever.
                 const double middle = (now[i].q.conjugate() * now[i].omega).y();
@@ -82,8 +82,8 @@ void tumbling(lab::Findings& out) {
                    name + ": energy at the end of the film over that at its start", 2);
     }
     out.number("tumbling_passive_momentum",
-               angular_momentum(inertia, now[3]).norm() / angular_momentum(inertia, start).norm(), "",
-               "passive: |L| at the end of the film over that at its start", 3);
+               angular_momentum(inertia, now[3]).norm() / angular_momentum(inertia, start).norm(),
+               "", "passive: |L| at the end of the film over that at its start", 3);
     const V last = now[3].q.conjugate() * now[3].omega;
     out.check(
         "tumbling_film",
@@ -133,13 +133,13 @@ void on_plane(lab::Findings& out) {
         film.frame_ends();
         captions.row(caption);
         plane::Contacts contacts;
-        const auto advance = [&](const auto& solver, int i) {
+        const auto advance = [&](const char* key, int i) {
             for (int n = 0; n < steps && !lost[i]; ++n)
-                now[i] = step(solver, body, ground, now[i], 1 / rate, contacts);
+                now[i] = scene::plane_solver(key).step(body, ground, now[i], 1 / rate, contacts);
         };
-        advance(explicit_gyroscopic, 0);
-        advance(no_gyroscopic, 1);
-        advance(passive_gyroscopic, 2);
+        advance("explicit", 0);
+        advance("dropped", 1);
+        advance("passive", 2);
     }
     out.number("capsule_film_seconds", frames * steps / rate, "s",
                "time that the capsule's film covers", 2);

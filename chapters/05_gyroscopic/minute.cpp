@@ -13,8 +13,8 @@ void minute(const Settings& settings, lab::Findings& out) {
     auto& table = out.table("minute.tsv", {"solver", "sides 1:2:3, energy", "momentum",
                                            "moments 1:2:3, energy", "momentum"});
     const PrincipalInertia<double> brick = box(1.0, 1.0, 2.0, 3.0), other{1, 2, 3};
-    for_each_gyroscopic([&](const auto& solver) {
-        std::vector<lab::Cell> cells{std::string(solver.name)};
+    for (const Solver& solver : solvers()) {
+        std::vector<lab::Cell> cells{solver.name};
         for (const auto* inertia : {&brick, &other}) {
             double E0 = kinetic_energy(*inertia, start),
                    L0 = angular_momentum(*inertia, start).norm();
@@ -33,15 +33,15 @@ void minute(const Settings& settings, lab::Findings& out) {
             std::snprintf(momentum, sizeof momentum, burst ? "–" : "%.3f", L);
             cells.push_back(std::string(energy)), cells.push_back(std::string(momentum));
             const std::string id =
-                std::string(inertia == &brick ? "minute_" : "minute_other_") + key(solver);
+                (inertia == &brick ? "minute_" : "minute_other_") + solver.key;
             if (!burst) {
                 out.number(id + "_energy", E, "", "energy after a minute over that at the start");
                 out.number(id + "_momentum", L, "",
                            "angular momentum after a minute over that at the start");
             }
-            std::printf("  %-25s %-14s energy %s, momentum %s\n", solver.name,
+            std::printf("  %-25s %-14s energy %s, momentum %s\n", solver.name.c_str(),
                         inertia == &brick ? "sides 1:2:3" : "moments 1:2:3", energy, momentum);
-            const std::string k = key(solver);
+            const std::string& k = solver.key;
             const std::string of = inertia == &brick ? "the box" : "the body with moments 1:2:3";
             if (k == "explicit") out.check(id, burst, "explicit: " + of + " blows up within the minute");
             if (k == "implicit" || k == "converged" || k == "passive")
@@ -58,5 +58,5 @@ void minute(const Settings& settings, lab::Findings& out) {
                           "old inertia: the angular momentum of " + of + " stays");
         }
         table.row(cells);
-    });
+    }
 }

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "plane_scene.hpp"
+#include "plane_solvers.hpp"
 #include "sections.hpp"
 
 using namespace timestep;
@@ -35,9 +36,12 @@ double angle_above_plane(const plane::Motion& m) {
 }
 
 // Runs until rest, loss or the end; `observe` sees each state.
-template <class Gyroscopic, class Inertia, class Observe>
-Outcome watch(const Gyroscopic& solver, const plane::Capsule<Inertia>& body,
-              const plane::Ground& ground, plane::Motion m, double h, const Observe& observe) {
+using Observe = std::function<void(const plane::Motion&)>;
+template <class Inertia>
+Outcome watch(
+    const scene::PlaneSolver& solver, const plane::Capsule<Inertia>& body,
+    const plane::Ground& ground, plane::Motion m, double h,
+    const Observe& observe = [](const plane::Motion&) {}) {
     Outcome result;
     const double start = energy(body, ground, m);
     plane::Contacts contacts;
@@ -57,7 +61,7 @@ Outcome watch(const Gyroscopic& solver, const plane::Capsule<Inertia>& body,
             result.rest = m.turning.t;
             return result;
         }
-        m = step(solver, body, ground, m, h, contacts);
+        m = solver.step(body, ground, m, h, contacts);
         result.sunk = std::max(result.sunk, contacts.sunk);
     }
     return result;
@@ -98,35 +102,35 @@ void one_throw(const Settings& settings, lab::Findings& out) {
 
     Outcome with[6], without[6];
     int index = 0;
-    scene::for_each_variant(
-        [&](const std::string& key, const std::string& name, const auto& solver) {
-            for (const bool resists : {false, true}) {
-                auto& data =
-                    out.table("plane_" + std::string(resists ? "rolling_" : "free_") + key + ".tsv",
-                              {"t", "spin", "energy", "upright"});
-                const plane::Ground ground = scene::ground(resists ? 0.1 : 0.0, plane::Arms::start);
-                const double first = energy(body, ground, start);
-                long n = 0;
-                (resists ? with : without)[index] =
-                    watch(solver, body, ground, start, settings.step, [&](const plane::Motion& m) {
-                        if (n++ % 3 != 0) return;
-                        data.row({m.turning.t, m.turning.omega.norm(),
-                                  energy(body, ground, m) / first, angle_above_plane(m)});
-                    });
-            }
-            char most[32];
-            std::snprintf(most, sizeof most, with[index].blown_up >= 0 ? "no bound" : "× %.2f",
-                          with[index].most_energy);
-            table.row({name, said(without[index]), said(with[index]), std::string(most)});
-            std::printf("%-24s %-26s %-26s\n", name.c_str(), said(without[index]).c_str(),
-                        said(with[index]).c_str());
-            out.number("plane_" + key + "_spin", with[index].spin, "rad/s",
-                       name + ": spin at the end, with rolling resistance", 2);
-            if (with[index].rest >= 0)
-                out.number("plane_" + key + "_rest", with[index].rest, "s",
-                           name + ": at rest, with rolling resistance", 2);
-            ++index;
-        });
+    for (const scene::PlaneSolver& solver : scene::plane_solvers()) {
+        const std::string &key = solver.key, &name = solver.name;
+        for (const bool resists : {false, true}) {
+            auto& data =
+                out.table("plane_" + std::string(resists ? "rolling_" : "free_") + key + ".tsv",
+                          {"t", "spin", "energy", "upright"});
+            const plane::Ground ground = scene::ground(resists ? 0.1 : 0.0, plane::Arms::start);
+            const double first = energy(body, ground, start);
+            long n = 0;
+            (resists ? with : without)[index] =
+                watch(solver, body, ground, start, settings.step, [&](const plane::Motion& m) {
+                    if (n++ % 3 != 0) return;
+                    data.row({m.turning.t, m.turning.omega.norm(), energy(body, ground, m) / first,
+                              angle_above_plane(m)});
+                });
+        }
+        char most[32];
+        std::snprintf(most, sizeof most, with[index].blown_up >= 0 ? "no bound" : "× %.2f",
+                      with[index].most_energy);
+        table.row({name, said(without[index]), said(with[index]), std::string(most)});
+        std::printf("%-24s %-26s %-26s\n", name.c_str(), said(without[index]).c_str(),
+                    said(with[index]).c_str());
+        out.number("plane_" + key + "_spin", with[index].spin, "rad/s",
+                   name + ": spin at the end, with rolling resistance", 2);
+        if (with[index].rest >= 0)
+            out.number("plane_" + key + "_rest", with[index].rest, "s",
+                       name + ": at rest, with rolling resistance", 2);
+        ++index;
+    }
     const Outcome &expl = with[0], &dropped = with[1], &old = with[2], &implicit = with[3],
                   &converged = with[4], &passive = with[5];
     out.number("plane_blown_up", expl.blown_up, "s", "explicit: blown up, with rolling resistance",
@@ -156,13 +160,13 @@ void one_throw(const Settings& settings, lab::Findings& out) {
               "a capsule is symmetric: one iteration and the converged solution are the same run");
 
     // The same scene, with steps so short that the way to treat the torque hardly matters.
-    const auto with_step = [&](const auto& solver, double h) {
-        return watch(solver, body, scene::ground(0.1, plane::Arms::start), start, h,
-                     [](const auto&) {});
+    const auto with_step = [&](const char* key, double h) {
+        return watch(scene::plane_solver(key), body, scene::ground(0.1, plane::Arms::start), start,
+                     h);
     };
-    const Outcome fine = with_step(passive_gyroscopic, settings.step / 32);
-    const Outcome fine_implicit = with_step(implicit_gyroscopic, settings.step / 32);
-    const Outcome quarter_implicit = with_step(implicit_gyroscopic, settings.step / 4);
+    const Outcome fine = with_step("passive", settings.step / 32);
+    const Outcome fine_implicit = with_step("implicit", settings.step / 32);
+    const Outcome quarter_implicit = with_step("implicit", settings.step / 4);
     std::printf("%-24s %-26s %-26s\n", "one iteration, h/4", "", said(quarter_implicit).c_str());
     std::printf("%-24s %-26s %-26s\n", "one iteration, h/32", "", said(fine_implicit).c_str());
     std::printf("%-24s %-26s %-26s\n", "passive, h/32", "", said(fine).c_str());
@@ -171,8 +175,8 @@ void one_throw(const Settings& settings, lab::Findings& out) {
                "one iteration: at rest, with a quarter of the step", 2);
     out.check("plane_fine",
               fine.rest > 0 && fine_implicit.rest > 0 &&
-                  std::fabs(fine.rest - fine_implicit.rest) < 0.1 &&
-                  passive.rest < 2 * fine.rest && dropped.spin > 10,
+                  std::fabs(fine.rest - fine_implicit.rest) < 0.1 && passive.rest < 2 * fine.rest &&
+                  dropped.spin > 10,
               "a 32nd of the step: passive and one iteration come to rest at the same time, to 0.1 "
               "s; with the whole step passive takes less than twice as long");
 }
@@ -182,11 +186,11 @@ void ball(const Settings& settings, lab::Findings& out) {
     const auto body = scene::ball();
     const plane::Motion start = scene::thrown(body);
     std::vector<Outcome> outcomes;
-    scene::for_each_variant([&](const std::string& key, const std::string&, const auto& solver) {
-        if (key == "old_inertia") return;  // L = Iω turns back and forth, and picks up roundoff
-        outcomes.push_back(
-            watch(solver, body, scene::ground(0.1), start, settings.step, [](const auto&) {}));
-    });
+    for (const scene::PlaneSolver& solver : scene::plane_solvers()) {
+        if (solver.key == "old_inertia")
+            continue;  // L = Iω turns back and forth, and picks up roundoff
+        outcomes.push_back(watch(solver, body, scene::ground(0.1), start, settings.step));
+    }
     bool same = true;
     for (const Outcome& o : outcomes)
         same = same && o.spin == outcomes[0].spin && o.energy == outcomes[0].energy;
@@ -208,16 +212,16 @@ void many_throws(const Settings& settings, lab::Findings& out) {
     std::printf("%-24s %-9s %8s %8s %8s %8s\n", "", "arms", "at rest", "blown up", "gained",
                 "upright");
     const auto body = scene::capsule();
-    const auto run = [&](const std::string& key, const std::string& name, const auto& solver,
-                         plane::Arms arms, double h) {
+    const auto run = [&](const std::string& key, const std::string& name,
+                         const scene::PlaneSolver& solver, plane::Arms arms, double h) {
         const std::string word = arms == plane::Arms::start ? "start" : "middle";
         std::mt19937 random(5);
         int rested = 0, lost_ones = 0, gained = 0, upright = 0;
         double most = 0;
         std::vector<double> times;
         for (int k = 0; k < throws; ++k) {
-            const Outcome o = watch(solver, body, scene::ground(0.1, arms),
-                                    scene::random_throw(body, random), h, [](const auto&) {});
+            const Outcome o =
+                watch(solver, body, scene::ground(0.1, arms), scene::random_throw(body, random), h);
             rested += o.rest >= 0;
             lost_ones += o.blown_up >= 0;
             gained += o.most_energy > 1 + 1e-6 || o.blown_up >= 0;
@@ -261,11 +265,10 @@ void many_throws(const Settings& settings, lab::Findings& out) {
                       "explicit, arms at the " + word + ": some of the throws blow up");
     };
     for (const plane::Arms arms : {plane::Arms::start, plane::Arms::middle})
-        scene::for_each_variant(
-            [&](const std::string& key, const std::string& name, const auto& solver) {
-                if (key != "converged") run(key, name, solver, arms, settings.step);
-            });
-    run("fine", "an eighth of the step", passive_gyroscopic, plane::Arms::middle,
+        for (const scene::PlaneSolver& solver : scene::plane_solvers())
+            if (solver.key != "converged")
+                run(solver.key, solver.name, solver, arms, settings.step);
+    run("fine", "an eighth of the step", scene::plane_solver("passive"), plane::Arms::middle,
         settings.step / 8);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // What the parts of chapter 5's program share.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,25 +19,57 @@ struct Settings {
     double tilt = 1e-3;      // rad/s, what it spins about its other two axes
 };
 
-// The name of a solver in the data files and numbers.
-inline const char* key(const timestep::ExplicitGyroscopic&) { return "explicit"; }
-inline const char* key(const timestep::NoGyroscopic&) { return "dropped"; }
-inline const char* key(const timestep::OldInertia&) { return "old_inertia"; }
-inline const char* key(const timestep::ImplicitGyroscopic&) { return "implicit"; }
-inline const char* key(const timestep::ConvergedGyroscopic&) { return "converged"; }
-inline const char* key(const timestep::PassiveGyroscopic&) { return "passive"; }
+using Box = timestep::PrincipalInertia<double>;
+using Round = timestep::SymmetricInertia<double>;
+
+// A way to treat the gyroscopic torque, one type for all of them: each is compiled for a box and
+// for a capsule once, in solvers.cpp, and every section calls it there.
+struct Solver {
+    using State = timestep::RigidState<double>;
+    using V = timestep::Vector3<double>;
+
+    std::string key;   // in the data files and numbers; that of style.gp
+    std::string name;  // in tables
+    State (*turn_box)(const Box&, const State&, double h);
+    State (*turn_round)(const Round&, const State&, double h);
+    State (*drive_box)(const Box&, const State&, const V& torque, double h);
+
+    // One step of `h` seconds, without a torque from outside and with one.
+    State turn(const Box& inertia, const State& s, double h) const {
+        return turn_box(inertia, s, h);
+    }
+    State turn(const Round& inertia, const State& s, double h) const {
+        return turn_round(inertia, s, h);
+    }
+    State turn(const Box& inertia, const State& s, const V& torque, double h) const {
+        return drive_box(inertia, s, torque, h);
+    }
+};
+const std::vector<Solver>& solvers();  // all, in the order in which the course meets them
+const Solver& solver(
+    const std::string& key);  // explicit, dropped, old_inertia, implicit, converged, passive
+
+// Compiled there, too.
+extern template class timestep::ExactFreeBody<double>;
+extern template double timestep::kinetic_energy(const Box&, const timestep::RigidState<double>&);
+extern template double timestep::kinetic_energy(const Round&, const timestep::RigidState<double>&);
+extern template timestep::Vector3<double> timestep::angular_momentum(
+    const Box&, const timestep::RigidState<double>&);
+extern template timestep::Vector3<double> timestep::angular_momentum(
+    const Round&, const timestep::RigidState<double>&);
 
 // A body at rest in its own axes, turning with `omega`, rad/s.
 inline timestep::RigidState<double> spinning(double x, double y, double z) {
     return {0, timestep::Quaternion<double>::Identity(), {x, y, z}};
 }
 
-// Steps `inertia` from `start`, and calls observe(state) with the start and after each step until it
-// returns false.
-template <class Solver, class Inertia, class Observe>
+// Steps `inertia` from `start`, and calls observe(state) with the start and after each step until
+// it returns false.
+template <class Inertia>
 void spin_on(const Solver& solver, const Inertia& inertia, timestep::RigidState<double> state,
-             double h, long steps, const Observe& observe) {
-    for (long n = 0; observe(state) && n < steps; ++n) state = turn(solver, inertia, state, h);
+             double h, long steps,
+             const std::function<bool(const timestep::RigidState<double>&)>& observe) {
+    for (long n = 0; observe(state) && n < steps; ++n) state = solver.turn(inertia, state, h);
 }
 
 void torque(const Settings&, lab::Findings&);            // torque.cpp

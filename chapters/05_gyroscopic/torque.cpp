@@ -95,18 +95,18 @@ void attitude(const Settings&, lab::Findings& out) {
     double norm_off = 0, price = 0;
     for (long steps = 64; steps <= 4096; steps *= 2) {
         const double step = 1.0 / double(steps);
-        const auto miss = [&](const auto& solver) {
+        const auto miss = [&](const char* key) {
             RigidState<double> end = start;
-            spin_on(solver, brick, start, step, steps, [&](const RigidState<double>& s) {
+            spin_on(solver(key), brick, start, step, steps, [&](const RigidState<double>& s) {
                 norm_off = std::max(norm_off, std::fabs(s.q.norm() - 1));
                 end = s;
                 return true;
             });
             return angle_between(end.q, exact(1).q);
         };
-        const double passive = miss(passive_gyroscopic);
-        const double implicit = miss(implicit_gyroscopic);
-        table.row({step, miss(explicit_gyroscopic), implicit, passive});
+        const double passive = miss("passive");
+        const double implicit = miss("implicit");
+        table.row({step, miss("explicit"), implicit, passive});
         price = passive / implicit;
         h.push_back(step), error.push_back(passive);
     }

@@ -47,7 +47,7 @@ Shorter passive_with(double h, const PrincipalInertia<double>& brick,
     Flips seen;
     Shorter result;
     const double E0 = kinetic_energy(brick, start);
-    spin_on(passive_gyroscopic, brick, start, h, std::lround(seconds / h),
+    spin_on(solver("passive"), brick, start, h, std::lround(seconds / h),
             [&](const RigidState<double>& s) {
                 seen.see(s.t, in_body(s).y());
                 result = {kinetic_energy(brick, s) / E0, seen.at.size()};
@@ -98,8 +98,8 @@ void tumble(const Settings& settings, lab::Findings& out) {
     out.number("tumble_largest", brick.moments.x(), "kg m²", "the largest moment");
     out.number("tumble_h_omega", h * settings.spin, "", "the step times the spin");
 
-    for_each_gyroscopic([&](const auto& solver) {
-        const std::string id = std::string("tumble_") + key(solver);
+    for (const Solver& solver : solvers()) {
+        const std::string id = "tumble_" + solver.key;
         auto& run = out.table(id + ".tsv", {"t", "x", "y", "z", "energy", "momentum"});
         Flips seen;
         double energy = 1, momentum = 1, most = 1, last = 0;
@@ -118,10 +118,10 @@ void tumble(const Settings& settings, lab::Findings& out) {
         const bool burst = last < seconds - h;
         const std::string times = words(seen.at);
         const int pad = times.find("…") == std::string::npos ? 31 : 33;  // "…" is three bytes
-        std::printf("  %-24s %-*s %s\n", solver.name, pad, times.c_str(),
-                    burst ? words("a million at %.2f s", last + h).c_str()
-                          : words("%.4g", energy).c_str());
-        flips.row({std::string(solver.name), words(seen.at),
+        std::printf(
+            "  %-24s %-*s %s\n", solver.name.c_str(), pad, times.c_str(),
+            burst ? words("a million at %.2f s", last + h).c_str() : words("%.4g", energy).c_str());
+        flips.row({solver.name, words(seen.at),
                    burst ? words("blown up after %.2f s", last + h) : words("%.3g", energy),
                    burst ? std::string("–") : words("%.3g", momentum)});
         if (!burst) {
@@ -133,7 +133,7 @@ void tumble(const Settings& settings, lab::Findings& out) {
                    "L²/2E at the end: the moment about which it turns");
         if (!seen.at.empty())
             out.number(id + "_first", seen.at[0], "s", "when the box first turns over");
-        const std::string k = key(solver);
+        const std::string& k = solver.key;
         if (k == "explicit") {
             double burst_at = -1;
             spin_on(solver, brick, start, h, std::lround(120 / h),
@@ -143,27 +143,29 @@ void tumble(const Settings& settings, lab::Findings& out) {
                     });
             out.number("tumble_blow_up", burst_at, "s",
                        "until explicit has a million times the energy");
-            out.check("tumble_explicit", energy > 1.2 && burst_at > 0,
-                      "explicit: the box gains a fifth of its energy and more within the run, and a "
-                      "millionfold later");
+            out.check(
+                "tumble_explicit", energy > 1.2 && burst_at > 0,
+                "explicit: the box gains a fifth of its energy and more within the run, and a "
+                "millionfold later");
         } else if (k == "dropped") {
             out.check("tumble_dropped", seen.at.empty(),
                       "without the term the box never turns over");
         } else if (k == "implicit" || k == "passive" || k == "converged") {
             out.check(id, turns && !seen.at.empty() && energy < 1 && most < 1 + 1e-9,
-                      std::string(solver.name) + ": the box turns over, and its energy sinks");
-            // The tilt grows to the spin like e^(σt), σ² = ω²(I₁ − I₂)(I₂ − I₃)/(I₁I₃). Implicit Euler
-            // multiplies it by 1/(1 − hσ) a step: the share hσ/2 too fast, and less as the tilt grows.
-            // The passive step takes L from the old state, and is some of h|ω| too slow.
-            const double sigma = settings.spin * std::sqrt((I.x() - I.y()) * (I.y() - I.z()) /
-                                                           (I.x() * I.z()));
+                      solver.name + ": the box turns over, and its energy sinks");
+            // The tilt grows to the spin like e^(σt), σ² = ω²(I₁ − I₂)(I₂ − I₃)/(I₁I₃). Implicit
+            // Euler multiplies it by 1/(1 − hσ) a step: the share hσ/2 too fast, and less as the
+            // tilt grows. The passive step takes L from the old state, and is some of h|ω| too
+            // slow.
+            const double sigma =
+                settings.spin * std::sqrt((I.x() - I.y()) * (I.y() - I.z()) / (I.x() * I.z()));
             const double early = turns && !seen.at.empty() ? 1 - seen.at[0] / truth.at[0] : 1;
             if (k == "passive")
                 out.check(id + "_time", early < 0 && -early < h * settings.spin,
                           "passive: the first flip is late, by less than the share h|ω|");
             else
                 out.check(id + "_time", early > 0 && early < h * sigma / 2,
-                          std::string(solver.name) +
+                          solver.name +
                               ": the first flip is early, by less than the share hσ/2 of its time");
             const bool all = truth.at.size() > 1 && seen.at.size() == truth.at.size();
             double off = 0;
@@ -194,12 +196,13 @@ void tumble(const Settings& settings, lab::Findings& out) {
                            "passive with a quarter of the step: energy left");
                 out.number("tumble_short_flips", double(short_steps.changes), "",
                            "passive with a 64th of the step: how often the component changes sign");
-                out.check("tumble_shorter",
-                          std::fabs(quarter.energy - energy) < 0.01 &&
-                              short_steps.changes > truth.at.size(),
-                          "passive: a quarter of the step ends at the same energy, and a 64th still "
-                          "changes sign too often");
+                out.check(
+                    "tumble_shorter",
+                    std::fabs(quarter.energy - energy) < 0.01 &&
+                        short_steps.changes > truth.at.size(),
+                    "passive: a quarter of the step ends at the same energy, and a 64th still "
+                    "changes sign too often");
             }
         }
-    });
+    }
 }

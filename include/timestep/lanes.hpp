@@ -11,8 +11,10 @@
 #include <cstddef>
 #include <type_traits>
 
-#if defined(__SSE2__)
+#if defined(__AVX__)
 #include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>  // the other one takes half a second to read
 #endif
 
 #include <timestep/inline.hpp>

@@ -73,8 +73,8 @@ template <class Model, class X>
 void same_as_array(const Model& model, const State<X>& start) {
     const auto start_array = stacked(start);
     using Array = decltype(start_array.y);
-    same_bits(AnyForce<X>(model), start, AnySystem<std::remove_const_t<Array>>(FirstOrderForm{model}),
-              start_array);
+    same_bits(AnyForce<X>(model), start,
+              AnySystem<std::remove_const_t<Array>>(FirstOrderForm{model}), start_array);
 }
 
 }  // namespace
@@ -111,8 +111,10 @@ TEMPLATE_TEST_CASE("n masses in one array are the n masses alone, bit for bit", 
 }
 
 TEST_CASE("a character and a grenade go through the same solver in one array", "[N16][ch2]") {
-    const AnySystem<Vector2> legs = FirstOrderForm{Scene{DampedSpring(8.0, 0.1), Projectile(-9.81)}};
-    const AnySystem<Vector4> shell = FirstOrderForm{Scene{Projectile(Vector2(0, -9.81)), Drag(0.006)}};
+    const AnySystem<Vector2> legs =
+        FirstOrderForm{Scene{DampedSpring(8.0, 0.1), Projectile(-9.81)}};
+    const AnySystem<Vector4> shell =
+        FirstOrderForm{Scene{Projectile(Vector2(0, -9.81)), Drag(0.006)}};
     const AnySystem<Vector6> both = [&](double t, const Vector6& y) -> Vector6 {
         Vector6 rate;
         rate << legs(t, y.head<2>()), shell(t, y.tail<4>());
@@ -280,8 +282,7 @@ TEST_CASE("in space a tethered mass keeps its angular momentum and its energy", 
     // Two references of the end state, 100 times closer than the chapter's 60 steps a second.
     const State<Vector3> fine = run(runge_kutta_4, rope, start, 1.0 / 60 / 64, 60 * 64);
     const State<Vector3> shown = run(runge_kutta_4, rope, start, 1.0 / 60, 60);
-    const Vector6 other =
-        extrapolated(FirstOrderForm{tether}, stacked(start).y, 0.0, 0.02, 50);
+    const Vector6 other = extrapolated(FirstOrderForm{tether}, stacked(start).y, 0.0, 0.02, 50);
     CHECK((other - stacked(fine).y).norm() < (stacked(shown).y - stacked(fine).y).norm() / 100);
 }
 

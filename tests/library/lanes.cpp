@@ -96,8 +96,8 @@ TEMPLATE_TEST_CASE("a lane computes what one number does, to the last bit", "[li
     CHECK(std::isnan(L(std::numeric_limits<Real>::quiet_NaN())[L::lanes - 1]));
 }
 
-// What follows is a matter of formulas, not of packs: one kind of pack for `float`, one for `double`.
-// (many.cpp steps the other one for `double`.)
+// What follows is a matter of formulas, not of packs: one kind of pack for `float`, one for
+// `double`. (many.cpp steps the other one for `double`.)
 #define TIMESTEP_BOTH_REALS Lanes<float>, (Loop<double, 2>)
 
 namespace {
@@ -156,7 +156,9 @@ TEMPLATE_TEST_CASE("every method steps a pack of springs as it steps each, to th
 
 namespace {
 
-double normal() { return std::normal_distribution<double>()(random_engine); }
+double normal() {
+    return std::normal_distribution<double>()(random_engine);
+}
 
 template <class L>
 Vector3<L> some_spin() {
@@ -211,7 +213,8 @@ TEMPLATE_TEST_CASE("a pack of bodies turns as each does alone", "[library][ch8]"
     const auto compare_whole = [&](const auto& packed, const auto& one_of) {
         const Vector3<L> omega = some_spin<L>();
         const Quaternion<L> q = some_attitude<L>();
-        const Vector3<L> after = after_gyroscopic_torque(passive_gyroscopic, packed, q, omega, L(h));
+        const Vector3<L> after =
+            after_gyroscopic_torque(passive_gyroscopic, packed, q, omega, L(h));
         const Quaternion<L> q2 = turned(q, omega, L(h));
         for (int i = 0; i < L::lanes; ++i) {
             const Vector3<Real> one = lane(omega, i);
@@ -244,7 +247,8 @@ TEMPLATE_TEST_CASE("a pack of bodies turns as each does alone", "[library][ch8]"
     }
 }
 
-// As above; a splitting has ten such sums for ω and its attitude five products, one after the other.
+// As above; a splitting has ten such sums for ω and its attitude five products, one after the
+// other.
 TEMPLATE_TEST_CASE("a pack of bodies takes whole-body steps as each does alone", "[library][ch8]",
                    TIMESTEP_BOTH_REALS) {
     using L = TestType;

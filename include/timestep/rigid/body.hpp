@@ -20,8 +20,9 @@ struct RigidState {
 /// Is every part of the state a finite number, and the quaternion a rotation: not zero?
 template <class Real>
 bool is_finite(const RigidState<Real>& s) {
-    return std::isfinite(s.t) && s.q.coeffs().allFinite() && !s.q.coeffs().isZero(0) &&
-           s.omega.allFinite();
+    const auto& q = s.q;
+    return std::isfinite(s.t) && is_finite(q.coeffs()) && is_finite(s.omega) &&
+           (q.w() != 0 || q.x() != 0 || q.y() != 0 || q.z() != 0);
 }
 
 /// The angular momentum in world coordinates, kg m²/s.

@@ -171,20 +171,16 @@ inline void solve(Contacts& contacts, double mass, const M& inverse_inertia, con
 // no error either; with e it is another one, by about h²|ω × (ω × e)|/2, and who lifts the body out
 // of the plane by that works against gravity, step after step. e₂ needs the ω that the contacts
 // have yet to find: so they are solved a few times, each time from the start with the last ω.
-/// One step of `h` seconds, of semi-implicit Euler: forces, contacts, positions (N46). Gravity and
-/// the impulses are explicit, the gyroscopic torque is what its solver makes of it. `contacts` is
-/// written only.
-template <class Gyroscopic, class Inertia>
-Motion step(const Gyroscopic& solver, const Capsule<Inertia>& body, const Ground& ground,
-            const Motion& m1, double h, Contacts& contacts) {
-    const V v1 = m1.v - h * ground.gravity * V::UnitZ();
-    const V omega1 = detail::spun(solver, body.inertia, m1.turning, h);
+/// What the plane makes of the velocities `v` and `omega` that the body would have without it.
+template <class Inertia>
+void touch(const Capsule<Inertia>& body, const Ground& ground, const Motion& m1, double h,
+           Contacts& contacts, V& v, V& omega) {
     const M R = m1.turning.q.toRotationMatrix();
     M inverse;
     for (int i = 0; i < 3; ++i)
         inverse.col(i) = R * body.inertia.velocity(R.transpose() * V::Unit(i));
 
-    V v, omega = omega1;
+    const V v1 = v, omega1 = omega;
     const int passes = ground.arms == Arms::start ? 1 : 4;
     for (int pass = 0; pass < passes; ++pass) {
         const Attitude q2 = turned(m1.turning.q, omega, h);
@@ -201,6 +197,17 @@ Motion step(const Gyroscopic& solver, const Capsule<Inertia>& body, const Ground
         v = v1, omega = omega1;
         solve(contacts, body.mass, inverse, ground, body.radius, h, v, omega);
     }
+}
+
+/// One step of `h` seconds, of semi-implicit Euler: forces, contacts, positions (N46). Gravity and
+/// the impulses are explicit, the gyroscopic torque is what its solver makes of it. `contacts` is
+/// written only.
+template <class Gyroscopic, class Inertia>
+Motion step(const Gyroscopic& solver, const Capsule<Inertia>& body, const Ground& ground,
+            const Motion& m1, double h, Contacts& contacts) {
+    V v = m1.v - h * ground.gravity * V::UnitZ();
+    V omega = detail::spun(solver, body.inertia, m1.turning, h);
+    touch(body, ground, m1, h, contacts, v, omega);
 
     const Turning turning{m1.turning.t, m1.turning.q, omega};
     Motion m2{detail::moved(solver, body.inertia, turning, h), m1.x + h * v, v};
