@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+#include <timestep/gyroscopic/cayley_gyroscopic.hpp>
+#include <timestep/gyroscopic/half_step_jacobian.hpp>
+#include <timestep/gyroscopic/implicit_gyroscopic.hpp>
+#include <timestep/gyroscopic/passive_gyroscopic.hpp>
 #include <timestep/rigid/plane.hpp>
 
 #include "random_body.hpp"

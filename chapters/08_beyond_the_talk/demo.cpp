@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include <timestep/gyroscopic/half_step_jacobian.hpp>
 #include <timestep/rigid/many_bodies.hpp>
 
 #include "film.hpp"

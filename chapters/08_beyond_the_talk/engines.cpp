@@ -10,12 +10,11 @@
 #include <string>
 #include <vector>
 
-#include <timestep/gyroscopic/half_step_jacobian.hpp>
+#include <timestep/gyroscopic/explicit_gyroscopic.hpp>
 #include <timestep/measured_order.hpp>
-#include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/rigid/shapes.hpp>
-#include <timestep/rigid/tumble.hpp>
 
+#include "appendix/midpoint.hpp"
 #include "engine_body.hpp"
 
 using namespace timestep;
@@ -36,15 +35,15 @@ std::string plain(double value) {
 }
 
 // The orders of ω and of the attitude, after two seconds of a box with sides 1:2:3.
-template <class Method>
 std::pair<double, double> orders(const Method& method) {
-    const PrincipalInertia<double> I = box(12.0, 1.0, 2.0, 3.0);
+    const Body I = box(12.0, 1.0, 2.0, 3.0);
     const Spin start = spin_of(2, 1, 2);
-    const Spin exact = in_body(ExactFreeBody<double>(I, in_world(start))(2));
+    const Spin exact = Exact(I, start)(2);
+    const Steps take = method.made(I);
     std::vector<double> h, spins, attitudes;
     const long least = method.order == 4 ? 32 : 256;
     for (long steps = least; steps <= 8 * least; steps *= 2) {
-        const Spin s = spun(method, I, start, 2.0 / double(steps), steps);
+        const Spin s = take(start, 2.0 / double(steps), steps);
         h.push_back(2.0 / double(steps));
         spins.push_back((s.omega - exact.omega).norm());
         attitudes.push_back((s.q.conjugate() * exact.q).vec().norm());
@@ -58,9 +57,8 @@ struct Left {
     double burst;             // s, when the energy has grown a millionfold; 0: never
     double strayed;           // the farthest that the energy was from that at the start, over it
 };
-template <class Method, class Observe>
-Left minute(const Method& method, const PrincipalInertia<double>& I, Spin s,
-            const Observe& observe) {
+Left minute(const Steps& take, const Body& I, Spin s,
+            const std::function<void(int n, double energy)>& observe) {
     const double E0 = kinetic_energy(I, s.omega), L0 = I.momentum(s.omega).norm();
     Left left{1, 1, 0, 0};
     for (int n = 0; n <= 3600; ++n) {
@@ -72,7 +70,7 @@ Left minute(const Method& method, const PrincipalInertia<double>& I, Spin s,
             left.burst = n / 60.0;
             break;
         }
-        s = method.step(I, s, 1.0 / 60);
+        s = take(s, 1.0 / 60, 1);
     }
     return left;
 }
@@ -91,22 +89,22 @@ volatile double sink;  // a run whose end nobody needs would not be computed
 
 // What a step takes, in ns, by the rule's key: the fastest of many runs of ten seconds of the box
 // that tumbles; explicit Euler has not burst by then. In turns: a slow moment hits all.
-std::map<std::string, double> times(const PrincipalInertia<double>& I) {
+std::map<std::string, double> times(const Body& I) {
     using Clock = std::chrono::steady_clock;
     const long steps = 600;
     std::map<std::string, double> fastest;
-    const auto run = [&](const std::string& key, const auto& method) {
+    std::map<std::string, Steps> all{{"half_step", method("half_step").made(I)}};
+    for (const Method& rule : others()) all[rule.key] = rule.made(I);
+    const auto run = [&](const std::string& key, const Steps& take) {
         const auto begin = Clock::now();
-        const Spin end = spun(method, I, tumbling, 1.0 / 60, steps);
+        const Spin end = take(tumbling, 1.0 / 60, steps);
         sink = end.q.w() + end.omega.x();
         const std::chrono::duration<double, std::nano> passed = Clock::now() - begin;
         const auto [at, is_new] = fastest.try_emplace(key, passed.count() / steps);
         if (!is_new) at->second = std::min(at->second, passed.count() / steps);
     };
-    for (int round = 0; round < 100; ++round) {
-        for_each_other([&](const auto& method) { run(lab::id(method.name), method); });
-        run("half_step", tumble<HalfStepJacobian>);
-    }
+    for (int round = 0; round < 100; ++round)
+        for (const auto& [key, take] : all) run(key, take);
     return fastest;
 }
 
@@ -163,33 +161,32 @@ void claims(std::map<std::string, Left>& left, lab::Findings& out) {
     out.check("engines_burst", bursts, "explicit Euler: every throw blows up within the minute");
 }
 
-void a_minute(const PrincipalInertia<double>& brick, const std::map<std::string, double>& ns,
-              lab::Findings& out) {
+void a_minute(const Body& brick, const std::map<std::string, double>& ns, lab::Findings& out) {
     std::vector<std::string> columns{"rule", "order of ω", "of the attitude", "ns a step"};
     for (const Throw& thrown : throws)
         for (const char* left : {": energy", ": $\\lvert L\\rvert$"})
             columns.push_back(std::string(thrown.about) + left);
     auto& table = out.table("engines_minute.tsv", columns);
-    std::set<std::string> engines;
-    for_each_engine([&](const auto& method) { engines.insert(method.name); });
+    std::set<std::string> printed;
+    for (const Method& rule : engines()) printed.insert(rule.key);
     std::map<std::string, Left> left_of;
     std::printf("  energy left of a box thrown about its short, its middle and its long axis,\n"
                 "  after a minute at 60 Hz; the methods from books keep it to a thousandth:\n");
-    for_each_other([&](const auto& method) {
-        const std::string key = lab::id(method.name);
+    for (const Method& method : others()) {
+        const std::string& key = method.key;
         const auto [spin, attitude] = orders(method);
-        const bool converges = method.order > 0, prints = engines.count(method.name) > 0;
-        std::vector<lab::Cell> cells{std::string(method.name),
-                                     converges ? rounded(spin, "%.1f") : "none",
+        const bool converges = method.order > 0, prints = printed.count(key) > 0;
+        std::vector<lab::Cell> cells{method.name, converges ? rounded(spin, "%.1f") : "none",
                                      converges ? rounded(attitude, "%.1f") : "none",
                                      plain(ns.at(key))};
-        if (prints) std::printf("  %-15s", method.name);
+        if (prints) std::printf("  %-15s", method.name.c_str());
         for (const Throw& thrown : throws) {
             const std::string id = key + "_" + thrown.key;
             auto& curve = out.table("engines_" + id + ".tsv", {"t", "energy"});
-            const Left left = minute(method, brick, thrown.start, [&](int n, double energy) {
+            const auto observe = [&](int n, double energy) {
                 if (n % 15 == 0) curve.row({n / 60.0, energy});
-            });
+            };
+            const Left left = minute(method.made(brick), brick, thrown.start, observe);
             left_of[id] = left;
             const bool burst = left.burst > 0;
             const std::string energy = burst ? rounded(left.burst, "blown up after %.1f\u00a0s")
@@ -206,11 +203,11 @@ void a_minute(const PrincipalInertia<double>& brick, const std::map<std::string,
         table.row(cells);
         if (prints) std::printf("\n");
         if (converges)
-            out.check("engines_order_" + key,
-                      std::fabs(spin - method.order) < 0.2 &&
-                          std::fabs(attitude - method.order) < 0.2,
-                      std::string(method.name) + ": the measured orders are those it claims");
-    });
+            out.check(
+                "engines_order_" + key,
+                std::fabs(spin - method.order) < 0.2 && std::fabs(attitude - method.order) < 0.2,
+                method.name + ": the measured orders are those it claims");
+    }
     claims(left_of, out);
     std::string words;
     for (const Throw& thrown : throws) {
@@ -223,7 +220,7 @@ void a_minute(const PrincipalInertia<double>& brick, const std::map<std::string,
 
 // Explicit Euler bursts at a moment that hangs on roundoff: ω in the world's axes instead of the
 // body's, as chapter 5 has it, or another start, as near as roundoff, shifts it.
-void burst_moment(const PrincipalInertia<double>& brick, lab::Findings& out) {
+void burst_moment(const Body& brick, lab::Findings& out) {
     const double E0 = kinetic_energy(brick, tumbling.omega), h = 1.0 / 60, patience = 60;
     const auto intact = [&](double energy, double t) { return energy < 1e6 * E0 && t < patience; };
     RigidState<double> in_the_world = in_world(tumbling);
@@ -231,11 +228,12 @@ void burst_moment(const PrincipalInertia<double>& brick, lab::Findings& out) {
         in_the_world = turn(explicit_gyroscopic, brick, in_the_world, h);
     const double apart = 1e-12;
     const int many = 100;
+    const Steps take = method("explicit_euler").made(brick);
     double earliest = patience, latest = 0;
     for (int n = 0; n < many; ++n) {
         Spin s = tumbling;
         s.omega.x() += apart * n / many;
-        while (intact(kinetic_energy(brick, s.omega), s.t)) s = explicit_spin.step(brick, s, h);
+        while (intact(kinetic_energy(brick, s.omega), s.t)) s = take(s, h, 1);
         earliest = std::min(earliest, s.t), latest = std::max(latest, s.t);
     }
     out.number("engines_burst_in_world", in_the_world.t, "s",
@@ -253,22 +251,21 @@ void burst_moment(const PrincipalInertia<double>& brick, lab::Findings& out) {
 }
 
 // The attitude's largest error in two seconds: 2 sin(α/2) for an angle α.
-template <class Method>
-double error(const Method& method, const PrincipalInertia<double>& I, const Spin& start) {
-    const ExactFreeBody<double> exact(I, in_world(start));
+double error(const Method& method, const Body& I, const Spin& start) {
+    const Exact exact(I, start);
+    const Steps take = method.made(I);
     double worst = 0;
     Spin s = start;
     for (int n = 1; n <= 120; ++n) {
-        s = method.step(I, s, 1.0 / 60);
-        const auto off = s.q.conjugate() * in_body(exact(n / 60.0)).q;
+        s = take(s, 1.0 / 60, 1);
+        const auto off = s.q.conjugate() * exact(n / 60.0).q;
         worst = std::max(worst, 2 * off.vec().norm());
     }
     return worst;
 }
 
 // What implicit midpoint and Moser-Veselov pay: Newton steps, and time; and what that buys.
-void price(const PrincipalInertia<double>& brick, const std::map<std::string, double>& ns,
-           lab::Findings& out) {
+void price(const Body& brick, const std::map<std::string, double>& ns, lab::Findings& out) {
     long iterations = 0;
     Spin s = tumbling;
     for (int n = 0; n < 3600; ++n)
@@ -289,13 +286,14 @@ void price(const PrincipalInertia<double>& brick, const std::map<std::string, do
               "implicit midpoint: more than two Newton steps in a step of this box");
 
     bool no_nearer = true;
+    const Method &midpoint = method("implicit_midpoint"), &half_step = method("half_step");
     for (const Throw& thrown : throws)
-        no_nearer = no_nearer && error(midpoint_spin, brick, thrown.start) >=
-                                     error(tumble<HalfStepJacobian>, brick, thrown.start);
-    out.number("engines_midpoint_error", error(midpoint_spin, brick, tumbling), "rad",
+        no_nearer = no_nearer &&
+                    error(midpoint, brick, thrown.start) >= error(half_step, brick, thrown.start);
+    out.number("engines_midpoint_error", error(midpoint, brick, tumbling), "rad",
                "implicit midpoint: the attitude's error, the middle throw, two seconds at 60 Hz",
                2);
-    out.number("engines_half_step_error", error(tumble<HalfStepJacobian>, brick, tumbling), "rad",
+    out.number("engines_half_step_error", error(half_step, brick, tumbling), "rad",
                "the half-step Jacobian's", 2);
     out.check("engines_midpoint_error", no_nearer,
               "in each of the three throws, in two seconds, implicit midpoint's attitude is no "
@@ -306,7 +304,7 @@ void price(const PrincipalInertia<double>& brick, const std::map<std::string, do
 
 void engines(lab::Findings& out) {
     out.section("The rules of the engines");
-    const PrincipalInertia<double> brick = box(1.0, 1.0, 2.0, 3.0);
+    const Body brick = box(1.0, 1.0, 2.0, 3.0);
     const std::map<std::string, double> ns = times(brick);
     a_minute(brick, ns, out);
     burst_moment(brick, out);

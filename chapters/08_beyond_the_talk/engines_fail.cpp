@@ -9,6 +9,13 @@
 
 #include <timestep/rigid/shapes.hpp>
 
+#include <timestep/gyroscopic/passive_gyroscopic.hpp>
+
+#include "appendix/box3d.hpp"
+#include "appendix/bullet.hpp"
+#include "appendix/jolt.hpp"
+#include "appendix/moser_veselov.hpp"
+#include "appendix/mujoco.hpp"
 #include "engine_body.hpp"
 
 using namespace timestep;
@@ -16,8 +23,7 @@ using namespace appendix;
 
 namespace {
 
-using Body = PrincipalInertia<double>;
-using V = Vector3<double>;
+using V = Vector;
 
 // Bodies that could exist, at random: by how far their mass reaches along each axis, even in the
 // logarithm between 1/ratio and 1.
@@ -142,7 +148,7 @@ void determinants(lab::Findings& out) {
 void cap(lab::Findings& out) {
     const Body brick = box(1.0, 1.0, 2.0, 3.0);
     const Spin fast = spin_of(100, 0, 0);
-    const Spin after = box3d_spin.step(brick, fast, 1.0 / 60);
+    const Spin after = method("box3d").made(brick)(fast, 1.0 / 60, 1);
     const double kept = kinetic_energy(brick, after.omega) / kinetic_energy(brick, fast.omega);
     const double fastest = after.omega.norm();
     const int many = 20000;
@@ -185,6 +191,7 @@ bool solves(const Body& I, const V& omega, const Quaternion<double>& rho, double
 void no_solution(lab::Findings& out) {
     const double sizes[] = {0.5, 0.99, 1.01, 1.2};
     double share[4];
+    const Method& veselov = method("moser_veselov_2");
     for (int k = 0; k < 4; ++k) {
         Bodies bodies(83);
         const int many = 4000;
@@ -194,7 +201,7 @@ void no_solution(lab::Findings& out) {
             const V w = bodies.direction();
             const Spin start = spin_of(w.x(), w.y(), w.z());
             failed += !solves(I, w, moser_veselov_2.whole(I, start, sizes[k]).q, sizes[k]);
-            const double E = kinetic_energy(I, moser_veselov_2.step(I, start, sizes[k]).omega);
+            const double E = kinetic_energy(I, veselov.made(I)(start, sizes[k], 1).omega);
             cut_failed += !(std::fabs(E / kinetic_energy(I, w) - 1) < 1e-9);
         }
         share[k] = 100.0 * failed / many;
@@ -225,21 +232,22 @@ void long_steps(lab::Findings& out) {
     for (int n = 0; n < 1000; ++n) {  // at 0.6 it is one of them
         const Body I = bodies.inertia(100);
         const V w = bodies.direction();
-        const auto most = [&](const auto& method, double size, long steps) {
+        const auto most = [&](const Steps& take, double size, long steps) {
             const double E = kinetic_energy(I, w) * size * size;
             Spin s = spin_of(size * w.x(), size * w.y(), size * w.z());
             double gain = 0;
             for (long i = 0; i < steps; ++i) {
-                s = method.step(I, s, 1.0);
+                s = take(s, 1.0, 1);
                 gain = std::max(gain, std::fabs(kinetic_energy(I, s.omega) / E - 1));
             }
             return gain;
         };
-        magnus_06 = std::max(magnus_06, most(magnus_taylor, 0.6, 1000));
-        magnus_05 = std::max(magnus_05, most(magnus_taylor, 0.5, 1000));
+        const Steps by_magnus = method("magnus_taylor_4").made(I);
+        magnus_06 = std::max(magnus_06, most(by_magnus, 0.6, 1000));
+        magnus_05 = std::max(magnus_05, most(by_magnus, 0.5, 1000));
         if (n >= 150) continue;
-        magnus = std::max(magnus, most(magnus_taylor, 1, 1000));
-        midpoint = std::max(midpoint, most(midpoint_spin, 1, 50));
+        magnus = std::max(magnus, most(by_magnus, 1, 1000));
+        midpoint = std::max(midpoint, most(method("implicit_midpoint").made(I), 1, 50));
     }
     out.number("engines_magnus_fails", 0.6, "", "h|omega| from which on Magnus-Taylor fails");
     out.number("engines_magnus_there", 1 + magnus_06, "",

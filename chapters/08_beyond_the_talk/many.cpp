@@ -10,7 +10,11 @@
 #include <thread>
 #include <vector>
 
+#include <timestep/gyroscopic/cayley_gyroscopic.hpp>
+#include <timestep/gyroscopic/half_step_jacobian.hpp>
+#include <timestep/gyroscopic/passive_gyroscopic.hpp>
 #include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/rigid/many_bodies.hpp>
 #include <timestep/share_out.hpp>
 #include <timestep/springs.hpp>

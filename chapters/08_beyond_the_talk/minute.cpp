@@ -3,6 +3,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include <timestep/gyroscopic/cayley_gyroscopic.hpp>
+#include <timestep/gyroscopic/half_step_jacobian.hpp>
+#include <timestep/gyroscopic/passive_gyroscopic.hpp>
+
 #include "sections.hpp"
 
 using namespace timestep;
@@ -39,22 +43,23 @@ void minute(const Settings& settings, lab::Findings& out) {
                                            "fast box" + L_of});
     const long steps = std::lround(60 / settings.step);
     std::printf("  %-24s %15s %15s %15s\n", "energy and momentum", "box", "capsule", "fast box");
-    for_each_method([&](const auto& method) {
-        const std::string k = key(method);
-        std::vector<lab::Cell> cells{name_of(method)};
-        std::printf("  %-24s", name_of(method).c_str());
+    for (const Method& method : methods()) {
+        const std::string& k = method.key;
+        std::vector<lab::Cell> cells{method.name};
+        std::printf("  %-24s", method.name.c_str());
         auto& history = out.table("minute_" + k + ".tsv", {"t", "energy_off", "momentum_off"});
         for (const Case& c : cases) {
             const std::string id = c.id;
             const auto L = [&](const Spin& s) { return c.inertia.momentum(s.omega).norm(); };
             const double E0 = kinetic_energy(c.inertia, c.start.omega), L0 = L(c.start);
+            const Steps steps_of = method.made(c.inertia);
             Spin s = c.start;
             double E = 1, M = 1, off_E = 0, off_L = 0;
             for (long n = 0; n <= steps; ++n) {
                 E = kinetic_energy(c.inertia, s.omega) / E0, M = L(s) / L0;
                 off_E = larger(off_E, std::fabs(E - 1)), off_L = larger(off_L, std::fabs(M - 1));
                 if (id == "box" && n % 6 == 0) history.row({s.t, off_E, off_L});
-                s = method.step(c.inertia, s, settings.step);
+                s = steps_of(s, settings.step, 1);
             }
             cells.push_back(three(E)), cells.push_back(three(M));
             std::printf(" %7s %7s", three(E).c_str(), three(M).c_str());
@@ -79,21 +84,21 @@ void minute(const Settings& settings, lab::Findings& out) {
         }
         std::printf("\n");
         table.row(cells);
-    });
+    }
     // How long does the uneven capsule keep half of its spin about its length?
     const Case& pill_case = cases[1];
     const double patience = 600;
-    const auto keeps = [&](const auto& method) {
+    const auto keeps = [&](const Method& method) {
+        const Steps steps_of = method.made(pill_case.inertia);
         Spin s = pill_case.start;
         while (s.t < patience && s.omega.z() > pill_case.start.omega.z() / 2)
-            s = method.step(pill_case.inertia, s, settings.step);
-        std::printf("  %s: half of the capsule's spin gone %s %.0f s\n", method.name,
+            s = steps_of(s, settings.step, 1);
+        std::printf("  %s: half of the capsule's spin gone %s %.0f s\n", method.name.c_str(),
                     s.t < patience ? "after" : "not yet after", s.t);
         return s.t;
     };
-    const double passive = keeps(tumble<PassiveGyroscopic>),
-                 cayley = keeps(tumble<CayleyGyroscopic>);
-    const double remainder = keeps(symmetric_remainder_2);
+    const double passive = keeps(method("passive")), cayley = keeps(method("cayley"));
+    const double remainder = keeps(method("remainder_2"));
     out.number("length_passive", passive, "s",
                "passive: when the uneven capsule has lost half of its spin", 2);
     out.number("length_cayley", cayley, "s", "Cayley: when it has", 2);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include <timestep/gyroscopic/half_step_jacobian.hpp>
+
 #include "sections.hpp"
 
 using namespace timestep;
@@ -21,8 +23,9 @@ void one_token(const Settings& settings, lab::Findings& out) {
         truth.row({double(n) * settings.step, exact(double(n) * settings.step).omega.y()});
 
     double worst_of_talk = 0, lost_by_talk = 0;
-    const auto follow = [&](const auto& method) {
-        const std::string k = key(method);
+    const auto follow = [&](const Method& method) {
+        const std::string& k = method.key;
+        const Steps steps_of = method.made(brick);
         auto& table = out.table("token_" + k + ".tsv", {"t", "energy", "omega_y", "error"});
         double worst = 0, least = 1, most = 1, squares = 0;
         Spin s = start;
@@ -32,12 +35,12 @@ void one_token(const Settings& settings, lab::Findings& out) {
             table.row({s.t, E, s.omega.y(), error});
             worst = std::max(worst, error), least = std::min(least, E), most = std::max(most, E);
             squares += error * error;
-            s = method.step(brick, s, settings.step);
+            s = steps_of(s, settings.step, 1);
         }
         const double E = kinetic_energy(brick, s.omega) / E0;
         const double rms = std::sqrt(squares / double(steps));
         std::printf("  %-18s  energy x %.3f, omega off by %.2g %% (at most %.2g %%)\n",
-                    name_of(method).c_str(), E, 100 * rms, 100 * worst);
+                    method.name.c_str(), E, 100 * rms, 100 * worst);
         out.number("token_" + k + "_energy", E, "", "energy at the end over that at the start");
         out.number("token_" + k + "_error", 100 * rms, "%", "RMS error of omega over the spin", 2);
         if (k == "implicit") worst_of_talk = worst, lost_by_talk = 1 - E;
@@ -51,8 +54,8 @@ void one_token(const Settings& settings, lab::Findings& out) {
                       "the half-step Jacobian's worst error in ω is below the talk's");
         }
     };
-    follow(tumble<ImplicitGyroscopic>);
-    follow(tumble<HalfStepJacobian>);
+    follow(method("implicit"));
+    follow(method("half_step"));
     out.number("token_seconds", seconds, "s", "how long the box is watched");
     out.text("token_moments", "(13, 10, 5) kg m²", "moments of the box");
     out.number("token_spin", settings.spin, "rad/s", "its spin about the middle axis");

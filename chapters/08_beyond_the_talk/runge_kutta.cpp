@@ -14,11 +14,9 @@ namespace {
 
 // The share of the energy that a minute takes.
 double lost_in_a_minute(const Body& inertia, const Vector& spin, double h) {
-    Spin s = spinning(spin);
-    const double E = kinetic_energy(inertia, s.omega);
-    const long steps = std::lround(60 / h);
-    for (long n = 0; n < steps; ++n) s = RungeKuttaSpin{}.step(inertia, s, h);
-    return 1 - kinetic_energy(inertia, s.omega) / E;
+    const Steps steps = method("runge_kutta_4").made(inertia);
+    const Spin start = spinning(spin), end = steps(start, h, std::lround(60 / h));
+    return 1 - kinetic_energy(inertia, end.omega) / kinetic_energy(inertia, start.omega);
 }
 
 }  // namespace

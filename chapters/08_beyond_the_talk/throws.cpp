@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <timestep/rigid/symmetric_remainder.hpp>
+
 #include "random_body.hpp"
 #include "sections.hpp"
 
@@ -41,16 +43,14 @@ public:
         }
     }
     // The largest error of each throw.
-    template <class Method>
-    std::vector<double> errors(const Method& method, int rate = 60) const {
-        const auto body = prepared(method, inertia_);
+    std::vector<double> errors(const std::string& key, int rate = 60) const {
+        const Steps steps = method(key).made(inertia_);
         std::vector<double> all;
         auto true_q = truth_.begin();
         for (Spin s : starts_) {
             double worst = 0;
             for (int k = 0; k < marks; ++k) {
-                for (int n = 0; n < seconds * rate / marks; ++n)
-                    s = method.step(body, s, 1.0 / rate);
+                s = steps(s, 1.0 / rate, seconds * rate / marks);
                 const double error = apart(s.q, *true_q++);
                 if (!(error <= worst)) worst = std::isnan(error) ? 9 : error;
             }
@@ -124,17 +124,18 @@ void throws(const Settings&, lab::Findings& out) {
     for (const Case& c : cases) columns.push_back(c.words), thrown.emplace_back(c.inertia, c.spin);
     auto& table = out.table("throws.tsv", columns);
     std::map<std::string, Errors> all;  // by method and case
-    const auto throw_all = [&](const auto& method) {
-        std::vector<lab::Cell> row{name_of(method)};
+    const auto throw_all = [&](const Method& method) {
+        std::vector<lab::Cell> row{method.name};
         for (std::size_t i = 0; i < thrown.size(); ++i) {
-            const Errors e = summed_up(thrown[i].errors(method));
-            all[std::string(key(method)) + " " + cases[i].id] = e;
+            const Errors e = summed_up(thrown[i].errors(method.key));
+            all[method.key + " " + cases[i].id] = e;
             row.push_back(in_words(e));
         }
         table.row(row);
     };
-    for_each_method(throw_all);
-    throw_all(magnus_taylor), throw_all(midpoint_spin);  // of the appendix
+    for (const Method& method : methods()) throw_all(method);
+    throw_all(method("magnus_taylor_4")),
+        throw_all(method("implicit_midpoint"));  // of the appendix
     const auto of = [&](const std::string& method, const char* id) {
         return all[method + " " + id];
     };
@@ -152,7 +153,7 @@ void throws(const Settings&, lab::Findings& out) {
     const Errors two = of("remainder_2", "ruler");
     bool near_middle = true;  // of the ruler's twenty worst throws
     std::vector<std::pair<double, double>> ruler_throws;
-    const std::vector<double> by_2 = thrown[3].errors(symmetric_remainder_2);
+    const std::vector<double> by_2 = thrown[3].errors("remainder_2");
     for (std::size_t n = 0; n < by_2.size(); ++n)
         ruler_throws.push_back(
             {by_2[n], from_middle(ruler, thrown[3].starts()[n].omega)});
@@ -168,17 +169,18 @@ void throws(const Settings&, lab::Findings& out) {
     out.number("float_hour", 100 * std::fabs(length() / at_first - 1), "%",
                "how far |L| is off after an hour of ball and remainder 4 in float", 2);
     const Vector& r = ruler.ratio;  // thrown about the axis y
-    const Errors near_100 = summed_up(Throws(near, 100).errors(symmetric_remainder_4)),
-                 box_100 = summed_up(Throws(brick, 100).errors(symmetric_remainder_4)),
-                 ruler_100 = summed_up(Throws(ruler, 100).errors(symmetric_remainder_4));
+    const Errors near_100 = summed_up(Throws(near, 100).errors("remainder_4")),
+                 box_100 = summed_up(Throws(brick, 100).errors("remainder_4")),
+                 ruler_100 = summed_up(Throws(ruler, 100).errors("remainder_4"));
     // About the middle axis, where errors grow fastest.
     double middle_15 = 0;
     for (const Body& body : {near, brick, needle, ruler})
-        middle_15 = std::max(middle_15, summed_up(Throws(body, 15, Throws::About::middle)
-                                                      .errors(symmetric_remainder_4)).worst);
+        middle_15 = std::max(
+            middle_15,
+            summed_up(Throws(body, 15, Throws::About::middle).errors("remainder_4")).worst);
     const Throws fast_ruler(ruler, 30, Throws::About::middle);
-    const Errors middle_30 = summed_up(fast_ruler.errors(symmetric_remainder_4)),
-                 middle_half = summed_up(fast_ruler.errors(symmetric_remainder_4, 120));
+    const Errors middle_30 = summed_up(fast_ruler.errors("remainder_4")),
+                 middle_half = summed_up(fast_ruler.errors("remainder_4", 120));
     std::printf("  of %d throws of a ruler at 10 rad/s, 60 Hz, ball and remainder 2 is off\n"
                 "  by more than 1 %% in %.0f %%, ball and remainder 4 by %.2g %% at most;\n"
                 "  at 30 rad/s by %.2g %%, and at 100 rad/s it loses %.0f %% of them\n",
@@ -238,8 +240,9 @@ void throws(const Settings&, lab::Findings& out) {
               "10 rad/s at 60 Hz: Cayley loses most throws of the ruler, Strang over 20 %");
     bool no_nearer = true;  // though it keeps energy and momentum
     for (const char* id : {"near", "box", "needle", "ruler"})
-        no_nearer = no_nearer && of("midpoint", id).worst > 0.9 * of("half_step", id).worst;
-    out.number("midpoint_error", 100 * of("midpoint", "box").worst, "%",
+        no_nearer =
+            no_nearer && of("implicit_midpoint", id).worst > 0.9 * of("half_step", id).worst;
+    out.number("midpoint_error", 100 * of("implicit_midpoint", "box").worst, "%",
                "implicit midpoint: the worst of the box's throws", 2);
     out.number("half_step_error", 100 * of("half_step", "box").worst, "%",
                "the half-step Jacobian: the worst of the box's throws", 2);
@@ -248,12 +251,15 @@ void throws(const Settings&, lab::Findings& out) {
               "than by the half-step Jacobian");
     out.number("ruler_2_30", of("remainder_2", "ruler_30").lost, "%",
                "of the ruler's throws that ball and remainder 2 loses at 30 rad/s", 2);
-    out.number("ruler_magnus_30", of("magnus", "ruler_30").lost, "%", "that Magnus and Taylor lose at 30 rad/s", 2);
-    out.check("magnus_lost", of("magnus", "needle").worst > of("remainder_2", "needle").worst &&
-                  of("magnus", "ruler_30").lost > 2 * of("remainder_2", "ruler_30").lost,
-              "60 Hz: at 10 rad/s the worst throw of the needle by Magnus and Taylor is farther off "
-              "than by ball and remainder 2, and at 30 rad/s they lose more than twice as many of "
-              "the ruler's");
+    out.number("ruler_magnus_30", of("magnus_taylor_4", "ruler_30").lost, "%",
+               "that Magnus and Taylor lose at 30 rad/s", 2);
+    out.check(
+        "magnus_lost",
+        of("magnus_taylor_4", "needle").worst > of("remainder_2", "needle").worst &&
+            of("magnus_taylor_4", "ruler_30").lost > 2 * of("remainder_2", "ruler_30").lost,
+        "60 Hz: at 10 rad/s the worst throw of the needle by Magnus and Taylor is farther off "
+        "than by ball and remainder 2, and at 30 rad/s they lose more than twice as many of "
+        "the ruler's");
     out.check("rk4_nearer", rk4,
               "10 rad/s at 60 Hz: the worst throw of each body is nearer by Runge-Kutta 4 than by "
               "ball and remainder 2, and nearest by ball and remainder 4");

@@ -74,7 +74,7 @@ bool all_grey(const Points& points) {
     for (const Point& p : points)
         if (!p.entry->ours) drawn.insert(p.entry->id);
     bool all = true;
-    for_each_other([&](const auto& m) { all = all && drawn.count(lab::id(m.name)) == 1; });
+    for (const Method& m : others()) all = all && drawn.count(m.key) == 1;
     return all;
 }
 
@@ -123,12 +123,12 @@ void work(const Settings&, lab::Findings& out) {
 
     // What a step takes. Times are those of the box, which no method knows of.
     const double talk = a_step(all["box_game"], "implicit");
-    for_each_method([&](const auto& method) {
-        const std::string k = key(method);
+    for (const Method& method : methods()) {
+        const std::string& k = method.key;
         const double step = a_step(all["box_game"], k);
         out.number("cost_" + k, step / talk, "", "time of a step over that of the talk's", 3);
         out.number("ns_" + k, step * 1e9, "ns", "time of a step", 3);
-    });
+    }
     out.number("work_seconds", contest::seconds, "s", "how long every body is watched");
     out.text("processor", lab::processor(), "what the times were measured on");
     out.text("compiler", lab::compiler(), "what made the program");
@@ -137,7 +137,7 @@ void work(const Settings&, lab::Findings& out) {
                                 a_step(all["box_game"], "runge_kutta_4"),
                "", "time of a step of ball and remainder 4 over that of Runge-Kutta 4", 2);
 
-    const std::string magnus = lab::id(MagnusTaylor::name), midpoint = lab::id(MidpointSpin::name);
+    const std::string magnus = "magnus_taylor_4", midpoint = "implicit_midpoint";
     const Points& box_game = all["box_game"];
     out.number("ns_magnus", a_step(box_game, magnus) * 1e9, "ns", "a step of Magnus and Taylor", 3);
     out.number("ns_midpoint", a_step(box_game, midpoint) * 1e9, "ns", "of implicit midpoint", 3);

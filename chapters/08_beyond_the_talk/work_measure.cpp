@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "lab.hpp"
 #include "work.hpp"
 
 namespace contest {
@@ -25,27 +24,23 @@ double seconds_of(const Entry& entry, long steps, long runs) {
     return passed.count() / double(runs);
 }
 
-template <class Method>
 Entry entry(const Method& method, const Body& inertia, const Spin& start, bool ours) {
-    const auto body = prepared(method, inertia);
-    Entry e{ours ? name_of(method) : method.name, ours ? key(method) : lab::id(method.name), ours, {}, {}};
+    const Steps take = method.made(inertia);
+    Entry e{method.name, method.key, ours, {}, {}};
     e.error = [=](long steps) {
         const Exact exact(inertia, start);
         const double h = seconds / double(steps);
         double worst = 0;
         Spin s = start;
-        for (long n = 1; n <= steps; ++n) {
-            s = method.step(body, s, h);
-            if (n % (steps / marks) != 0) continue;
-            const double error = apart(s.q, exact(double(n) * h).q);
+        for (long mark = 1; mark <= marks; ++mark) {
+            s = take(s, h, steps / marks);
+            const double error = apart(s.q, exact(double(mark * (steps / marks)) * h).q);
             if (!(error <= worst)) worst = std::isnan(error) ? 9 : error;
         }
         return is_finite(s) ? worst : 9;
     };
     e.run = [=](long steps) {
-        const double h = seconds / double(steps);
-        Spin s = start;
-        for (long n = 0; n < steps; ++n) s = method.step(body, s, h);
+        const Spin s = take(start, seconds / double(steps), steps);
         return s.q.w() + s.omega.x();
     };
     return e;
@@ -55,9 +50,8 @@ Entry entry(const Method& method, const Body& inertia, const Spin& start, bool o
 
 std::vector<Entry> entries(const Body& inertia, const Spin& start) {
     std::vector<Entry> all;
-    for_each_method([&](const auto& m) { all.push_back(entry(m, inertia, start, true)); });
-    timestep::for_each_other(
-        [&](const auto& m) { all.push_back(entry(m, inertia, start, false)); });
+    for (const Method& m : methods()) all.push_back(entry(m, inertia, start, true));
+    for (const Method& m : others()) all.push_back(entry(m, inertia, start, false));
     return all;
 }
 

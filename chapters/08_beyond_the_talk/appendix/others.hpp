@@ -25,11 +25,17 @@ void for_each_engine(const Visit& visit) {
                           explicit_spin});
 }
 
+/// Calls `visit(method)` for each method from a book.
+template <class Visit>
+void for_each_book(const Visit& visit) {
+    std::apply([&](const auto&... method) { (visit(method), ...); },
+               std::tuple{midpoint_spin, moser_veselov_2, moser_veselov_4, magnus_taylor});
+}
+
 /// Calls `visit(method)` for each method of the appendix.
 template <class Visit>
 void for_each_other(const Visit& visit) {
-    std::apply([&](const auto&... method) { (visit(method), ...); },
-               std::tuple{midpoint_spin, moser_veselov_2, moser_veselov_4, magnus_taylor});
+    for_each_book(visit);
     for_each_engine(visit);
 }
 
