@@ -109,8 +109,7 @@ endfunction()
 # ---- The growing site ------------------------------------------------------------------------------
 
 # As long as there is no whole site, each chapter that has run makes one of what is there so far: drafts of
-# all pages, with gaps. Target growing_site; `./course tour` asks for it.
-add_custom_target(growing_site)
+# all pages, with gaps. Targets grow_NN_name; `./course tour` asks for them.
 timestep_doxyfile(growing "${site}/growing" "${site}/growing/pages" "${site}/growing/figures" "" OFF make_draft)
 set_property(GLOBAL APPEND PROPERTY JOB_POOLS growing_site=1)
 
@@ -126,7 +125,6 @@ function(timestep_grows chapter)
   add_custom_target(grow_${chapter} DEPENDS "${shown}")
   string(REGEX REPLACE "^[0-9]+_" "run_" run "${chapter}")
   add_dependencies(grow_${chapter} ${run})
-  add_dependencies(growing_site grow_${chapter})
   if(NOT TARGET first_chapter)
     add_custom_target(first_chapter)
     add_dependencies(first_chapter grow_${chapter})

@@ -21,7 +21,7 @@ test_all_passing_ends_with_the_summary() {
     is "$(tail -n 1 out | sed 's/=.*//')" 'Total Test time (real) '
     silent_on out setup
     says calls "--build $folder/build"
-    says calls 'all docs'
+    says calls 'quick_tests docs'
 }
 
 test_a_failing_test_is_status_1_and_shows_its_words() {
@@ -44,9 +44,25 @@ To add it: ./course setup --all'
     is "$(sed -n '/^To add it/,$p' out | sed -n 3p | sed 's/passed.*/passed/')" '100% tests passed'
 }
 
+test_long_tests_are_left_to_all_and_named() {
+    tests one=0 'headers stand alone=5' 'kit: works=5' 'kit: is made=5'
+    for test in 'headers stand alone' 'kit: works' 'kit: is made'; do
+        echo "set_tests_properties(\"$test\" PROPERTIES LABELS long)" >>build/CTestTestfile.cmake
+    done
+    expect 0 course test
+    silent_on out 'words of headers'
+    says out 'Left to ./course test --all, for they take their time: 3 tests, among them'
+    says out '  headers stand alone'
+    is "$(grep -c '^  kit: ' out)" 1
+    expect 1 course test --all
+    says out 'words of headers'
+    silent_on out 'Left to'
+}
+
 test_with_all_a_skipped_check_fails() {
     tests one=0
     expect 0 course test --all
+    says calls 'all docs kit'
     tests one=0 browser=77
     expect 1 course test --all
     says err 'course: 1 skipped, which --all counts as failed'
