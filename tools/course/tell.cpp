@@ -26,10 +26,15 @@ std::string head_of(const std::string& text, int most, const std::string& indent
 
 // What the linker says, in the words of the exercise.
 std::string of_linker(const Exercise& exercise, const std::string& said) {
-    if (said.find("undefined reference to `" + exercise.name + "(") != std::string::npos)
+    // In the words of one linker or the other.
+    if (said.find("undefined reference to `" + exercise.name + "(") != std::string::npos ||
+        said.find("undefined reference to '" + exercise.name + "(") != std::string::npos ||
+        said.find("undefined symbol: " + exercise.name + "(") != std::string::npos)
         return "  The file has no function\n      " + exercise.declaration +
                "\n  Name and arguments must stay as they were.\n";
-    if (said.find("multiple definition of `main'") != std::string::npos)
+    if (said.find("multiple definition of `main'") != std::string::npos ||
+        said.find("multiple definition of 'main'") != std::string::npos ||
+        said.find("duplicate symbol: main") != std::string::npos)
         return "  The file has a main of its own. The checker brings one: leave yours out.\n";
     return {};
 }
