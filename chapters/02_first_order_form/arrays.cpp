@@ -3,7 +3,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <timestep/first_order_form.hpp>
@@ -20,6 +22,17 @@ using namespace timestep;
 namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+// A first-order system, whatever it describes: f(t, y). The solver is compiled once for each size of y.
+template <class Y>
+using System = std::function<Y(double, const Y&)>;
+
+// Steps it with RK4.
+template <class Y>
+FirstOrder<Y> stepped(const std::type_identity_t<System<Y>>& system, const FirstOrder<Y>& start,
+                      double h, int steps) {
+    return run(runge_kutta_4, system, start, h, steps);
+}
 
 // What two ways of running the same scene have found. The bits are compared, not the numbers: what
 // has blown up may be no number, and that is not equal to itself.
@@ -55,9 +68,9 @@ Compared both_in_one_array(const Settings& settings) {
     y << y1.y, y2.y;
 
     const double h = settings.step;
-    const FirstOrder<Vector6> together = run(runge_kutta_4, both, FirstOrder<Vector6>{0, y}, h, 60);
-    const auto first = run(runge_kutta_4, legs, y1, h, 60);
-    const auto second = run(runge_kutta_4, shell, y2, h, 60);
+    const auto together = stepped(both, FirstOrder<Vector6>{0, y}, h, 60);
+    const auto first = stepped(legs, y1, h, 60);
+    const auto second = stepped(shell, y2, h, 60);
     Compared result;
     result.add(together.y.data(), first.y.data(), 2);
     result.add(together.y.data() + 2, second.y.data(), 4);
@@ -78,12 +91,11 @@ Compared many_in_one_array(const Settings& settings) {
     Array y;
     for (int i = 0; i < n; ++i) y.segment<2>(2 * i) << dip, 0.1 * i;
 
-    const FirstOrder<Array> together =
-        run(runge_kutta_4, all, FirstOrder<Array>{0, y}, settings.step, 60);
+    const auto together = stepped(all, FirstOrder<Array>{0, y}, settings.step, 60);
     Compared result;
     for (int i = 0; i < n; ++i) {
         const FirstOrder<Vector2> start{0, Vector2(dip, 0.1 * i)};
-        const FirstOrder<Vector2> alone = run(runge_kutta_4, springs[i], start, settings.step, 60);
+        const FirstOrder<Vector2> alone = stepped(springs[i], start, settings.step, 60);
         result.add(together.y.data() + 2 * i, alone.y.data(), 2);
     }
     return result;
@@ -134,11 +146,12 @@ struct Everything {
     lab::Table& table;
     int scenes = 0;
 
-    template <class System, class Y>
-    void scene(const char* name, const char* equation, const System& system,
-               const FirstOrder<Y>& start, const Y& answer) {
+    template <class Y>
+    void scene(const char* name, const char* equation,
+               const std::type_identity_t<System<Y>>& system, const FirstOrder<Y>& start,
+               const Y& answer) {
         ++scenes;
-        const FirstOrder<Y> end = run(runge_kutta_4, system, start, 1.0 / 60, 60);
+        const FirstOrder<Y> end = stepped(system, start, 1.0 / 60, 60);
         double error = 0, size = 1;
         if constexpr (std::is_same_v<Y, double>)
             error = std::fabs(end.y - answer);
@@ -156,10 +169,10 @@ struct Everything {
     }
 
     // Where no exact solution is known, the same in steps 64 times smaller.
-    template <class System, class Y>
-    void hard_scene(const char* name, const char* equation, const System& system,
-                    const FirstOrder<Y>& start) {
-        const Y answer = run(runge_kutta_4, system, start, 1.0 / 60 / 64, 60 * 64).y;
+    template <class Y>
+    void hard_scene(const char* name, const char* equation,
+                    const std::type_identity_t<System<Y>>& system, const FirstOrder<Y>& start) {
+        const Y answer = stepped(system, start, 1.0 / 60 / 64, 60 * 64).y;
         scene(name, equation, system, start, answer);
     }
 };

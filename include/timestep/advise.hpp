@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -114,6 +115,21 @@ inline std::vector<Complex> multipliers(const Bdf2&, long double zeta, long doub
     return all;
 }
 
+// A method on one spring, and its type forgotten: what is said of it is compiled once for all of them.
+struct Judged {
+    const char* name;
+    int work;  // evaluations and solves in a step
+    bool takes_damping;
+    StabilityLimit limit;
+    std::function<std::vector<Complex>(long double s)> multipliers;
+};
+template <class Method>
+Judged judged(const Method& method, double zeta) {
+    return {method.name, method.cost.evaluations + method.cost.solves, takes_damping<Method>,
+            stability_limit(method, zeta),
+            [=](long double s) { return multipliers(method, zeta, s); }};
+}
+
 // How wrong the motion is: its exponent ln λ / h, or the spring that has both such exponents. Of that
 // spring their sum is −2ζ'ω' and their product ω'², and it is as wrong as ω' and ζ'ω' are. Near ζ = 1,
 // where the two exponents meet, they are split by the root of any change of the spring: so one exponent
@@ -122,9 +138,8 @@ inline std::vector<Complex> multipliers(const Bdf2&, long double zeta, long doub
 // slow decay at a short step, up to 2⁻⁵³ over that share is lost, and at last the whole.
 constexpr long double rounded = 0x1p-53L;
 
-template <class Method>
-double rate_error(const Method& method, long double zeta, long double s) {
-    const auto all = multipliers(method, zeta, s);  // BDF2's come in pairs
+inline double rate_error(const Judged& method, long double zeta, long double s) {
+    const auto all = method.multipliers(s);  // BDF2's come in pairs
     const Complex a = std::log(all.front()) / s, b = std::log(all[all.size() / 2]) / s;
     const long double frequency = std::abs(std::sqrt(a * b) - 1.0L);
     const long double damping = std::abs(a + b + 2 * zeta) / (2 * std::max(zeta, 1.0L));
@@ -172,10 +187,9 @@ inline std::string ringing_words(const std::vector<Complex>& all, long double mo
 }
 
 // Is a step with ωh = s stable, as accurate as wanted, and free of ringing?
-template <class Method>
-bool is_right(const Method& method, double zeta, double s, double wanted, double limit) {
-    return verdict(s, limit) == Verdict::stable && rate_error(method, zeta, s) <= wanted &&
-           ringing(multipliers(method, zeta, s), zeta, s) == 0;
+inline bool is_right(const Judged& method, double zeta, double s, double wanted) {
+    return verdict(s, method.limit.value) == Verdict::stable &&
+           rate_error(method, zeta, s) <= wanted && ringing(method.multipliers(s), zeta, s) == 0;
 }
 
 // The first stretch of s = ωh that are right; zeros where none is.
@@ -186,10 +200,9 @@ struct Stretch {
 // The error first rises from zero, but it need not go on rising: at longer steps errors of frequency
 // and damping may come to cancel. Those steps are not searched for. We begin where roundoff alone is
 // as much as wanted; a coarse way up finds an s that is no longer right, and bisection the place.
-template <class Method>
-Stretch first_right(const Method& method, double zeta, double wanted, double limit) {
-    const auto good = [&](double s) { return is_right(method, zeta, s, wanted, limit); };
-    const double end = std::min(limit, 100 * (1 + zeta));  // by then the slow decay is over in a step
+inline Stretch first_right(const Judged& method, double zeta, double wanted) {
+    const auto good = [&](double s) { return is_right(method, zeta, s, wanted); };
+    const double end = std::min(method.limit.value, 100 * (1 + zeta));  // by then the slow decay is over in a step
     double from = 1.0001 * static_cast<double>(rounded / (wanted * std::abs(exact_rate(zeta))));
     while (from < end && !good(from)) from *= 1.05;
     if (!(from < end)) return {};
@@ -214,16 +227,16 @@ inline std::string reason(const StabilityLimit& limit, double s) {
     return "ωh = " + left + (s < limit.value ? " < " : " > ") + right + formula;
 }
 
-template <class Method>
-Advice advise(const Method& method, const DampedSpring<double>& spring, double h, double wanted) {
+inline Advice advise(const Judged& method, const DampedSpring<double>& spring, double h,
+                     double wanted) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    if (!takes_damping<Method> && spring.zeta > 0)
+    if (!method.takes_damping && spring.zeta > 0)
         return {method.name, Verdict::refused, "takes forces of the position only",
                 nan, nan, nan, nan, nan, nan, nan, nan};
 
     const double s = spring.omega * h, zeta = spring.zeta;
-    const StabilityLimit limit = stability_limit(method, zeta);
-    const auto all = multipliers(method, zeta, s);
+    const StabilityLimit& limit = method.limit;
+    const auto all = method.multipliers(s);
     const Complex lambda = all.front(), exact = exact_rate(zeta);
     long double largest = 0;
     for (const Complex& each : all) largest = std::max(largest, std::abs(each));
@@ -250,16 +263,19 @@ Advice advise(const Method& method, const DampedSpring<double>& spring, double h
                               ? static_cast<double>(exact.imag() * s / std::arg(lambda) - 1)
                               : nan;
     advice.rate_error = rate_error(method, zeta, s);
-    advice.cost = (method.cost.evaluations + method.cost.solves) / h;
+    advice.cost = method.work / h;
     advice.step = h;
-    advice.right = is_right(method, zeta, s, wanted, limit.value);
-    if (const Stretch stretch = first_right(method, zeta, wanted, limit.value); stretch.to > 0) {
+    advice.right = is_right(method, zeta, s, wanted);
+    if (const Stretch stretch = first_right(method, zeta, wanted); stretch.to > 0) {
         advice.accurate_from = stretch.from / spring.omega;
         advice.accurate_step = stretch.to / spring.omega;
-        advice.accurate_cost =
-            (method.cost.evaluations + method.cost.solves) / advice.accurate_step;
+        advice.accurate_cost = method.work / advice.accurate_step;
     }
     return advice;
+}
+template <class Method>
+Advice advise(const Method& method, const DampedSpring<double>& spring, double h, double wanted) {
+    return advise(judged(method, spring.zeta), spring, h, wanted);
 }
 
 }  // namespace detail

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -57,14 +58,13 @@ struct Worst {
 // round an axis changes two signs of ω and nothing else, so two octants are all there are: ω₁, ω₂ > 0
 // with either sign of ω₃. A net of directions, finer near the axes, where a gain begins as a small share
 // of a small wobble; then, from the best of them, smaller and smaller moves.
-template <class Solver>
-Worst worst_direction(const Solver& solver, const PrincipalInertia<double>& inertia, double h, double spin,
-                      double enough = std::numeric_limits<double>::infinity()) {
+inline Worst worst_direction(const std::function<double(const Vector3<double>&)>& gain_towards,
+                             double enough) {
     using V = Vector3<double>;
     Worst worst;
     const auto look = [&](const V& way) {
         const V direction = way.normalized();
-        double gain = energy_gain(solver, inertia, V(spin * direction), h);
+        double gain = gain_towards(direction);
         if (std::isnan(gain)) gain = std::numeric_limits<double>::infinity();  // 0/0: no solution
         if (gain > worst.gain) worst = {gain, direction};
         return worst.gain > enough;
@@ -96,6 +96,14 @@ Worst worst_direction(const Solver& solver, const PrincipalInertia<double>& iner
         if (!(rise > 1e-15 && rise > 0.01 * (before.gain - 1))) reach /= 2;
     }
     return worst;
+}
+template <class Solver>
+Worst worst_direction(const Solver& solver, const PrincipalInertia<double>& inertia, double h, double spin,
+                      double enough = std::numeric_limits<double>::infinity()) {
+    const auto gain = [&](const Vector3<double>& direction) {
+        return energy_gain(solver, inertia, Vector3<double>(spin * direction), h);
+    };
+    return worst_direction(gain, enough);
 }
 
 // The longest step of the talk's iteration with which no direction gains. With three different moments

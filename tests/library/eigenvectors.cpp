@@ -14,8 +14,8 @@ using namespace timestep;
 
 namespace {
 
-// How far, in ε of the largest number, the parts that are found are from making up the matrix, and the
-// axes from right angles.
+// How far, in ε of the largest number, the parts that are found are from making up the matrix, and
+// the axes from right angles.
 template <class Matrix>
 double residual(const Matrix& a) {
     Matrix values = a;
@@ -33,13 +33,16 @@ double residual(const Matrix& a) {
             if (i != j && values(i, j) != 0) return INFINITY;
             if (i < j && !(values(i, i) <= values(j, j))) return INFINITY;  // rising
         }
-    return largest == 0 ? 0 : worst / largest / double(std::numeric_limits<real_of<Matrix>>::epsilon());
+    return largest == 0 ? 0
+                        : worst / largest / double(std::numeric_limits<real_of<Matrix>>::epsilon());
 }
 
 }  // namespace
 
-// Each of some fifteen turns rounds two or three times: half a million matrices were off by 8 ε at the most.
-TEMPLATE_TEST_CASE("a symmetric matrix is the sum of its eigenvectors", "[library]", float, double) {
+// Each of some fifteen turns rounds two or three times: half a million matrices were off by 8 ε at
+// the most.
+TEMPLATE_TEST_CASE("a symmetric matrix is the sum of its eigenvectors", "[library]", float,
+                   double) {
     using Matrix = Eigen::Matrix<TestType, 3, 3>;
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal;

@@ -23,9 +23,10 @@
 #include <timestep/models/prothero_robinson.hpp>
 #include <timestep/models/tether.hpp>
 #include <timestep/models/van_der_pol.hpp>
-#include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/run.hpp>
 #include <timestep/taylor.hpp>
+
+#include "exact_free_body.hpp"
 
 using namespace timestep;
 

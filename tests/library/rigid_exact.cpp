@@ -6,10 +6,13 @@
 #include <limits>
 #include <vector>
 
-#include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/rigid/shapes.hpp>
 
+#include "exact_free_body.hpp"
 #include "random_inertia.hpp"
+
+template class timestep::ExactFreeBody<float>;
+template class timestep::ExactFreeBody<double>;
 
 using namespace timestep;
 using V = Vector3<double>;

@@ -8,9 +8,9 @@
 
 #include <timestep/gyroscopic.hpp>
 #include <timestep/measured_order.hpp>
-#include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/rigid/shapes.hpp>
 
+#include "exact_free_body.hpp"
 #include "random_inertia.hpp"
 
 using namespace timestep;

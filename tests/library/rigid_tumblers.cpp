@@ -12,12 +12,12 @@
 #include <timestep/gyroscopic/cayley_gyroscopic.hpp>
 #include <timestep/gyroscopic/half_step_jacobian.hpp>
 #include <timestep/measured_order.hpp>
-#include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/rigid/shapes.hpp>
 #include <timestep/rigid/strang.hpp>
 #include <timestep/rigid/symmetric_remainder.hpp>
 #include <timestep/rigid/tumble.hpp>
 
+#include "exact_free_body.hpp"
 #include "random_inertia.hpp"
 
 using namespace timestep;
