@@ -85,8 +85,8 @@ struct Stepper {
     using Real = timestep::real_of<S>;
     virtual ~Stepper() = default;
 
-    virtual S run(const S& from, Real h, long steps) const = 0;
-    virtual Work count(const S& from, Real h, long steps) const = 0;  // what the same run asks for
+    virtual void advance(S& s, Real h, long steps) const = 0;      // s goes so many steps on
+    virtual Work count(const S& s, Real h, long steps) const = 0;  // what these ask for
     virtual bool two_step() const = 0;  // where the next step goes, one state alone does not say
 };
 
@@ -99,28 +99,27 @@ struct StepperOf : Stepper<S> {
     StepperOf(const Method& its_method, const Model& its_model)
         : method(its_method), model(its_model) {}
 
-    S run(const S& from, Real h, long steps) const override {
-        return timestep::run(method, model, from, h, steps);
-    }
-    Work count(const S& from, Real h, long steps) const override {
+    void advance(S& s, Real h, long steps) const override { s = run(method, model, s, h, steps); }
+    Work count(const S& s, Real h, long steps) const override {
         Work work{steps, 0, 0};
-        timestep::run(method, Counted<Model>{&model, &work}, from, h, steps);
+        run(method, Counted<Model>{&model, &work}, s, h, steps);
         return work;
     }
     bool two_step() const override { return timestep::TwoStepMethod<Method, Model, S>; }
 };
 
-// Where the steps lead, mark by mark. A method of one step goes on from the last mark; what is no
-// number any more stays none. One of two steps comes anew from the start each time.
+// Where the steps lead, mark by mark. A method of one step goes on from the last mark. One of two
+// steps comes anew from the start each time, and so does a run that has blown up: from what is no
+// number run() does not go on.
 template <class S>
 Track track(const Stepper<S>& stepper, const S& start, timestep::real_of<S> h, long steps) {
+    const long every = steps / marks;
     Track track;
     S s = start;
     for (long mark = 1; mark <= marks; ++mark) {
-        if (stepper.two_step())
-            s = stepper.run(start, h, mark * (steps / marks));
-        else if (is_finite(s))
-            s = stepper.run(s, h, steps / marks);
+        const bool anew = stepper.two_step() || !is_finite(s);
+        if (anew) s = start;
+        stepper.advance(s, h, anew ? mark * every : every);
         track.push_back(place(s));
     }
     return track;
@@ -133,7 +132,11 @@ Entry entry(const std::string& method, const std::string& library,
     const auto h = [](long steps) { return timestep::real_of<S>(duration / double(steps)); };
     Entry e{method, library, {}, {}, {}};
     e.track = [=](long steps) { return track(*stepper, start, h(steps), steps); };
-    e.run = [=](long steps) { drain(stepper->run(start, h(steps), steps)); };
+    e.run = [=](long steps) {
+        S s = start;
+        stepper->advance(s, h(steps), steps);
+        drain(s);
+    };
     e.work = [=](long steps) {
         const Work work = stepper->count(start, h(steps), steps);
         const Work before = stepper->count(start, h(steps), 0);  // run() looks at the force, too

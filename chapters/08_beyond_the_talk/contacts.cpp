@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,15 @@ struct Outcome {
     int rested = 0;
 };
 
-template <class Solver>
-Outcome thrown(const Solver& solver, double spin, double h) {
+using Capsule = plane::Capsule<Body>;
+// A step of any method.
+using Step = std::function<plane::Motion(const Capsule&, const plane::Ground&, const plane::Motion&,
+                                         double h, plane::Contacts&)>;
+
+Outcome thrown(const Step& step, double spin, double h) {
     const double radius = 0.15, half = 0.3;
     const double across = capsule(1.0, radius, 2 * half).across;
-    const plane::Capsule<Body> body{Body(across, 0.75 * across, 0.45 * across), 1, radius, half};
+    const Capsule body{Body(across, 0.75 * across, 0.45 * across), 1, radius, half};
     const plane::Ground ground{9.81, 0.5, 0.1, plane::Arms::middle};
     RandomBody random(7);
     Outcome sum;
@@ -49,7 +54,7 @@ Outcome thrown(const Solver& solver, double spin, double h) {
             return m.turning.omega.norm() < 1e-3 && m.v.norm() < 1e-3;
         };
         while (m.turning.t < patience && !lies_still()) {
-            m = step(solver, body, ground, m, h, contacts);
+            m = step(body, ground, m, h, contacts);
             sum.most = std::max(sum.most, energy(body, ground, m) / start);
         }
         times.push_back(m.turning.t);
@@ -76,12 +81,12 @@ void contacts(const Settings& settings, lab::Findings& out) {
     double most = 0;
     int fewest = throws_of_each;  // that came to rest
 
-    const auto row = [&](const std::string& name, const auto& solver, double h) {
+    const auto row = [&](const std::string& name, const Step& step, double h) {
         std::vector<lab::Cell> cells{name};
         std::array<double, 3> rest{};
         std::printf("  %-36s", name.c_str());
         for (int i = 0; i < 3; ++i) {
-            const Outcome o = thrown(solver, spins[i], h);
+            const Outcome o = thrown(step, spins[i], h);
             cells.push_back(in_words(rest[std::size_t(i)] = o.rest));
             std::printf(" %6.2f", o.rest);
             fewest = std::min(fewest, o.rested);
@@ -91,11 +96,18 @@ void contacts(const Settings& settings, lab::Findings& out) {
         table.row(cells);
         return rest;
     };
-    const auto truth = row("an eighth of the step", half_step_jacobian, settings.step / 8);
-    const auto half = row("half-step Jacobian", half_step_jacobian, settings.step);
-    const auto cayley = row("Cayley", cayley_gyroscopic, settings.step);
-    const auto talk = row("talk", implicit_gyroscopic, settings.step);
-    const auto passive = row("passive", passive_gyroscopic, settings.step);
+    const auto by = [](const auto& solver) -> Step {
+        return [=](const Capsule& body, const plane::Ground& ground, const plane::Motion& m,
+                   double h, plane::Contacts& contacts) {
+            return plane::step(solver, body, ground, m, h, contacts);
+        };
+    };
+    const Step half_step = by(half_step_jacobian);
+    const auto truth = row("an eighth of the step", half_step, settings.step / 8);
+    const auto half = row("half-step Jacobian", half_step, settings.step);
+    const auto cayley = row("Cayley", by(cayley_gyroscopic), settings.step);
+    const auto talk = row("talk", by(implicit_gyroscopic), settings.step);
+    const auto passive = row("passive", by(passive_gyroscopic), settings.step);
     bool nearest = true;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto off = [&](const auto& rest) { return std::fabs(rest[i] - truth[i]); };
