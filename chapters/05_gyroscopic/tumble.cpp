@@ -89,10 +89,9 @@ void tumble(const Settings& settings, lab::Findings& out) {
     out.number("tumble_tilt", settings.tilt, "rad/s", "spin about the other two");
     out.number("tumble_mass", mass, "kg", "mass of the box");
     const V I = brick.moments;
-    out.text("tumble_moments",
-             "(" + words("%.3g", I.x()) + ", " + words("%.3g", I.y()) + ", " +
-                 words("%.3g", I.z()) + ") kg m²",
-             "its moments about x, y and z");
+    char moments[80];
+    std::snprintf(moments, sizeof moments, "(%.3g, %.3g, %.3g) kg m²", I.x(), I.y(), I.z());
+    out.text("tumble_moments", moments, "its moments about x, y and z");
     out.number("tumble_moment", L0 * L0 / E0 / 2, "kg m²", "L²/2E, exactly");
     out.number("tumble_middle", brick.moments.y(), "kg m²", "the middle moment");
     out.number("tumble_largest", brick.moments.x(), "kg m²", "the largest moment");
