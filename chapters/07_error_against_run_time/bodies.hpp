@@ -8,7 +8,7 @@
 #include <timestep/methods/runge_kutta_4.hpp>
 #include <timestep/rigid/free_body.hpp>
 
-#include "entries.hpp"
+#include "contest.hpp"
 
 namespace contest {
 

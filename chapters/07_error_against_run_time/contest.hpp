@@ -52,6 +52,8 @@ struct Point {
     bool diverged = false;      // not a number, or wrong by more than a hundred sizes
 };
 
+inline volatile double sink;  // what a timed run finds goes here: the compiler has to compute it
+
 // A run, and its errors.
 Point watched(const Scene& scene, const Entry& entry, long steps);
 

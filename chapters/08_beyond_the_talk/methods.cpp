@@ -3,7 +3,6 @@
 #include "methods.hpp"
 
 #include <stdexcept>
-#include <tuple>
 #include <type_traits>
 
 #include <timestep/gyroscopic/cayley_gyroscopic.hpp>
@@ -41,10 +40,10 @@ struct RungeKuttaSpin {
 };
 
 // What a method asks for of a body, made once: the remainder methods split it beforehand.
-template <class Method>
-auto prepared(const Method&, const Body& inertia) {
-    if constexpr (std::is_same_v<Method, SymmetricRemainder2> ||
-                  std::is_same_v<Method, SymmetricRemainder4>)
+template <class Rule>
+auto prepared(const Rule&, const Body& inertia) {
+    if constexpr (std::is_same_v<Rule, SymmetricRemainder2> ||
+                  std::is_same_v<Rule, SymmetricRemainder4>)
         return RemainderInertia<double>(inertia);
     else
         return inertia;

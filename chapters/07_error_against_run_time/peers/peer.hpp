@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "../entries.hpp"
+#include "../counted.hpp"
 #include "flat.hpp"
 
 namespace contest {
