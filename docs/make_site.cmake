@@ -18,6 +18,10 @@ endfunction()
 
 # The header is this Doxygen's own with our lines added, so that it fits every version. MathJax
 # gives way to KaTeX.
+file(MAKE_DIRECTORY "${SITE}")
+if(EXISTS "${SITE}/html.old" AND NOT EXISTS "${SITE}/html")  # somebody was stopped just there
+  file(RENAME "${SITE}/html.old" "${SITE}/html")
+endif()
 file(TOUCH "${SITE}/header.html" "${SITE}/footer.html")  # the Doxyfile names them
 run("${DOXYGEN}" -w html header.html footer.html theme.css "${DOXYFILE}")
 file(READ "${SITE}/header.html" header)

@@ -31,6 +31,12 @@ if(KATEX)
   list(APPEND heads "${theme}/head_katex.html")
 endif()
 
+foreach(file "${KATEX}/katex.min.css" "${AWESOME}/doxygen-awesome.css")
+  if(EXISTS "${file}")  # once it is gone we look again
+    set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+  endif()
+endforeach()
+
 # Doxygen's lists are words between quotes.
 function(doxygen_list variable)
   list(JOIN ARGN "\" \"" words)
@@ -48,7 +54,7 @@ if(DOXYGEN)
   endif()
 endif()
 
-# Writes ${site}/Doxyfile for the pages in the folder `pages`, and sets `make` to what make_site.cmake must know
+# Writes a Doxyfile for the pages in the folder `pages`, and sets `make` to what make_site.cmake must know
 # to make the site ${site}/html from it, with the figures in `figures`. `tests` is the folder of the tests, or nothing.
 # A gap in the documentation is an error, or with OFF none.
 function(timestep_doxyfile name site pages figures tests strict make)
@@ -64,9 +70,10 @@ function(timestep_doxyfile name site pages figures tests strict make)
   endif()
   set(configured "${PROJECT_BINARY_DIR}/docs/Doxyfile_${name}")
   configure_file("${PROJECT_SOURCE_DIR}/docs/Doxyfile.in" "${configured}" @ONLY)
-  file(GENERATE OUTPUT "${site}/Doxyfile" INPUT "${configured}")
+  set(doxyfile "${PROJECT_BINARY_DIR}/docs/${name}.doxyfile")
+  file(GENERATE OUTPUT "${doxyfile}" INPUT "${configured}")
   string(REPLACE ";" "\\;" all_heads "${heads}")
-  set(${make} "-DDOXYGEN=${DOXYGEN}" "-DDOXYFILE=${site}/Doxyfile" "-DSITE=${site}"
+  set(${make} "-DDOXYGEN=${DOXYGEN}" "-DDOXYFILE=${doxyfile}" "-DSITE=${site}"
     "-DFIGURES=${figures}" "-DHEADS=${all_heads}" "-DKATEX=${KATEX}"
     "-DLINK_SOURCES=$<TARGET_FILE:link_sources>" "-DUNLINKED=${unlinked}" PARENT_SCOPE)
 endfunction()

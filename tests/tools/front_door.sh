@@ -128,7 +128,7 @@ test_the_first_chapter_comes_before_the_course_program() {
     new_machine 0
     have_all
     expect 7 course tour
-    says err "course: chapter 1 can be read: file://$folder/checkout/build/site/html/index.html"
+    says err "course: chapter 1 can be read: file://$folder/checkout/build/site/html/chapter_01.html"
     is "$(grep -n -e '--target first_chapter' calls | cut -d: -f1)" 2
     mkdir -p checkout/build/site/html
     : >checkout/build/site/html/index.html

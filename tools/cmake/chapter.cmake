@@ -9,7 +9,8 @@ find_program(GNUPLOT gnuplot)
 # Compiles the target's sources only where more than a comment has changed in what they read.
 find_program(SHELL sh)
 function(timestep_compiles_what_changed target)
-  if(SHELL AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  if(SHELL AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_COMPILER_LAUNCHER
+     AND CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT TIMESTEP_STRICT)
     set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER
       "${SHELL};${PROJECT_SOURCE_DIR}/tools/cmake/compile_what_changed.sh")
   endif()

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -13,6 +14,8 @@
 
 #include "exercises.hpp"
 #include "files.hpp"
+#include "grades.hpp"
+#include "interrupt.hpp"
 #include "places.hpp"
 #include "process.hpp"
 #include "stop.hpp"
@@ -91,19 +94,26 @@ void configure_kit(ProgressLine& progress) {
     throw Stop(Status::missing, unfit.empty() ? "CMake could not configure the build" : unfit);
 }
 
-// What says that an exercise was found ready, at the time when it was written: which course, which
-// CMake.
+// What says that an exercise was found ready, at the time when it was written; by this course and this
+// CMake, for the tests' stages build in the same folder.
 fs::path ready_mark(const Exercise& exercise) {
-    return places().build / "exercises/found_ready" / exercise.name;
+    return places().build / "exercises/found_ready" /
+           (exercise.name + "_" + mark_of(places().source.string() + "\n" + places().cmake));
 }
-std::string our_mark() {
-    return places().source.string() + "\n" + places().cmake + "\n";
+
+// Is everything there that the build has made for a check of the exercise?
+bool all_there(const Exercise& exercise) {
+    const fs::path commands = places().build / "exercises/commands.json";
+    if (!fs::exists(commands) || !fs::exists(exercise.declared())) return false;
+    const auto parts = parts_of_check(exercise);
+    return std::all_of(parts.begin(), parts.end(), [](const auto& part) { return fs::exists(part); });
 }
 
 // Has nothing been touched that a check of the exercise is made of, since it was found ready?
 bool is_ready(const Exercise& exercise) {
     const auto since = written_at(ready_mark(exercise));
-    if (!since || contents(ready_mark(exercise)) != our_mark()) return false;
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    if (!since || *since > std::chrono::duration<double>(now).count()) return false;  // a clock set back
     const fs::path &source = places().source, &build = places().build;
     const std::string room = exercise.chapter + "/" + exercise.name;
     std::vector<fs::path> parts{source / "CMakeLists.txt", source / "include",
@@ -119,7 +129,7 @@ bool is_ready(const Exercise& exercise) {
     if (fs::exists(packages)) parts.push_back(packages);
     return std::none_of(parts.begin(), parts.end(),
                         [&](const fs::path& part) { return touched_since(part, *since); }) &&
-           fs::exists(build / "exercises/commands.json") && fs::exists(hidden_tests_of(exercise));
+           all_there(exercise);
 }
 
 }  // namespace
@@ -132,7 +142,13 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress) {
     const char* const builder = std::getenv("TIMESTEP_BUILDS_IN");
     if (builder == nullptr || builder != places().build.string()) {
         const fs::path lock = places().build / "course.lock";
-        if (Lock::is_held(lock)) progress.say("Another ./course is building here; waiting for it:");
+        if (Lock::is_held(lock))
+            progress.say("Another ./course is building here; this goes on when it makes a pause");
+        for (int looks = 1; Lock::is_held(lock); ++looks) {
+            stop_if_interrupted();
+            usleep(20'000);
+            if (looks % 50 == 0) progress.tick();
+        }
         one_at_a_time.emplace(lock);
         setenv("TIMESTEP_BUILDS_IN", places().build.c_str(), 1);
     }
@@ -178,18 +194,19 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) 
         marks.push_back(ready_mark(exercise));
     }
     if (targets.empty()) return;
-    // Written before: what is touched while it is built is new.
-    const std::string fresh = ".new" + std::to_string(getpid());
+    const auto begin = fs::file_time_type::clock::now();
+    // What CMake writes when it configures, the build does not bring back.
+    if (std::any_of(exercises.begin(), exercises.end(),
+                    [](const auto& exercise) { return !fs::exists(exercise.declared()); }) &&
+        fs::exists(places().build / "CMakeCache.txt"))
+        listen({places().cmake, places().build.string()}, [](std::string_view) {});
+    build(targets, progress);
     std::error_code ignored;
     fs::create_directories(marks.front().parent_path(), ignored);
-    for (const auto& mark : marks) write_whole(mark.string() + fresh, our_mark());
-    try {
-        build(targets, progress);
-    } catch (...) {
-        for (const auto& mark : marks) fs::remove(mark.string() + fresh, ignored);
-        throw;
+    for (const auto& mark : marks) {
+        write_whole(mark, "");
+        fs::last_write_time(mark, begin, ignored);  // what was touched while it was built is new
     }
-    for (const auto& mark : marks) fs::rename(mark.string() + fresh, mark, ignored);
 }
 
 std::string site_address() {

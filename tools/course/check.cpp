@@ -149,8 +149,8 @@ void watch(const std::string& name) {
         return fs::last_write_time(watched.file(), error);
     };
     while (exercise) {
-        auto seen = saved(*exercise);  // before the check: what is saved during it counts
         bring_up_to_date({*exercise});
+        auto seen = saved(*exercise);  // before the check: what is saved during it counts
         if (on_terminal()) std::printf("\033[2J\033[H");
         try {
             const Verdict verdict = check_file(*exercise, exercise->file(), seed_or_new({}));

@@ -32,7 +32,7 @@ const std::vector<Part> parts{
     {"include", {".hpp"}},
     {"tools/bench", {".cpp", ".hpp", "CMakeLists.txt"}},
     {"tools/checker/learner", {".hpp"}},
-    {"tools/cmake", {".cmake"}},
+    {"tools/cmake", {".cmake", ".sh"}},
     {"tools/course", {".cpp", ".hpp", "CMakeLists.txt"}},
     {"tools/figures", {".gp"}},
 };

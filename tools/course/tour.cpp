@@ -8,6 +8,8 @@
 #include <fstream>
 #include <vector>
 
+#include <unistd.h>
+
 #include "build.hpp"
 #include "chapters.hpp"
 #include "commands.hpp"
@@ -39,11 +41,11 @@ void print_table(const std::vector<Chapter>& chapters) {
     }
     const auto print_row = [&](const std::string& name, const std::string& title, double seconds,
                                std::size_t figures, std::size_t rows) {
-        std::printf("%s  %s  %7.2f  %7zu  %11zu\n", padded(name, name_width).c_str(),
+        std::printf("%s  %s  %7.2f  %7zu  %17zu\n", padded(name, name_width).c_str(),
                     padded(title, title_width).c_str(), seconds, figures, rows);
     };
     std::printf("%s\n", bold(padded("chapter", name_width) + "  " + padded("title", title_width) +
-                             "  seconds  figures  ledger rows")
+                             "  seconds  figures  rows of the talks")
                             .c_str());
     double seconds = 0;
     std::size_t figures = 0, rows = 0;
@@ -69,12 +71,14 @@ void tour() {
         // The first page first; then the site grows with every chapter.
         build({"first_chapter"}, progress);
         progress.say("  The site is there, and grows: " + site_address());
+        make_ready({read_exercises().front()}, progress);  // which its reader may want to check
         // One after the other, and the next is compiled while one runs: else all would come at the
         // end.
         for (std::size_t i = 1; i < chapters.size(); ++i) {
             std::vector<std::string> targets{"grow_" + chapters[i].folder};
             if (i + 1 < chapters.size()) targets.push_back(chapters[i + 1].program);
             build(targets, progress);
+            usleep(100'000);  // for whoever waits to build something
         }
         build({"docs"}, progress);
     } else {
@@ -83,7 +87,8 @@ void tour() {
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     progress.say("  done in " + std::to_string(std::lround(taken.count())) + " s\n");
     print_table(chapters);
-    std::printf("\nThe site: %s\n", site_address().c_str());
+    std::printf("\nThe site: %s\nNext: open it in a browser; ./course list shows the exercises\n",
+                site_address().c_str());
 }
 
 }  // namespace course

@@ -178,6 +178,15 @@ fs::path hidden_tests_of(const Exercise& exercise) {
     return read_commands(exercise).check;
 }
 
+std::vector<fs::path> parts_of_check(const Exercise& exercise) {
+    const Commands commands = read_commands(exercise);
+    const char* const header = exercise.eigen ? "exercise_eigen.hpp" : "exercise.hpp";
+    const fs::path ready = places().build / "exercises/ready";
+    const bool gnu = fs::exists(ready / header);  // which clang++ needs no copy of
+    return {commands.check, commands.worker_object, commands.worker_library,
+            ready / (header + std::string(gnu ? ".gch" : ".pch"))};
+}
+
 Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_t seed,
                    const Sandbox* sandbox, Watch watch, int patience) {
     const auto begin = std::chrono::steady_clock::now();

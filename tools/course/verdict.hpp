@@ -37,6 +37,9 @@ enum class Watch { nobody, sanitizers, memcheck };
 /// The program that holds the hidden tests of the exercise.
 std::filesystem::path hidden_tests_of(const Exercise& exercise);
 
+/// What a check of the exercise compiles and links an answer with, as the build has made it.
+std::vector<std::filesystem::path> parts_of_check(const Exercise& exercise);
+
 /// Checks `file` as an answer to the exercise, with inputs drawn from `seed`; a stranger's in a
 /// sandbox, watched by nobody. The compiler has `patience` times what it has usually. Throws Stop where
 /// the file cannot be read or the machine is at fault.

@@ -42,10 +42,13 @@ public:
 private:
     /// What stands in a draft for what no run has left yet.
     static std::string gap(const Piece& piece) {
+        if (piece.kind == Kind::directive && piece.text.starts_with("check ")) {
+            return {};  // nothing is confirmed yet
+        }
         const bool is_block = piece.kind == Kind::directive && piece.own_line;
         return is_block ? "\n<div class=\"gap\">Not there yet: this comes from a run that is still "
                           "to be made.</div>\n"
-                        : "<span class=\"gap\">…</span>";
+                        : "<span class=\"gap\">(…)</span>";
     }
 
     std::string fill(const Piece& piece) {
@@ -202,8 +205,8 @@ std::string with_notice(std::string page) {
     return page.insert(
         title_end,
         "\n<div class=\"draft\"><b>This page is being made.</b> Where something is still to "
-        "come it says so, or shows <span class=\"gap\">…</span> for a number. "
-        "Load it again in a minute or two.</div>\n");
+        "come it says so, or shows <span class=\"gap\">(…)</span> for a number. "
+        "Load it again while ./course tour is at work; if that was stopped, it goes on from there.</div>\n");
 }
 
 }  // namespace
