@@ -127,6 +127,13 @@ test_its_course_program_comes_built() {
     says out 'another%20place/site/index.html'
 }
 
+test_a_chapter_runs_in_it() {
+    expect 0 make_kit kit
+    expect 0 kit/course run 1
+    says out 'Data, numbers and figures: '
+    [ -e kit/build/runs/01_derivatives/numbers.tsv ] || fail 'no numbers'
+}
+
 test_its_first_check_makes_ready_what_it_needs() {
     expect 0 make_kit kit
     expect 1 kit/course check velocity_now

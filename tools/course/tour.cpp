@@ -59,6 +59,22 @@ void print_table(const std::vector<Chapter>& chapters) {
     print_row("all", "", seconds, figures, rows);
 }
 
+// The first page first; then the site grows with every chapter.
+void grow(const std::vector<Chapter>& chapters, ProgressLine& progress) {
+    build({"first_chapter"}, progress);
+    progress.say("  The site is there, and grows: " + site_address());
+    make_ready({read_exercises().front()}, progress);  // which its reader may want to check
+    // One after the other, and the next is compiled while one runs: else all would come at the
+    // end.
+    for (std::size_t i = 1; i < chapters.size(); ++i) {
+        std::vector<std::string> targets{"grow_" + chapters[i].folder};
+        if (i + 1 < chapters.size()) targets.push_back(chapters[i + 1].program);
+        build(targets, progress);
+        usleep(100'000);  // for whoever waits to build something
+    }
+    build({"docs"}, progress);
+}
+
 }  // namespace
 
 void tour() {
@@ -68,19 +84,15 @@ void tour() {
     progress.say(std::string("Building the programs, running the chapters, drawing the figures") +
                  (is_kit() ? ":" : ", making the site:"));
     if (!is_kit() && !std::filesystem::exists(places().build / "site/html/made")) {
-        // The first page first; then the site grows with every chapter.
-        build({"first_chapter"}, progress);
-        progress.say("  The site is there, and grows: " + site_address());
-        make_ready({read_exercises().front()}, progress);  // which its reader may want to check
-        // One after the other, and the next is compiled while one runs: else all would come at the
-        // end.
-        for (std::size_t i = 1; i < chapters.size(); ++i) {
-            std::vector<std::string> targets{"grow_" + chapters[i].folder};
-            if (i + 1 < chapters.size()) targets.push_back(chapters[i + 1].program);
-            build(targets, progress);
-            usleep(100'000);  // for whoever waits to build something
+        try {
+            grow(chapters, progress);
+        } catch (const Stop& stop) {
+            if (stop.status() != Status::interrupted ||
+                !std::filesystem::exists(places().build / "site/html/index.html"))
+                throw;
+            throw Stop(Status::interrupted, "interrupted. What is there can be read: " + site_address() +
+                                                "; ./course tour goes on from there");
         }
-        build({"docs"}, progress);
     } else {
         build({"docs"}, progress);
     }
