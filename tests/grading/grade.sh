@@ -144,12 +144,12 @@ test_an_interrupt_ends_it_and_leaves_nothing() {
     echo 'raise(SIGSTOP);' | answer dave  # for which the checker waits a minute
     for signal in TERM HUP KILL; do
         start_course grade class --again
-        wait_until sh -c 'ps -e -o args | grep -v grep | grep -q "/[c]heck velocity_now '"$folder"'"'
+        wait_until sh -c 'ps -e -o args | grep -v grep | grep -q "/[v]elocity_now velocity_now '"$folder"'"'
         kill -$signal $running
         got=0
         wait $running || got=$?
         [ $signal = KILL ] || is "$signal $got" "$signal 130"
-        wait_until sh -c '! ps -e -o args | grep -v grep | grep -q "/[c]heck velocity_now '"$folder"'"'
+        wait_until sh -c '! ps -e -o args | grep -v grep | grep -q "/[v]elocity_now velocity_now '"$folder"'"'
         wait_until sh -c '! ls build/exercises/ | grep -q check_'
     done
 }
