@@ -102,7 +102,7 @@ void copy_course(const fs::path& to) {
     fs::create_directories(to);
     for (const auto& entry : fs::directory_iterator(places().source)) {
         const std::string name = entry.path().filename().string();
-        if (name != "build" && !name.starts_with(".git") && name != ".progress")
+        if (name != "build" && name != ".git" && name != ".progress")
             fs::copy(entry.path(), to / name, fs::copy_options::recursive);
     }
 }
