@@ -63,7 +63,8 @@ void print_table(const std::vector<Chapter>& chapters) {
 void grow(const std::vector<Chapter>& chapters, ProgressLine& progress) {
     build({"first_chapter"}, progress);
     progress.say("  The site is there, and grows: " + site_address());
-    make_ready({read_exercises().front()}, progress);  // which its reader may want to check
+    const auto exercises = read_exercises();  // the first of which its reader may want to check
+    if (!exercises.empty()) make_ready({exercises.front()}, progress);
     // One after the other, and the next is compiled while one runs: else all would come at the
     // end.
     for (std::size_t i = 1; i < chapters.size(); ++i) {
