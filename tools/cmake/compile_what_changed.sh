@@ -34,7 +34,11 @@ touched() {
     changed=$(find $(sed 's/^[^:]*: //; s/ *\\$//' "$depends") -newer "$object.begun" -print -quit 2>&1)
     [ -n "$changed" ]
 }
-milliseconds() { date +%s%3N; }
+milliseconds() {
+    time=$(date +%s%3N)
+    case $time in *[!0-9]*) time=$(date +%s)000 ;; esac  # not every date knows parts of a second
+    echo "$time"
+}
 
 sum=$(command -v sha256sum || command -v cksum) || exec "$@"
 : >"$object.begun" || exec "$@"

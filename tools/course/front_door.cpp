@@ -7,10 +7,7 @@
 #include <fstream>
 #include <functional>
 
-#include <fcntl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "commands.hpp"
 #include "exercises.hpp"
@@ -38,51 +35,38 @@ struct Cost {
     double megabytes = 0;  // of the largest of its processes
 };
 
-// Types `command` in `folder`. `heard` gets its lines, and the seconds from the beginning to each.
-Cost cost_of(const fs::path& folder, const std::vector<std::string>& command,
-             const std::function<void(const std::string&, double)>& heard = {}) {
-    int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) throw Stop(Status::missing, "no pipe can be made");
-    const auto begin = Clock::now();
-    const pid_t process = fork();
-    if (process == 0) {
-        const int nothing = open("/dev/null", O_RDONLY);
-        dup2(nothing, 0);
-        dup2(ends[1], 1);
-        dup2(ends[1], 2);
-        std::vector<char*> words;
-        for (const auto& word : command) words.push_back(const_cast<char*>(word.c_str()));
-        words.push_back(nullptr);
-        if (chdir(folder.c_str()) == 0) execvp(words[0], words.data());
-        _exit(127);
-    }
-    close(ends[1]);
-    std::string said;
-    Lines lines([&](const std::string& line) {
-        said = (said + line + "\n");
-        if (said.size() > 20'000) said.erase(0, 10'000);
-        if (heard) heard(line, since(begin));
-    });
-    char piece[4096];
-    for (ssize_t got = 0; (got = read(ends[0], piece, sizeof piece)) > 0;)
-        lines({piece, static_cast<std::size_t>(got)});
-    close(ends[0]);
-    int status = 0;
+// Processor time and largest size of all that this process has started and that has ended.
+Cost spent() {
     rusage used{};
-    wait4(process, &status, 0, &used);
-    Cost cost;
-    cost.seconds = since(begin);
+    getrusage(RUSAGE_CHILDREN, &used);
     const auto seconds = [](const timeval& time) {
         return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
     };
-    cost.processor = seconds(used.ru_utime) + seconds(used.ru_stime);
-    cost.megabytes = static_cast<double>(used.ru_maxrss) / 1024;
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-        std::fprintf(stderr, "%s", said.c_str());
-        throw Stop(Status::wrong, "bench front-door: '" + command[0] + " " + command[1] +
-                                      "' failed in " + folder.string() + "; its words stand above");
-    }
-    return cost;
+    return {0, seconds(used.ru_utime) + seconds(used.ru_stime),
+            static_cast<double>(used.ru_maxrss) / 1024};
+}
+
+// Types `command` in `folder`. `heard` gets its lines, and the seconds from the beginning to each.
+Cost cost_of(const fs::path& folder, std::vector<std::string> command,
+             const std::function<void(const std::string&, double)>& heard = {}) {
+    const std::string shown = command[0] + " " + command[1];
+    command.insert(command.begin(), {"sh", "-c", "cd \"$1\" && shift && exec \"$@\" </dev/null", "sh",
+                                     folder.string()});
+    std::string said;
+    const Cost before = spent();
+    const auto begin = Clock::now();
+    Lines lines([&](const std::string& line) {
+        said += line + "\n";
+        if (heard) heard(line, since(begin));
+    });
+    const int status = listen(command, std::ref(lines));
+    Cost cost = spent();  // of sizes it knows the largest of all so far: ask after the first
+    cost.seconds = since(begin);
+    cost.processor -= before.processor;
+    if (status == 0) return cost;
+    std::fprintf(stderr, "%s", said.c_str());
+    throw Stop(Status::wrong, "bench front-door: '" + shown + "' failed in " + folder.string() +
+                                  "; its words stand above");
 }
 
 void say(const std::string& what, const Cost& cost, const std::string& wanted) {
