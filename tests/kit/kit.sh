@@ -39,7 +39,8 @@ test_it_holds_nothing_of_the_tests_and_the_solutions() {
 }
 
 test_a_new_file_is_in_the_next_one() {
-    git -C "$source" ls-files chapters include tools/bench tools/course tools/cmake tools/figures >files
+    git -C "$source" ls-files chapters include tools/bench tools/course tools/cmake tools/figures \
+        tools/processes >files
     [ -s files ] || exit 77
     expect 0 make_kit kit
     while read -r file; do

@@ -17,8 +17,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "at_work.hpp"
 #include "interrupt.hpp"
+#include "look.hpp"
 #include "stop.hpp"
 
 namespace course {
@@ -163,16 +163,17 @@ public:
     bool is_too_long() {
         if (seconds_ == 0 || now() < next_look_) return false;
         next_look_ = now() + 1;
-        const long work = work_of(process_);
-        idle_looks_ = work != last_work_ || work < 0 ? 0 : idle_looks_ + 1;
-        last_work_ = work;
+        const processes::Look seen = processes::look_at(process_, true);
+        const bool idle = seen.known && seen.asleep && seen.seconds == seconds_worked_;
+        idle_looks_ = idle ? idle_looks_ + 1 : 0;
+        seconds_worked_ = seen.seconds;
         return idle_looks_ > seconds_;
     }
 
 private:
     pid_t process_;
     double seconds_, next_look_ = now() + 1;
-    long last_work_ = -1;
+    double seconds_worked_ = -1;
     int idle_looks_ = 0;
 };
 

@@ -5,7 +5,7 @@
 
 #include <sys/types.h>
 
-namespace checker {
+namespace processes {
 
 /// One look at a process.
 struct Look {
@@ -17,4 +17,4 @@ struct Look {
 /// Looks at `process`; with `descendants` at all that come of it, too.
 Look look_at(pid_t process, bool descendants);
 
-}  // namespace checker
+}  // namespace processes

@@ -10,7 +10,7 @@
 
 #include <unistd.h>
 
-namespace checker {
+namespace processes {
 
 namespace {
 
@@ -85,4 +85,4 @@ Look look_at(pid_t process, bool descendants) {
     return look;
 }
 
-}  // namespace checker
+}  // namespace processes
