@@ -18,7 +18,11 @@ test_bad_use_is_one_line_and_status_2() {
     expect 2 course list --jsn
     says err '--jsn'
     expect 2 course run
-    says err 'CHAPTER is required'
+    says err 'CHAPTER is required (./course run --help)'
+    expect 2 course bench lattency
+    says err "bench has no 'lattency'; there are loops, "
+    expect 2 course advise --omega abc
+    says err '--omega = abc: it takes numbers (./course advise --help)'
     expect 2 course run 3 --omega 20
     is "$(cat err)" "course: run has no option --omega; a chapter's own options go after --: \
 ./course run 3 -- --omega 20"

@@ -151,7 +151,13 @@ void declare(CLI::App& app, Asked& asked) {
         ->add_flag("--open", asked.open, "open it in the browser");
 }
 
-const std::string see_help = " (./course --help)";
+// Where more is said of what was asked for.
+std::string see_help(const CLI::App& app) {
+    std::string command = "./course";
+    for (auto named = app.get_subcommands(); !named.empty(); named = named.front()->get_subcommands())
+        command += " " + named.front()->get_name();
+    return " (" + command + " --help)";
+}
 
 // The word after an option; CLI11's own optional takes '' for no word.
 std::optional<std::string> given(const CLI::App& app, const char* option, const std::string& word) {
@@ -165,6 +171,16 @@ std::string forgotten_dashes(const CLI::App& app, const Asked& asked) {
     std::string line = "./course run " + asked.chapter + " --";
     for (const auto& word : words) line += " " + word;
     return "run has no option " + words.front() + "; a chapter's own options go after --: " + line;
+}
+
+// What to type instead of `./course bench lops`; nothing when it is something else.
+std::string unknown_bench(CLI::App& app) {
+    const std::vector<std::string> words = app.remaining(true);
+    if (words.empty() || words.front().starts_with("-")) return {};
+    std::string known;
+    for (const auto command : app.get_subcommand("bench")->get_subcommands({}))
+        known += (known.empty() ? "" : ", ") + command->get_name();
+    return "bench has no '" + words.front() + "'; there are " + known + ", and bench alone";
 }
 
 std::optional<std::uint64_t> seed_from(const std::optional<std::string>& given) {
@@ -189,7 +205,7 @@ void answer_bench(const CLI::App& bench, Asked& asked) {
     const std::string name = others.front()->get_name();
     for (const char* option : {"--quick", "--scene", "--again", "--json", "--out"})
         if (bench.get_option(option)->count() > 0)
-            throw Stop(Status::bad_use, std::string(option) + ": bench " + name + " does not take it" + see_help);
+            throw Stop(Status::bad_use, std::string(option) + ": bench " + name + " does not take it (./course bench --help)");
     if (name == "loops") bench_loops();
     if (name == "gyroscopic") bench_gyroscopic();
     if (name == "many") bench_many();
@@ -210,14 +226,17 @@ Status answer(int argc, char** argv) {
     try {
         app.parse(static_cast<int>(end - argv), argv);
     } catch (const CLI::ExtrasError& error) {
-        const std::string hint = app.got_subcommand("run") ? forgotten_dashes(app, asked) : "";
-        throw Stop(Status::bad_use, hint.empty() ? error.what() + see_help : hint);
+        std::string hint;
+        if (app.got_subcommand("run")) hint = forgotten_dashes(app, asked);
+        if (app.got_subcommand("bench")) hint = unknown_bench(app);
+        throw Stop(Status::bad_use, hint.empty() ? error.what() + see_help(app) : hint);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {  // --help
             app.exit(error);
             return Status::fine;
         }
-        throw Stop(Status::bad_use, error.what() + see_help);
+        const bool number = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ConversionError);
+        throw Stop(Status::bad_use, error.what() + std::string(number ? ": it takes numbers" : "") + see_help(app));
     }
 
     if (!app.got_subcommand("run") && !asked.chapter_options.empty())
