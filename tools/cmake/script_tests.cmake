@@ -19,5 +19,8 @@ function(timestep_script_tests script label)
     if(script IN_LIST TIMESTEP_LONG_SCRIPTS OR function IN_LIST TIMESTEP_LONG_FUNCTIONS)
       set_tests_properties("${label} ${words}" PROPERTIES LABELS long)
     endif()
+    if(function IN_LIST TIMESTEP_LONG_FUNCTIONS)  # first, or the others wait for it in the end
+      set_tests_properties("${label} ${words}" PROPERTIES COST 200)
+    endif()
   endforeach()
 endfunction()

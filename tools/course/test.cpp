@@ -92,7 +92,8 @@ void test(bool strict) {
             std::fflush(stdout);
         }
     });
-    const std::string jobs = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
+    // One more than there are processors: many a test waits for what sleeps.
+    const std::string jobs = std::to_string(1 + std::max(1u, std::thread::hardware_concurrency()));
     std::vector<std::string> command{places().ctest,
                                      "--test-dir",
                                      places().build.string(),
