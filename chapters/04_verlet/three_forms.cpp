@@ -69,8 +69,8 @@ void three_forms(const Settings&, lab::Findings& out) {
         c = std::max(c, std::fabs((plain[i + 1] - plain[i - 1]) / (2 * h) - velocity[i]));
     }
     std::printf(
-        "  a pendulum, %ld steps: plain and velocity Verlet differ by %.1e m,\n"
-        "  leapfrog and velocity Verlet by %.1e m\n",
+        "  a pendulum, %ld steps: plain and velocity Verlet differ by %.1e rad,\n"
+        "  leapfrog and velocity Verlet by %.1e rad\n",
         steps, a, b);
     out.number("forms_steps", double(steps), "", "steps of the three forms");
     out.number("forms_plain", a, "rad", "plain against velocity Verlet", 2);

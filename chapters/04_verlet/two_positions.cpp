@@ -7,6 +7,7 @@
 #include <timestep/methods/semi_implicit_euler.hpp>
 #include <timestep/methods/velocity_verlet.hpp>
 #include <timestep/methods/verlet.hpp>
+#include <timestep/models/projectile.hpp>
 #include <timestep/run.hpp>
 
 #include "sections.hpp"
@@ -76,6 +77,35 @@ void rounding_in_float(lab::Findings& out) {
               "and than itself with longer steps");
 }
 
+// How far something falls in a second at 60 Hz, from rest at the height x0, in float.
+template <class Method>
+double fall_in_float(const Method& method, float x0) {
+    const State end = run(method, Projectile(-9.81f), State<float>{0, x0, 0}, 1.0f / 60, 60);
+    return double(x0) - double(end.x);
+}
+
+void far_away_in_float(lab::Findings& out) {
+    const double true_fall = 9.81 / 2, frame = 9.81 / 3600;
+    const auto last_digit = [](float x) { return double(std::nextafter(x, 2 * x) - x); };
+    const double near = fall_in_float(verlet, 5000), far = fall_in_float(verlet, 20000),
+                 with_velocity = fall_in_float(velocity_verlet, 20000);
+    std::printf("  a second of fall at 60 Hz in float, %.4g m: at 5 km Verlet falls %.3g m,\n"
+                "  at 20 km %.3g m, velocity Verlet %.3g m\n",
+                true_fall, near, far, with_velocity);
+    out.number("fall_true", true_fall, "m", "a second of fall", 4);
+    out.number("fall_frame", 1e3 * frame, "mm", "h²g at 60 Hz", 2);
+    out.number("fall_digit_near", 1e3 * last_digit(5000), "mm", "the last binary digit of 5 km in float", 2);
+    out.number("fall_digit_far", 1e3 * last_digit(20000), "mm", "the last binary digit of 20 km in float", 2);
+    out.number("fall_near", near, "m", "a second of fall by Verlet in float, 5 km from the origin", 3);
+    out.number("fall_far", far, "m", "the same 20 km from the origin", 3);
+    out.number("fall_velocity", with_velocity, "m", "the same by velocity Verlet, 20 km from the origin", 3);
+    out.check("fall_in_float",
+              std::fabs(near / true_fall - 1) > 0.05 && std::fabs(far / true_fall - 1) > 0.2 &&
+                  std::fabs(with_velocity / true_fall - 1) < 0.02,
+              "in float, a second of fall by Verlet is off by more than 5 % at 5 km from the origin and "
+              "by more than 20 % at 20 km; by velocity Verlet by less than 2 % at 20 km");
+}
+
 }  // namespace
 
 void two_positions(const Settings& settings, lab::Findings& out) {
@@ -120,4 +150,5 @@ void two_positions(const Settings& settings, lab::Findings& out) {
               "plain Verlet steps through the positions of semi-implicit Euler, to the growth of "
               "roundoff");
     rounding_in_float(out);
+    far_away_in_float(out);
 }

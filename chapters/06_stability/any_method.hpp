@@ -18,7 +18,7 @@ void for_all_methods(const Visit& visit) {
 }
 
 // Does the method step this kind of state under this force? Verlet's kind has no velocity to hand
-// to the force, new damping wants a linear one, and a first-order system is not for methods that
+// to the force, new damping wants one that is linear in it, and a first-order system is not for methods that
 // treat position and velocity differently.
 template <class Method, class Model, class S>
 constexpr bool takes() {
@@ -29,7 +29,7 @@ constexpr bool takes() {
                       std::is_same_v<Method, Leapfrog>)
             return PositionForce<Model, X>;
         else if constexpr (std::is_same_v<Method, SemiImplicitEulerNewDamping>)
-            return LinearForce<Model, X>;
+            return LinearDamping<Model, X>;
         else
             return true;
     } else {

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
         boundary(settings, out);
         stiff_springs(settings, out);
         two_scales(settings, out);
+        kicks(settings, out);
         prothero_robinson(settings, out);
         reactions(settings, out);
         cloth(settings, out);

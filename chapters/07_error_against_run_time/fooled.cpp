@@ -21,7 +21,6 @@ namespace {
 
 constexpr double h = 1.0 / 60;
 const State start{0, 1.0, 0.0};
-const Spring spring(6.0);
 volatile double sink;
 
 template <class Work>
@@ -43,13 +42,19 @@ double fastest(const Work& work, int rounds = 25) {
 // 1. Nobody reads the result, so the compiler leaves out the work.
 // clang-format off
 /// [nobody]
+double swing(long steps) {
+    double x = 1, v = 0;
+    for (long i = 0; i < steps; ++i) {
+        v -= h * 36 * x;
+        x += h * v;
+    }
+    return x;
+}
 double watched_by_nobody(long steps) {
-    const auto all = [&] { run(semi_implicit_euler, spring, start, h, steps); };
-    return fastest(all) / double(steps);
+    return fastest([&] { swing(steps); }) / double(steps);
 }
 double read_at_the_end(long steps) {
-    const auto all = [&] { sink = run(semi_implicit_euler, spring, start, h, steps).x; };
-    return fastest(all) / double(steps);
+    return fastest([&] { sink = swing(steps); }) / double(steps);
 }
 /// [nobody]
 // clang-format on
@@ -58,6 +63,10 @@ void nobody_looks(lab::Findings& out) {
     const double nobody = watched_by_nobody(20000), read = read_at_the_end(20000);
     out.number("nobody_ns", nobody, "ns", "a step whose result nobody reads", 2);
     out.number("read_ns", read, "ns", "the same step, its result read at the end", 2);
+    out.text("nobody_verdict",
+             nobody < read / 2 ? "This compiler has left out what nobody reads"
+                               : "This compiler has kept what nobody reads; others leave it out",
+             "what the compiler has made of the step whose result nobody reads");
     std::printf("  a step whose result nobody reads   %8.3f ns\n", nobody);
     std::printf("  the same, read at the end          %8.3f ns\n", read);
 }

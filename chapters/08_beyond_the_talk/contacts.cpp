@@ -103,32 +103,26 @@ void contacts(const Settings& settings, lab::Findings& out) {
         };
     };
     const Step half_step = by(half_step_jacobian);
-    const auto truth = row("an eighth of the step", half_step, settings.step / 8);
+    const auto truth = row("half-step Jacobian, an eighth of the step", half_step, settings.step / 8);
+    const auto other = row("Cayley, an eighth of the step", by(cayley_gyroscopic), settings.step / 8);
     const auto half = row("half-step Jacobian", half_step, settings.step);
     const auto cayley = row("Cayley", by(cayley_gyroscopic), settings.step);
     const auto talk = row("talk", by(implicit_gyroscopic), settings.step);
     const auto passive = row("passive", by(passive_gyroscopic), settings.step);
     bool nearest = true;
+    double apart = 0;  // the two that stand for the truth
     for (std::size_t i = 0; i < 3; ++i) {
+        apart = std::max(apart, std::fabs(other[i] - truth[i]));
         const auto off = [&](const auto& rest) { return std::fabs(rest[i] - truth[i]); };
         nearest = nearest && off(talk) < off(passive) && passive[i] < truth[i];
         if (i > 0) nearest = nearest && off(half) < off(talk) && off(cayley) < off(talk);
     }
-    bool same = true;
-    const auto even = capsule(1.0, 0.15, 0.6);
-    const Body alike(even.across, even.across, even.along);  // solved as any three moments
-    RandomBody random(9);
-    for (int n = 0; n < 100; ++n) {
-        const Vector w = 30 * random.direction();
-        const Vector off = half_step_jacobian.step(alike, w, settings.step) -
-                           passive_gyroscopic.step(even, w, settings.step);
-        same = same && off.norm() < 1e-12 * w.norm();
-    }
-    out.check("contacts_same", same,
-              "with two equal moments the half-step Jacobian and passive give the same ω");
     out.number("contacts_throws", throws_of_each, "", "capsules thrown on the plane");
     out.number("contacts_truth", truth[2], "s", "until half lie still at 30 rad/s, an eighth of the step",
                2);
+    out.check("contacts_truth", apart < 0.02,
+              "half-step Jacobian and Cayley, with an eighth of the step, agree to a fiftieth of a second on when half "
+              "of them lie still");
     out.number("contacts_half_step", half[2], "s", "and with the half-step Jacobian", 2);
     out.number("contacts_passive", passive[2], "s", "and with the passive step", 2);
     out.number("contacts_most", most, "", "the most energy that any capsule ever had", 4);

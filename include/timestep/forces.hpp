@@ -88,6 +88,8 @@ template <class Model, class X>
 inline constexpr bool parts_are_linear = true;
 template <class Model, class X>
 inline constexpr bool parts_are_smooth = true;
+template <class Model, class X>
+inline constexpr bool parts_damp_linearly = requires(const Model& m) { m.slope_v(); };
 
 template <class Model, class X>
 concept HasSlopeX = requires(const Model& m) { m.slope_x(); } ||
@@ -107,6 +109,11 @@ concept LinearForce =
     (requires(const Model& m) { m.slope_x(); } &&
      (PositionForce<Model, X> || requires(const Model& m) { m.slope_v(); }) &&
      detail::parts_are_linear<Model, X>);
+
+/// A force that the velocity enters linearly, if at all: a = a(x, 0) + slope_v·v with the same slope_v
+/// everywhere. What it does with the position is its own affair.
+template <class Model, class X>
+concept LinearDamping = PositionForce<Model, X> || detail::parts_damp_linearly<Model, X>;
 
 /// A force that carries its derivatives, constant or not.
 template <class Model, class X>

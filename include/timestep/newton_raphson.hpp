@@ -3,6 +3,7 @@
 /// Newton–Raphson: find the root of a smooth function by following its tangent.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <timestep/checks.hpp>
@@ -10,32 +11,41 @@
 
 namespace timestep {
 
+/// What Newton–Raphson returns: look at `found` before you believe `x`.
+template <class X>
+struct Root {
+    X x;         ///< the root; where there was none to be found, the place where |f| was least on the way
+    bool found;  ///< is it one?
+};
+
 /// Solves f(x) = 0 for a number or a vector, starting from `x` (N26, N48).
 ///
 /// The tangent at x is f(x) + J(x) (x₂ − x); its root is the next x. Near a simple root the number of
 /// right digits doubles each time. Far from it, where the function bends, the tangent's root may be worse
 /// than x itself; then half of the way is tried, and half again, until f(x) shrinks. So a function that
 /// rises everywhere is solved from anywhere, if 50 corrections get there. After as many it ends, or
-/// in a place where |f| is least and not zero: then the x that is returned is no root. It is NaN
-/// where nobody knows the way: the tangent is too steep for numbers, or f(x) or the correction is
-/// too large.
+/// in a place where |f| is least and not zero: there the tangent still asks for a long way, of which
+/// nothing is taken, and that is no root. x is NaN where nobody knows the way: the tangent is too steep
+/// for numbers, or f(x) or the correction is too large.
 ///
 /// It stops when a correction is some ε times the largest size that x has had on the way: near a root
 /// at zero, x itself would be no measure. It is meant for starts of about the size of the root, as a
 /// time step gives them. Where f is made of large terms that cancel, as at rest on a stiff spring, f
-/// stops shrinking sooner, at the roundoff of those terms, and halving ends it there.
+/// stops shrinking sooner, at the roundoff of those terms, and halving ends it there. That is a root if
+/// the tangent's whole way was short, half of the digits.
 /// [newton]
 template <class X, class Function, class Jacobian>
-X newton_raphson(X x, const Function& f, const Jacobian& jacobian) {
-    const real_of<X> digits = 4 * std::numeric_limits<real_of<X>>::epsilon();
+Root<X> newton_raphson(X x, const Function& f, const Jacobian& jacobian) {
+    const real_of<X> epsilon = std::numeric_limits<real_of<X>>::epsilon(), digits = 4 * epsilon;
     real_of<X> largest = safe_magnitude(x);
     X residual = f(x);
     for (int i = 0; i < 50; ++i) {
         const auto& tangent = jacobian(x);
         X correction = solve(tangent, residual);
         real_of<X> size = safe_magnitude(correction);
+        const real_of<X> whole = size;
         if (!is_finite(tangent) || !is_finite(size + largest))
-            return X(std::numeric_limits<real_of<X>>::quiet_NaN() * x);
+            return {X(std::numeric_limits<real_of<X>>::quiet_NaN() * x), false};
         X next = x - correction;
         X left = residual;
         while (size > digits * largest) {
@@ -45,12 +55,12 @@ X newton_raphson(X x, const Function& f, const Jacobian& jacobian) {
             size /= 2;
             next = x - correction;
         }
-        if (size <= digits * largest) return next;
+        if (size <= digits * largest) return {next, whole <= std::sqrt(epsilon) * largest};
         x = next;
         residual = left;
         largest = std::max(largest, safe_magnitude(x));
     }
-    return x;
+    return {x, false};
 }
 /// [newton]
 

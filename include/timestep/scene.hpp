@@ -122,7 +122,8 @@ public:
     /// ∂a/∂v at (x, v), 1/s.
     template <class X>
     auto slope_v(const X& x, const X& v) const
-        requires(!linear<X> && smooth<X> && !position_only<X>)
+        requires(!linear<X> && !position_only<X> &&
+                 ((PositionForce<Parts, X> || detail::HasSlopeV<Parts, X>) && ...))
     {
         return of_parts([&](const auto&... part) {
             return detail::sum(part_slope_v(part, x, v)...);
@@ -164,6 +165,8 @@ template <class... Parts, class X>
 inline constexpr bool parts_are_linear<Scene<Parts...>, X> = (LinearForce<Parts, X> && ...);
 template <class... Parts, class X>
 inline constexpr bool parts_are_smooth<Scene<Parts...>, X> = (SmoothForce<Parts, X> && ...);
+template <class... Parts, class X>
+inline constexpr bool parts_damp_linearly<Scene<Parts...>, X> = (LinearDamping<Parts, X> && ...);
 }  // namespace detail
 /// \endcond
 

@@ -210,3 +210,24 @@ TEST_CASE("both demos of the talk run with every method", "[I11][ch4]") {
     CHECK(amplitude(newton) > 1e15);           // 1.08^500 = 5e16, give or take the ellipse
     CHECK(amplitude(implicit_euler) < 1e-30);  // 1.16^−500
 }
+
+// What exercise 4.2 tells afterwards.
+TEST_CASE("put on the floor with \"before\" left alone, a ball stays there", "[ch4]") {
+    const Projectile gravity(-9.81);
+    const double h = 1.0 / 60;
+    for (const double height : {0.3, 1.0, 2.7}) {
+        State before{0, height, 0.0}, now = verlet.start(gravity, before, h);
+        bool touched = false;
+        for (int n = 0; n < 600; ++n) {
+            const double last = now.x;
+            State next = verlet.step(gravity, before, now, h);
+            before = now;
+            now = next;
+            if (now.x < 0) touched = true, now.x = 0;
+            if (touched) CHECK(now.x <= last);
+        }
+        CHECK(touched);
+        CHECK(now.x == 0);
+        CHECK(before.x == 0);
+    }
+}

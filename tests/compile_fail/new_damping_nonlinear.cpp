@@ -1,5 +1,5 @@
-// Damping at the new velocity is one division where the force is linear, and only there.
-// error: timestep: damping at the new velocity needs a linear force with slope_v()
+// Damping at the new velocity is one division where the force is linear in the velocity, and only there.
+// error: timestep: damping at the new velocity needs a force that is linear in the velocity, with slope_v()
 #include <timestep/methods/semi_implicit_euler_new_damping.hpp>
 #include <timestep/run.hpp>
 

@@ -15,7 +15,7 @@ TEMPLATE_TEST_CASE("a square root, to the last digits of its type", "[library]",
                    long double) {
     const TestType epsilon = std::numeric_limits<TestType>::epsilon();
     const TestType root = newton_raphson(
-        TestType(1), [](TestType x) { return x * x - 2; }, [](TestType x) { return 2 * x; });
+        TestType(1), [](TestType x) { return x * x - 2; }, [](TestType x) { return 2 * x; }).x;
     // x² − 2 near the root is known to 2ε (x² rounds by ε, the difference is exact); dividing it by
     // 2x puts x within ε of the root, and rounding x adds another ε.
     CHECK(std::fabs(root - std::sqrt(TestType(2))) <= 2 * epsilon);
@@ -24,7 +24,7 @@ TEMPLATE_TEST_CASE("a square root, to the last digits of its type", "[library]",
 TEST_CASE("a linear function needs one correction, and a second one to see that it is done", "[library]") {
     int evaluations = 0;
     const double root = newton_raphson(
-        100.0, [&](double x) { return ++evaluations, 2 * x - 6; }, [](double) { return 2.0; });
+        100.0, [&](double x) { return ++evaluations, 2 * x - 6; }, [](double) { return 2.0; }).x;
     CHECK(root == 3);
     CHECK(evaluations == 2);
 }
@@ -40,7 +40,7 @@ TEST_CASE("two equations with two unknowns", "[library]") {
             Eigen::Matrix2d j;
             j << 2 * p.x(), 2 * p.y(), -1, 1;
             return j;
-        });
+        }).x;
     // The first equation's terms are 25 or less and round by 25 ε together with their sum 50 ε; the
     // inverse of J at the root, rows (1, −8)/14 and (1, 6)/14, passes on 50/14 ε plus the second
     // equation's 10 ε · 8/14: below 10 ε.
@@ -49,8 +49,9 @@ TEST_CASE("two equations with two unknowns", "[library]") {
 
 TEST_CASE("where there is no root it ends near the place that is nearest to one", "[library]") {
     int evaluations = 0;
-    const double x = newton_raphson(
+    const auto [x, found] = newton_raphson(
         0.5, [&](double x) { return ++evaluations, x * x + 1; }, [](double x) { return 2 * x; });
+    CHECK_FALSE(found);
     // Fifty corrections, and no more halvings of each than a double has digits.
     CHECK(evaluations < 50 * 53);
     CHECK(std::fabs(x) < 0.5);
@@ -61,11 +62,13 @@ TEST_CASE("a function that rises everywhere is solved from anywhere", "[library]
     // The tangents of atan lead away from its root for |x| > 1.39, those of x + 1.99 sin x / 2 round
     // in circles.
     for (const double x : {0.1, 1.4, 3.0, 1e3, -1e6}) {
-        const double root = newton_raphson(
+        const auto [root, found] = newton_raphson(
             x, [](double u) { return std::atan(u); }, [](double u) { return 1 / (1 + u * u); });
+        CHECK(found);
         CHECK(std::fabs(root) < 1e-15 * std::fabs(x));
-        const double other = newton_raphson(
+        const auto [other, too] = newton_raphson(
             x, [](double u) { return u + 0.999 * std::sin(u) - 2; }, [](double u) { return 1 + 0.999 * std::cos(u); });
+        CHECK(too);
         // Rounding at the size of the start stays; the slope is 0.5 at the root, 1.18.
         CHECK(std::fabs(other + 0.999 * std::sin(other) - 2) < 8 * std::numeric_limits<double>::epsilon() * std::fmax(2, std::fabs(x)));
     }
@@ -74,7 +77,7 @@ TEST_CASE("a function that rises everywhere is solved from anywhere", "[library]
 // A correction that leads out of the numbers: √x has none below zero.
 TEST_CASE("a step to where the function is no number is halved, too", "[library]") {
     const double root = newton_raphson(
-        4.0, [](double x) { return std::sqrt(x) - 0.01; }, [](double x) { return 0.5 / std::sqrt(x); });
+        4.0, [](double x) { return std::sqrt(x) - 0.01; }, [](double x) { return 0.5 / std::sqrt(x); }).x;
     CHECK(std::fabs(root - 1e-4) < 64 * std::numeric_limits<double>::epsilon());
 }
 
@@ -82,7 +85,7 @@ TEST_CASE("a NaN ends it at once", "[library]") {
     int evaluations = 0;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double x = newton_raphson(
-        1.0, [&](double) { return ++evaluations, nan; }, [](double) { return 1.0; });
+        1.0, [&](double) { return ++evaluations, nan; }, [](double) { return 1.0; }).x;
     CHECK(std::isnan(x));
     CHECK(evaluations == 1);
 }
@@ -96,7 +99,7 @@ TEST_CASE("where f(x) or the correction is too large it ends with a NaN", "[libr
         if (++evaluations > 1000) throw std::runtime_error("no end");
     };
     const auto root = [&](double f, double slope) {
-        return newton_raphson(1.0, [&](double) { return few(), f; }, [&](double) { return slope; });
+        return newton_raphson(1.0, [&](double) { return few(), f; }, [&](double) { return slope; }).x;
     };
     CHECK(std::isnan(root(inf, 2)));
     CHECK(std::isnan(root(1e300, 1e-10)));
@@ -106,7 +109,28 @@ TEST_CASE("where f(x) or the correction is too large it ends with a NaN", "[libr
         evaluations = 0;
         const V x = newton_raphson(
             V(1, 1), [&](const V&) { return few(), V(huge, huge); },
-            [](const V&) { return Eigen::Matrix2d(Eigen::Matrix2d::Identity()); });
+            [](const V&) { return Eigen::Matrix2d(Eigen::Matrix2d::Identity()); }).x;
         CHECK(x.hasNaN());
+    }
+}
+
+TEST_CASE("it says whether what it returns is a root", "[library]") {
+    // x² + c has its least size at zero: a root for c ≤ 0, none above. A stiff spring at rest, whose
+    // terms cancel to their roundoff, has one.
+    const auto ends = [](double from, double c) {
+        return newton_raphson(
+            from, [=](double x) { return x * x + c; }, [](double x) { return 2 * x; });
+    };
+    for (const double from : {0.7, 3.0, 1e3}) {
+        CHECK(ends(from, -2).found);
+        for (const double c : {1e-6, 1.0, 100.0}) CHECK_FALSE(ends(from, c).found);
+    }
+    for (const double omega2 : {1e4, 1e8, 1e12}) {
+        const double h = 1.0 / 60, g = 9.81, x0 = -g / omega2;
+        const auto v = newton_raphson(
+            0.01, [=](double v) { return v - h * (-omega2 * (x0 + h * v) - g); },
+            [=](double) { return 1 + h * h * omega2; });
+        CHECK(v.found);
+        CHECK(std::fabs(v.x) < 1e-12);
     }
 }

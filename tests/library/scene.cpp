@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include <timestep/methods/implicit_euler.hpp>
+#include <timestep/methods/semi_implicit_euler_new_damping.hpp>
 #include <timestep/models/coupled_springs.hpp>
 #include <timestep/models/damped_spring.hpp>
 #include <timestep/models/drag.hpp>
@@ -79,6 +80,32 @@ TEST_CASE("a scene is linear when all of its parts are, smooth when all of them 
     STATIC_REQUIRE((!LinearForce<Nested, double> && SmoothForce<Nested, double>));
     STATIC_REQUIRE(!SmoothForce<HalfNoisy, double>);
     STATIC_REQUIRE(!SmoothForce<Scene<DampedSpring<double>, HalfNoisy>, double>);
+}
+
+// A tether with a damper: only the damping has to be linear where nothing else is solved for.
+TEST_CASE("damping at the new velocity takes any force of the position beside a linear damper", "[library][N25]") {
+    struct Damper {
+        double rate;
+        Vector2 acceleration(const Vector2&, const Vector2& v) const { return -rate * v; }
+        double slope_x() const { return 0; }
+        double slope_v() const { return -rate; }
+    };
+    struct Rough {  // a force without derivatives
+        Vector2 acceleration(const Vector2& x) const { return Vector2(std::floor(x.x()), 0); }
+    };
+    using Roped = Scene<Tether<double>, Damper, Rough>;
+    STATIC_REQUIRE((LinearDamping<Roped, Vector2> && !LinearForce<Roped, Vector2>));
+    STATIC_REQUIRE(!LinearDamping<Scene<Tether<double>, Drag<double>>, Vector2>);
+    STATIC_REQUIRE(LinearDamping<Scene<Tether<double>, Rough>, Vector2>);
+
+    const Roped roped{tether, Damper{200}, Rough{}};
+    const State<Vector2> one{0, Vector2(1.5, 0.3), Vector2(3, -2)};
+    const double h = 1.0 / 60;
+    const auto two = semi_implicit_euler_new_damping.step(roped, one, h);
+    const Vector2 pull = tether.acceleration(one.x) + Rough{}.acceleration(one.x);
+    // v₂ = v₁ + h (a(x₁) − c v₂)
+    CHECK((two.v - (one.v + h * (pull - 200 * two.v))).norm() < 1e-14 * 200);
+    CHECK((two.x - (one.x + h * two.v)).norm() < 1e-15);
 }
 
 TEST_CASE("the acceleration is the sum in the order of the parts, bit for bit", "[library]") {

@@ -64,7 +64,7 @@ offer_file() { echo "mkdir -p '$folder/usr/${2%/*}'; : >'$folder/usr/$2'" >"apt/
 have() { for package; do sh "$folder/apt/$package"; done; }
 have_all() {
     have g++ cmake ninja-build libeigen3-dev catch2 gnuplot-nox doxygen doxygen-awesome-css \
-        libjs-katex libcli11-dev nlohmann-json3-dev
+        libjs-katex libcli11-dev nlohmann-json3-dev valgrind
 }
 
 # A CMake that configures by leaving a cache, and builds a course program that tells its arguments.

@@ -5,7 +5,7 @@
 #     sh compile_what_changed.sh g++ … -MF DEPENDENCIES -o OBJECT -c SOURCE
 #
 # CMake calls it in place of the compiler (CXX_COMPILER_LAUNCHER). A checksum of what was read is kept in
-# OBJECT.read, and below it the milliseconds that compiling took. For g++, which reads on through what was
+# OBJECT.read. For g++, which reads on through what was
 # compiled beforehand when it only preprocesses; and for builds in which comments and lines do not count:
 # a debugger's lines and warnings of a missing comment would be old.
 
@@ -34,11 +34,6 @@ touched() {
     changed=$(find $(sed 's/^[^:]*: //; s/ *\\$//' "$depends") -newer "$object.begun" -print -quit 2>&1)
     [ -n "$changed" ]
 }
-milliseconds() {
-    time=$(date +%s%3N)
-    case $time in *[!0-9]*) time=$(date +%s)000 ;; esac  # not every date knows parts of a second
-    echo "$time"
-}
 
 sum=$(command -v sha256sum || command -v cksum) || exec "$@"
 : >"$object.begun" || exec "$@"
@@ -50,11 +45,10 @@ if [ -s "$object" ] && [ -n "$read" ] && [ "$read" = "$known" ]; then
     exit
 fi
 rm -f "$object.read"
-begin=$(milliseconds)
 "$@"
 status=$?
 if [ $status -eq 0 ] && ! touched; then
-    printf '%s\n%s\n' "$read" "$(($(milliseconds) - begin))" >"$object.read" 2>/dev/null
+    printf '%s\n' "$read" >"$object.read" 2>/dev/null
 fi
 rm -f "$object.begun"
 exit $status

@@ -1,12 +1,11 @@
 # What a chapter's program costs to make, as a line of a table:
-#   cmake -DCHAPTER=03_… -DPROGRAM=binary -DABOUT=about.json -DCOMMANDS=compile_commands.json -DLOG=.ninja_log
+#   cmake -DCHAPTER=03_… -DPROGRAM=binary -DABOUT=about.json -DCOMMANDS=compile_commands.json
 #         -DOUT=file -P program_cost.cmake
-# Nothing is compiled for it: Ninja has noted when each source was begun and done. With
-# -DLINES=a;b -DTABLE=file the lines are put together instead.
+# With -DLINES=a;b -DTABLE=file the lines are put together instead.
 cmake_minimum_required(VERSION 3.25)
 
 if(LINES)
-  set(table "chapter\tneeds Eigen\tbinary (KB)\tsources\tlines that the longest of them reads\tseconds to compile all\n")
+  set(table "chapter\tneeds Eigen\tbinary (KB)\tsources\tlines that the longest of them reads\n")
   foreach(line IN LISTS LINES)
     file(READ "${line}" text)
     string(APPEND table "${text}")
@@ -50,7 +49,7 @@ if(EXISTS "${COMMANDS}")
     endif()
   endforeach()
 endif()
-set(lines "not measured")
+set(lines "–")
 find_program(SHELL sh)
 if(command AND SHELL)
   string(REGEX REPLACE " -o .* -c " " -E " preprocess "${command}")
@@ -58,37 +57,5 @@ if(command AND SHELL)
     WORKING_DIRECTORY "${directory}" OUTPUT_VARIABLE lines OUTPUT_STRIP_TRAILING_WHITESPACE)
 endif()
 
-# The log's lines: begun and done in milliseconds, a time stamp, the object. What was made twice
-# stands there twice, and the later line counts.
-set(seconds "not measured")
-if(EXISTS "${LOG}")
-  file(STRINGS "${LOG}" log REGEX "/${CHAPTER}/[^\t]*\\.o(bj)?\t")
-  set(objects "")
-  foreach(entry IN LISTS log)
-    string(REGEX MATCH "^([0-9]+)\t([0-9]+)\t[0-9]+\t([^\t]+)" all "${entry}")
-    set(object "${CMAKE_MATCH_3}")
-    math(EXPR took_${object} "${CMAKE_MATCH_2} - ${CMAKE_MATCH_1}")
-    # What was not compiled again, because only a comment had changed, took what it took when it was.
-    get_filename_component(build "${LOG}" DIRECTORY)
-    if(EXISTS "${build}/${object}.read")
-      file(STRINGS "${build}/${object}.read" read)
-      list(GET read -1 milliseconds)
-      if(milliseconds MATCHES "^[0-9]+$")
-        set(took_${object} ${milliseconds})
-      endif()
-    endif()
-    list(APPEND objects "${object}")
-  endforeach()
-  list(REMOVE_DUPLICATES objects)
-  set(sum 0)
-  foreach(object IN LISTS objects)
-    math(EXPR sum "${sum} + ${took_${object}}")
-  endforeach()
-  if(objects)
-    math(EXPR whole "${sum} / 1000")
-    math(EXPR tenths "${sum} / 100 % 10")
-    set(seconds "${whole}.${tenths}")
-  endif()
-endif()
 list(LENGTH sources count)
-file(WRITE "${OUT}" "${CHAPTER}\t${eigen}\t${kilobytes}\t${count}\t${lines}\t${seconds}\n")
+file(WRITE "${OUT}" "${CHAPTER}\t${eigen}\t${kilobytes}\t${count}\t${lines}\n")

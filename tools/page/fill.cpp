@@ -23,8 +23,22 @@ public:
 
     std::string fill(const std::vector<Piece>& pieces) {
         std::string page;
+        const Piece* block = nullptr;  // the {{where …}} that we are in
+        bool left_out = false;         // and is not to be seen
         for (const Piece& piece : pieces) {
             try {
+                if (const std::string word = block_word(piece); !word.empty()) {
+                    if ((word == "where") == (block != nullptr)) {
+                        throw std::invalid_argument{block != nullptr ? "{{where …}} within another one"
+                                                                     : "{{end}} without a {{where …}}"};
+                    }
+                    block = block == nullptr ? &piece : nullptr;
+                    left_out = block != nullptr && !is_measured(piece);
+                    continue;
+                }
+                if (left_out) {
+                    continue;
+                }
                 page += fill(piece);
             } catch (const NotYet& missing) {
                 if (!context_.draft) {
@@ -36,10 +50,34 @@ public:
                 throw Error{file_, piece.line, wrong.what()};
             }
         }
+        if (block != nullptr) {
+            throw Error{file_, block->line, "{{" + block->text + "}} without its {{end}}"};
+        }
         return page;
     }
 
 private:
+    /// "where" or "end" where the piece is one of those, else nothing.
+    static std::string block_word(const Piece& piece) {
+        const std::vector<std::string> words =
+            piece.kind == Kind::directive ? split_words(piece.text) : std::vector<std::string>{};
+        const bool is_one = !words.empty() && (words.front() == "where" || words.front() == "end");
+        if (is_one && !piece.own_line) {
+            throw std::invalid_argument{"{{" + piece.text + "}} must stand on a line of its own"};
+        }
+        return is_one ? words.front() : "";
+    }
+
+    /// Did the run find a value for the number that {{where name}} names?
+    bool is_measured(const Piece& piece) {
+        const Directive directive = parse_directive(piece.text);
+        if (directive.arguments.size() != 1) {
+            throw std::invalid_argument{"{{where name}} takes one name"};
+        }
+        std::string name;
+        return !context_.run_of(directive.arguments.front(), name).number(name).value.empty();
+    }
+
     /// What stands in a draft for what no run has left yet.
     static std::string gap(const Piece& piece) {
         if (piece.kind == Kind::directive && piece.text.starts_with("check ")) {

@@ -18,7 +18,10 @@ Number look_up(Context& context, std::string reference) {
     std::string name;
     Number number = context.run_of(reference, name).number(name);
     if (number.value == "nan" || number.value == "-nan" || number.value.empty()) {
-        throw std::out_of_range{"the number \"" + name + "\" is \"" + number.value + "\""};
+        throw std::out_of_range{"the number \"" + name + "\" is " +
+                                (number.value.empty() ? "not measured here; what needs it stands between {{where " +
+                                                            name + "}} and {{end}}"
+                                                      : "\"" + number.value + "\"")};
     }
     number.unit = bare ? "" : number.unit;
     return number;

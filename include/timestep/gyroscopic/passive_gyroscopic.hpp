@@ -50,19 +50,24 @@ struct PassiveGyroscopic {
     /// [step]
 
     // A symmetric body's ω turns about its axis by the angle θ = h (along − across)/across ω_z: that is
-    // the exact motion. With tan(θ/2) put as θ/2, no sine and no cosine is needed, the turn is still a
-    // turn, energy and momentum stay, and the angle is off by θ³/12.
+    // the exact motion. A turn is three shears, with t = tan(θ/2) and s = sin θ. A shear by a rounded t
+    // is a shear all the same and changes no area; a rounded cosine and sine make a turn that grows or
+    // shrinks a little, the same way in every step: in float by up to three percent in an hour. And no
+    // tangent is needed: with u = θ/2, u/(1 − u²/3 + u⁴/9) is near enough that the angle is off by θ⁵/120,
+    // and for fast spins, where it is far from the tangent, it still makes a turn.
     /// The same where two moments are equal: nothing is lost either.
     /// [symmetric]
     template <class Real>
     TIMESTEP_INLINE
     Vector3<Real> step(const SymmetricInertia<Real>& inertia,
                        const Vector3<Real>& omega, Real h) const {
-        const Real half = h / 2 * inertia.wobble * omega.z();  // tan(θ/2)
-        const Real share = 1 / (1 + half * half);
-        const Real cosine = 2 * share - 1, sine = 2 * (share * half);
-        return {cosine * omega.x() - sine * omega.y(),
-                sine * omega.x() + cosine * omega.y(), omega.z()};
+        const Real u = h / 2 * inertia.wobble * omega.z();  // θ/2
+        const Real p = u * u / 3;
+        const Real t = u / (1 - p + p * p);
+        const Real s = 2 * t / (1 + t * t);
+        const Real x = omega.x() - t * omega.y();
+        const Real y = omega.y() + s * x;
+        return {x - t * y, y, omega.z()};
     }
     /// [symmetric]
 

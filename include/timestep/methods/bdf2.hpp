@@ -44,4 +44,34 @@ struct Bdf2 {
 
 inline constexpr Bdf2 bdf2;  ///< the method as a value
 
+/// A motion by BDF2 in a game, where things happen between the steps.
+///
+/// The formula takes the last two states for two points of one smooth curve. After an impulse, a
+/// bounce or a change of place they are not: a kick of 1 m/s, given to the latest state alone, becomes
+/// 1.5. So whatever does that tells `restart`, which forgets the older one. A step of another length than
+/// the one before is a restart, too, since the formula is that of equal steps.
+/// [motion]
+template <class S>
+class Bdf2Motion {
+public:
+    explicit Bdf2Motion(const S& start) : now_(start), before_(start) {}  ///< at rest in nobody's past
+
+    const S& now() const { return now_; }  ///< the latest state
+
+    /// Goes on from `state`, whatever was before.
+    void restart(const S& state) { now_ = before_ = state, last_h_ = 0; }
+
+    /// One step of length h.
+    template <class Model>
+    void step(const Model& model, real_of<S> h) {
+        const S next = h == last_h_ ? bdf2.step(model, before_, now_, h) : bdf2.start(model, now_, h);
+        before_ = now_, now_ = next, last_h_ = h;
+    }
+
+private:
+    S now_, before_;
+    real_of<S> last_h_ = 0;
+};
+/// [motion]
+
 }  // namespace timestep

@@ -41,7 +41,7 @@ struct ImplicitEuler {
         const Y y1 = state1.y;
         const Y y2 = newton_raphson(
             y1, [&](const Y& y) -> Y { return y - y1 - h * f(t2, y); },
-            [&](const Y& y) { return implicit_matrix(h, f.slope_y(t2, y), real_of<Y>(0)); });
+            [&](const Y& y) { return implicit_matrix(h, f.slope_y(t2, y), real_of<Y>(0)); }).x;
         return {t2, y2};
     }
     /// [first order]
@@ -59,7 +59,8 @@ private:
     /// [linear]
 
     // Any other smooth force: the root of what is missing in v₂ = v₁ + h a(x₁ + h v₂, v₂). With steps so
-    // long that what is missing rises and falls with v₂, Newton–Raphson may not find it.
+    // long that what is missing rises and falls with v₂, Newton–Raphson may not find it, and the step goes on
+    // with what is nearest: who has to know puts v₂ in once more.
     /// [newton]
     template <class Model, class X>
     X new_velocity(const Model& model, const X& x1, const X& v1, real_of<X> h) const {
@@ -75,7 +76,7 @@ private:
             const X x2 = x1 + h * v2;
             return implicit_matrix(h, slope_v(model, x2, v2), slope_x(model, x2, v2));
         };
-        return newton_raphson(v1, missing, slope);
+        return newton_raphson(v1, missing, slope).x;
     }
     /// [newton]
 };

@@ -11,6 +11,7 @@ namespace timestep {
 /// Semi-implicit Euler with the damping taken at the NEW velocity (N25). The spring pulls from the
 /// old position as before; the damper is implicit, which costs one division:
 ///     v₂ = v₁ + h a(x₁, v₂)   ⇒   (1 − h ∂a/∂v) v₂ = v₁ + h a(x₁, 0)
+/// What the force does with the position does not matter, as long as ∂a/∂v is the same everywhere.
 /// More damping then makes the largest stable step longer; taken at the old velocity it makes it
 /// shorter.
 struct SemiImplicitEulerNewDamping {
@@ -23,9 +24,9 @@ struct SemiImplicitEulerNewDamping {
     /// [step]
     template <class Model, class X>
     State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
-        static_assert(LinearForce<Model, X>,
-                      "timestep: damping at the new velocity needs a linear force with "
-                      "slope_v()");
+        static_assert(LinearDamping<Model, X>,
+                      "timestep: damping at the new velocity needs a force that is linear in the "
+                      "velocity, with slope_v()");
         const auto& [t1, x1, v1] = state1;
         const X v2 = solve(implicit_matrix(h, slope_v(model, x1, v1), real_of<X>(0)),
                            X(v1 + h * acceleration(model, x1, zero<X>())));

@@ -16,7 +16,9 @@ struct AxisSpin {
     Vector3<Real> L;     ///< angular momentum in body coordinates
 
     // The sine and cosine of half the angle do for both: the quaternion takes half angles, and
-    // cos θ = c² − s², sin θ = 2 s c.
+    // cos θ = 1 − 2 s², sin θ = 2 s c. What changes is added to what is there: of a small angle the
+    // rounded cosine is a bare one, and a turn by that and the sine stretches L a little each time,
+    // in float by a percent in an hour.
     /// Turns the body by `angle` about its axis `i` = 0, 1 or 2. L, at rest in the world, turns the
     /// other way in the body.
     /// [spin]
@@ -24,10 +26,10 @@ struct AxisSpin {
         using std::cos, std::sin;
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         const Real c = cos(angle / 2), s = sin(angle / 2);
-        const Real cosine = c * c - s * s, sine = 2 * s * c;
+        const Real less = 2 * s * s, sine = 2 * s * c;  // 1 − cos θ, sin θ
         const Real Lj = L[j], Lk = L[k];
-        L[j] = cosine * Lj + sine * Lk;
-        L[k] = cosine * Lk - sine * Lj;
+        L[j] += sine * Lk - less * Lj;
+        L[k] -= sine * Lj + less * Lk;
         auto& v = q.coeffs();  // x, y, z, w: v times (c, s along i)
         const Real w = v[3], vi = v[i], vj = v[j], vk = v[k];
         v[3] = c * w - s * vi;

@@ -33,6 +33,28 @@ TEST_CASE("formulas become Doxygen's, with numbers in TeX, safe in tables") {
     CHECK_THAT(course.fill_paragraph("`$a$ {{b}}`"), ContainsSubstring("`$a$ {{b}}`"));
 }
 
+TEST_CASE("what could not be measured is not on the page, and a sentence cannot hold it") {
+    const Course course;
+    const std::string numbers = "runs/03_springs/run/numbers.tsv";
+    course.write(numbers, course.read(numbers) + "counted\t\t\tinstructions a step\n");
+    CHECK_THAT(course.paragraph_error("It takes {{counted}}."),
+               ContainsSubstring("\"counted\" is not measured here; what needs it stands between {{where counted}}"));
+    const std::string around = "Before.\n\n{{where counted}}\nIt takes {{counted}}.\n{{end}}\n\nAfter.";
+    const std::string without = course.fill_paragraph(around);
+    CHECK(without.find("It takes") == std::string::npos);
+    CHECK_THAT(without, ContainsSubstring("After."));
+
+    CHECK_THAT(course.fill_paragraph("{{where amplitude}}\nIt is {{amplitude}}.\n{{end}}"),
+               ContainsSubstring("It is <span"));
+    CHECK_THAT(course.paragraph_error("{{where amplitude}}\nIt is."), ContainsSubstring("without its {{end}}"));
+    CHECK_THAT(course.paragraph_error("It is.\n\n{{end}}"), ContainsSubstring("{{end}} without a {{where"));
+    CHECK_THAT(course.paragraph_error("{{where amplitude}}\n{{where tiny}}\n{{end}}"),
+               ContainsSubstring("within another one"));
+    CHECK_THAT(course.paragraph_error("It {{where amplitude}} is."), ContainsSubstring("on a line of its own"));
+    CHECK_THAT(course.paragraph_error("{{where nothing_such}}\nIt is.\n{{end}}"),
+               ContainsSubstring("nothing_such"));
+}
+
 TEST_CASE("a check mark tells what the run has confirmed") {
     const Course course;
     CHECK_THAT(course.fill_paragraph("It grows {{check grows}}."),
