@@ -40,7 +40,7 @@ test_every_command_that_the_help_names_is_handed_over() {
 test_unknown_words_are_refused_before_anything_is_installed() {
     new_machine 0
     expect 2 course turo
-    says err "course: there is no command 'turo'"
+    is "$(cat err)" "course: there is no command 'turo': ./course --help shows those that there are"
     expect 2 course ''
     is "$(cat err)" "course: there is no command '': ./course --help shows those that there are"
     is "$(lines out)" 0

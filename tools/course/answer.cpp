@@ -68,13 +68,17 @@ void declare_bench(CLI::App& app, Asked& asked) {
         "Each scene is kept when it is measured: a run that was stopped goes on after the last one. Results\n"
         "of another compiler, flags, CPU or program are not taken over.");
     bench->require_subcommand(0, 1);
-    bench->add_subcommand("loops", "the library beside loops written by hand, and the targets");
-    bench->add_subcommand("gyroscopic", "the gyroscopic solvers beside Bullet's, and the target");
-    bench->add_subcommand("many", "springs and bodies by the thousand, and the targets");
-    bench->add_subcommand("front-door", "how long a reader waits, in a copy of the course: ten minutes")
+    const auto table = [&](const char* name, const char* words) {
+        return bench->add_subcommand(name, words)->footer("");  // that of bench itself is not theirs
+    };
+    table("loops", "the library beside loops written by hand, and the targets");
+    table("gyroscopic", "the gyroscopic solvers beside Bullet's, and the target");
+    table("many", "springs and bodies by the thousand, and the targets");
+    table("front-door", "how long a reader waits, in a copy of the course: ten minutes")
         ->add_flag("--tests", asked.all, "and how long the tests take: half an hour");
-    bench->add_subcommand("latency", "from a saved file to its verdict")
-        ->add_option("--rounds", asked.rounds, "checks of each exercise")
+    table("latency", "from a saved file to its verdict")
+        ->add_option("--rounds", asked.rounds, "checks of each exercise (11)")
+        ->type_name("NUMBER")
         ->check(CLI::Range(1, 1000));
 }
 
@@ -180,6 +184,8 @@ std::string unknown_bench(CLI::App& app) {
     std::string known;
     for (const auto command : app.get_subcommand("bench")->get_subcommands({}))
         known += (known.empty() ? "" : ", ") + command->get_name();
+    if (!app.get_subcommand("bench")->get_subcommands().empty())
+        return "'" + words.front() + "': bench takes one word at a time";
     return "bench has no '" + words.front() + "'; there are " + known + ", and bench alone";
 }
 
