@@ -78,6 +78,12 @@ function(timestep_doxyfile name site pages figures tests strict make)
     "-DLINK_SOURCES=$<TARGET_FILE:link_sources>" "-DUNLINKED=${unlinked}" PARENT_SCOPE)
 endfunction()
 
+# Which chapters and exercises there are: pages name them all, and a new one changes this file.
+file(GLOB rooms CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/chapters/*/about.json" "${PROJECT_SOURCE_DIR}/tests/exercises/*/*/about.json")
+list(JOIN rooms "\n" rooms)
+set(list_of_rooms "${PROJECT_BINARY_DIR}/docs/rooms.txt")
+file(CONFIGURE OUTPUT "${list_of_rooms}" CONTENT "${rooms}\n" @ONLY)
+
 # How a page is filled.
 set(fill page --source "${PROJECT_SOURCE_DIR}" --runs "${PROJECT_BINARY_DIR}/chapters")
 
@@ -101,7 +107,7 @@ function(timestep_page chapter)
     OUTPUT "${output}" "${index}"
     COMMAND ${fill} --figures "${site}/figures" --chapter ${chapter} --input "${input}"
             --output "${output}" --index "${index}" --depfile "${output}.d"
-    DEPENDS page "${input}" ${runs} "${PROJECT_BINARY_DIR}/chapters/${chapter}/run/done"
+    DEPENDS page "${input}" "${list_of_rooms}" ${runs} "${PROJECT_BINARY_DIR}/chapters/${chapter}/run/done"
     DEPFILE "${output}.d" COMMENT "Filling the page of ${chapter}" VERBATIM)
   add_custom_target(page_${chapter} DEPENDS "${output}")
   foreach(run IN LISTS named ITEMS ${chapter})

@@ -75,7 +75,8 @@ make_cmake() {
 echo "cmake \$*" >>'$folder/calls'
 case \$1 in
 -S) [ ! -e '$folder/configure_fails' ] || { echo 'CMake Error: no'; exit 1; }
-    echo "CMAKE_HOME_DIRECTORY:INTERNAL=\$2" >"\$4/CMakeCache.txt" ;;
+    echo "CMAKE_HOME_DIRECTORY:INTERNAL=\$2" >"\$4/CMakeCache.txt"
+    : >"\$4/build.ninja" ;;
 --build) [ ! -e '$folder/build_fails' ] || { echo 'error: no'; exit 1; }
     mkdir -p "\$2/tools/course"
     printf '#!/bin/sh\necho "handed over: \$*"\nexit 7\n' >"\$2/tools/course/course"

@@ -93,7 +93,7 @@ bool draw(const fs::path& csv, const Measured& measured) {
     const fs::path fresh = beside + ".svg", commands = beside + ".gp";
     course::write_whole(commands, script(csv, fresh, measured));
     std::string said;
-    const int status = course::listen({"gnuplot", commands.string()},
+    const int status = course::listen({"gnuplot", "-d", commands.string()},
                                       [&](std::string_view text) { said += text; });
     std::error_code error, ignored;
     fs::remove(commands, ignored);

@@ -122,9 +122,14 @@ function(timestep_chapter chapter)
   file(GLOB misuses CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" "${folder}/does_not_compile/*.cpp")
   set(misuse_paths ${misuses})
   list(TRANSFORM misuse_paths PREPEND "${PROJECT_SOURCE_DIR}/")
+  if(misuses)  # what the compiler says of them depends on the library
+    file(GLOB_RECURSE headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/*.hpp")
+    list(APPEND misuse_paths ${headers})
+  endif()
+  list(TRANSFORM figures PREPEND "${run}/" OUTPUT_VARIABLE drawn)
   file(GLOB scripts CONFIGURE_DEPENDS "${folder}/*.gp")  # figures.gp and what it loads
   if(TIMESTEP_DOCS AND GNUPLOT)
-    add_custom_command(OUTPUT "${run}/done"
+    add_custom_command(OUTPUT "${run}/done" BYPRODUCTS ${drawn}
       COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:${name}>" "-DOUT=${run}"
               "-DSCRIPT=${folder}/figures.gp" "-DSTYLE=${PROJECT_SOURCE_DIR}/tools/figures/style.gp"
               "-DGNUPLOT=${GNUPLOT}" "-DABOUT=${folder}/about.json" -DQUIET=ON

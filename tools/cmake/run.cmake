@@ -80,7 +80,8 @@ file(WRITE "${work}/run.txt" "${account}")
 math(EXPR milliseconds "(${end} - ${begin}) / 1000")
 file(WRITE "${work}/seconds.txt" "${milliseconds} ms\n")
 
-execute_process(COMMAND "${GNUPLOT}" -e "style = '${STYLE}'" "${SCRIPT}"
+# -d: as gnuplot is, whatever the reader's ~/.gnuplot makes of it.
+execute_process(COMMAND "${GNUPLOT}" -d -e "style = '${STYLE}'" "${SCRIPT}"
   WORKING_DIRECTORY "${work}" ERROR_VARIABLE complaint OUTPUT_VARIABLE complaint
   RESULT_VARIABLE status)
 string(REGEX REPLACE "[0-9]+ frames in animation sequence" "" complaint "${complaint}")

@@ -101,10 +101,17 @@ fs::path ready_mark(const Exercise& exercise) {
            (exercise.name + "_" + mark_of(places().source.string() + "\n" + places().cmake));
 }
 
+// Is everything there that CMake writes for the exercise when it configures?
+bool is_configured(const Exercise& exercise) {
+    const fs::path hidden = exercise.declared().parent_path() / (exercise.name + "_hidden.cpp");
+    return fs::exists(exercise.declared()) && fs::exists(exercise.stub()) &&
+           (is_kit() || fs::exists(hidden));
+}
+
 // Is everything there that the build has made for a check of the exercise?
 bool all_there(const Exercise& exercise) {
     const fs::path commands = places().build / "exercises/commands.json";
-    if (!fs::exists(commands) || !fs::exists(exercise.declared())) return false;
+    if (!fs::exists(commands) || !is_configured(exercise)) return false;
     const auto parts = parts_of_check(exercise);
     return std::all_of(parts.begin(), parts.end(), [](const auto& part) { return fs::exists(part); });
 }
@@ -118,7 +125,7 @@ bool is_ready(const Exercise& exercise) {
     const std::string room = exercise.chapter + "/" + exercise.name;
     std::vector<fs::path> parts{source / "CMakeLists.txt", source / "include",
                                 source / "tools/cmake", source / "tools/checker",
-                                build / "CMakeCache.txt"};
+                                source / "tools/processes", build / "CMakeCache.txt"};
     if (is_kit())
         parts.push_back(source / "kit");
     else
@@ -197,7 +204,7 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) 
     const auto begin = fs::file_time_type::clock::now();
     // What CMake writes when it configures, the build does not bring back.
     if (std::any_of(exercises.begin(), exercises.end(),
-                    [](const auto& exercise) { return !fs::exists(exercise.declared()); }) &&
+                    [](const auto& exercise) { return !is_configured(exercise); }) &&
         fs::exists(places().build / "CMakeCache.txt"))
         listen({places().cmake, places().build.string()}, [](std::string_view) {});
     build(targets, progress);
