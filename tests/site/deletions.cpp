@@ -150,7 +150,9 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
             deletions.try_without(name + " in " + file, copy.run(chapter, file), delete_record);
         }
     };
-    if (kind == "check") {
+    if (kind == "where") {
+        in_run(words.at(1), "numbers.tsv", false);
+    } else if (kind == "check") {
         in_run(words.at(1), "checks.tsv", false);
     } else if (kind == "figure" || kind == "table" || kind == "said") {
         in_run(words.at(1), "", true);
@@ -173,7 +175,7 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
                               [&](const std::string& content) {
                                   return page::replace_all(content, "[" + tag + "]", "");
                               });
-    } else if (kind != "rows" && kind != "chapters" && kind != "talks" && kind != "exercises") {
+    } else if (kind != "end" && kind != "rows" && kind != "chapters" && kind != "talks" && kind != "exercises") {
         std::string name = kind;
         if (name.ends_with(".value")) {
             name.erase(name.size() - 6);
