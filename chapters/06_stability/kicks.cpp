@@ -20,47 +20,57 @@ namespace {
 
 constexpr double h = 1.0 / 60;
 
-// The speed, a second later, of something that is kicked from rest to 1 m/s.
-double kicked(bool restarted) {
-    const Projectile nothing(0.0);
-    State<double> before{0, 0, 0}, now = bdf2.start(nothing, before, h);
-    now.v += 1;
-    Bdf2Motion<State<double>> motion(now);
-    for (int n = 0; n < 60; ++n) {
-        motion.step(nothing, h);
-        const State next = bdf2.step(nothing, before, now, h);
-        before = now, now = next;
+// BDF2 as Bdf2Motion does it, but for one thing: told that the state has changed, it keeps the older one.
+class Unaware {
+public:
+    explicit Unaware(const State<double>& start) : now_(start), before_(start) {}
+    const State<double>& now() const { return now_; }
+    void restart(const State<double>& state) { now_ = state; }
+    void step(const Projectile<double>& model, double h_) {
+        const State<double> next = first_ ? bdf2.start(model, now_, h_) : bdf2.step(model, before_, now_, h_);
+        before_ = now_, now_ = next, first_ = false;
     }
-    return restarted ? motion.now().v : now.v;
+
+private:
+    State<double> now_, before_;
+    bool first_ = true;
+};
+
+// The speed, a second later, of something that is kicked from rest to 1 m/s.
+template <class Motion>
+double kicked() {
+    const Projectile nothing(0.0);
+    Motion motion(State<double>{0, 0, 0});
+    motion.step(nothing, h);
+    State<double> faster = motion.now();
+    faster.v += 1;
+    motion.restart(faster);
+    for (int n = 0; n < 60; ++n) motion.step(nothing, h);
+    return motion.now().v;
 }
 
-// How high a ball rises that is dropped from a metre and keeps 0.6 of its speed in a bounce.
-/// [ball]
-double highest(bool restarted) {
+// How high a ball gets in ten seconds that is dropped from a metre and keeps 0.6 of its speed in a bounce.
+template <class Motion>
+double highest() {
     const Projectile gravity(-9.81);
-    State<double> before{0, 1, 0}, now = before;
-    Bdf2Motion<State<double>> motion(now);
+    Motion ball(State<double>{0, 1, 0});
     double most = 0;
     for (int n = 0; n < 600; ++n) {
-        const State next = n == 0 ? bdf2.start(gravity, now, h) : bdf2.step(gravity, before, now, h);
-        before = now;
-        now = next;
-        motion.step(gravity, h);
-        if (restarted) now = motion.now();
-        if (now.x < 0 && now.v < 0) {
-            now.x = 0;
-            now.v *= -0.6;
-            motion.restart(now);
+        ball.step(gravity, h);
+        if (State<double> s = ball.now(); s.x < 0 && s.v < 0) {
+            s.x = 0;
+            s.v *= -0.6;
+            ball.restart(s);
         }
-        most = std::fmax(most, now.x);
+        most = std::fmax(most, ball.now().x);
     }
     return most;
 }
-/// [ball]
 
 void impulses(lab::Findings& out) {
-    const double bare = kicked(false), mended = kicked(true);
-    const double wild = highest(false), tame = highest(true);
+    using Told = Bdf2Motion<State<double>>;
+    const double bare = kicked<Unaware>(), mended = kicked<Told>();
+    const double wild = highest<Unaware>(), tame = highest<Told>();
     std::printf("  BDF2: a kick of 1 m/s becomes %.3g m/s, restarted %.3g m/s;\n"
                 "  a ball dropped from 1 m rises to %.3g m, restarted after each bounce to %.3g m\n",
                 bare, mended, wild, tame);
@@ -75,17 +85,18 @@ void impulses(lab::Findings& out) {
 
 // A minute of a spring by semi-implicit Euler, each step one frame of 1/60 s or two of them.
 void uneven_frames(lab::Findings& out) {
-    const Spring<double> spring(30.0);
+    const double omega = 30;
+    const Spring<double> spring(omega);
     std::mt19937 random(1);
     State<double> even{0, 1, 0}, uneven = even;
     while (uneven.t < 60) {
         uneven = semi_implicit_euler.step(spring, uneven, random() % 2 ? 2 * h : h);
         even = semi_implicit_euler.step(spring, even, 2 * h);
     }
-    const double grown = std::hypot(uneven.x, uneven.v / 30), stays = std::hypot(even.x, even.v / 30);
+    const double grown = std::hypot(uneven.x, uneven.v / omega), stays = std::hypot(even.x, even.v / omega);
     std::printf("  frames of 1/60 and 1/30 s at random, 30 rad/s: in a minute × %.1e; all of 1/30 s: × %.2g\n",
                 grown, stays);
-    out.number("uneven_omega", 30, "rad/s", "a spring on uneven frames");
+    out.number("uneven_omega", omega, "rad/s", "a spring on uneven frames");
     out.number("uneven_grown", grown, "", "what a minute of uneven frames multiplies its size by", 2);
     out.check("uneven_grows", grown > 1e3 && stays < 2,
               "a spring of 30 rad/s grows more than a thousandfold in a minute of frames of 1/60 and 1/30 s at "
@@ -111,7 +122,7 @@ void bodies_that_turn(lab::Findings& out) {
         const auto end = run(semi_implicit_euler, plank, start, length, 1000);
         return !(end.x.norm() < 1);
     };
-    const double omega2 = 6 * plank.k / plank.m;
+    const double omega2 = 2 * plank.k * plank.r * plank.r / plank.inertia;
     out.number("plank_heaves", sum * plank.m / plank.k, "", "ω² of a plank's heaving, in k/m");
     out.number("plank_rocks", omega2 * plank.m / plank.k, "", "ω² of its rocking, in k/m");
     out.check("plank",

@@ -230,7 +230,7 @@ void spins(const All& all, lab::Findings& out) {
     percent(out, "spin_rk4_lost_fast", 1 - fast_spin.least, "the most that was lost in the end, h|omega| = 2.5");
     out.check("spin_rk4_slow",
               one.share > 0.1 && one.most < 1e-3 && one.least > 0.9 && fast_spin.most > 5e-3 && fast_spin.least < 0.5,
-              "at h|omega| = 1 RK4 adds energy from over a tenth of the directions, though never a thousandth, and "
+              "at h|omega| = 1 RK4 adds energy from over a tenth of these directions, from none a thousandth, and "
               "keeps nine tenths in every one of them; at 2.5 it adds over half a percent and loses over half");
     const auto& box = all.at("dzhanibekov");
     const auto of = [&](const char* method) { return line(box, method, "Timestep"); };

@@ -139,8 +139,8 @@ TEST_CASE("in float the passive step of bodies in the world gains nothing in an 
     CHECK(rise < 2e-3);
 }
 
-// Four numbers of a turn, rounded, made one that grows or shrinks by the same share in every step: of a
-// hundred bodies one had lost 4 % of its energy after this hour, another had gained as much.
+// Four numbers of a turn, rounded, made one that grows or shrinks by the same share in every step: one of
+// these hundred bodies had its spin across the axis off by three percent after this hour.
 TEST_CASE("in float a symmetric body keeps its energy for an hour", "[library][N51]") {
     RandomInertia random(7);
     double worst = 0;

@@ -54,7 +54,7 @@ inline constexpr Bdf2 bdf2;  ///< the method as a value
 template <class S>
 class Bdf2Motion {
 public:
-    explicit Bdf2Motion(const S& start) : now_(start), before_(start) {}  ///< at rest in nobody's past
+    explicit Bdf2Motion(const S& start) : now_(start), before_(start) {}  ///< begins here
 
     const S& now() const { return now_; }  ///< the latest state
 
