@@ -40,6 +40,8 @@ std::string said_markdown(Context& context, const Directive& directive);
 std::string table_markdown(Context& context, const Directive& directive);
 /// `{{rows N22 N24}}` below `heading`
 std::string rows_markdown(Context& context, const Directive& directive, const Heading& heading);
+/// `{{which swing pull}}`: answers to "which method?", on a chapter's page as a table, elsewhere as a list.
+std::string which_markdown(const Context& context, const Directive& directive);
 /// `{{chapters}}`: every chapter with its question and picture.
 std::string chapters_markdown(Context& context);
 /// `{{exercises}}`: on a chapter's page its exercises, with links; elsewhere all of them in full.

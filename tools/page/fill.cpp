@@ -160,7 +160,7 @@ private:
             return check_markdown(context_, directive);
         }
         static const std::set<std::string> blocks{"figure", "code",     "run",  "table",    "rows",
-                                                  "talks",  "chapters", "said", "exercises"};
+                                                  "talks",  "chapters", "said", "exercises", "which"};
         if (blocks.count(name) == 0) {
             if (!directive.arguments.empty() || !directive.text.empty()) {
                 throw std::invalid_argument{"there is no {{" + name + " …}}"};
@@ -193,6 +193,9 @@ private:
         }
         if (name == "table") {
             return fill_generated(table_markdown(context_, directive), piece);
+        }
+        if (name == "which") {
+            return fill_generated(which_markdown(context_, directive), piece);
         }
         if (name == "rows") {
             return rows_markdown(context_, directive, below_heading ? heading_ : Heading{});

@@ -1,0 +1,72 @@
+// The course's answers to "which method?": put into pages from the one list, and all of them.
+#include "course.hpp"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+#include <timestep/which_method.hpp>
+
+#include "context.hpp"
+#include "fill.hpp"
+
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+std::string page_of(const std::string& file) {
+    std::ifstream in{std::string{SOURCE} + "/" + file};
+    return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+// The names between {{which and }}, in their order.
+std::vector<std::string> answers_in(const std::string& page) {
+    std::vector<std::string> names;
+    static const std::regex block{"\\{\\{which ([a-z_ ]+)\\}\\}"}, word{"[a-z_]+"};
+    for (std::sregex_iterator each{page.begin(), page.end(), block}, end; each != end; ++each) {
+        const std::string inner = (*each)[1];
+        for (std::sregex_iterator name{inner.begin(), inner.end(), word}; name != end; ++name) {
+            names.push_back(name->str());
+        }
+    }
+    return names;
+}
+
+}  // namespace
+
+TEST_CASE("answers to which method stand in a chapter as a table, elsewhere as a list") {
+    const Course course;
+    const timestep::Choice& pull = timestep::choice("pull");
+    CHECK_THAT(course.fill_paragraph("{{which pull}}"),
+               ContainsSubstring("| you have | take |\n|---|---|\n| " + pull.have + " | " + pull.take + ": "));
+    CHECK_THAT(course.fill_paragraph("{{which free}}"), ContainsSubstring("\\f$h\\lvert\\omega\\rvert\\f$"));
+    CHECK_THAT(course.paragraph_error("{{which}}"), ContainsSubstring("takes names of answers"));
+    CHECK_THAT(course.paragraph_error("{{which pull push}}"), ContainsSubstring("no answer \"push\""));
+    CHECK_THAT(course.paragraph_error("Take {{which pull}}."), ContainsSubstring("on a line of its own"));
+
+    page::Context context{SOURCE, SOURCE};
+    CHECK_THAT(page::fill(context, "{{which pull}}\n", "list.md"), ContainsSubstring("1. " + pull.have + "?<br>→ " + pull.take));
+}
+
+// The order of the list is that in which timestep::choose() asks.
+TEST_CASE("the page of all answers names each once, in the order of the questions") {
+    const std::vector<std::string> named = answers_in(page_of("docs/which_method.md"));
+    std::vector<std::string> all;
+    for (const timestep::Choice& each : timestep::choices()) {
+        all.push_back(each.name);
+    }
+    CHECK(named == all);
+}
+
+TEST_CASE("the short answers of chapters 3 to 8 are taken from the list") {
+    for (const char* chapter : {"03_euler_variants", "04_verlet", "05_gyroscopic", "06_stability",
+                                "07_error_against_run_time", "08_beyond_the_talk"}) {
+        CAPTURE(chapter);
+        const std::string page = page_of(std::string{"chapters/"} + chapter + "/chapter.md");
+        const std::size_t question = page.find("short answer");
+        CHECK(page.find("{{which ", question) < page.find("\n## ", question));
+    }
+}

@@ -1,0 +1,46 @@
+// The course's answers to "which method?" on a page, from the list that ./course advise goes by.
+
+#include "directives.hpp"
+#include "text.hpp"
+
+#include <timestep/which_method.hpp>
+
+#include <stdexcept>
+
+namespace page {
+
+namespace {
+
+/// The list is plain text, since programs print it, too: here its formulas become formulas.
+std::string with_formulas(std::string text) {
+    text = replace_all(text, "h|ω|", "$h\\lvert\\omega\\rvert$");
+    text = replace_all(text, "|L|", "$\\lvert L\\rvert$");
+    return replace_all(text, "ωh", "$\\omega h$");
+}
+
+/// "ch6_kicks" is section 6's: a link that says so, or that it is on this page.
+std::string link(const Context& context, const std::string& where) {
+    const bool here = context.chapter() != nullptr && where.starts_with(context.chapter()->section_prefix());
+    const std::string chapter = where.substr(2, where.find('_') - 2);
+    return "[" + (here ? std::string{"below"} : "chapter " + chapter) + "](@ref " + where + ")";
+}
+
+}  // namespace
+
+std::string which_markdown(const Context& context, const Directive& directive) {
+    if (directive.arguments.empty()) {
+        throw std::invalid_argument{"{{which}} takes names of answers, of include/timestep/which_method.hpp"};
+    }
+    const bool chapter = context.chapter() != nullptr;
+    std::string text = chapter ? "| you have | take |\n|---|---|\n" : "";
+    for (const std::string& name : directive.arguments) {
+        const timestep::Choice& choice = timestep::choice(name);
+        const std::string have = with_formulas(choice.have), take = with_formulas(choice.take);
+        const std::string why = with_formulas(choice.why) + " (" + link(context, choice.where) + ")";
+        text += chapter ? "| " + have + " | " + take + ": " + why + " |\n"
+                        : "1. " + have + "?<br>→ " + take + ": " + why + ".\n";
+    }
+    return text;
+}
+
+}  // namespace page
