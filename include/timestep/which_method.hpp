@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Which method? The course's one answer to that question: the page \ref which_method, the short answers of
-/// chapters 3 to 8 and `./course advise` are made from this list, so none of them can say something else (I13).
+/// Which method? One answer: the page \ref which_method, the short answers of chapters 3 to 8 and
+/// `./course advise` are made from this list, so none of them can say something else (I13).
 
 #include <algorithm>
 #include <array>
