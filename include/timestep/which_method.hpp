@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Which method? One answer: the page \ref which_method, the short answers of chapters 3 to 8 and
-/// `./course advise` are made from this list, so none of them can say something else (I13).
+/// Which method? The one list of answers (I13). The page \ref which_method, the short answers of chapters 3 to 8
+/// and the command `advise` are made from it, so none of them can say something else.
 
 #include <algorithm>
 #include <array>
