@@ -33,12 +33,13 @@ std::string which_markdown(const Context& context, const Directive& directive) {
     }
     const bool chapter = context.chapter() != nullptr;
     std::string text = chapter ? "| you have | take |\n|---|---|\n" : "";
+    int number = 0;
     for (const std::string& name : directive.arguments) {
         const timestep::Choice& choice = timestep::choice(name);
         const std::string have = with_formulas(choice.have), take = with_formulas(choice.take);
         const std::string why = with_formulas(choice.why) + " (" + link(context, choice.where) + ")";
         text += chapter ? "| " + have + " | " + take + ": " + why + " |\n"
-                        : "1. " + have + "?<br>→ " + take + ": " + why + ".\n";
+                        : std::to_string(++number) + ". " + have + "?<br>→ " + take + ": " + why + ".\n";
     }
     return text;
 }
