@@ -1,33 +1,38 @@
-// Chapter 1: slopes from differences, and how far off they are.
+// Chapter 1: the slope of a known function from two of its values. Which two, and how far apart?
+//
+//   c++ -std=c++20 -O2 -Iinclude chapters/01_derivatives/derivatives.cpp -o slopes && ./slopes
 
 #include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
 
-#include "derivatives.hpp"
+#include <timestep/differences.hpp>
 
-namespace {
+using namespace timestep;
 
-const lab::Rule near_zero{[](double x) { return std::fabs(x) <= 10; }, "from -10 to 10"};
-const lab::Rule up_to_one{[](double h) { return h > 0 && h <= 1; }, "above zero and at most 1"};
-const lab::Rule frame_rate{[](double f) { return f >= 10 && f <= 500; }, "from 10 to 500"};
+// Play with these.
+const auto f = [](double t) { return std::sin(t); };      // a position, m
+const auto slope = [](double t) { return std::cos(t); };  // and its velocity, by hand, m/s
+const double t = 1;                                       // where we look, s
+const int halvings = 16;                                  // steps of 1, 1/2, 1/4 … s
 
-}  // namespace
+int main() {
+    std::ofstream data("slopes.dat");
+    data << "# step forward backward central\n";
+    std::printf("%12s %12s %12s %12s\n", "step", "forward", "backward", "central");
 
-int main(int argc, char** argv) {
-    Settings settings;
-    lab::Program program("derivatives", "slopes from differences, and how far off they are");
-    program.option("--function", settings.function, {"exp", "sin", "cube"},
-                   "the function whose slope is taken");
-    program.option("--at", settings.at, near_zero, "the x where it is taken");
-    program.option("--step", settings.step, up_to_one, "the h of its differences");
-    program.option("--grid", settings.grid, up_to_one,
-                   "what the hand's positions are rounded to, m");
-    program.option("--rate", settings.rate, frame_rate, "how often they come, frames a second");
-    return program.run(argc, argv, [&](lab::Findings& out) {
-        frames(settings, out);
-        curves(settings, out);
-        orders(settings, out);
-        best_steps(settings, out);
-        taylor_series(out);
-        mistakes(settings, out);
-    });
+    double h = 1;
+    for (int n = 0; n <= halvings; ++n) {
+        // Look ahead, look back, or do both: which is off by how much?
+        const double forward = forward_difference(f, t, h) - slope(t);
+        const double backward = backward_difference(f, t, h) - slope(t);
+        const double central = central_difference(f, t, h) - slope(t);
+
+        data << h << ' ' << std::abs(forward) << ' ' << std::abs(backward) << ' ' << std::abs(central) << '\n';
+        std::printf("%12.3g %12.3g %12.3g %12.3g\n", h, forward, backward, central);
+        h /= 2;
+    }
+    std::cout << "Half the step: half the error to one side, a quarter of it in the middle.\n";
+    if (!data.flush()) return std::cerr << "slopes.dat: cannot be written\n", 2;
 }

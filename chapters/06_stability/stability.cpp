@@ -1,28 +1,68 @@
-// Chapter 6: will my simulation blow up?
+// Chapter 6: the longest step that a spring survives, by trying and by formula.
+//
+//   c++ -std=c++20 -O2 -Iinclude chapters/06_stability/stability.cpp -o longest && ./longest
 
-#include "sections.hpp"
+#include <cmath>
+#include <fstream>
+#include <iostream>
 
-int main(int argc, char** argv) {
-    Settings settings;
-    lab::Program program("stability", "stiff springs, hard damping, absurd numbers: what survives?");
-    program.option("--omega", settings.omega, lab::above_zero,
-                   "angular frequency of your spring, rad/s");
-    program.option("--zeta", settings.zeta, lab::zero_or_more, "its damping ratio");
-    program.option("--step", settings.step, lab::above_zero, "time step, s");
-    return program.run(argc, argv, [&](lab::Findings& out) {
-        your_spring(settings, out);
-        definitions(settings, out);
-        regions(settings, out);
-        stiff_decay(settings, out);
-        boundary(settings, out);
-        stiff_springs(settings, out);
-        two_scales(settings, out);
-        kicks(settings, out);
-        prothero_robinson(settings, out);
-        reactions(settings, out);
-        cloth(settings, out);
-        extreme_inputs(settings, out);
-        advice(settings, out);
-        leave_out(settings, out);
-    });
+#include <timestep/methods/explicit_euler.hpp>
+#include <timestep/methods/midpoint.hpp>
+#include <timestep/methods/runge_kutta_4.hpp>
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/methods/semi_implicit_euler_new_damping.hpp>
+#include <timestep/models/damped_spring.hpp>
+#include <timestep/stability_limit.hpp>
+
+using namespace timestep;
+
+// Play with these.
+const double omega = 100;  // rad/s
+const int steps = 10000;   // so long we watch
+
+// Does it swing farther in the end than at the start?
+template <class Method>
+bool grows(const Method& method, double zeta, double h) {
+    const DampedSpring spring(omega, zeta);
+    State state{0, 1.0, 0.0};
+    double size = 1;
+    for (int n = 0; n < steps && size < 1e6; ++n) {
+        state = method.step(spring, state, h);
+        size = std::hypot(state.x, state.v / omega);
+    }
+    return size > 1;
+}
+
+// Halve the gap between a step that holds and one that does not, until nothing is left of it.
+template <class Method>
+double longest_step(const Method& method, double zeta) {
+    double holds = 0, breaks = 100 / omega;
+    for (int n = 0; n < 30; ++n) {
+        const double h = (holds + breaks) / 2;
+        (grows(method, zeta, h) ? breaks : holds) = h;
+    }
+    return holds;
+}
+
+int main() {
+    std::ofstream data("longest.dat");
+    const auto look_at = [&](const auto& method) {
+        data << "# " << method.name << '\n';
+        std::cout << method.name << '\n';
+        for (int i = 0; i <= 40; ++i) {
+            const double zeta = 0.01 * std::pow(10, i / 13.0);  // of no damping to speak of, up to a lot
+            const double tried = omega * longest_step(method, zeta);
+            const double formula = stability_limit(method, zeta).value;
+            data << zeta << ' ' << tried << ' ' << formula << '\n';
+            if (i % 13 == 0)
+                std::cout << "  zeta " << zeta << ": omega h up to " << tried << ", by formula " << formula << '\n';
+        }
+        data << "\n\n";
+    };
+    look_at(explicit_euler);
+    look_at(semi_implicit_euler);
+    look_at(semi_implicit_euler_new_damping);
+    look_at(midpoint);
+    look_at(runge_kutta_4);
+    if (!data.flush()) return std::cerr << "longest.dat: cannot be written\n", 2;
 }

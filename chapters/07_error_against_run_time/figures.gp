@@ -1,109 +1,16 @@
 load style
-rooms = folder."../../chapters/07_error_against_run_time/"
+set datafile separator whitespace
 
-library = "Timestep"
-springs = "explicit_euler implicit_euler semi_implicit_euler verlet velocity_verlet implicit_midpoint bdf2 runge_kutta_4"
-flights = "explicit_euler implicit_euler semi_implicit_euler heun implicit_midpoint runge_kutta_4"
-spins = "explicit dropped implicit__one_iteration implicit__converged passive runge_kutta_4"
-slides = "explicit dropped implicit__one_iteration passive passive__arms_of_the_start runge_kutta_4_in_the_air__passive"
-time_label = "run time of four seconds of game (µs)"
-error_label = "largest error (share of the scene's size)"
-
-call figure "spring.svg" 860 560
-set rmargin at screen 0.73
-set xlabel time_label
-set ylabel error_label
-set key outside right top vertical samplen 2 spacing 1.1
-call rooms."diagram.gp" "spring" springs "1e-7"
-unset rmargin
-
-# Two panels, and the key to the right of the second.
-left = "set lmargin at screen 0.125; set rmargin at screen 0.4; set ylabel 'largest error' offset 0.5; set key off"
-right = "set lmargin at screen 0.475; set rmargin at screen 0.75; unset ylabel; set key outside right top vertical samplen 1.5 spacing 1.1"
-panels = "set tmargin at screen 0.88; set bmargin at screen 0.2; set xlabel 'run time (µs)'"
-done = "unset multiplot; unset title; unset lmargin; unset rmargin; unset tmargin; unset bmargin"
-
-call figure "stiff.svg" 900 400
-set multiplot
-@panels
-@left
-set title "a stiff spring" textcolor rgb ink
-call rooms."diagram.gp" "stiff_spring" springs "1e-4"
-@right
-set title "two time scales"
-call rooms."diagram.gp" "two_time_scales" springs "1e-4"
-@done
-
-call figure "bounces.svg" 900 400
-set multiplot
-@panels
-@left
-set title "a flight in air"
-call rooms."diagram.gp" "drag" flights "1e-7"
-@right
-set title "a ball that bounces"
-call rooms."diagram.gp" "bouncing_ball" flights "1e-7"
-@done
-
-call figure "spins.svg" 900 400
-set multiplot
-@panels
-@left
-set title "a box that tumbles"
-call rooms."diagram.gp" "dzhanibekov" spins "1e-7"
-@right
-set title "a capsule in the air"
-call rooms."diagram.gp" "symmetric_top" spins "1e-7"
-@done
-
-call figure "ice.svg" 860 480
-set rmargin at screen 0.64
-set xlabel time_label
-set ylabel error_label
-set key outside right top vertical samplen 1.5 spacing 1.1
-call rooms."diagram.gp" "capsule_on_plane" slides "1e-3"
-unset rmargin
-
-call figure "smooth.svg" 900 400
-set multiplot
-@panels
-@left
-set title "a damped spring"
-call rooms."diagram.gp" "damped_spring" "explicit_euler implicit_euler semi_implicit_euler implicit_midpoint bdf2 runge_kutta_4" "1e-7"
-@right
-set title "a ball on an elastic in space"
-call rooms."diagram.gp" "spring_3d" springs "1e-7"
-@done
-
-# The spring once more, with other people's libraries where they were found, and in float.
-call figure "peers.svg" 860 600
-set rmargin at screen 0.66
-set xlabel time_label
-set ylabel error_label
-set key outside right top vertical samplen 2 spacing 1.1
-call rooms."axes.gp" "1e-15"
-set xrange [0.05:1e4]
-curves = "0.1 with lines @faint notitle"
-add = "stats 'spring.tsv' skip 1 using (strcol(1) eq method && strcol(2) eq who ? 2 : 1) nooutput; if (STATS_max == 2) { curves = curves . sprintf(\", 'spring.tsv' using (strcol(1) eq '%s' && strcol(2) eq '%s' && strcol(9) eq 'no' ? $6*1e6 : NaN):5 with lines %s title '%s'\", method, who, style, words) }"
-method = "runge_kutta_4"
-who = "Timestep"; style = runge_kutta_4; words = "RK4, Timestep"
-@add
-who = "Timestep, float"; style = "lc rgb '#7a4a1e' lw 2.5 dt (3,4)"; words = "RK4, Timestep in float"
-@add
-who = "Boost.odeint"; style = "lc rgb '#d55e00' lw 2.5 dt (10,4,3,4)"; words = "RK4, Boost.odeint"
-@add
-who = "SUNDIALS"; style = "lc rgb '#0072b2' lw 2.5 dt 1"; words = "RK4, SUNDIALS"
-@add
-method = "runge_kutta_4__doubled"; who = "GSL"; style = "lc rgb '#009e73' lw 2.5 dt 1"; words = "RK4, GSL (doubles steps)"
-@add
-method = "dormand_prince_5"; who = "Boost.odeint"; style = "lc rgb '#e69f00' lw 2.5 dt 1"; words = "Dormand–Prince 5, odeint"
-@add
-method = "dormand_prince_5__adaptive"; style = "lc rgb '#e69f00' lw 2.5 dt (6,4)"; words = "the same, adaptive"
-@add
-method = "prince_dormand_8__adaptive"; who = "GSL"; style = "lc rgb '#009e73' lw 2.5 dt (6,4)"; words = "Prince–Dormand 8, GSL"
-@add
-method = "adams__adaptive"; who = "SUNDIALS"; style = "lc rgb '#56b4e9' lw 2.5 dt (6,4)"; words = "Adams, SUNDIALS"
-@add
-method = "bdf__adaptive"; style = "lc rgb '#2f4b7c' lw 2.5 dt (6,4)"; words = "BDF, SUNDIALS"
-@add
-eval "plot " . curves
+# Error against time, a line a method; circles are 60 Hz.
+call figure "four_methods.svg" 640 520
+set logscale xy
+set format xy "10^{%T}"
+set xlabel "time for four seconds of game (µs)\n "
+set ylabel "largest error (m)"
+set yrange [1e-9:10]
+set key outside bottom center horizontal reverse Left
+plot "work.dat" index 0 with linespoints @explicit_euler pt 7 ps 0.4 title "explicit Euler", \
+     "" index 1 with linespoints @semi_implicit_euler pt 7 ps 0.4 title "semi-implicit Euler", \
+     "" index 2 with linespoints @velocity_verlet pt 7 ps 0.4 title "velocity Verlet", \
+     "" index 3 with linespoints @runge_kutta_4 pt 7 ps 0.4 title "RK4", \
+     for [i=0:3] "" index i using ($3 == 60 ? $1 : 1/0):2 with points pt 6 ps 1.6 lw 1.5 lc rgb ink

@@ -10,9 +10,9 @@
 
 #include <timestep/methods.hpp>
 
-#include "../../chapters/07_error_against_run_time/entries.hpp"
-#include "../../chapters/07_error_against_run_time/peers/peer.hpp"
-#include "../../chapters/07_error_against_run_time/scenes.hpp"
+#include "../../chapters/07_error_against_run_time/study/entries.hpp"
+#include "../../chapters/07_error_against_run_time/study/peers/peer.hpp"
+#include "../../chapters/07_error_against_run_time/study/scenes.hpp"
 
 using namespace contest;
 

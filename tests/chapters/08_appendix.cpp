@@ -16,7 +16,7 @@
 #include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/rigid/shapes.hpp>
 
-#include "../../chapters/08_beyond_the_talk/appendix/others.hpp"
+#include "../../chapters/08_beyond_the_talk/study/appendix/others.hpp"
 #include "random_inertia.hpp"
 
 using namespace timestep;

@@ -17,7 +17,7 @@ foreach(about IN LISTS abouts)
     set(path -isystem "${EIGEN}")
   endif()
   set(including "")
-  file(GLOB sources "${folder}/*.cpp")
+  file(GLOB sources "${folder}/*.cpp" "${folder}/study/*.cpp")
   foreach(source IN LISTS sources)
     execute_process(  # -M only lists what is included
       COMMAND "${COMPILER}" -std=c++20 "-I${ROOT}/include" "-I${ROOT}/chapters/support" ${path} -M "${source}"

@@ -3,10 +3,13 @@
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE "${WORK}")
-file(MAKE_DIRECTORY "${WORK}")
-file(WRITE "${WORK}/about.json" "{\"figures\": [\"one.svg\", \"two.gif\"]}")
+file(MAKE_DIRECTORY "${WORK}/study")
+file(WRITE "${WORK}/about.json" "{\"picture\": \"one.svg\", \"figures\": [\"one.svg\", \"two.gif\"]}")
+file(WRITE "${WORK}/figures.gp" "load style\n")  # here the study draws all
 
-# A chapter's program that leaves what its chapter needs.
+find_program(small true REQUIRED)
+
+# A chapter's study that leaves what its chapter needs.
 function(program body)
   file(WRITE "${WORK}/program" "#!/bin/sh\n# program --out DIR\n${body}\n")
   file(CHMOD "${WORK}/program" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
@@ -17,14 +20,14 @@ set(still "call figure 'one.svg' 400 300\nplot 'data.tsv' using 1:2 with lines\n
 set(film "set terminal gif size 300,200\nset output 'two.gif'\nplot 'data.tsv' using 1:2\nunset output\n")
 function(draw)
   string(CONCAT text "load style\n" ${ARGN})
-  file(WRITE "${WORK}/figures.gp" "${text}")
+  file(WRITE "${WORK}/study/figures.gp" "${text}")
 endfunction()
 
 macro(run_chapter)
   execute_process(
-    COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=${WORK}/program" "-DOUT=${WORK}/run" -DQUIET=ON
-            "-DSCRIPT=${WORK}/figures.gp" "-DSTYLE=${ROOT}/tools/figures/style.gp"
-            "-DGNUPLOT=${GNUPLOT}" "-DABOUT=${WORK}/about.json" ${misuse} -P "${ROOT}/tools/cmake/run.cmake"
+    COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=${small}" "-DSTUDY=${WORK}/program"
+            "-DOUT=${WORK}/run" -DQUIET=ON "-DROOM=${WORK}" "-DSTYLE=${ROOT}/tools/figures/style.gp"
+            "-DGNUPLOT=${GNUPLOT}" ${misuse} -P "${ROOT}/tools/cmake/run.cmake"
     RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   string(REGEX REPLACE "[ \n]+" " " output "${output}")
 endmacro()

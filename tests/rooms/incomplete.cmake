@@ -5,7 +5,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/stage.cmake")
 set_stage()
 set(room "${stage}/chapters/01_small")
 set(about "{\"title\": \"Small\", \"question\": \"Why?\", \"needs\": [], \"builds_on\": [],
- \"rows\": [\"N01\"], \"figures\": [\"one.svg\"]}\n")
+ \"rows\": [\"N01\"], \"picture\": \"one.svg\", \"figures\": [\"one.svg\"]}\n")
 
 # The chapter, whole. The configuration looks at the names of its files, not into them.
 function(furnish)
@@ -13,6 +13,8 @@ function(furnish)
   file(WRITE "${room}/chapter.md" "# Small\n")
   file(WRITE "${room}/small.cpp" "int main() {}\n")
   file(WRITE "${room}/figures.gp" "load style\n")
+  file(WRITE "${room}/study/study.cpp" "int main() {}\n")
+  file(WRITE "${room}/study/figures.gp" "load style\n")
   file(WRITE "${stage}/tests/chapters/01_small.cpp" "TEST_CASE(\"small\", \"[N01]\") {}\n")
 endfunction()
 
@@ -34,7 +36,8 @@ if(NOT status EQUAL 0)
 endif()
 
 foreach(file chapters/01_small/about.json chapters/01_small/chapter.md chapters/01_small/small.cpp
-             chapters/01_small/figures.gp tests/chapters/01_small.cpp)
+             chapters/01_small/figures.gp chapters/01_small/study/study.cpp
+             chapters/01_small/study/figures.gp tests/chapters/01_small.cpp)
   file(REMOVE "${stage}/${file}")
   must_fail("without ${file}" "chapter 01_small: ${file} is missing")
 endforeach()
@@ -42,7 +45,7 @@ endforeach()
 file(WRITE "${stage}/tests/chapters/01_small.cpp" "int nothing;\n")
 must_fail("a test file without a test" "tests/chapters/01_small.cpp holds no TEST_CASE")
 
-foreach(key title question needs builds_on rows figures)
+foreach(key title question needs builds_on rows picture figures)
   string(JSON without REMOVE "${about}" ${key})
   file(WRITE "${room}/about.json" "${without}")
   must_fail("about.json without ${key}" "chapters/01_small/about.json: ${key} is missing")
@@ -52,6 +55,7 @@ foreach(key title question needs builds_on rows figures)
 endforeach()
 foreach(mistake
     "title|\"\"|title must be words"
+    "picture|\"two.svg\"|picture is two.svg, must be one of figures"
     "figures|[]|figures is empty"
     "figures|[\"one.png\"]|figures names one.png, must be name.svg or name.gif"
     "figures|[\"sub/one.svg\"]|figures names sub/one.svg, must be"

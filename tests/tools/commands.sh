@@ -25,7 +25,7 @@ test_bad_use_is_one_line_and_status_2() {
     says err '--omega = abc: it takes numbers (./course advise --help)'
     expect 2 course run 3 --omega 20
     is "$(cat err)" "course: run has no option --omega; a chapter's own options go after --: \
-./course run 3 -- --omega 20"
+./course run 3 --study -- --omega 20"
     expect 2 course run 3 4
     silent_on err "chapter's own"
     expect 2 course tour -- --step

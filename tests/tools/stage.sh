@@ -25,7 +25,7 @@ END
 for word; do script=\$word; done
 [ ! -e '$folder/gnuplot_complains' ] || { echo 'line 7: undefined variable: styel' >&2; exit 1; }
 name=\$(basename "\$(dirname "\$script")")
-[ -e '$folder/draws_nothing' ] || echo '<svg></svg>' >"\${name#*_}.svg"
+[ "\$name" = study ] || [ -e '$folder/draws_nothing' ] || echo '<svg></svg>' >"\${name#*_}.svg"
 END
     chmod +x bin/*
 }
@@ -34,11 +34,19 @@ END
 new_chapter() {
     mkdir -p "source/chapters/$1" "build/chapters/$1/run"
     cat >"source/chapters/$1/about.json" <<END
-{"title": "$2", "question": "Why?", "needs": [], "builds_on": [], "rows": $4, "figures": ["$3"]}
+{"title": "$2", "question": "Why?", "needs": [], "builds_on": [], "rows": $4, "picture": "$3", "figures": ["$3"]}
 END
+    mkdir "source/chapters/$1/study"
     : >"source/chapters/$1/figures.gp"
+    : >"source/chapters/$1/study/figures.gp"
     echo '1234 ms' >"build/chapters/$1/run/seconds.txt"
     cat >"build/chapters/${1#*_}" <<'END'
+#!/bin/sh
+[ $# -eq 0 ] || exit 9
+echo 'What the program says'
+echo '0 1' >motion.dat
+END
+    cat >"build/chapters/${1#*_}_study" <<'END'
 #!/bin/sh
 out= options= full= blocked=
 while [ $# -gt 0 ]; do
@@ -64,7 +72,7 @@ echo "The account, with$options"
 printf 't\tx\n0\t1\n' >"$out/motion.tsv"
 printf 'n\t1\t\tone\n' >"$out/numbers.tsv"
 END
-    chmod +x "build/chapters/${1#*_}"
+    chmod +x "build/chapters/${1#*_}" "build/chapters/${1#*_}_study"
 }
 
 course() {

@@ -1,7 +1,8 @@
 # A chapter is a folder chapters/NN_name with
-#   chapter.md  the page          name.cpp    the program
-#   figures.gp  the pictures      about.json  title, question, ledger rows, figures
-# and the test tests/chapters/NN_name.cpp. One that lacks any of them is a configure error. It may have
+#   chapter.md  the page          name.cpp    THE program: one short file
+#   figures.gp  its picture       about.json  title, question, ledger rows, figures
+#   study/      what measures the rest: study.cpp and more, with a figures.gp of its own
+# and the test tests/chapters/NN_name.cpp. One that lacks any of them is a configure error. A study may have
 # a folder does_not_compile: what the compiler says of the sources there, the page can show.
 
 find_program(GNUPLOT gnuplot)
@@ -30,8 +31,8 @@ function(timestep_json_list json key result)
   set(${result} "${list}" PARENT_SCOPE)
 endfunction()
 
-# Declares the chapter in the folder chapters/${chapter}: its program, and its run, which leaves
-# data, numbers and figures in ${build}/chapters/NN_name/run.
+# Declares the chapter in the folder chapters/${chapter}: its program `name`, its study `name_study`, and
+# the run of both, which leaves data, numbers and figures in ${build}/chapters/NN_name/run.
 function(timestep_chapter chapter)
   string(REGEX REPLACE "^[0-9]+_" "" name "${chapter}")
   set(folder "${PROJECT_SOURCE_DIR}/chapters/${chapter}")
@@ -40,10 +41,11 @@ function(timestep_chapter chapter)
     set(test "")
   endif()
   foreach(file chapters/${chapter}/about.json chapters/${chapter}/chapter.md
-               chapters/${chapter}/${name}.cpp chapters/${chapter}/figures.gp ${test})
+               chapters/${chapter}/${name}.cpp chapters/${chapter}/figures.gp
+               chapters/${chapter}/study/study.cpp chapters/${chapter}/study/figures.gp ${test})
     if(NOT EXISTS "${PROJECT_SOURCE_DIR}/${file}")
       message(FATAL_ERROR "chapter ${chapter}: ${file} is missing. Every chapter has a page, a "
-                          "program, figures, about.json and a test.")
+                          "program, a study, figures, about.json and a test.")
     endif()
   endforeach()
 
@@ -60,11 +62,11 @@ function(timestep_chapter chapter)
   if(error)
     message(FATAL_ERROR "chapters/${chapter}/about.json: is not JSON (${error})")
   endif()
-  foreach(key title question needs builds_on rows figures)
+  foreach(key title question needs builds_on rows figures picture)
     string(JSON type ERROR_VARIABLE error TYPE "${about}" ${key})
     if(error)
       message(FATAL_ERROR "chapters/${chapter}/about.json: ${key} is missing")
-    elseif(key MATCHES "^(title|question)$")
+    elseif(key MATCHES "^(title|question|picture)$")
       string(JSON words GET "${about}" ${key})
       if(NOT type STREQUAL "STRING" OR words STREQUAL "")
         message(FATAL_ERROR "chapters/${chapter}/about.json: ${key} must be words")
@@ -84,6 +86,10 @@ function(timestep_chapter chapter)
                           "name.svg or name.gif in small letters")
     endif()
   endforeach()
+  string(JSON picture GET "${about}" picture)
+  if(NOT picture IN_LIST figures)
+    message(FATAL_ERROR "chapters/${chapter}/about.json: picture is ${picture}, must be one of figures")
+  endif()
   foreach(need IN LISTS needs)
     if(NOT need MATCHES "^(eigen|peers)$")
       message(FATAL_ERROR "chapters/${chapter}/about.json: needs names ${need}, and knows eigen and peers only")
@@ -95,31 +101,40 @@ function(timestep_chapter chapter)
     endif()
   endforeach()
 
-  file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp")
-  add_executable(${name} ${sources})
-  target_link_libraries(${name} PRIVATE timestep_headers timestep_lab timestep_warnings)
+  # The program needs the library alone: one line compiles it, too.
+  set(library timestep_headers)
+  if("eigen" IN_LIST needs)
+    set(library timestep)
+  endif()
+  add_executable(${name} "${folder}/${name}.cpp")
+  target_link_libraries(${name} PRIVATE ${library} timestep_warnings)
   timestep_compiles_what_changed(${name})
+
+  set(study ${name}_study)
+  file(GLOB sources CONFIGURE_DEPENDS "${folder}/study/*.cpp")
+  add_executable(${study} ${sources})
+  target_link_libraries(${study} PRIVATE ${library} timestep_lab timestep_warnings)
+  timestep_compiles_what_changed(${study})
   # Where nothing is timed, what counts is how soon it can be run. (A source that is timed and one that is
-  # not would share functions: so it is all of a chapter or nothing.)
-  file(GLOB all CONFIGURE_DEPENDS "${folder}/*.cpp" "${folder}/*.hpp")
+  # not would share functions: so it is all of a study or nothing.)
+  file(GLOB all CONFIGURE_DEPENDS "${folder}/study/*.cpp" "${folder}/study/*.hpp")
   set(clocks "")
   foreach(source IN LISTS all)
     file(STRINGS "${source}" lines REGEX "#include <chrono>")
     list(APPEND clocks ${lines})
   endforeach()
   if(NOT clocks AND NOT "eigen" IN_LIST needs AND NOT MSVC)  # g++ would go on as Eigen was compiled beforehand
-    target_compile_options(${name} PRIVATE -O1)
+    target_compile_options(${study} PRIVATE -O1)
   endif()
   if("eigen" IN_LIST needs)
-    target_link_libraries(${name} PRIVATE timestep)
-    target_precompile_headers(${name} REUSE_FROM timestep_eigen_ready)
+    target_precompile_headers(${study} REUSE_FROM timestep_eigen_ready)
   endif()
   if("peers" IN_LIST needs)
-    target_link_libraries(${name} PRIVATE timestep_peers)
+    target_link_libraries(${study} PRIVATE timestep_peers)
   endif()
 
   set(run "${PROJECT_BINARY_DIR}/chapters/${chapter}/run")
-  file(GLOB misuses CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" "${folder}/does_not_compile/*.cpp")
+  file(GLOB misuses CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" "${folder}/study/does_not_compile/*.cpp")
   set(misuse_paths ${misuses})
   list(TRANSFORM misuse_paths PREPEND "${PROJECT_SOURCE_DIR}/")
   if(misuses)  # what the compiler says of them depends on the library
@@ -127,15 +142,15 @@ function(timestep_chapter chapter)
     list(APPEND misuse_paths ${headers})
   endif()
   list(TRANSFORM figures PREPEND "${run}/" OUTPUT_VARIABLE drawn)
-  file(GLOB scripts CONFIGURE_DEPENDS "${folder}/*.gp")  # figures.gp and what it loads
+  file(GLOB scripts CONFIGURE_DEPENDS "${folder}/*.gp" "${folder}/study/*.gp")  # and what they load
   if(TIMESTEP_DOCS AND GNUPLOT)
     add_custom_command(OUTPUT "${run}/done" BYPRODUCTS ${drawn}
-      COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:${name}>" "-DOUT=${run}"
-              "-DSCRIPT=${folder}/figures.gp" "-DSTYLE=${PROJECT_SOURCE_DIR}/tools/figures/style.gp"
-              "-DGNUPLOT=${GNUPLOT}" "-DABOUT=${folder}/about.json" -DQUIET=ON
+      COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:${name}>" "-DSTUDY=$<TARGET_FILE:${study}>"
+              "-DOUT=${run}" "-DROOM=${folder}" "-DSTYLE=${PROJECT_SOURCE_DIR}/tools/figures/style.gp"
+              "-DGNUPLOT=${GNUPLOT}" -DQUIET=ON
               "-DMISUSES=${misuses}" "-DROOT=${PROJECT_SOURCE_DIR}" "-DCOMPILER=${CMAKE_CXX_COMPILER}"
               -P "${PROJECT_SOURCE_DIR}/tools/cmake/run.cmake"
-      DEPENDS ${name} ${scripts} "${folder}/about.json"
+      DEPENDS ${name} ${study} ${scripts} "${folder}/about.json"
               "${PROJECT_SOURCE_DIR}/tools/figures/style.gp"
               "${PROJECT_SOURCE_DIR}/tools/cmake/run.cmake"
               "${PROJECT_SOURCE_DIR}/tools/cmake/misuse.cmake" ${misuse_paths}

@@ -1,6 +1,6 @@
-# Are the figures in `folder` exactly those that about.json names, and is each of them whole?
-# Sets `problem` to a sentence, or to nothing.
-function(check_figures folder about problem)
+# Are the figures in `folder` exactly those that about.json names, or the program's picture where its `study` was
+# not asked for, and is each of them whole? Sets `problem` to a sentence, or to nothing.
+function(check_figures folder about study problem)
   set(${problem} "" PARENT_SCOPE)
   file(READ "${about}" json)
   string(JSON count LENGTH "${json}" figures)
@@ -10,6 +10,9 @@ function(check_figures folder about problem)
     string(JSON figure GET "${json}" figures ${i})
     list(APPEND named "${figure}")
   endforeach()
+  if(NOT study)
+    string(JSON named GET "${json}" picture)
+  endif()
   file(GLOB drawn RELATIVE "${folder}" "${folder}/*.svg" "${folder}/*.gif")
 
   foreach(figure IN LISTS named)

@@ -1,11 +1,11 @@
 # What a chapter's program costs to make, as a line of a table:
-#   cmake -DCHAPTER=03_… -DPROGRAM=binary -DABOUT=about.json -DCOMMANDS=compile_commands.json
+#   cmake -DCHAPTER=03_… -DPROGRAM=binary -DSOURCE=name.cpp -DABOUT=about.json -DCOMMANDS=compile_commands.json
 #         -DOUT=file -P program_cost.cmake
 # With -DLINES=a;b -DTABLE=file the lines are put together instead.
 cmake_minimum_required(VERSION 3.25)
 
 if(LINES)
-  set(table "chapter\tneeds Eigen\tbinary (KB)\tsources\tlines that the longest of them reads\n")
+  set(table "chapter\tneeds Eigen\tbinary (KB)\tlines that the compiler reads\n")
   foreach(line IN LISTS LINES)
     file(READ "${line}" text)
     string(APPEND table "${text}")
@@ -23,17 +23,6 @@ endif()
 file(SIZE "${PROGRAM}" bytes)
 math(EXPR kilobytes "(${bytes} + 500) / 1000")
 
-get_filename_component(folder "${ABOUT}" DIRECTORY)
-file(GLOB sources "${folder}/*.cpp")
-set(longest 0)
-foreach(candidate IN LISTS sources)
-  file(SIZE "${candidate}" size)
-  if(size GREATER longest)
-    set(longest ${size})
-    set(source "${candidate}")
-  endif()
-endforeach()
-
 # The build's own command for that source, where the build has left it.
 set(command "")
 if(EXISTS "${COMMANDS}")
@@ -42,7 +31,7 @@ if(EXISTS "${COMMANDS}")
   math(EXPR last "${count} - 1")
   foreach(i RANGE ${last})
     string(JSON file GET "${commands}" ${i} file)
-    if(file STREQUAL source)
+    if(file STREQUAL SOURCE)
       string(JSON command GET "${commands}" ${i} command)
       string(JSON directory GET "${commands}" ${i} directory)
       break()
@@ -57,5 +46,4 @@ if(command AND SHELL)
     WORKING_DIRECTORY "${directory}" OUTPUT_VARIABLE lines OUTPUT_STRIP_TRAILING_WHITESPACE)
 endif()
 
-list(LENGTH sources count)
-file(WRITE "${OUT}" "${CHAPTER}\t${eigen}\t${kilobytes}\t${count}\t${lines}\n")
+file(WRITE "${OUT}" "${CHAPTER}\t${eigen}\t${kilobytes}\t${lines}\n")

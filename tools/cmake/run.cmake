@@ -1,10 +1,11 @@
-# Runs one chapter: its program, then gnuplot on what the program left. Called as
-#   cmake -DPROGRAM=… -DOUT=… -DSCRIPT=figures.gp -DSTYLE=style.gp -DGNUPLOT=… -DABOUT=about.json
+# Runs one chapter: its program, its study if asked for, then gnuplot on what they left. Called as
+#   cmake -DPROGRAM=… [-DSTUDY=…] -DOUT=… -DROOM=chapters/NN_name -DSTYLE=style.gp -DGNUPLOT=…
 #         [-DQUIET=ON] [-DARGUMENTS=--omega;2] [-DCOMPLAINT=file]
 #         [-DMISUSES=chapters/…/x.cpp;… -DROOT=… -DCOMPILER=c++] -P run.cmake
-# Leaves in OUT: the data (*.tsv), numbers.tsv, checks.tsv, the account (run.txt), seconds.txt and
-# the figures. All of it is made in a folder of its own and moved in, file by file, when it is whole: a
-# full disk changes nothing, a kill during the moves can leave old files beside new ones.
+# Leaves in OUT: the program's data (*.dat), its account (program.txt), how long it took (seconds.txt) and its
+# picture; of the study data (*.tsv), numbers.tsv, checks.tsv, the account (run.txt) and all other figures. All
+# of it is made in a folder of its own and moved in, file by file, when it is whole: a full disk changes
+# nothing, a kill during the moves can leave old files beside new ones. ARGUMENTS are the study's.
 # MISUSES are sources that must not compile: what the compiler says of x.cpp becomes x.txt.
 # COMPLAINT gets an exit status in its first line, and below it what there is to complain of, in the
 # complainer's own words: CMake breaks the lines of its error messages.
@@ -28,15 +29,14 @@ endfunction()
 # The same program and the same script make the same run: nothing is run for a program that was only
 # built again, as long as all that the run left is there.
 set(made_from "${GNUPLOT}\n")
-get_filename_component(room "${SCRIPT}" DIRECTORY)
 get_filename_component(styles "${STYLE}" DIRECTORY)
-file(GLOB scripts "${room}/*.gp" "${styles}/*.gp" "${CMAKE_CURRENT_LIST_DIR}/run.cmake"
+file(GLOB scripts "${ROOM}/*.gp" "${ROOM}/study/*.gp" "${styles}/*.gp" "${CMAKE_CURRENT_LIST_DIR}/run.cmake"
   "${CMAKE_CURRENT_LIST_DIR}/chapter_figures.cmake")
 file(REAL_PATH "${GNUPLOT}" gnuplot)
 if(NOT EXISTS "${gnuplot}")
   set(gnuplot "")  # the reader's own run finds it by its name
 endif()
-foreach(file IN ITEMS "${PROGRAM}" "${ABOUT}" ${scripts} ${gnuplot})
+foreach(file IN ITEMS "${PROGRAM}" ${STUDY} "${ROOM}/about.json" ${scripts} ${gnuplot})
   file(SHA256 "${file}" sum)
   string(APPEND made_from "${sum}\n")
 endforeach()
@@ -63,33 +63,47 @@ string(RANDOM LENGTH 12 word)
 set(work "${OUT}/.unfinished_run_${word}")
 file(MAKE_DIRECTORY "${work}")
 
-string(TIMESTAMP begin "%s%f")
-execute_process(COMMAND "${PROGRAM}" --out "${work}" ${ARGUMENTS}
-  OUTPUT_VARIABLE account ERROR_VARIABLE complaint RESULT_VARIABLE status)
-string(TIMESTAMP end "%s%f")
-if(NOT status MATCHES "^[0-9]+$")  # ended by a signal: CMake gives its name
-  fail(1 "${PROGRAM}: ${status}")
-elseif(NOT status EQUAL 0)
-  fail(${status} "${complaint}")
-endif()
-complain(0 "${complaint}")
-if(NOT QUIET)
-  message(NOTICE "${account}")
-endif()
-file(WRITE "${work}/run.txt" "${account}")
-math(EXPR milliseconds "(${end} - ${begin}) / 1000")
-file(WRITE "${work}/seconds.txt" "${milliseconds} ms\n")
+# Runs a program in `work` and sets `account` to what it prints.
+function(account_of program)
+  execute_process(COMMAND "${program}" ${ARGN} WORKING_DIRECTORY "${work}"
+    OUTPUT_VARIABLE account ERROR_VARIABLE complaint RESULT_VARIABLE status)
+  if(NOT status MATCHES "^[0-9]+$")  # ended by a signal: CMake gives its name
+    fail(1 "${program}: ${status}")
+  elseif(NOT status EQUAL 0)
+    fail(${status} "${complaint}")
+  endif()
+  complain(0 "${complaint}")
+  if(NOT QUIET)
+    message(NOTICE "${account}")
+  endif()
+  set(account "${account}" PARENT_SCOPE)
+endfunction()
 
 # -d: as gnuplot is, whatever the reader's ~/.gnuplot makes of it.
-execute_process(COMMAND "${GNUPLOT}" -d -e "style = '${STYLE}'" "${SCRIPT}"
-  WORKING_DIRECTORY "${work}" ERROR_VARIABLE complaint OUTPUT_VARIABLE complaint
-  RESULT_VARIABLE status)
-string(REGEX REPLACE "[0-9]+ frames in animation sequence" "" complaint "${complaint}")
-string(STRIP "${complaint}" complaint)
-if(NOT status EQUAL 0 OR NOT complaint STREQUAL "")
-  fail(2 "${SCRIPT}: gnuplot says:\n${complaint}")
+function(draw script)
+  execute_process(COMMAND "${GNUPLOT}" -d -e "style = '${STYLE}'" "${script}"
+    WORKING_DIRECTORY "${work}" ERROR_VARIABLE complaint OUTPUT_VARIABLE complaint
+    RESULT_VARIABLE status)
+  string(REGEX REPLACE "[0-9]+ frames in animation sequence" "" complaint "${complaint}")
+  string(STRIP "${complaint}" complaint)
+  if(NOT status EQUAL 0 OR NOT complaint STREQUAL "")
+    fail(2 "${script}: gnuplot says:\n${complaint}")
+  endif()
+endfunction()
+
+string(TIMESTAMP begin "%s%f")
+account_of("${PROGRAM}")
+string(TIMESTAMP end "%s%f")
+math(EXPR milliseconds "(${end} - ${begin}) / 1000")
+file(WRITE "${work}/program.txt" "${account}")
+file(WRITE "${work}/seconds.txt" "${milliseconds} ms\n")
+draw("${ROOM}/figures.gp")
+if(STUDY)
+  account_of("${STUDY}" --out "${work}" ${ARGUMENTS})
+  file(WRITE "${work}/run.txt" "${account}")
+  draw("${ROOM}/study/figures.gp")
 endif()
-check_figures("${work}" "${ABOUT}" problem)
+check_figures("${work}" "${ROOM}/about.json" "${STUDY}" problem)
 if(problem)
   fail(2 "${problem}")
 endif()
@@ -102,7 +116,7 @@ foreach(source IN LISTS MISUSES)
 endforeach()
 
 file(REMOVE "${OUT}/made_from.txt")  # as long as old and new stand side by side
-file(GLOB old "${OUT}/*.tsv" "${OUT}/*.svg" "${OUT}/*.gif")
+file(GLOB old "${OUT}/*.dat" "${OUT}/*.tsv" "${OUT}/*.svg" "${OUT}/*.gif")
 if(old)
   file(REMOVE ${old})
 endif()

@@ -19,7 +19,7 @@ namespace course {
 namespace {
 
 struct Asked {
-    bool yes = false, all = false, json = false, open = false, sanitize = false;
+    bool yes = false, all = false, study = false, json = false, open = false, sanitize = false;
     std::string chapter, exercise, kit;
     int rounds = 11;
     std::string seed, file, out;  // empty is a value, too: whether they were given, CLI11 knows
@@ -112,14 +112,15 @@ void declare(CLI::App& app, Asked& asked) {
                    "install all extras first; a skipped check counts as failed");
     app.add_subcommand("list", "the chapters and the exercises")
         ->add_flag("--json", asked.json, "as JSON, for programs");
-    const auto run = app.add_subcommand("run", "run one chapter: its account, data and figures");
+    const auto run = app.add_subcommand("run", "run a chapter's program, and draw its picture");
     run->add_option("CHAPTER", asked.chapter, "number or name, as ./course list shows them")
         ->required();
+    run->add_flag("--study", asked.study, "and all that the chapter measures besides: its page's numbers and figures");
     run->add_option("--out", asked.out, "leave data, numbers and figures in this folder")
         ->type_name("DIR");
     run->footer(
-        "What stands after -- goes to the chapter's program; its own options:\n"
-        "  ./course run 3 -- --help");
+        "What stands after -- goes to the chapter's study; its options:\n"
+        "  ./course run 3 --study -- --help");
     const auto with_exercise = [&](const char* name, const char* words) {
         const auto command = app.add_subcommand(name, words);
         const auto option = command->add_option("EXERCISE", asked.exercise,
@@ -172,9 +173,9 @@ std::optional<std::string> given(const CLI::App& app, const char* option, const 
 std::string forgotten_dashes(const CLI::App& app, const Asked& asked) {
     const std::vector<std::string> words = app.remaining(true);
     if (asked.chapter.empty() || words.empty() || !words.front().starts_with("--")) return {};
-    std::string line = "./course run " + asked.chapter + " --";
+    std::string line = "./course run " + asked.chapter + " --study --";
     for (const auto& word : words) line += " " + word;
-    return "run has no option " + words.front() + "; a chapter's own options go after --: " + line;
+    return "run has no option " + words.front() + "; those of the chapter's study go after --: " + line;
 }
 
 // What to type instead of `./course bench lops`; nothing when it is something else.
@@ -222,7 +223,7 @@ void answer_bench(const CLI::App& bench, Asked& asked) {
 }  // namespace
 
 Status answer(int argc, char** argv) {
-    // What stands after -- is the chapter program's and none of our business.
+    // What stands after -- is the chapter's study's and none of our business.
     const auto end = std::find(argv + 1, argv + argc, std::string("--"));
     Asked asked;
     if (end != argv + argc) asked.chapter_options.assign(end + 1, argv + argc);
@@ -251,7 +252,7 @@ Status answer(int argc, char** argv) {
     if (app.got_subcommand("test")) test(asked.all);
     if (app.got_subcommand("list")) list(asked.json);
     if (const auto command = app.get_subcommand("run"); *command)
-        run(asked.chapter, given(*command, "--out", asked.out), asked.chapter_options);
+        run(asked.chapter, asked.study, given(*command, "--out", asked.out), asked.chapter_options);
     if (const auto command = app.get_subcommand("check"); *command)
         check(asked.exercise, given(*command, "--file", asked.file), asked.json,
               seed_from(given(*command, "--seed", asked.seed)), asked.sanitize);

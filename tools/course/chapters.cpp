@@ -34,6 +34,7 @@ Chapter read_chapter(const fs::path& folder) {
                 name.substr(3),
                 json.at("title"),
                 json.at("question"),
+                json.at("picture"),
                 json.at("figures"),
                 json.at("rows")};
     } catch (const nlohmann::json::exception& error) {

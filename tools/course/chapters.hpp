@@ -13,11 +13,16 @@ struct Chapter {
     std::string program;  ///< `euler_variants`
     std::string title;
     std::string question;
+    std::string picture;  ///< what the program draws, one of the figures
     std::vector<std::string> figures;
     std::vector<std::string> rows;
 
     /// 3
     int number() const;
+    /// The program that measures the rest: `euler_variants_study`.
+    std::string study() const { return program + "_study"; }
+    /// Its short program, below the course's folder: `chapters/03_euler_variants/euler_variants.cpp`.
+    std::string source() const { return "chapters/" + folder + "/" + program + ".cpp"; }
     /// Where the sources are: `chapters/03_euler_variants` in the checkout.
     std::filesystem::path sources() const;
     /// Where the build keeps the run that the page is made from.

@@ -18,9 +18,9 @@ void tour();
 /// Builds and runs all tests. With `strict`, a skipped check counts as a failure.
 void test(bool strict);
 
-/// Runs one chapter and leaves its data, numbers and figures in the folder `out` (none given: in
-/// the build folder). `options` go to the chapter's program.
-void run(const std::string& chapter, const std::optional<std::string>& out,
+/// Runs a chapter's program and leaves what it writes and its picture in the folder `out` (none given: in the
+/// build folder). With `study` all else that the chapter measures, too; `options` go to the study.
+void run(const std::string& chapter, bool study, const std::optional<std::string>& out,
          const std::vector<std::string>& options);
 
 /// Checks answers: of one exercise (`file` instead of the learner's own, which is then not counted

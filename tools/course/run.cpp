@@ -87,12 +87,12 @@ std::string read(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// A program speaks of its own --help, which the reader has through us.
+// A study speaks of its own --help, which the reader has through us.
 std::string with_our_help(std::string text, const Chapter& chapter, const std::string& name) {
     const std::string help = chapter.program + " --help lists";
     const auto at = text.find(help);
     if (at != std::string::npos)
-        text.replace(at, help.size(), "./course run " + name + " -- --help lists");
+        text.replace(at, help.size(), "./course run " + name + " --study -- --help lists");
     return text;
 }
 
@@ -129,17 +129,21 @@ std::string in_one_line(const std::string& error) {
     return words;
 }
 
-// Program and figures, by the same script that the build uses.
-Complaint make_run(const Chapter& chapter, const fs::path& program, const fs::path& folder,
+fs::path built(const std::string& program) {
+    return places().build / "chapters" / program;
+}
+
+// Program, study and figures, by the same script that the build uses.
+Complaint make_run(const Chapter& chapter, bool study, const fs::path& folder,
                    const std::vector<std::string>& options) {
     const fs::path source = places().source;
     const fs::path file = places().build / ("complaint_" + std::to_string(getpid()));
     std::string said;
     const int status =
-        listen({places().cmake, "-DPROGRAM=" + program.string(), "-DOUT=" + folder.string(),
-                "-DSCRIPT=" + (chapter.sources() / "figures.gp").string(),
-                "-DSTYLE=" + (source / "tools/figures/style.gp").string(), "-DGNUPLOT=gnuplot",
-                "-DABOUT=" + (chapter.sources() / "about.json").string(), "-DQUIET=ON",
+        listen({places().cmake, "-DPROGRAM=" + built(chapter.program).string(),
+                "-DSTUDY=" + (study ? built(chapter.study()).string() : ""),
+                "-DOUT=" + folder.string(), "-DROOM=" + chapter.sources().string(),
+                "-DSTYLE=" + (source / "tools/figures/style.gp").string(), "-DGNUPLOT=gnuplot", "-DQUIET=ON",
                 "-DARGUMENTS=" + cmake_list(options), "-DCOMPLAINT=" + file.string(), "-P",
                 (source / "tools/cmake/run.cmake").string()},
                [&](std::string_view text) { said += text; });
@@ -157,28 +161,33 @@ Complaint make_run(const Chapter& chapter, const fs::path& program, const fs::pa
 
 }  // namespace
 
-void run(const std::string& name, const std::optional<std::string>& out,
+void run(const std::string& name, bool study, const std::optional<std::string>& out,
          const std::vector<std::string>& options) {
     const Chapter chapter = find_chapter(name);
-    const fs::path program = places().build / "chapters" / chapter.program;
+    if (!study && !options.empty())
+        throw Stop(Status::bad_use, "'" + options.front() + "': the numbers to play with stand at the top of " +
+                                        chapter.source() + "; the study takes options: ./course run " + name +
+                                        " --study -- " + options.front());
     ProgressLine progress;
-    build({chapter.program}, progress);
+    std::vector<std::string> programs{chapter.program};
+    if (study) programs.push_back(chapter.study());
+    build(programs, progress);
     for (const auto& option : options) {
         if (option == "--help" || option == "-h") {
-            listen({program.string(), "--help"},
+            listen({built(chapter.study()).string(), "--help"},
                    [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); });
             return;
         }
         if (option.empty()) throw Stop(Status::bad_use, "'': there is an empty word after the --");
         if (option.starts_with("--out"))
             throw Stop(Status::bad_use, "--out belongs before the --: ./course run " + name +
-                                            " --out DIR -- OPTIONS");
+                                            " --study --out DIR -- OPTIONS");
     }
 
     const fs::path folder = out ? fs::path(*out) : places().build / "runs" / chapter.folder;
     if (folder.empty()) throw Stop(Status::bad_use, "--out '': must be the name of a folder");
     Destination destination(folder);
-    const Complaint complaint = make_run(chapter, program, destination.work(), options);
+    const Complaint complaint = make_run(chapter, study, destination.work(), options);
     if (complaint.status != Status::fine)
         throw Stop(complaint.status,
                    with_our_help(destination.in_readers_words(complaint.text), chapter, name));
@@ -187,8 +196,12 @@ void run(const std::string& name, const std::optional<std::string>& out,
     } catch (const fs::filesystem_error& error) {
         throw Stop(Status::bad_use, error.what());
     }
-    std::printf("%s", read(folder / "run.txt").c_str());
-    std::printf("\nData, numbers and figures: %s\n", fs::canonical(folder).c_str());
+    std::printf("%s", read(folder / (study ? "run.txt" : "program.txt")).c_str());
+    if (study)
+        std::printf("\nData, numbers and figures: %s\n", fs::canonical(folder).c_str());
+    else
+        std::printf("\nIts picture: %s\nThe program: %s\n", (fs::canonical(folder) / chapter.picture).c_str(),
+                    chapter.source().c_str());
     std::fflush(stdout);
     if (!complaint.text.empty()) std::fprintf(stderr, "%s\n", complaint.text.c_str());
 }

@@ -74,6 +74,7 @@ std::vector<Chapter> load_chapters(const std::filesystem::path& root) {
         const Json about = parse_json(read_file(root / file), file);
         chapter.title = one(about, "title", file);
         chapter.question = one(about, "question", file);
+        chapter.picture = one(about, "picture", file);
         chapter.builds_on = list(about, "builds_on");
         chapter.rows = list(about, "rows");
         chapter.figures = list(about, "figures");

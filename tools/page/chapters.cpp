@@ -19,13 +19,10 @@ std::string seconds(long milliseconds) {
     return text;
 }
 
-/// The chapter's first picture, as a link to its page.
+/// The chapter's picture, as a link to its page.
 std::string card(Context& context, const Chapter& chapter) {
-    if (chapter.figures.empty()) {
-        return {};
-    }
     std::string name;
-    const std::string& file = chapter.figures.front();
+    const std::string& file = chapter.picture;
     const std::filesystem::path drawn = context.run_of(chapter.folder + "/", name).figure(file);
     context.figures.emplace(chapter.folder + "/" + file, drawn);
     const ImageSize size = image_size(drawn);

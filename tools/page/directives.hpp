@@ -1,6 +1,7 @@
 #pragma once
 
 #include "context.hpp"
+#include "program.hpp"
 #include "scanner.hpp"
 
 #include <string>
@@ -40,6 +41,10 @@ std::string said_markdown(Context& context, const Directive& directive);
 std::string table_markdown(Context& context, const Directive& directive);
 /// `{{rows N22 N24}}` below `heading`
 std::string rows_markdown(Context& context, const Directive& directive, const Heading& heading);
+/// `{{program: its first words}}`: the part of the chapter's program that begins with these words.
+std::string part_markdown(const Context& context, const Part& part);
+/// `{{program}}`: the whole of it, folded.
+std::string program_markdown(const std::string& source);
 /// `{{which swing pull}}`: answers to "which method?", on a chapter's page as a table, elsewhere as a list.
 std::string which_markdown(const Context& context, const Directive& directive);
 /// `{{chapters}}`: every chapter with its question and picture.

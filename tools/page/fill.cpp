@@ -21,6 +21,35 @@ class Filler {
 public:
     Filler(Context& context, const std::string& file) : context_{context}, file_{file} {}
 
+    /// Cuts the chapter's program where the page's pieces ask for it. Each line of it has to be shown.
+    void cut_program(const std::vector<Piece>& pieces) {
+        program_ = read_file(context_.root() / context_.chapter()->program());
+        context_.inputs.insert(context_.root() / context_.chapter()->program());
+        std::vector<std::string> beginnings;
+        bool whole = false;
+        int line = 1;
+        for (const Piece& piece : pieces) {
+            if (piece.kind != Kind::directive || !piece.text.starts_with("program")) {
+                continue;
+            }
+            const Directive directive = parse_directive(piece.text);
+            if (directive.name == "program" && !directive.text.empty()) {
+                beginnings.push_back(directive.text);
+                line = beginnings.size() == 1 ? piece.line : line;
+            }
+            whole = whole || (directive.name == "program" && directive.text.empty());
+        }
+        try {
+            if (beginnings.empty() || !whole) {
+                throw std::out_of_range{"the page does not show the chapter's program, in parts and then whole "
+                                        "({{program: its first words}}, {{program}})"};
+            }
+            parts_ = parts_of(program_, beginnings);
+        } catch (const std::out_of_range& wrong) {
+            throw Error{file_, line, wrong.what()};
+        }
+    }
+
     std::string fill(const std::vector<Piece>& pieces) {
         std::string page;
         const Piece* block = nullptr;  // the {{where …}} that we are in
@@ -160,7 +189,7 @@ private:
             return check_markdown(context_, directive);
         }
         static const std::set<std::string> blocks{"figure", "code",     "run",  "table",    "rows",
-                                                  "talks",  "chapters", "said", "exercises", "which"};
+                                                  "talks",  "chapters", "said", "exercises", "which", "program"};
         if (blocks.count(name) == 0) {
             if (!directive.arguments.empty() || !directive.text.empty()) {
                 throw std::invalid_argument{"there is no {{" + name + " …}}"};
@@ -181,6 +210,9 @@ private:
         }
         if (name == "code") {
             return code_markdown(context_, directive);
+        }
+        if (name == "program") {
+            return fill_program(directive);
         }
         if (name == "run") {
             return run_markdown(context_, directive);
@@ -204,6 +236,19 @@ private:
             name == "talks" ? talks_markdown(context_) : chapters_markdown(context_), piece);
     }
 
+    /// Takes the next part of the program, or the whole of it.
+    std::string fill_program(const Directive& directive) {
+        if (!directive.arguments.empty() || context_.chapter() == nullptr) {
+            throw std::invalid_argument{"{{program: its first words}} or {{program}} stands on a chapter's page"};
+        }
+        if (directive.text.empty()) {
+            return program_markdown(program_);
+        }
+        const Part& part = parts_.at(parts_shown_);
+        ++parts_shown_;
+        return part_markdown(context_, part);
+    }
+
     /// Tables and lists hold words from data files, and those may hold formulas.
     std::string fill_generated(const std::string& text, const Piece& directive) {
         try {
@@ -216,6 +261,9 @@ private:
 
     Context& context_;
     const std::string& file_;
+    std::string program_{};
+    std::vector<Part> parts_{};
+    std::size_t parts_shown_ = 0;
     Heading heading_{};
     bool below_heading_ = false;
 };
@@ -275,6 +323,7 @@ std::string fill(Context& context, std::string_view source, const std::string& f
         page = filler.fill(pieces);
     } else {
         check_skeleton(pieces, *context.chapter(), file);
+        filler.cut_program(pieces);
         const std::string body = filler.fill(pieces);
         if (context.gaps == 0) {
             check_complete(context);

@@ -81,7 +81,8 @@ std::string run_markdown(Context& context, const Directive& directive) {
     if (first == std::string::npos) {
         throw std::out_of_range{"the run of " + context.chapter()->folder + " printed nothing"};
     }
-    const std::string prompt = "./course run " + std::to_string(context.chapter()->number);
+    const std::string prompt = "./course run " + std::to_string(context.chapter()->number) +
+                               (directive.text.empty() ? "" : " --study");
     return "\n\\htmlonly[block]<pre class=\"run\" tabindex=\"0\"><span class=\"prompt\">$ " +
            prompt + "</span>\n" + escape_html(account.substr(first)) + "</pre>\\endhtmlonly\n";
 }

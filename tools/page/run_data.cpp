@@ -93,10 +93,10 @@ Table RunData::table(const std::string& file) const {
 }
 
 std::string RunData::account(const std::string& heading) const {
-    const std::string whole = read_file(existing("run.txt"));
     if (heading.empty()) {
-        return whole;
+        return read_file(existing("program.txt"));
     }
+    const std::string whole = read_file(existing("run.txt"));
     // A heading is a line with dashes below it.
     const std::vector<std::string> lines = split_lines(whole);
     const auto is_heading = [&](std::size_t i) {

@@ -35,7 +35,7 @@ public:
     /// The statement that the run confirmed.
     const std::string& check(const std::string& name);
     Table table(const std::string& file) const;
-    /// The whole account, or (with a heading) what stands below that heading, heading included.
+    /// What the program printed, or what stands in the study's account below a heading, heading included.
     std::string account(const std::string& heading = "") const;
     /// A text file as it stands.
     std::string text(const std::string& file) const;

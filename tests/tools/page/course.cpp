@@ -27,11 +27,17 @@ It grows to {{amplitude}}.
 
 ## The code {#ch3_code}
 
+{{program: // Springs}}
+
+{{program: int main}}
+
 {{code include/step.hpp step}}
 
 ## The run {#ch3_run}
 
 {{run}}
+
+{{program}}
 
 ## The pictures {#ch3_pictures}
 
@@ -62,9 +68,9 @@ Course::Course() {
     folder_ = fs::temp_directory_path() / ("page_test_" + std::to_string(random()));
     write("chapters/03_springs/about.json",
           R"({"title": "Springs", "question": "Why?", "needs": [], "builds_on": [],
-              "rows": ["N22"], "figures": ["spiral.svg", "sweep.gif"]})");
+              "rows": ["N22"], "picture": "spiral.svg", "figures": ["spiral.svg", "sweep.gif"]})");
     write("chapters/03_springs/chapter.md", page_source);
-    write("chapters/03_springs/springs.cpp", "int main() {}\n");
+    write("chapters/03_springs/springs.cpp", "// Springs\nint x;\n\nint main() {}\n");
     write("include/step.hpp",
           "struct S {\n    /// [step]\n    void step() {\n        x += h * v;\n    }\n    /// "
           "[step]\n};\n");
@@ -77,6 +83,7 @@ Course::Course() {
           "lost\tnan\t\tnot found\n");
     write(run + "checks.tsv", "name\tstatement\ngrows\tthe amplitude grows\n");
     write(run + "costs.tsv", "method\ttime_step\nEuler $x|y$\t1e-06\n\nRK4\t20000\n");
+    write(run + "program.txt", "It has x < 3\n");
     write(run + "run.txt", "\nGrowth\n------\n  x < 3\n\nOrder\n-----\n  1.00\n");
     write(run + "seconds.txt", "420 ms\n");
     write(run + "spiral.svg", "<svg\n width=\"640\" height=\"480\"\n></svg>\n");

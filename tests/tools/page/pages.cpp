@@ -109,11 +109,32 @@ TEST_CASE("code, the run and tables are quoted") {
     CHECK_THAT(
         page, ContainsSubstring("<a href=\"source:include/step.hpp#l00003\">include/step.hpp</a>"));
     CHECK_THAT(page, ContainsSubstring("```cpp\nvoid step() {\n    x += h * v;\n}\n```"));
-    CHECK_THAT(page, ContainsSubstring("$ ./course run 3</span>\nGrowth\n------\n  x &lt; 3\n"));
-    CHECK_THAT(page, ContainsSubstring("$ ./course run 3</span>\nOrder\n-----\n  1.00\n</pre>"));
+    CHECK_THAT(page, ContainsSubstring("$ ./course run 3</span>\nIt has x &lt; 3\n"));
+    CHECK_THAT(page, ContainsSubstring("$ ./course run 3 --study</span>\nOrder\n-----\n  1.00\n</pre>"));
     CHECK_THAT(page, ContainsSubstring("| method | time step |\n|---|---:|\n"
                                        "| Euler \\f$x\\vert y\\f$ | 10<sup>\u22126</sup> |\n"
                                        "| RK4 | 20\u202f000 |\n"));
+}
+
+TEST_CASE("the page shows its program in parts, each line once and in order, and then whole") {
+    const Course course;
+    const std::string page = course.fill();
+    const std::size_t first = page.find("```cpp\n// Springs\nint x;\n```"), second = page.find("```cpp\nint main() {}\n```");
+    CHECK(first < second);
+    CHECK(second < page.find("<summary>The whole program</summary>\\endhtmlonly\n\n```cpp\n// Springs\nint x;\n\nint main() {}\n```"));
+    CHECK_THAT(page, ContainsSubstring("<a href=\"source:chapters/03_springs/springs.cpp#l00004\">"));
+
+    const auto error = [](const std::string& from, const std::string& to) {
+        const Course other;
+        other.replace("chapters/03_springs/chapter.md", from, to);
+        return other.fill_error();
+    };
+    CHECK_THAT(error("{{program: // Springs}}", ""), ContainsSubstring("the program does not begin with \"int main\""));
+    CHECK_THAT(error("{{program: int main}}", "{{program: int many}}"),
+               ContainsSubstring("the rest of the program has no line that begins with \"int many\""));
+    CHECK_THAT(error("{{program: int main}}", "{{program: int main}}\n\n{{program: int x}}"), ContainsSubstring("\"int x\""));
+    CHECK_THAT(error("\n{{program}}\n", "\n"), ContainsSubstring("does not show the chapter's program"));
+    CHECK_THAT(error("{{program}}", "{{program springs}}"), ContainsSubstring("{{program: its first words}}"));
 }
 
 TEST_CASE("the page stands under its title, with badges of the talks' rows") {
@@ -134,7 +155,7 @@ TEST_CASE("what is measured beside the chapters is quoted by its folder") {
 TEST_CASE("chapters know their neighbours") {
     const Course course;
     course.write("chapters/04_more/about.json",
-                 R"({"title": "More", "question": "?", "rows": [], "figures": ["a.svg"]})");
+                 R"({"title": "More", "question": "?", "rows": [], "picture": "a.svg", "figures": ["a.svg"]})");
     const std::string page = course.fill();
     CHECK_THAT(page,
                ContainsSubstring("<span class=\"next\">\\ref chapter_04 \"4 · More\"</span>"));
@@ -192,7 +213,7 @@ TEST_CASE("a name that the run does not know is an error at its line") {
     CHECK(course.paragraph_error("{{figure none.svg: a\nb}}") ==
           "chapter.md:5: none.svg is not among the figures in chapters/03_springs/about.json");
     CHECK(course.paragraph_error("{{figure sweep.gif: a}}") ==
-          "chapter.md:24: sweep.gif is shown twice on this page");
+          "chapter.md:30: sweep.gif is shown twice on this page");
     CHECK(course.paragraph_error("{{figure sweep.gif: a\n\nb}}") ==
           "chapter.md:5: this {{ has no closing }}");
     CHECK(course.paragraph_error("{{figure sweep.gif: a\nb {{none}}}}") ==
@@ -230,7 +251,7 @@ TEST_CASE("a chapter has its nine sections in their order") {
     CHECK_THAT(course.fill_error(), ContainsSubstring("the section {#ch3_in_the_talk} is missing"));
     course.write(file, page + "## More {#ch3_more}\n");
     CHECK(course.fill_error() ==
-          "chapter.md:30: a chapter has nine ## sections; make this one a ###");
+          "chapter.md:36: a chapter has nine ## sections; make this one a ###");
     course.write(file, page);
     course.replace(file, "# Springs", "# Strings");
     CHECK(course.fill_error() ==

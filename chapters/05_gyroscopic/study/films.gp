@@ -1,5 +1,5 @@
 # The capsule on the plane, the box with a motor, and the two films. figures.gp ends with
-#   load folder."../../chapters/05_gyroscopic/films.gp"
+#   load folder."../../chapters/05_gyroscopic/study/films.gp"
 
 # How fast it spins, without rolling resistance and with it.
 call figure "plane_spin.svg" 640 800
