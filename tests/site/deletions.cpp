@@ -161,10 +161,20 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
                                       ? ""
                                       : page::trim(std::string_view{directive}.substr(colon + 1))};
         deletions.try_without("output under \"" + heading + "\"",
-                              copy.run(copy.chapter(), "run.txt"), [&](const std::string& content) {
+                              copy.run(copy.chapter(), heading.empty() ? "program.txt" : "run.txt"), [&](const std::string& content) {
                                   return heading.empty() ? ""
                                                          : page::replace_all(content, heading, "");
                               });
+    } else if (kind == "program") {
+        const std::string first_words{
+            colon == std::string::npos ? "" : page::trim(std::string_view{directive}.substr(colon + 1))};
+        if (!first_words.empty()) {
+            const std::string program = "chapters/" + copy.chapter() + "/" + copy.chapter().substr(3) + ".cpp";
+            deletions.try_without("\"" + first_words + "\" in " + program, copy.root() / program,
+                                  [&](const std::string& content) {
+                                      return page::replace_all(content, first_words, "/* gone */");
+                                  });
+        }
     } else if (kind == "code") {
         const std::string file = words.at(1);
         std::string tag = words.at(2);
@@ -175,7 +185,7 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
                               [&](const std::string& content) {
                                   return page::replace_all(content, "[" + tag + "]", "");
                               });
-    } else if (kind != "end" && kind != "rows" && kind != "chapters" && kind != "talks" && kind != "exercises") {
+    } else if (kind != "end" && kind != "rows" && kind != "chapters" && kind != "talks" && kind != "exercises" && kind != "which") {
         std::string name = kind;
         if (name.ends_with(".value")) {
             name.erase(name.size() - 6);

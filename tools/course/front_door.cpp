@@ -137,12 +137,12 @@ void bench_front_door(bool with_tests) {
     const fs::path chapter = copy / "chapters/03_euler_variants";
     append(chapter / "chapter.md", "One word more.");
     say("a word changed in a chapter", cost_of(copy, {"./course", "site"}), "2");
-    const std::string program = contents(chapter / "euler_variants.cpp"), body = "    Settings settings;\n";
-    const auto place_of_number = program.find(body);
+    const std::string program = contents(chapter / "euler_variants.cpp"), number = "const int frames = 120;";
+    const auto place_of_number = program.find(number);
     if (place_of_number == std::string::npos)
         throw Stop(Status::wrong, "bench front-door: chapter 3 has no number to change");
     write_whole(chapter / "euler_variants.cpp",
-                std::string(program).insert(place_of_number + body.size(), "    settings.steps = 121;\n"));
+                std::string(program).replace(place_of_number, number.size(), "const int frames = 121;"));
     say("a number changed in a chapter's program", cost_of(copy, {"./course", "site"}), "10");
     write_whole(chapter / "euler_variants.cpp", program);  // the README shows what it draws
     cost_of(copy, {"./course", "site"});
