@@ -276,7 +276,6 @@ void fails(const Settings& settings, lab::Findings& out) {
     const double half_more = 2 / std::sqrt(3.0);  // h|ω| where the bound is 1.5
     out.number("fails_below", half_more, "", "h|omega| below which no body ever gains half");
     out.number("fails_below_spin", half_more / settings.step, "rad/s", "the spin that this is", 2);
-    out.number("fails_many", many, "", "random bodies a point");
     out.number("calm_most", CalmHalfStep::most, "", "substeps of the calm half-step, at most");
     out.number("calm_gain", 1 / (1 - 0.5 * 0.5 / 4), "",
                "what the energy of the half-step Jacobian may rise by, at h|omega| = 0.5 and constant h", 3);
