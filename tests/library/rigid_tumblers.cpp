@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <timestep/gyroscopic.hpp>
+#include <timestep/gyroscopic/calm_half_step.hpp>
 #include <timestep/gyroscopic/cayley_gyroscopic.hpp>
 #include <timestep/gyroscopic/half_step_jacobian.hpp>
 #include <timestep/measured_order.hpp>
@@ -33,7 +34,8 @@ void for_each_tumbler(const Visit& visit) {
     std::apply(
         [&](const auto&... method) { (visit(method), ...); },
         std::tuple{tumble<ImplicitGyroscopic>, tumble<PassiveGyroscopic>, tumble<HalfStepJacobian>,
-                   tumble<CayleyGyroscopic>, strang, symmetric_remainder_2, symmetric_remainder_4});
+                   tumble<CalmHalfStep>, tumble<CayleyGyroscopic>, strang, symmetric_remainder_2,
+                   symmetric_remainder_4});
 }
 template <class Visit>
 void for_each_splitting(const Visit& visit) {

@@ -2,7 +2,6 @@
 // fails. The page is docs/rigid_methods.md.
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -84,29 +83,6 @@ const Throw throws[] = {{"short", "short axis", spin_of(10, 2, 1)},
                         {"middle", "middle axis", spin_of(1, 10, 0.1)},
                         {"long", "long axis", spin_of(1, 2, 10)}};
 const Spin& tumbling = throws[1].start;
-
-volatile double sink;  // a run whose end nobody needs would not be computed
-
-// What a step takes, in ns, by the rule's key: the fastest of many runs of ten seconds of the box
-// that tumbles; explicit Euler has not burst by then. In turns: a slow moment hits all.
-std::map<std::string, double> times(const Body& I) {
-    using Clock = std::chrono::steady_clock;
-    const long steps = 600;
-    std::map<std::string, double> fastest;
-    std::map<std::string, Steps> all{{"half_step", method("half_step").made(I)}};
-    for (const Method& rule : others()) all[rule.key] = rule.made(I);
-    const auto run = [&](const std::string& key, const Steps& take) {
-        const auto begin = Clock::now();
-        const Spin end = take(tumbling, 1.0 / 60, steps);
-        sink = end.q.w() + end.omega.x();
-        const std::chrono::duration<double, std::nano> passed = Clock::now() - begin;
-        const auto [at, is_new] = fastest.try_emplace(key, passed.count() / steps);
-        if (!is_new) at->second = std::min(at->second, passed.count() / steps);
-    };
-    for (int round = 0; round < 100; ++round)
-        for (const auto& [key, take] : all) run(key, take);
-    return fastest;
-}
 
 // What the page says of that minute; by the rule's and the throw's key.
 void claims(std::map<std::string, Left>& left, lab::Findings& out) {
@@ -305,7 +281,7 @@ void price(const Body& brick, const std::map<std::string, double>& ns, lab::Find
 void engines(lab::Findings& out) {
     out.section("The rules of the engines");
     const Body brick = box(1.0, 1.0, 2.0, 3.0);
-    const std::map<std::string, double> ns = times(brick);
+    const std::map<std::string, double>& ns = step_times();
     a_minute(brick, ns, out);
     burst_moment(brick, out);
     price(brick, ns, out);

@@ -25,7 +25,7 @@ eval "plot ".curve("implicit", implicit_gyroscopic, "talk").", ".curve("passive"
     curve("runge_kutta_4", runge_kutta_4, "RK4").", ".curve("remainder_4", ball_and_remainder_4, "ball + rem. 4")
 
 # Where the half-step Jacobian fails.
-half_step_in_substeps = colour_of(half_step_jacobian)." lw 2.5 dt (3,4)"
+calm_half_step = colour_of(half_step_jacobian)." lw 2.5 dt (3,4)"
 broad_passive = colour_of(passive_gyroscopic)." lw 11"
 less_broad_cayley = colour_of(cayley_gyroscopic)." lw 6.5"
 call figure "fails.svg" 640 560
@@ -42,7 +42,7 @@ set key below horizontal maxcols 3 reverse Left samplen 2
 # What lies on the zero line is drawn broad to narrow, so that each is seen beside the next.
 plot "fails.tsv" using 1:(100*$5) with lines @broad_passive title "passive", \
      "" using 1:(100*$4) with lines @less_broad_cayley title "Cayley", \
-     "" using 1:(100*$6) with lines @half_step_in_substeps title "half-step, substeps", \
+     "" using 1:(100*$6) with lines @calm_half_step title "calm half-step", \
      "" using 1:(100*$3) with lines @half_step_jacobian title "half-step Jacobian", \
      "" using 1:(100*$2) with lines @implicit_gyroscopic title "talk", \
      "" using 1:(100*$7) with lines @strang_splitting title "Strang", \

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include <timestep/gyroscopic/calm_half_step.hpp>
 #include <timestep/gyroscopic/cayley_gyroscopic.hpp>
 #include <timestep/gyroscopic/half_step_jacobian.hpp>
 #include <timestep/gyroscopic/implicit_gyroscopic.hpp>
@@ -71,6 +72,7 @@ const std::vector<Method>& methods() {
     static const std::vector<Method> all{made(tumble<ImplicitGyroscopic>, "talk", "implicit"),
                                          made(tumble<PassiveGyroscopic>, "passive"),
                                          made(tumble<HalfStepJacobian>, "half_step"),
+                                         made(tumble<CalmHalfStep>, "calm"),
                                          made(tumble<CayleyGyroscopic>, "cayley"),
                                          made(strang, "strang"),
                                          made(symmetric_remainder_2, "remainder_2"),

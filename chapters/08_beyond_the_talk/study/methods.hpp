@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ const std::vector<Method>& methods();          // the chapter's line
 const std::vector<Method>& others();           // the appendix: first those from books,
 const std::vector<Method>& engines();          // then the rules of engines: these
 const Method& method(const std::string& key);  // any of them
+
+// What a step takes, attitude and all, in ns, by the method's key; measured once.
+const std::map<std::string, double>& step_times();  // step_times.cpp
 
 // The exact motion, in body coordinates.
 class Exact {

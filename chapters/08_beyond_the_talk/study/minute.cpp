@@ -75,6 +75,9 @@ void minute(const Settings& settings, lab::Findings& out) {
             if (k == "cayley")
                 out.check(name("_keeps"), off_E < roundoff,
                           "Cayley" + of + " keeps its energy to roundoff");
+            if (k == "calm")
+                out.check(name("_keeps"), off_E < roundoff && off_L < roundoff,
+                          "the calm half-step" + of + " keeps energy and |L| to roundoff");
             if (k == "strang" || k == "remainder_2" || k == "remainder_4")
                 out.check(name("_keeps"), off_L < roundoff,
                           method.name + of + " keeps |L| to roundoff");

@@ -47,12 +47,6 @@ const Point& at(const Points& points, const std::string& id, double rate) {
     return *found;
 }
 
-// Seconds for a step.
-double a_step(const Points& points, const std::string& id) {
-    const Point& p = at(points, id, 480);
-    return p.time / p.rate;
-}
-
 // The fastest of the chapter's methods that is as accurate, at this rate and at all above.
 const Point* cheapest(const Points& points, double accuracy) {
     const Point *best = nullptr, *good = nullptr;
@@ -121,31 +115,21 @@ void work(const Settings&, lab::Findings& out) {
 
     out.check("work_grey", grey, "all nine panels show every rule of the appendix");
 
-    // What a step takes. Times are those of the box, which no method knows of.
-    const double talk = a_step(all["box_game"], "implicit");
-    for (const Method& method : methods()) {
-        const std::string& k = method.key;
-        const double step = a_step(all["box_game"], k);
-        out.number("cost_" + k, step / talk, "", "time of a step over that of the talk's", 3);
-        out.number("ns_" + k, step * 1e9, "ns", "time of a step", 3);
-    }
+    const auto& ns = step_times();
+    const auto cost = [&](const std::string& key, const std::string& name) {
+        out.number("ns_" + name, ns.at(key), "ns", "time of a step", 3);
+        out.number("cost_" + name, ns.at(key) / ns.at("implicit"), "", "over that of the talk's", 3);
+    };
+    const std::string magnus = "magnus_taylor_4";
+    for (const Method& method : methods()) cost(method.key, method.key);
+    cost(magnus, "magnus"), cost("implicit_midpoint", "midpoint");
+    out.number("rk4_price", ns.at("remainder_4") / ns.at("runge_kutta_4"), "",
+               "time of a step of ball and remainder 4 over that of Runge-Kutta 4", 2);
+    out.number("magnus_price", 100 * ns.at(magnus) / ns.at("remainder_2"), "%",
+               "time of a step of Magnus and Taylor over that of ball and remainder 2", 2);
     out.number("work_seconds", contest::seconds, "s", "how long every body is watched");
     out.text("processor", lab::processor(), "what the times were measured on");
     out.text("compiler", lab::compiler(), "what made the program");
-
-    out.number("rk4_price", a_step(all["box_game"], "remainder_4") /
-                                a_step(all["box_game"], "runge_kutta_4"),
-               "", "time of a step of ball and remainder 4 over that of Runge-Kutta 4", 2);
-
-    const std::string magnus = "magnus_taylor_4", midpoint = "implicit_midpoint";
-    const Points& box_game = all["box_game"];
-    out.number("ns_magnus", a_step(box_game, magnus) * 1e9, "ns", "a step of Magnus and Taylor", 3);
-    out.number("ns_midpoint", a_step(box_game, midpoint) * 1e9, "ns", "of implicit midpoint", 3);
-    out.number("cost_magnus", a_step(box_game, magnus) / talk, "", "over that of the talk's", 3);
-    out.number("cost_midpoint", a_step(box_game, midpoint) / talk, "", "the same", 3);
-    out.number("magnus_price",
-               100 * a_step(all["box_game"], magnus) / a_step(all["box_game"], "remainder_2"), "%",
-               "time of a step of Magnus and Taylor over that of ball and remainder 2", 2);
 
     // Errors and rates, which no other machine changes.
     bool nearer = true;

@@ -13,9 +13,9 @@ namespace timestep {
 /// nothing that could vanish.
 ///
 /// Order two; the energy stays for any inertia, spin and step, to a few roundoffs. |L| is kept to
-/// order two only, within what the energy allows, and creeps, up or down. From h|ω| of some 0.3 on a wheel loses half of its spin within a minute or two,
-/// which the passive step and the half-step Jacobian leave it. Steps with h|ω| beyond 1 are safe and
-/// no longer right. Where (hω)² is too large for a number (hω beyond 1e154, in float 1e19,
+/// order two only, within what the energy allows, and creeps, up or down: from h|ω| of some 0.3 on a
+/// wheel loses half of its spin within a minute or two, which the passive step and the half-step Jacobian
+/// leave it. CalmHalfStep keeps |L|, too. Steps with h|ω| beyond 1 are safe and no longer right. Where (hω)² is too large for a number (hω beyond 1e154, in float 1e19,
 /// less by some roots of the moments' ratio) three moments give back NaN.
 struct CayleyGyroscopic {
     static constexpr const char* name = "Cayley";  ///< for tables and keys

@@ -11,9 +11,10 @@ namespace timestep {
 /// Kimura 2000). Order two; a step of −h undoes a step of h; the energy swings and does not drift.
 /// Two quantities are kept exactly, which confine ω to a closed curve near the true one.
 ///
-/// With the first h|ω| below 2 the energy is never more than 1/(1 − (h|ω|/2)²) of that at the start.
-/// From there on the Jacobian may be singular: it may add energy without limit, or divide by zero.
-/// Take shorter steps, or CayleyGyroscopic.
+/// With the first h|ω| below 2, and h the same in every step, the energy is never more than
+/// 1/(1 − (h|ω|/2)²) of that at the start. Beyond, the Jacobian may be singular: the step may add energy
+/// without limit, or divide by zero; and where steps vary or impulses act, gains add up. CalmHalfStep
+/// keeps the energy then, too.
 struct HalfStepJacobian {
     static constexpr const char* name = "half-step Jacobian";  ///< for tables and keys
     static constexpr int order = 2;  ///< of the error of ω after a whole run
