@@ -17,6 +17,8 @@ inline constexpr double alive_turn = 1;
 /// Up to this h|ω|, in radians a step, ball and remainder 4 points where it should: chapter 8 has thrown
 /// bodies about every axis to find it.
 inline constexpr double fair_turn = 0.25;
+/// The same for Runge–Kutta 4, whose errors do not ask whether the steps are equally long.
+inline constexpr double fair_uneven_turn = 1.0 / 12;
 /// Up to this h|ω| the half-step Jacobian is calm, as long as neither step nor spin is changed from outside.
 inline constexpr double calm_turn = 0.5;
 /// Two moments that differ by no more than this share are better declared equal.
@@ -75,13 +77,22 @@ inline const std::vector<Choice>& choices() {
          "ch6_extremes", ""},
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero", "ch5_inertia", "dropped"},
-        {"symmetric", "two moments within " + plain(100 * nearly_equal) + " % of each other: a spear, a wheel",
+        {"symmetric", "two moments within " + plain(100 * nearly_equal) + " % of each other, a spear, a wheel, that touches "
+         "others or is one of thousands",
          "**declare them equal**: `SymmetricInertia`", "one turn is the exact step, it costs little and adds nothing",
          "ch5_passive", "symmetric, exact"},
+        {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**",
+         "for two equal moments it is the exact motion, attitude and all, at any spin and step", "ch8_splitting",
+         "ball and remainder 2"},
         {"free", "a body that flies freely, h|ω| at most " + fair, "**ball and remainder 4**",
          "|L| stays, the energy is bounded, and the body points where it should", "ch8_work", "ball and remainder 4"},
         {"free_fast", "the same, faster", "**ball and remainder 4**, in so many substeps that each turns by " + fair + " at most",
          "what is safe at long steps is not right at them", "ch8_safe", "ball and remainder 4"},
+        {"free_uneven", "a body that flies freely, in frames of uneven length",
+         "a constant step, by chapter 2's game loop, and ball and remainder 4; where that cannot be, **Runge–Kutta 4**, in so "
+         "many substeps that each turns by 1/12 at most",
+         "of uneven steps a splitting adds up the errors, and near its middle axis a body is soon lost; Runge–Kutta 4 minds "
+         "no frame, and so short a step takes next to no energy", "ch2_turns", "Runge-Kutta 4"},
         {"contacts", "a body that touches others, in an engine that asks for a new ω", "the **passive step**",
          "for no body, no spin and no step does it add energy itself; it slows spins down", "ch8_contacts", "passive"},
         {"many", "bodies by the thousand, h|ω| at most " + calm, "the **half-step Jacobian** in lanes; the faster ones by passive",
@@ -131,9 +142,13 @@ inline const Choice& choose(const BodyQuestion& body) {
     if (middle > most) std::swap(middle, most);
     if (least > middle) std::swap(least, middle);
     if (least == most) return choice("ball");
-    if (middle - least <= nearly_equal * middle || most - middle <= nearly_equal * most) return choice("symmetric");
+    // In free flight ball and remainder 4 by the true moments is far nearer than equal ones are.
+    const bool near = middle - least <= nearly_equal * middle || most - middle <= nearly_equal * most;
+    if (near && (body.contacts || body.count >= many_bodies)) return choice("symmetric");
     if (body.contacts) return choice("contacts");
+    if (least == middle || middle == most) return choice("symmetric_free");
     if (body.count >= many_bodies && body.even && body.turn <= calm_turn) return choice("many");
+    if (!body.even) return choice("free_uneven");
     return choice(body.turn <= fair_turn ? "free" : "free_fast");
 }
 
