@@ -26,6 +26,7 @@ public:
     double operator()() {
         return shortest_ + (longest_ - shortest_) * (double(random_() >> 11) / 9007199254740992.0);
     }
+    double shortest() const { return shortest_; }                ///< s
     double longest() const { return longest_; }                  ///< s
     bool even() const { return shortest_ == longest_; }          ///< are all the same?
 

@@ -76,7 +76,8 @@ inline const std::vector<Choice>& choices() {
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
-         "it is zero", "ch5_inertia", "dropped"},
+         "it is zero; the attitude is right to the last digit if a step turns the body by h|ω| about ω, `turn_by`", "ch5_inertia",
+         "dropped"},
         {"symmetric", "two moments within " + plain(100 * nearly_equal) + " % of each other, a spear, a wheel, that touches "
          "others or is one of thousands",
          "**declare them equal**: `SymmetricInertia`", "one turn is the exact step, it costs little and adds nothing",
