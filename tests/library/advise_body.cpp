@@ -153,44 +153,13 @@ TEST_CASE("two moments declared equal: which, and what passive takes where nobod
     }
 }
 
-namespace {
-
-// Of bodies with two moments so far apart: how many throws are nearer in ω, over ten seconds at 60 Hz and 5 to
-// 30 rad/s, if the two are declared equal than by passive with three.
-double nearer_declared(double apart, bool about_axis) {
-    questions::Random random(5);
-    int nearer = 0, all = 0;
-    while (all < 200) {
-        const double along = random.even_in_log(0.02, 1.95);
-        if (along > 2 - apart || along < apart) continue;
-        const Body body(1 - apart, 1, along);
-        Vector way = random.direction();
-        if (about_axis) way = (Vector::UnitZ() + 0.1 * random.even(0, 1) * way).normalized();
-        const SpinState<double> start{0, Quaternion<double>::Identity(), random.even(5, 30) * way};
-        const ExactFreeBody<double> exact(body, in_world(start));
-        const DeclaredEqual equal(body);
-        SpinState<double> one = start, three = start;
-        double off = 0;
-        for (int n = 0; n < 600; ++n) {
-            one = equal.step(body, one, 1.0 / 60);
-            three = tumble<PassiveGyroscopic>.step(body, three, 1.0 / 60);
-            const Vector truth = in_body(exact(one.t)).omega;
-            off += (one.omega - truth).norm() - (three.omega - truth).norm();
-        }
-        nearer += off < 0, ++all;
-    }
-    return double(nearer) / all;
-}
-
-}  // namespace
-
 TEST_CASE("up to five percent apart, two moments are better declared equal than stepped by passive",
           "[library][I13]") {
-    CHECK(nearer_declared(0.01, true) > 0.95);
-    CHECK(nearer_declared(nearly_equal, true) > 0.95);
-    CHECK(nearer_declared(nearly_equal, false) > 0.55);
-    CHECK(nearer_declared(4 * nearly_equal, false) < 0.5);
-    CHECK(nearer_declared(10 * nearly_equal, true) < 0.5);
+    CHECK(questions::nearer_declared(0.01, true) > 0.95);
+    CHECK(questions::nearer_declared(nearly_equal, true) > 0.95);
+    CHECK(questions::nearer_declared(nearly_equal, false) > 0.55);
+    CHECK(questions::nearer_declared(4 * nearly_equal, false) < 0.5);
+    CHECK(questions::nearer_declared(10 * nearly_equal, true) < 0.5);
 }
 
 TEST_CASE("a body is sent down the tree to a line of the list", "[library][I13]") {
