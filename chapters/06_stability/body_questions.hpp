@@ -38,8 +38,8 @@ public:
         Vector d(normal(random_), normal(random_), normal(random_));
         return d.normalized();
     }
-    // Any body, one in three with two moments within five percent, one in three all but flat; each with its axes
-    // in any order.
+    // Any body, one in three with two moments within five percent, or equal, one in three all but flat; each with
+    // its axes in any order.
     Body body() {
         double moments[3];
         const double kind = even(0, 3);
@@ -48,7 +48,7 @@ public:
         if (kind < 1) {
             moments[0] = B + C, moments[1] = C + A, moments[2] = A + B;
         } else if (kind < 2) {
-            moments[0] = 1, moments[1] = 1 - even(0, timestep::nearly_equal);
+            moments[0] = 1, moments[1] = even(0, 4) < 1 ? 1 : 1 - even(0, timestep::nearly_equal);
             // Between the difference of the two and their sum.
             moments[2] = even_in_log(std::max(1e-3, 1.01 * (1 - moments[1])), moments[0] + moments[1]);
         } else {
