@@ -29,7 +29,7 @@ BodyAdvice of(const std::vector<BodyAdvice>& all, const std::string& method) {
 TEST_CASE("what a solver is said to do to the energy its own steps do", "[library][N51][I13]") {
     const questions::Tally tally = questions::verdicts(2400, 1);
     for (const std::string& line : tally.missed) UNSCOPED_INFO(line);
-    CHECK(tally.wrong <= 0.001 * double(tally.asked));
+    CHECK(tally.wrong == 0);  // of ten thousand none is, in chapter 6: one in a thousand would hide a wrong limit
     CHECK(tally.close <= 0.03 * double(tally.asked));
     CHECK(std::min({tally.never, tally.bounded, tally.can}) > 400);
 }
