@@ -201,7 +201,7 @@ TEST_CASE("advice on a body hangs on the ratios of its moments only, and refuses
     const Vector omega(3, 10, 1);
     const auto plain = advise_body(Body(1, 2, 2.5), omega, at_60_hz);
     REQUIRE(plain.size() == 12);
-    for (const double unit : {1e200, 1e-200}) {
+    for (const double unit : {1e306, 1e-300}) {
         const auto all = advise_body(Body(unit, 2 * unit, 2.5 * unit), omega, at_60_hz);
         for (std::size_t i = 0; i < all.size(); ++i) {
             CAPTURE(unit, all[i].method);
