@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Which method? The one list of answers (I13). The page \ref which_method, the short answers of chapters 3 to 8
-/// and the command `advise` are made from it, so none of them can say something else.
+/// Which method? The course's one answer to that question: the page \ref which_method, the short answers of
+/// chapters 3 to 8 and `./course advise` are made from this list, so none of them can say something else (I13).
 
 #include <algorithm>
 #include <array>
@@ -17,6 +17,8 @@ inline constexpr double alive_turn = 1;
 /// Up to this h|ω|, in radians a step, ball and remainder 4 points where it should: chapter 8 has thrown
 /// bodies about every axis to find it.
 inline constexpr double fair_turn = 0.25;
+/// The same for Runge–Kutta 4, whose errors do not ask whether the steps are equally long.
+inline constexpr double fair_uneven_turn = 1.0 / 12;
 /// Up to this h|ω| the half-step Jacobian is calm, as long as neither step nor spin is changed from outside.
 inline constexpr double calm_turn = 0.5;
 /// Two moments that differ by no more than this share are better declared equal.
@@ -45,49 +47,57 @@ inline std::string plain(double value) {  // 0.25 and not 0.250000
 }  // namespace detail
 /// \endcond
 
-/// All answers: first those of what swings and is pulled, then those of what turns. Each list is read from its top:
-/// the first that fits is the answer.
+/// All answers: first those of what swings and is pulled, then those of what turns.
 inline const std::vector<Choice>& choices() {
     using detail::plain;
     static const std::string alive = plain(alive_turn), fair = plain(fair_turn), calm = plain(calm_turn);
     static const std::vector<Choice> all{
-        {"positions", "points that are pushed about, forces of the position alone: ropes, cloth",
-         "**Verlet**; its twin velocity Verlet where you want a velocity", "no velocity to keep in step with the push",
-         "ch4_rope", "Verlet"},
-        {"bumps", "things that bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
-         "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
-        {"uneven", "frames of uneven length", "a constant step, by chapter 2's game loop; where that cannot be, **implicit Euler**",
-         "limits hold for a constant step; by implicit Euler a spring loses energy in every step, however they follow each other",
-         "ch2_turns", "implicit Euler"},
-        {"smooth", "a smooth motion, right to one percent or better", "**Runge–Kutta 4**, with long steps",
-         "four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"swing", "ωh at most " + alive + ", a constant step: most of a game",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "one force a step; its energy swings and does not drift, and its division survives any damper", "ch3_rule",
+         "one force a step; its energy swings and does not drift, and its division survives any damper", "ch3_question",
          "semi-implicit Euler, new damping"},
+        {"positions", "points that are pushed about, forces of the position alone: ropes, cloth",
+         "**Verlet**; its twin velocity Verlet where you want a velocity", "no velocity to keep in step with the push",
+         "ch4_question", "Verlet"},
+        {"smooth", "a smooth motion, right to one percent or better", "**Runge–Kutta 4**, with long steps",
+         "four forces a step, and an error that falls with the fourth power of the step", "ch7_pictures", "Runge-Kutta 4"},
+        {"bumps", "things that bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
+         "a bounce takes the order of the others away", "ch7_pictures", "semi-implicit Euler, new damping"},
+        {"uneven", "frames of uneven length", "a constant step, by chapter 2's game loop; where that cannot be, **implicit Euler**",
+         "limits hold for a constant step; implicit Euler loses energy by every step, however they follow each other",
+         "ch2_turns", "implicit Euler"},
         {"pull", "a stiff pull to a target, a decay", "**implicit Euler**", "the decay dies, as it should", "ch6_stiff",
          "implicit Euler"},
-        {"keeps_size", "a swing faster than the frame that must keep its size", "**implicit midpoint**, with a constant step",
-         "its energy stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
         {"unseen", "a swing faster than the frame, which nobody must see", "**BDF2**, restarted after each kick",
          "the fast part dies and the slow one keeps its size", "ch6_kicks", "BDF2"},
-        {"jumps", "creeping and sudden jumps", "a step that adapts", "one length does not fit both", "ch6_jumps", ""},
+        {"keeps_size", "a swing faster than the frame that must keep its size", "**implicit midpoint**, with a constant step",
+         "its energy stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
+        {"jumps", "creeping and sudden jumps", "a step that adapts", "one length does not fit both", "ch6_question", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
-         "it is zero", "ch5_inertia", "dropped"},
-        {"symmetric", "two moments within " + plain(100 * nearly_equal) + " % of each other: a spear, a wheel",
-         "**declare them equal**: `SymmetricInertia`",
-         "then passive turns ω, which keeps energy and |L|, and ball and remainder 2 is exact in flight", "ch5_passive",
+         "it is zero; the attitude is right to the last digit if a step turns the body by h|ω| about ω, `turn_by`", "ch5_inertia",
+         "dropped"},
+        {"symmetric", "two moments within " + plain(100 * nearly_equal) + " % of each other, a spear, a wheel, that touches "
+         "others or is one of thousands",
+         "**declare them equal**: `SymmetricInertia`", "one turn is the exact step, it costs little and adds nothing",
+         "ch5_passive", "symmetric, exact"},
+        {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**",
+         "for two equal moments it is the exact motion, attitude and all, at any spin and step", "ch8_splitting",
          "ball and remainder 2"},
-        {"contacts", "a body that touches others, in an engine that asks for a new ω", "the **passive step**",
-         "for no body, no spin and no step does it add energy itself; it slows spins down", "ch8_contacts", "passive"},
-        {"many", "bodies by the thousand, h|ω| at most " + calm, "the **half-step Jacobian** in lanes; the faster ones by passive",
-         "several bodies in the time of one", "ch8_many", "half-step Jacobian"},
         {"free", "a body that flies freely, h|ω| at most " + fair, "**ball and remainder 4**",
          "|L| stays, the energy is bounded, and the body points where it should", "ch8_work", "ball and remainder 4"},
         {"free_fast", "the same, faster", "**ball and remainder 4**, in so many substeps that each turns by " + fair + " at most",
          "what is safe at long steps is not right at them", "ch8_safe", "ball and remainder 4"},
+        {"free_uneven", "a body that flies freely, in frames of uneven length",
+         "a constant step, by chapter 2's game loop, and ball and remainder 4; where that cannot be, **Runge–Kutta 4**, in so "
+         "many substeps that each turns by 1/12 at most",
+         "of uneven steps a splitting adds up the errors, and near its middle axis a body is soon lost; Runge–Kutta 4 minds "
+         "no frame, and so short a step takes next to no energy", "ch2_turns", "Runge-Kutta 4"},
+        {"contacts", "a body that touches others, in an engine that asks for a new ω", "the **passive step**",
+         "for no body, no spin and no step does it add energy itself; it slows spins down", "ch8_contacts", "passive"},
+        {"many", "bodies by the thousand, h|ω| at most " + calm, "the **half-step Jacobian** in lanes; the faster ones by passive",
+         "several bodies in the time of one", "ch8_many", "half-step Jacobian"},
         {"energy", "the energy kept, whatever else", "**Cayley**", "exactly, for any step; |L| creeps", "ch8_cayley", "Cayley"},
     };
     return all;
@@ -133,9 +143,13 @@ inline const Choice& choose(const BodyQuestion& body) {
     if (middle > most) std::swap(middle, most);
     if (least > middle) std::swap(least, middle);
     if (least == most) return choice("ball");
-    if (middle - least <= nearly_equal * middle || most - middle <= nearly_equal * most) return choice("symmetric");
+    // In free flight ball and remainder 4 by the true moments is far nearer than equal ones are.
+    const bool near = middle - least <= nearly_equal * middle || most - middle <= nearly_equal * most;
+    if (near && (body.contacts || body.count >= many_bodies)) return choice("symmetric");
     if (body.contacts) return choice("contacts");
+    if (least == middle || middle == most) return choice("symmetric_free");
     if (body.count >= many_bodies && body.even && body.turn <= calm_turn) return choice("many");
+    if (!body.even) return choice("free_uneven");
     return choice(body.turn <= fair_turn ? "free" : "free_fast");
 }
 

@@ -185,21 +185,6 @@ test_the_words_are_those_of_what_they_mean() {
     is "$(grep -c 'e+[0-9]* %' out)" 0
 }
 
-test_a_spinning_plank() {
-    expect 0 course advise --inertia 0.758,0.787,0.0313 --spin 0,0,60 --json
-    is "$(verdict explicit)" grows
-    is "$(verdict 'implicit, one iteration')" grows
-    is "$(verdict passive)" stable
-    expect 0 course advise --inertia 0.758,0.787,0.0313 --spin 0,0,6 --json
-    is "$(verdict 'implicit, one iteration')" stable
-    expect 0 course advise --inertia 1,1,1 --spin 0,0,60
-    is "$(grep -c ' stable ' out)" 6
-    silent_on out 'does not tumble'
-    expect 0 course advise --inertia 0.758,0.787,0.0313 --spin 0,0,20
-    is "$(grep -c '^explicit  *grows  *[+]7.4 %  *every step gains' out)" 1
-    is "$(grep -c '^dropped  *stable  *no gain  *no limit  *0, and does not tumble' out)" 1
-}
-
 begin "$@"
 new_stage "$4" "$5"
 "$function"

@@ -14,8 +14,18 @@ double step_of(const Question& question) {
     return 1 / timestep::positive("rate", question.rate.value_or(60));
 }
 
+namespace {
+
+void refuse_what_a_body_has(const Question& question) {
+    if (question.contacts || question.count) refuse("--contacts and --count belong to a spinning body");
+    if (!question.frames.empty()) refuse("--frames belongs to a spinning body");
+}
+
+}  // namespace
+
 void advise(const Question& question, bool json) {
     try {
+        if (question.inertia.empty() && question.spin.empty()) refuse_what_a_body_has(question);
         if (!question.inertia.empty() || !question.spin.empty())
             advise_body(question, json);
         else if (question.omega || question.stiffness || question.mass)

@@ -51,6 +51,15 @@ void declare_advise(CLI::App& app, Asked& asked) {
     number("--step", question.step, "S", "the time step, or:");
     number("--rate", question.rate, "HZ", "steps a second; neither given: 60");
     number("--accuracy", question.accuracy, "PERCENT", "how wrong the motion may be (1)");
+
+    // Of a body.
+    number("--count", question.count, "NUMBER", "so many bodies like this one (1)");
+    advise->add_flag("--contacts", question.contacts, "it touches others");
+    advise->add_option("--frames", question.frames, "frames of uneven length: the shortest and the longest, s")
+        ->type_name("SHORTEST,LONGEST")
+        ->delimiter(',')
+        ->expected(2);
+
     advise->add_flag("--json", asked.json, "as JSON, for programs");
 }
 

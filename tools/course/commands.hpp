@@ -90,6 +90,11 @@ struct Question {
     std::optional<double> step, rate;                             ///< s, 1/s
     std::vector<double> inertia, spin;                            ///< kg m², rad/s
     std::optional<double> accuracy;                               ///< percent; 1 where not given
+
+    // Of a body.
+    std::vector<double> frames;  ///< the shortest and the longest, s, where they are not all the same
+    std::optional<long> count;   ///< of bodies like this one; 1 where not given
+    bool contacts = false;       ///< does it touch others?
 };
 
 /// What every method makes of it: will it blow up, what does it cost, how wrong is it?
