@@ -14,11 +14,21 @@ double step_of(const Question& question) {
     return 1 / timestep::positive("rate", question.rate.value_or(60));
 }
 
+// Has anything been said that only a spring has?
+static bool is_of_springs(const Question& q) {
+    return q.kind != "spring" || q.springs || q.arm || q.turning || q.other_mass || q.other_arm || q.other_turning ||
+           !q.frames.empty() || q.kicks || q.keep_size;
+}
+
 void advise(const Question& question, bool json) {
     try {
-        if (!question.inertia.empty() || !question.spin.empty())
+        const bool body = !question.inertia.empty() || !question.spin.empty();
+        if (body && is_of_springs(question))
+            refuse("a spring or a spinning body: --kind, --springs, --arm, --turning, --other-…, --frames, --kicks and "
+                   "--keep-size are a spring's");
+        if (body)
             advise_body(question, json);
-        else if (question.omega || question.stiffness || question.mass)
+        else if (question.omega || question.stiffness || question.mass || question.kind != "spring")
             advise_spring(question, json);
         else
             refuse("a spring (--omega, or --stiffness with --mass) or a spinning body (--inertia with --spin) is needed");

@@ -90,6 +90,12 @@ struct Question {
     std::optional<double> step, rate;                             ///< s, 1/s
     std::vector<double> inertia, spin;                            ///< kg m², rad/s
     std::optional<double> accuracy;                               ///< percent; 1 where not given
+    // More kinds of springs than one.
+    std::string kind = "spring";                                     ///< or chain, cloth, tether, hinge
+    std::optional<double> springs, arm, turning;                     ///< how many, m, kg m²
+    std::optional<double> other_mass, other_arm, other_turning;      ///< of a hinge's other body
+    std::vector<double> frames;                                      ///< the shortest and the longest, s
+    bool kicks = false, keep_size = false;                           ///< impulses; a fast swing that is to stay
 };
 
 /// What every method makes of it: will it blow up, what does it cost, how wrong is it?
