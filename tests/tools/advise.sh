@@ -264,7 +264,7 @@ test_the_words_are_those_of_what_they_mean() {
     says out 'ωh = 2, the limit itself'
     silent_on out '= 2 = 2,'
     expect 0 course advise --omega 10 --zeta 0.7 --step 2
-    says out '× 19 '
+    says out '× 58000 '
     is "$(grep -c 'e+[0-9]* %' out)" 0
 }
 
