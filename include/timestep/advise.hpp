@@ -82,12 +82,7 @@ inline Advice at_step(const Judged& method, const SpringScene& scene, double h, 
     if (scene.varying()) {
         const double shortest = spring.omega * scene.shortest_frame, longest = spring.omega * scene.longest_frame;
         steps = steps_of(method.matrix, shortest, longest);
-        growth = method.one_pattern
-                     ? mean_growth([&](double each) {
-                           const auto [a, b] = eigenvalues(method.matrix(each));
-                           return std::array{a, b};
-                       }, shortest, longest)
-                     : random_products(steps);
+        growth = method.one_pattern ? mean_growth(steps, zeta) : random_products(steps);
         growth_per_step = growth.mean;
         mean_step = (scene.shortest_frame + scene.longest_frame) / 2;
         advice.position_error = random_position_error(method.matrix, method.position_error,

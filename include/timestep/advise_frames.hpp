@@ -3,7 +3,6 @@
 /// Frames of uneven length: what products of a step's matrices do, one matrix for each length (I13).
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -105,7 +104,7 @@ inline Growth random_products(const std::vector<StepMatrix<double>>& steps) {
                 const double size = size_of(x, v);
                 x /= size, v /= size, log_size = 0;
             }
-            const StepMatrix<double>& a = steps[static_cast<std::size_t>(numbers() % lengths)];
+            const StepMatrix<double>& a = steps[(numbers() % (2 * (lengths - 1)) + 1) / 2];  // the two ends half as often
             const double next = a.xx * x + a.xv * v;
             v = a.vx * x + a.vv * v, x = next;
             if (n % 8 == 0) {
@@ -121,16 +120,21 @@ inline Growth random_products(const std::vector<StepMatrix<double>>& steps) {
     return {mean, std::sqrt(std::max(0.0, squares / runs - mean * mean) / runs)};
 }
 
-// The same where all steps have the same patterns, each multiplied by its own factor: the mean over all lengths.
-template <class Multipliers>
-Growth mean_growth(const Multipliers& multipliers, double shortest, double longest) {
-    std::array<double, 2> sum{};
-    for (int i = 0; i < lengths; ++i) {
-        const auto all = multipliers(length(shortest, longest, i));
-        sum[0] += static_cast<double>(std::log(std::abs(all.front())));
-        sum[1] += static_cast<double>(std::log(std::abs(all.back())));
+// The same where all steps have the same patterns, those of the equation's own matrix F = (0, 1; −1, −2ζ), each
+// multiplied by its own factor: the mean over all lengths. A step is αI + βF, and so are its factors α + βμ. (Which
+// of a step's two eigenvalues is the larger changes with the length, so by size they cannot be told apart.)
+inline Growth mean_growth(const std::vector<StepMatrix<double>>& steps, double zeta) {
+    const Complex rate = exact_rate(zeta);
+    long double most = -INFINITY;
+    for (const Complex& mu : {rate, 1.0L / rate}) {  // the product of the two is 1
+        long double sum = 0;
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            const long double weight = i == 0 || i + 1 == steps.size() ? 0.5L : 1;
+            sum += weight * std::log(std::abs(static_cast<long double>(steps[i].xx) + static_cast<long double>(steps[i].xv) * mu));
+        }
+        most = std::max(most, sum / (lengths - 1));
     }
-    return {std::max(sum[0], sum[1]) / lengths, 0};
+    return {static_cast<double>(most), 0};
 }
 
 // So slow a growth a step is not told from none.

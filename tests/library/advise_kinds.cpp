@@ -52,7 +52,9 @@ Tally ask(unsigned seed, long questions, const Draw& draw) {
     Tally tally;
     for (long i = 0; i < questions; ++i) {
         const double damping = random.below(4) ? random.in_log(0.02, 4) : 0;
-        auto [pull, net] = draw(random);
+        auto drawn = draw(random);
+        const Pull& pull = drawn.first;
+        auto& net = drawn.second;
         const SpringScene scene = scene_of(pull, 1, damping);
         net.damping_share = damping;
         net.hold(1e-4 * pull.least);  // what is free drifts, and no run of steps tells that from a slow growth
