@@ -134,6 +134,11 @@ inline void judge(BodyAdvice& advice, const Tumble<CayleyGyroscopic>&, const Pri
     advice.reason = "√I ω is turned: the energy stays, whatever the step";
 }
 
+inline void judge(BodyAdvice& advice, const Tumble<CalmHalfStep>&, const PrincipalInertia<double>&, double, double,
+                  bool) {
+    advice.reason = "scaled back to the energy that the step began with, whatever the step";
+}
+
 inline void by_momentum(BodyAdvice& advice, const PrincipalInertia<double>& inertia) {
     advice.bound = moment_ratio(inertia);
     advice.adds = AddsEnergy::bounded;
@@ -229,10 +234,10 @@ struct BodyRecommendation {
 
 /// The way down the tree for this body.
 inline BodyRecommendation recommend(const PrincipalInertia<double>& inertia, double spin, const Frames& frames,
-                                    bool contacts = false, long count = 1) {
+                                    bool contacts = false, long count = 1, bool callback = false) {
     const Vector3<double>& I = inertia.moments;
     const double turn = frames.longest() * spin;
-    BodyRecommendation found{choose(BodyQuestion{{I.x(), I.y(), I.z()}, turn, contacts, count, frames.even()}), 1};
+    BodyRecommendation found{choose(BodyQuestion{{I.x(), I.y(), I.z()}, turn, contacts, count, frames.even(), callback}), 1};
     const double fair = found.choice.name == "free_fast"     ? fair_turn
                         : found.choice.name == "free_uneven" ? fair_uneven_turn
                                                              : turn;

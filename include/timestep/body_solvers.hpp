@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <timestep/gyroscopic.hpp>
+#include <timestep/gyroscopic/calm_half_step.hpp>
 #include <timestep/gyroscopic/cayley_gyroscopic.hpp>
 #include <timestep/gyroscopic/half_step_jacobian.hpp>
 #include <timestep/methods/runge_kutta_4.hpp>
@@ -64,6 +65,7 @@ void for_each_body_solver(const Visit& visit) {
     visit(tumble<ConvergedGyroscopic>, BodyPrice{0, 0, 0, false});
     visit(tumble<PassiveGyroscopic>, BodyPrice{1, 1, 0});
     visit(tumble<HalfStepJacobian>, BodyPrice{1, 1, 0});
+    visit(tumble<CalmHalfStep>, BodyPrice{0, 0, 0, false});
     visit(tumble<CayleyGyroscopic>, BodyPrice{1, 1, 0});
     visit(strang, BodyPrice{0, 0, 5});
     visit(symmetric_remainder_2, BodyPrice{0, 0, 4});

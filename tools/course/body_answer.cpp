@@ -17,7 +17,7 @@ Frames frames_of(const Question& question) {
         const double h = step_of(question);
         return {h, h};
     }
-    if (question.step || question.rate) refuse("--frames says how long the steps are: leave --step and --rate out");
+    if (question.step || question.rate) refuse("--frames and --step or --rate say the same: give one of them");
     return {question.frames[0], question.frames[1]};
 }
 
@@ -31,6 +31,7 @@ BodyAnswer answer_body(const Question& question) {
     const Frames frames = frames_of(question);
     const long count = question.count.value_or(1);
     if (count < 1) timestep::refuse("count", double(count), "1 or more");
+    if (question.callback && !question.contacts) refuse("--callback belongs to --contacts");
 
     BodyAnswer answer{};
     answer.all = timestep::advise_body(inertia, omega, frames);
@@ -42,7 +43,7 @@ BodyAnswer answer_body(const Question& question) {
     answer.closest = timestep::closest_moments(inertia);
     answer.all_but_equal = answer.closest.apart > 0 && answer.closest.near();
     if (answer.all_but_equal) answer.half_gone = timestep::half_gone_by_passive(inertia, answer.spin, frames);
-    answer.take = timestep::recommend(inertia, answer.spin, frames, question.contacts, count);
+    answer.take = timestep::recommend(inertia, answer.spin, frames, question.contacts, count, question.callback);
 
     const double n = double(answer.take.substeps);
     const Frames shorter(frames.shortest() / n, frames.longest() / n);
