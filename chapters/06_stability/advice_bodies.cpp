@@ -10,8 +10,8 @@
 using namespace timestep;
 
 void advice_bodies(const Settings&, lab::Findings& out) {
-    out.section("Ten thousand bodies");
-    const questions::Tally said = questions::verdicts(10'000, 1);
+    out.section("Advice on bodies");
+    const questions::Tally said = questions::verdicts(2'000, 1);
     for (const auto& line : said.missed) std::printf("  missed: %s\n", line.c_str());
     std::printf("  never %ld, bounded %ld, one step can %ld, too close to call %ld: %ld wrong\n", said.never, said.bounded,
                 said.can, said.close, said.wrong);
@@ -32,7 +32,7 @@ void advice_bodies(const Settings&, lab::Findings& out) {
                             {"line", "questions", "off by 1 %", "lost", "worst, %", "another was nearer"});
     double worst = 0;
     long asked = 0, beaten = 0, wrong = 0, many = 0, many_wrong = 0, many_lost = 0;
-    for (const auto& line : questions::recommended(1500, 7, fastest)) {
+    for (const auto& line : questions::recommended(300, 7, fastest)) {
         table.row({line.name, double(line.asked), double(line.wrong), double(line.lost), 100 * line.worst,
                    double(line.beaten)});
         std::printf("  %-16s %5ld asked, %4ld off by 1 %%, %3ld lost, worst %.2g %%; another of its price was nearer in "
@@ -57,8 +57,8 @@ void advice_bodies(const Settings&, lab::Findings& out) {
               "two seconds, and in less than a tenth of the throws another solver of its price is nearer");
 
     // Uneven frames.
-    const auto four = questions::uneven_throws(symmetric_remainder_4, fair_turn, 4, 400);
-    const auto kutta = questions::uneven_throws(RungeKuttaSpin{}, fair_uneven_turn, 4, 400);
+    const auto four = questions::uneven_throws(symmetric_remainder_4, fair_turn, 4, 100);
+    const auto kutta = questions::uneven_throws(RungeKuttaSpin{}, fair_uneven_turn, 4, 100);
     std::printf("  uneven frames near the middle axis: ball and remainder 4 loses %.2g %%, Runge-Kutta 4 is off by %.2g %%\n",
                 100 * four.lost, 100 * kutta.worst);
     out.number("uneven_4_lost", 100 * four.lost, "%",

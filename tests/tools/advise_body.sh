@@ -29,11 +29,13 @@ test_bad_input_about_a_body_is_refused_by_its_name_and_rule() {
     refuses 'shortest frame = 0.02: must be at most the longest' $box --frames 0.02,0.01
     refuses 'shortest frame = 0: must be finite and greater than zero' $box --frames 0,0.01
     refuses 'longest frame = inf: ' $box --frames 0.01,inf
-    refuses 'leave --step and --rate out' $box --frames 0.01,0.02 --rate 60
+    refuses '--frames and --step or --rate say the same' $box --frames 0.01,0.02 --rate 60
     refuses '--frames' $box --frames 0.01
     refuses '--frames' $box --frames a,b
     refuses 'belong to a spinning body' --omega 3 --count 3
     refuses 'belong to a spinning body' --omega 3 --contacts
+    refuses 'belong to a spinning body' --omega 3 --callback
+    refuses '--callback belongs to --contacts' $box --callback
     refuses '--inertia and --spin belong together' --inertia 1,2,3 --contacts
 }
 
@@ -49,7 +51,7 @@ test_a_spinning_plank() {
     expect 0 course advise --inertia 0.758,0.787,0.0313 --spin 0,0,6 --json
     is "$(verdict 'implicit, one iteration')" never
     expect 0 course advise --inertia 1,1,1 --spin 0,0,60
-    is "$(grep -c '  never  ' out)" 12
+    is "$(grep -c '  never  ' out)" 13
     is "$(grep -c '^dropped .* lost$' out)" 1
     is "$(grep -c '^dropped, turned by h|ω|  *× 1 .* below 0.0001 %$' out)" 1
     says out 'Recommended: nothing: leave the gyroscopic torque out because it is zero;'
@@ -90,6 +92,8 @@ test_the_line_of_the_list_that_is_recommended() {
     asks symmetric $plank --count 5000
     asks symmetric_free --inertia 1,1,0.2 --spin 1,2,50 --frames 0.01,0.02
     asks contacts $box --contacts
+    asks callback $box --contacts --callback
+    asks callback $plank --contacts --callback
     asks many $box --count 1000
     asks free $box --count 999
     asks free_uneven $box --frames 0.01,0.02
@@ -97,9 +101,9 @@ test_the_line_of_the_list_that_is_recommended() {
 }
 
 test_people_are_told_one_line_to_take_and_last() {
-    expect 0 course advise $box --contacts
+    expect 0 course advise $box --contacts --callback
     is "$(grep -c '^Recommended: ' out)" 1
-    is "$(tail -n 1 out | cut -c 1-50)" 'Recommended: the passive step because for no body,'
+    is "$(tail -n 1 out | cut -c 1-50)" 'Recommended: the passive step because it adds no e'
     says out ', chapter 8.'
     silent_on out '**'
     silent_on out '`'
