@@ -14,12 +14,16 @@ namespace timestep {
 
 /// Up to this ωh a swing looks alive by semi-implicit Euler: six steps a swing.
 inline constexpr double alive_turn = 1;
+/// From this damping ratio on an implicit method is right to a percent at less cost than Runge–Kutta 4.
+inline constexpr double stiff_decay = 2;
 /// Up to this h|ω|, in radians a step, ball and remainder 4 points where it should: chapter 8 has thrown
 /// bodies about every axis to find it.
 inline constexpr double fair_turn = 0.25;
+/// The same for Runge–Kutta 4, whose errors do not ask whether the steps are equally long.
+inline constexpr double fair_uneven_turn = 1.0 / 12;
 /// Up to this h|ω| the half-step Jacobian is calm, as long as neither step nor spin is changed from outside.
 inline constexpr double calm_turn = 0.5;
-/// Two moments that differ by no more than this share are better declared equal.
+/// Two moments that differ by no more than this share are better declared equal, for a solver that gives ω only.
 inline constexpr double nearly_equal = 0.05;
 /// From so many bodies on it pays to step them in lanes.
 inline constexpr int many_bodies = 1000;
@@ -49,7 +53,8 @@ inline std::string plain(double value) {  // 0.25 and not 0.250000
 /// the first that fits is the answer.
 inline const std::vector<Choice>& choices() {
     using detail::plain;
-    static const std::string alive = plain(alive_turn), fair = plain(fair_turn), calm = plain(calm_turn);
+    static const std::string alive = plain(alive_turn), twice = plain(2 * alive_turn), fair = plain(fair_turn),
+                             calm = plain(calm_turn), near = plain(100 * nearly_equal), stiff = plain(stiff_decay);
     static const std::vector<Choice> all{
         {"positions", "points that are pushed about, forces of the position alone: ropes, cloth",
          "**Verlet**; its twin velocity Verlet where you want a velocity", "no velocity to keep in step with the push",
@@ -59,14 +64,16 @@ inline const std::vector<Choice>& choices() {
         {"uneven", "frames of uneven length", "a constant step, by chapter 2's game loop; where that cannot be, **implicit Euler**",
          "limits hold for a constant step; by implicit Euler a spring loses energy in every step, however they follow each other",
          "ch2_turns", "implicit Euler"},
-        {"smooth", "a smooth motion, right to one percent or better", "**Runge–Kutta 4**, with long steps",
+        {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**, with long steps",
          "four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
-        {"swing", "ωh at most " + alive + ", a constant step: most of a game",
+        {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",
+         "its steps follow the slow part, the fast one dies", "ch6_stiff", "BDF2"},
+        {"swing", "ωh at most " + alive + ", or " + twice + " in two substeps, and a constant step: most of a game",
          "**semi-implicit Euler**, with the damping at the new velocity",
          "one force a step; its energy swings and does not drift, and its division survives any damper", "ch3_rule",
          "semi-implicit Euler, new damping"},
-        {"pull", "a stiff pull to a target, a decay", "**implicit Euler**", "the decay dies, as it should", "ch6_stiff",
-         "implicit Euler"},
+        {"pull", "a stiff pull to a target, a decay, ζ at least 1", "**implicit Euler**", "the decay dies, as it should",
+         "ch6_stiff", "implicit Euler"},
         {"keeps_size", "a swing faster than the frame that must keep its size", "**implicit midpoint**, with a constant step",
          "its energy stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
         {"unseen", "a swing faster than the frame, which nobody must see", "**BDF2**, restarted after each kick",
@@ -75,20 +82,31 @@ inline const std::vector<Choice>& choices() {
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
-         "it is zero", "ch5_inertia", "dropped"},
-        {"symmetric", "two moments within " + plain(100 * nearly_equal) + " % of each other: a spear, a wheel",
-         "**declare them equal**: `SymmetricInertia`",
-         "then passive turns ω, which keeps energy and |L|, and ball and remainder 2 is exact in flight", "ch5_passive",
-         "ball and remainder 2"},
-        {"contacts", "a body that touches others, in an engine that asks for a new ω", "the **passive step**",
-         "for no body, no spin and no step does it add energy itself; it slows spins down", "ch8_contacts", "passive"},
-        {"many", "bodies by the thousand, h|ω| at most " + calm, "the **half-step Jacobian** in lanes; the faster ones by passive",
-         "several bodies in the time of one", "ch8_many", "half-step Jacobian"},
+         "it is zero; `turn_by` turns the body by h|ω| about ω, to the last digit", "ch5_inertia", "dropped"},
+        {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
+         "the **passive step**", "it adds no energy, and takes some, which hides what an engine adds when a rule stands there; "
+         "spins fade too soon", "ch8_contacts", "passive"},
+        {"symmetric", "two moments within " + near + " % of each other, a spear, a wheel, that touches others or is one of "
+         "thousands", "**declare them equal**: `SymmetricInertia`, and passive",
+         "it then turns ω about the axis of the third, which keeps energy, |L| and the spin", "ch5_passive", "passive"},
+        {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn",
+         "energy and |L| stay from one impulse to the next, at any spin, with any steps", "ch8_contacts", "calm half-step"},
+        {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**",
+         "it is the exact motion, attitude and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
+        {"many", "bodies by the thousand, h|ω| at most " + calm + ", a constant step",
+         "the **half-step Jacobian** in lanes; the faster ones by passive",
+         "several bodies in the time of one; ω and the energy are good, the attitude is rough", "ch8_many", "half-step Jacobian"},
+        {"free_uneven", "a body that flies freely, in frames of uneven length",
+         "a constant step, and ball and remainder 4; where that cannot be, **Runge–Kutta 4**, in so many substeps that each "
+         "turns by a twelfth of a radian at most",
+         "when steps vary a splitting adds up its errors, and near the middle axis a body is soon lost", "ch2_turns",
+         "Runge-Kutta 4"},
         {"free", "a body that flies freely, h|ω| at most " + fair, "**ball and remainder 4**",
          "|L| stays, the energy is bounded, and the body points where it should", "ch8_work", "ball and remainder 4"},
         {"free_fast", "the same, faster", "**ball and remainder 4**, in so many substeps that each turns by " + fair + " at most",
          "what is safe at long steps is not right at them", "ch8_safe", "ball and remainder 4"},
-        {"energy", "the energy kept, whatever else", "**Cayley**", "exactly, for any step; |L| creeps", "ch8_cayley", "Cayley"},
+        {"energy", "energy and |L| kept, whatever else", "the **calm half-step**",
+         "to roundoff, at any spin and when steps vary; the attitude is rough", "ch8_fails", "calm half-step"},
     };
     return all;
 }
@@ -109,10 +127,12 @@ struct SpringQuestion {
     bool keeps_size = false;  ///< must a swing faster than the frame be kept?
 };
 
-/// The way down the tree for a spring.
+/// The way down the tree for a spring. A step of an implicit method costs a force and a solve, as much as two of
+/// semi-implicit Euler: so up to twice the ωh at which that one looks alive, two substeps of it are the answer.
 inline const Choice& choose(const SpringQuestion& spring) {
     if (!spring.even) return choice("uneven");
-    if (spring.turn <= alive_turn) return choice(spring.precise ? "smooth" : "swing");
+    if (spring.precise) return choice(spring.zeta < stiff_decay ? "smooth" : "smooth_pull");
+    if (spring.turn <= 2 * alive_turn) return choice("swing");
     if (spring.zeta >= 1) return choice("pull");
     return choice(spring.keeps_size ? "keeps_size" : "unseen");
 }
@@ -124,6 +144,7 @@ struct BodyQuestion {
     bool contacts = false;          ///< does it touch others?
     long count = 1;                 ///< how many of them there are
     bool even = true;               ///< is the step constant?
+    bool callback = false;          ///< touching others, can only ω be changed, and only before the engine's step?
 };
 
 /// The way down the tree for a body that turns.
@@ -133,9 +154,14 @@ inline const Choice& choose(const BodyQuestion& body) {
     if (middle > most) std::swap(middle, most);
     if (least > middle) std::swap(least, middle);
     if (least == most) return choice("ball");
-    if (middle - least <= nearly_equal * middle || most - middle <= nearly_equal * most) return choice("symmetric");
+    // In free flight ball and remainder 4 by the true moments is far nearer than equal ones are.
+    const bool near = middle - least <= nearly_equal * middle || most - middle <= nearly_equal * most;
+    if (body.contacts && body.callback) return choice("callback");
+    if (near && (body.contacts || body.count >= many_bodies)) return choice("symmetric");
     if (body.contacts) return choice("contacts");
+    if (least == middle || middle == most) return choice("symmetric_free");
     if (body.count >= many_bodies && body.even && body.turn <= calm_turn) return choice("many");
+    if (!body.even) return choice("free_uneven");
     return choice(body.turn <= fair_turn ? "free" : "free_fast");
 }
 

@@ -14,11 +14,32 @@ double step_of(const Question& question) {
     return 1 / timestep::positive("rate", question.rate.value_or(60));
 }
 
+namespace {
+
+void refuse_what_a_body_has(const Question& question) {
+    if (question.contacts || question.callback || question.count)
+        refuse("--contacts, --callback and --count belong to a spinning body");
+}
+
+void refuse_what_springs_have(const Question& q) {
+    if (q.kind != "spring" || q.springs || q.arm || q.turning || q.other_mass || q.other_arm || q.other_turning || q.kicks ||
+        q.keep_size)
+        refuse("a spring or a spinning body: --kind, --springs, --arm, --turning, --other-…, --kicks and --keep-size are "
+               "a spring's");
+}
+
+}  // namespace
+
 void advise(const Question& question, bool json) {
     try {
-        if (!question.inertia.empty() || !question.spin.empty())
+        const bool body = !question.inertia.empty() || !question.spin.empty();
+        if (body)
+            refuse_what_springs_have(question);
+        else
+            refuse_what_a_body_has(question);
+        if (body)
             advise_body(question, json);
-        else if (question.omega || question.stiffness || question.mass)
+        else if (question.omega || question.stiffness || question.mass || question.kind != "spring")
             advise_spring(question, json);
         else
             refuse("a spring (--omega, or --stiffness with --mass) or a spinning body (--inertia with --spin) is needed");

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include <timestep/advise.hpp>
+#include <timestep/advise_recommend.hpp>
 
 #include "advise.hpp"
+#include "advise_scene.hpp"
 #include "advise_words.hpp"
 #include "terminal.hpp"
 
@@ -18,24 +19,6 @@ using timestep::Advice;
 
 constexpr double pi = 3.141592653589793;
 
-timestep::DampedSpring<double> spring_of(const Question& question) {
-    const bool by_stiffness = question.stiffness || question.mass;
-    if (question.omega && by_stiffness)
-        refuse("--omega and --stiffness with --mass say the same: give one of them");
-    if (question.zeta && question.damping) refuse("--zeta and --damping say the same: give one of them");
-    if (by_stiffness && !(question.stiffness && question.mass))
-        refuse("--stiffness and --mass belong together");
-    if (question.damping && !by_stiffness) refuse("--damping needs --stiffness and --mass");
-    if (question.damping)
-        return timestep::DampedSpring<double>::from_stiffness(*question.stiffness, *question.damping,
-                                                              *question.mass);
-    const double omega =
-        question.omega ? timestep::positive("omega", *question.omega)
-                       : std::sqrt(timestep::positive("stiffness", *question.stiffness)) /
-                             std::sqrt(timestep::positive("mass", *question.mass));
-    return {omega, question.zeta.value_or(0)};
-}
-
 Json as_json(const Advice& advice) {
     return {{"method", advice.method},
             {"verdict", words(advice.verdict)},
@@ -44,7 +27,8 @@ Json as_json(const Advice& advice) {
             {"period_error_percent", finite(100 * advice.period_error)},
             {"energy_per_second", finite(advice.energy_ratio)},
             {"energy_drift_percent_per_second", finite(100 * advice.energy_drift)},
-            {"error_percent", finite(100 * advice.rate_error)},
+            {"position_error_percent", finite(100 * advice.position_error)},
+            {"rate_error_percent", finite(100 * advice.rate_error)},
             {"longest_step", finite(advice.longest_step)},
             {"cost", finite(advice.cost)},
             {"right", advice.right},
@@ -54,43 +38,38 @@ Json as_json(const Advice& advice) {
             {"reason", advice.reason}};
 }
 
+// Stable is not right. One that keeps four times the energy, twice the amplitude, is seen to, while there is a
+// hundredth of the start to be seen.
+bool lingers(const Advice& advice) { return advice.energy_ratio > 4 && advice.growth_per_second >= 0.01; }
+
+// The verdict, and beside "stable" what is alarming all the same.
+std::string verdict_of(const Advice& advice) {
+    if (advice.verdict != timestep::Verdict::stable) return words(advice.verdict);
+    if (advice.ringing < 0) return "stable, rings";
+    if (advice.position_error > 0.5) return "stable, far off";
+    return lingers(advice) ? "stable, lingers" : "stable";
+}
+
+// How far from its place, as a share of the start.
+std::string off(double error) {
+    if (std::isnan(error)) return "-";
+    if (error > 1e6) return "all lost";
+    return error >= 9.95 ? "× " + number(error, "%.2g") : number(100 * error, "%.2g") + " %";
+}
+
 // Up to which step it is stable: nothing to say where that is every step, or where there is none to take.
 std::string up_to(double longest_step) {
     if (longest_step == 0) return ": no step is short enough";
     return std::isfinite(longest_step) ? ", h < " + number(longest_step) + " s" : "";
 }
 
-// Stable is not right: one that keeps four times the energy, twice the amplitude, is seen to, while
-// there is a hundredth of the start to be seen.
 void print_slow_death(const std::vector<Advice>& all) {
     std::string slow;
     for (const auto& advice : all)
-        if (advice.verdict == timestep::Verdict::stable && advice.energy_ratio > 4 &&
-            advice.growth_per_second >= 0.01)
+        if (advice.verdict == timestep::Verdict::stable && lingers(advice))
             slow += "  " + padded(advice.method, 34) + factor(advice.energy_ratio, "%.2g") + "\n";
     if (!slow.empty())
         std::printf("\nStable, and yet it may die too slowly. Energy that should be gone:\n%s", slow.c_str());
-}
-
-// Force evaluations and solves of systems a second at the asked step. New damping only divides.
-double work(const Advice& advice) {
-    return advice.method == timestep::semi_implicit_euler_new_damping.name ? advice.cost / 2 : advice.cost;
-}
-
-// The one that is stable at the asked step with the least work, and does not ring; of those alike the
-// one that stands the longest step, then the nearest to the truth.
-const Advice* survivor(const std::vector<Advice>& all) {
-    const auto better = [](const Advice& a, const Advice& b) {
-        if (std::abs(work(a) / work(b) - 1) > 1e-9) return work(a) < work(b);
-        if (a.longest_step != b.longest_step) return a.longest_step > b.longest_step;
-        return a.rate_error < b.rate_error;
-    };
-    const Advice* best = nullptr;
-    for (const auto& advice : all) {
-        const bool stands = advice.verdict == timestep::Verdict::stable && advice.ringing == 0;
-        if (stands && (!best || better(advice, *best))) best = &advice;
-    }
-    return best;
 }
 
 // The step of the question, and whether it was given.
@@ -100,37 +79,29 @@ struct Step {
     bool given;
 };
 
-// What is cheaper still and not right, but stable: if there is such a one.
-void print_survivor(const std::vector<Advice>& all, const timestep::DampedSpring<double>& spring,
-                    const Step& asked, const Advice* right) {
-    const Advice* cheap = survivor(all);
-    if (!cheap || cheap->right) return;
-    if (right) {
-        const double step = best_step(*right, asked.h);
-        if (work(*cheap) > 0.999 * work(*right) * asked.h / step) return;
-    }
-    // A swing that turns by half or more in a step is no swing on the screen.
-    const bool too_fast = spring.zeta < 1 && spring.omega * asked.h > pi;
-    const double longest = cheap->longest_step;
-    const std::string limit =
-        std::isfinite(longest) ? "stable up to steps of " + number(longest) + " s" : "stable for every step";
-    const std::string words = std::string("If it only has to ") + (too_fast ? "survive" : "look alive") +
-                              ": " + bold(cheap->method) + " at " + (asked.given ? "your step" : "1/60 s") +
-                              ", " + limit + ", off by " + number(100 * cheap->rate_error, "%.2g") + " %.";
-    std::printf("%s", wrapped(words, 0).c_str());
+void line(const std::string& words) { std::printf("%s", wrapped(words, 0).c_str()); }
+
+// Which error is meant, in one sentence.
+void print_meaning(const timestep::SpringScene& scene, const std::string& percent) {
+    const double slow = static_cast<double>(std::abs(timestep::detail::exact_rate(scene.fastest.zeta)));
+    const double swing = 2 * pi / (slow * scene.fastest.omega);
+    line("Right to " + percent + ": let go at rest, no position in the first " +
+         (scene.fastest.zeta < 1 ? "swing, " : "turns of the slow decay, ") + number(swing) + " s, is off by more than " +
+         percent + " of the start, and nothing rings. After many swings it may be farther off.");
 }
 
 // Which methods are right at this step, which one reaches that most cheaply, and what right means.
-void print_right(const std::vector<Advice>& all, const timestep::DampedSpring<double>& spring,
-                 const Step& asked, double accuracy) {
+void print_right(const std::vector<Advice>& all, const timestep::SpringScene& scene, const Step& asked,
+                 double accuracy) {
     const std::string percent = number(accuracy) + " %";
     std::string right;
     for (const auto& advice : all)
         if (advice.right) right += (right.empty() ? "" : "; ") + advice.method;
-    std::printf("%s", wrapped(asked.name + ", within " + percent + ": " + (right.empty() ? "none" : right) + ".", 0)
-                          .c_str());
+    line(asked.name + ", within " + percent + ": " + (right.empty() ? "none" : right) + ".");
     const Advice* best = cheapest(all, asked.h);
-    if (best) {
+    if (scene.varying()) {
+        // Of a longest right step nothing can be said while frames vary.
+    } else if (best) {
         const double step = best_step(*best, asked.h), cost = best_cost(*best, asked.h);
         std::printf("To be right to %s at steps no longer than %s, the cheapest is %s:\n"
                     "steps of %s s, %s a second, cost %s a second.\n",
@@ -140,87 +111,118 @@ void print_right(const std::vector<Advice>& all, const timestep::DampedSpring<do
         for (const auto& advice : all)
             if (&advice != best && std::abs(best_cost(advice, asked.h) / cost - 1) < 1e-9)
                 alike += (alike.empty() ? "" : "; ") + advice.method;
-        if (!alike.empty()) std::printf("%s", wrapped("Equally cheap: " + alike + ".", 0).c_str());
+        if (!alike.empty()) line("Equally cheap: " + alike + ".");
     } else {
         const bool never = cheapest(all) == nullptr;
         std::printf("No method is right to %s at %s.\n", percent.c_str(),
                     never ? "any step" : asked.given ? "steps no longer than yours" : "steps of 1/60 s or less");
     }
-    print_survivor(all, spring, asked, best);
-    // See timestep::advise() for what is measured.
-    if (spring.zeta == 0)
-        std::printf("Right to %s: the frequency, and the rate at which the swing grows or dies, are off by %s of ω "
-                    "at\nmost. After many swings the amplitude may be farther off.\n",
-                    percent.c_str(), percent.c_str());
-    else if (spring.zeta < 1)
-        std::printf("Right to %s: frequency and decay rate ζω are off by %s of ω at most (that is %s %% of the "
-                    "decay\nrate itself). After many swings the amplitude may be farther off.\n",
-                    percent.c_str(), percent.c_str(), number(accuracy / spring.zeta).c_str());
-    else
-        std::printf("Right to %s: the rate of the slow decay, or both ω and ζω, are within %s, and nothing rings. "
-                    "After\nmuch decay the amplitude may be farther off.\n",
-                    percent.c_str(), percent.c_str());
+    print_meaning(scene, percent);
     const bool any =
         std::any_of(all.begin(), all.end(), [](const Advice& each) { return each.ringing < 0; });
-    if (spring.zeta >= 1 || any)
-        std::printf("It rings when a part that should decay turns its sign from step to step and keeps "
-                    "more than\nhalf of its size.\n");
+    if (scene.fastest.zeta >= 1 || any)
+        line("It rings when a part that should decay turns its sign from step to step and keeps more than half of its "
+             "size.");
 }
 
-void print(const std::vector<Advice>& all, const timestep::DampedSpring<double>& spring, const Step& asked,
-           double accuracy) {
-    const double h = asked.h;
-    const double omega = spring.omega, swing = 2 * pi / omega;
+// The answer of which_method.hpp, its bold words bold.
+void print_recommended(const timestep::Recommendation& answer, const Step& asked, const timestep::SpringScene& scene,
+                       const std::vector<Advice>& all) {
+    std::string take = answer.choice->take;
+    for (std::size_t at = take.find("**"); at != std::string::npos; at = take.find("**")) {
+        const std::size_t end = take.find("**", at + 2);
+        take = take.substr(0, at) + bold(take.substr(at + 2, end - at - 2)) + take.substr(end + 2);
+    }
+    std::string words = "Recommended";
+    if (!scene.varying()) words += " at " + (asked.given ? "your step" : std::string("1/60 s"));
+    words += ": " + take;
+    if (answer.substeps > 1) words += ", in " + number(double(answer.substeps)) + " substeps";
+    if (answer.substeps == 0) words += ", though no million substeps would do";
+    words += "; " + answer.choice->why + " (chapter " + answer.choice->where.substr(2, 1) + ").";
+    if (answer.substeps == 1 && !scene.varying())
+        for (const auto& advice : all)
+            if (advice.method == answer.choice->method && !advice.right)
+                words += " Off by " + off(advice.position_error) + " in the first swing, in frequency and decay by " +
+                         off(advice.rate_error) + ".";
+    line(words);
+}
+
+// The scene in words: its fastest swing, how it was found, and the step.
+void print_scene(const timestep::SpringScene& scene, const Step& asked) {
+    const auto& spring = scene.fastest;
+    const double h = asked.h, omega = spring.omega;
     const double decay = spring.zeta < 1 ? spring.zeta : 1 / timestep::detail::fast_decay(spring.zeta);
-    const std::string steps = spring.zeta < 1 ? number(swing / h) + " steps a swing" : "no swing";
+    if (!scene.found.empty())
+        line("The fastest swing: ω² = " + scene.found + "; so ω = " + number(omega) + " rad/s" +
+             (scene.bounded() ? " at most, and at least " + number(scene.least.omega) + " rad/s." : "."));
+    if (scene.only_pulls)
+        line("A tether only pulls: limit and numbers are those of a taut one. Below the limit it may still gain, each time "
+             "it goes taut between two steps; short steps gain less.");
+    if (scene.varying())
+        line("Frames from " + number(scene.shortest_frame) + " to " + number(scene.longest_frame) +
+             " s, all lengths alike, in any order: limits hold for a constant step. Growth is what a thousand runs "
+             "with frames at random do; stable is said only where it is proven for any order.");
+    const std::string steps = spring.zeta < 1 ? number(2 * pi / omega / h) + " steps a swing" : "no swing";
     std::printf("ω = %s rad/s, ζ = %s, h = %s s: ωh = %s, %s.\nThe true motion: in a second the "
                 "amplitude %s.\n\n",
                 number(omega).c_str(), number(spring.zeta).c_str(), number(h).c_str(),
-                number(omega * h, "%.4g").c_str(), steps.c_str(),
-                factor(std::exp(-decay * omega)).c_str());
-    std::printf("%s%s%s%s%s%s\n", padded("method", 34).c_str(), padded("verdict", 19).c_str(),
-                padded("amplitude/s", 18).c_str(), padded("energy/s", 18).c_str(),
-                padded("period", 13).c_str(), "cost/s");
-    for (const auto& advice : all) {
-        // What grows has no period worth a number.
-        const bool none = std::isnan(advice.period_error) || advice.verdict == timestep::Verdict::grows;
-        const std::string off = none ? "-" : more(advice.period_error);
-        std::printf("%s%s%s%s%s%s\n", padded(advice.method, 34).c_str(),
-                    padded(advice.ringing < 0 ? "stable, rings" : words(advice.verdict), 19).c_str(),
-                    padded(factor(advice.growth_per_second), 18).c_str(),
-                    padded(factor(advice.energy_ratio, "%.2g"), 18).c_str(), padded(off, 13).c_str(),
-                    often(advice.cost).c_str());
-    }
+                number(omega * h, "%.4g").c_str(), steps.c_str(), factor(std::exp(-decay * omega)).c_str());
+}
+
+void print(const std::vector<Advice>& all, const timestep::SpringScene& scene, const Step& asked, double accuracy) {
+    print_scene(scene, asked);
+    std::printf("%s%s%s%s%s%s\n", padded("method", 33).c_str(), padded("verdict", 18).c_str(),
+                padded("off by", 11).c_str(), padded("amplitude/s", 15).c_str(), padded("energy/s", 15).c_str(),
+                "cost/s");
+    for (const auto& advice : all)
+        std::printf("%s%s%s%s%s%s\n", padded(advice.method, 33).c_str(), padded(verdict_of(advice), 18).c_str(),
+                    padded(off(advice.position_error), 11).c_str(),
+                    padded(factor(advice.growth_per_second), 15).c_str(),
+                    padded(factor(advice.energy_ratio, "%.2g"), 15).c_str(), often(advice.cost).c_str());
     print_slow_death(all);
     std::printf("\nWhy, and up to which step:\n");
     for (const auto& advice : all)
         std::printf("  %s%s%s\n", padded(advice.method, 34).c_str(), advice.reason.c_str(),
                     up_to(advice.longest_step).c_str());
-    std::printf("\nAmplitude: what a second multiplies it by in the long run. Energy: after a second, over what "
-                "it\nshould be. Period: how much too long. Cost: force evaluations and solves. A\nsolve counts one, "
-                "even if it is a mere division as with new damping.\n\n");
-    print_right(all, spring, asked, accuracy);
+    std::printf("\n");
+    line("Off by: how far, let go at rest, its positions get from the true ones in the first swing, over the start. "
+         "Amplitude: what a second multiplies it by in the long run. Energy: after a second, over what it should be. "
+         "Cost: force evaluations and solves. A solve counts one, even if it is a mere division as with new damping.");
+    std::printf("\n");
+    print_right(all, scene, asked, accuracy);
+    const auto& spring = scene.fastest;
+    const double quarter = pi / 2 / spring.omega;
     if (spring.zeta < 1)
         std::printf("The talk's rule of thumb, four steps a swing, allows %s s: your step is %s.\n",
-                    number(swing / 4).c_str(), h <= swing / 4 ? "within it" : "longer");
+                    number(quarter).c_str(), asked.h <= quarter ? "within it" : "longer");
 }
 
 }  // namespace
 
 void advise_spring(const Question& question, bool json) {
-    const auto spring = spring_of(question);
-    const double h = step_of(question);
+    const timestep::SpringScene scene = scene_of(question);
+    const double h = scene.varying() ? scene.longest_frame : step_of(question);
     const double accuracy = question.accuracy.value_or(1);
     if (!(accuracy >= 1e-6 && accuracy <= 50))
         timestep::refuse("accuracy", accuracy, "from 1e-6 to 50 percent");
-    const auto all = timestep::advise(spring, h, accuracy / 100);
+    const auto all = timestep::advise(scene, h, accuracy / 100);
+    const timestep::Wish wish{question.accuracy.has_value(), question.keep_size};
+    const timestep::Recommendation answer = timestep::recommend(scene, h, wish, all);
     if (json) {
-        Json answer = Json::array();
-        for (const auto& advice : all) answer.push_back(as_json(advice));
-        std::printf("%s\n", answer.dump(2).c_str());
+        Json list = Json::array();
+        for (const auto& advice : all) {
+            list.push_back(as_json(advice));
+            if (advice.method == answer.choice->method) list.back()["recommended_substeps"] = answer.substeps;
+        }
+        std::printf("%s\n", list.dump(2).c_str());
     } else {
-        const char* name = question.step ? "At your step" : question.rate ? "At your rate" : "At 60 steps a second";
-        print(all, spring, {h, name, question.step || question.rate}, accuracy);
+        const char* name = scene.varying()  ? "With your frames"
+                           : question.step ? "At your step"
+                           : question.rate ? "At your rate"
+                                           : "At 60 steps a second";
+        const Step asked{h, name, question.step || question.rate};
+        print(all, scene, asked, accuracy);
+        print_recommended(answer, asked, scene, all);
     }
 }
 

@@ -36,7 +36,8 @@ inline std::string more(double fraction) {
 // What something becomes in a second, over what it was. Zero is what no double can hold.
 inline std::string factor(double value, const char* format = "%.3g") {
     if (std::isnan(value)) return "-";
-    return "× " + (value < 1e-308 ? "1e-308 and less" : number(value, format));
+    if (std::isinf(value)) return "× over 1e308";
+    return "× " + (value < 1e-308 ? "under 1e-308" : number(value, format));
 }
 
 }  // namespace course

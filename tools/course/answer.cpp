@@ -29,6 +29,20 @@ struct Asked {
     Grading grading;
 };
 
+// What `advise` may be told of springs besides.
+template <class Number>
+void declare_springs(CLI::App& advise, Question& question, const Number& number) {
+    advise.add_option("--kind", question.kind, "spring, chain, cloth, tether (it only pulls) or hinge")->type_name("NAME");
+    number("--springs", question.springs, "N", "so many springs on the body; from a point of a chain or cloth");
+    number("--arm", question.arm, "M", "from its centre of mass to where they take hold, with --turning");
+    number("--turning", question.turning, "KG*M^2", "the body's least moment of inertia");
+    number("--other-mass", question.other_mass, "KG", "a hinge's other body; none given: like the first");
+    number("--other-arm", question.other_arm, "M", "its arm");
+    number("--other-turning", question.other_turning, "KG*M^2", "its least moment of inertia");
+    advise.add_flag("--kicks", question.kicks, "impulses come between the steps");
+    advise.add_flag("--keep-size", question.keep_size, "a swing faster than the frame must not die");
+}
+
 void declare_advise(CLI::App& app, Asked& asked) {
     const auto advise = app.add_subcommand("advise", "will it blow up? Every method on your numbers");
     Question& question = asked.question;
@@ -50,7 +64,16 @@ void declare_advise(CLI::App& app, Asked& asked) {
     three("--spin", question.spin, "X,Y,Z", "its angular velocity, rad/s");
     number("--step", question.step, "S", "the time step, or:");
     number("--rate", question.rate, "HZ", "steps a second; neither given: 60");
-    number("--accuracy", question.accuracy, "PERCENT", "how wrong the motion may be (1)");
+    advise->add_option("--frames", question.frames, "or frames of uneven length: the shortest and the longest, s")
+        ->type_name("SHORTEST,LONGEST")
+        ->delimiter(',')
+        ->expected(2);
+    number("--accuracy", question.accuracy, "PERCENT", "how far off a position of the first swing may be (1)");
+    declare_springs(*advise, question, number);
+    // Of a body.
+    number("--count", question.count, "NUMBER", "so many bodies like this one (1)");
+    advise->add_flag("--contacts", question.contacts, "it touches others");
+    advise->add_flag("--callback", question.callback, "and all you can change is its spin, before the engine's step");
     advise->add_flag("--json", asked.json, "as JSON, for programs");
 }
 

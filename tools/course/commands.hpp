@@ -90,6 +90,18 @@ struct Question {
     std::optional<double> step, rate;                             ///< s, 1/s
     std::vector<double> inertia, spin;                            ///< kg m², rad/s
     std::optional<double> accuracy;                               ///< percent; 1 where not given
+    std::vector<double> frames;                                   ///< the shortest and the longest, s, where they differ
+
+    // Of a body.
+    std::optional<long> count;  ///< of bodies like this one; 1 where not given
+    bool contacts = false;      ///< does it touch others?
+    bool callback = false;      ///< and can it only be changed before the engine's step?
+
+    // More kinds of springs than one.
+    std::string kind = "spring";                                 ///< or chain, cloth, tether, hinge
+    std::optional<double> springs, arm, turning;                 ///< how many, m, kg m²
+    std::optional<double> other_mass, other_arm, other_turning;  ///< of a hinge's other body
+    bool kicks = false, keep_size = false;                       ///< impulses; a fast swing that is to stay
 };
 
 /// What every method makes of it: will it blow up, what does it cost, how wrong is it?

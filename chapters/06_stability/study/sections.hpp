@@ -36,4 +36,5 @@ void reactions(const Settings&, lab::Findings&);          // reactions.cpp
 void cloth(const Settings&, lab::Findings&);              // cloth.cpp
 void extreme_inputs(const Settings&, lab::Findings&);     // extremes.cpp
 void advice(const Settings&, lab::Findings&);             // advice.cpp
+void advice_bodies(const Settings&, lab::Findings&);      // advice_bodies.cpp
 void leave_out(const Settings&, lab::Findings&);          // leave_out.cpp

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
         cloth(settings, out);
         extreme_inputs(settings, out);
         advice(settings, out);
+        advice_bodies(settings, out);
         leave_out(settings, out);
     });
 }

@@ -1,0 +1,106 @@
+#pragma once
+/// \file
+/// Will it blow up? The verdicts of `./course advise`, and what must be known of a spring's scene for one (I13).
+
+#include <cmath>
+#include <string>
+
+#include <timestep/advise_multipliers.hpp>
+#include <timestep/stability_limit.hpp>
+
+namespace timestep {
+
+/// Will it blow up?
+enum class Verdict {
+    stable,             ///< bounded for ever
+    grows,              ///< sooner or later it leaves the screen
+    too_close_to_call,  ///< within a thousandth of the boundary: no stiffness is known better than
+                        ///< that; or the growth is lost in roundoff
+    refused,            ///< the method cannot step this scene at all
+    not_proven          ///< it may stay or grow: what is known of the scene does not decide it
+};
+
+/// The verdict in words.
+inline const char* words(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::stable: return "stable";
+        case Verdict::grows: return "grows";
+        case Verdict::too_close_to_call: return "too close to call";
+        case Verdict::not_proven: return "not proven";
+        default: return "refused";
+    }
+}
+
+/// Is `value` on the stable side of `limit`?
+inline Verdict verdict(double value, double limit) {
+    return value < 0.999 * limit   ? Verdict::stable
+           : value > 1.001 * limit ? Verdict::grows
+                                   : Verdict::too_close_to_call;
+}
+
+/// The springs of a scene, as their fastest swing sees them. Of many springs only bounds of that swing are
+/// known: then `least` is slower than `fastest`, each with its own damping ratio. Springs with dampers beside
+/// them swing slower by other patterns, with less damping; where the fastest swing is stable those are, too.
+struct SpringScene {
+    DampedSpring<double> fastest;  ///< the fastest swing is this one at most
+    DampedSpring<double> least;    ///< and this one at least
+    bool only_pulls = false;       ///< a tether: it lets go when it is slack
+    bool kicks = false;            ///< do impulses come between the steps?
+    double shortest_frame = 0;     ///< s; 0: every step is as long as the last
+    double longest_frame = 0;      ///< s
+    std::string found{};           ///< how the fastest swing was found, in a line
+
+    /// One spring, of which all is known.
+    SpringScene(const DampedSpring<double>& spring) : fastest(spring), least(spring) {}
+    /// A fastest swing between two bounds.
+    SpringScene(const DampedSpring<double>& fastest_, const DampedSpring<double>& least_, const std::string& found_)
+        : fastest(fastest_), least(least_), found(found_) {}
+
+    bool varying() const { return shortest_frame < longest_frame; }  ///< are frames of uneven length?
+    bool bounded() const { return least.omega < fastest.omega; }     ///< are only bounds known?
+};
+
+/// \cond
+namespace detail {
+
+struct Said {
+    Verdict verdict;
+    std::string reason;
+};
+
+// Why a constant step is stable or not, for people.
+inline std::string reason(const StabilityLimit& limit, double s) {
+    if (!std::isfinite(limit.value)) return "stable for every step";
+    const int digits = number(s) == number(limit.value) ? 7 : 4;  // as many as tell the two apart
+    const std::string left = number(s, digits), right = number(limit.value, digits);
+    const std::string words = limit.formula, link = words.starts_with("the ") ? ", " : " = ";
+    const std::string formula = right == words ? "" : link + words;
+    if (left == right) return "ωh = " + left + formula + ", the limit itself";
+    return "ωh = " + left + (s < limit.value ? " < " : " > ") + right + formula;
+}
+
+// A constant step. `high` is the limit for the fastest swing that can be, `low` for the slowest that the
+// fastest one can be. By each method's formula a slower swing with less damping is stable where a faster one
+// with more, in proportion, is: no limit rises faster than ζ does.
+inline Said constant_step(const SpringScene& scene, double h, const StabilityLimit& high, const StabilityLimit& low) {
+    const double s = scene.fastest.omega * h, least = scene.least.omega * h;
+    const Verdict at_most = verdict(s, high.value), at_least = verdict(least, low.value);
+    if (at_most == Verdict::stable || !scene.bounded()) return {at_most, reason(high, s)};
+    if (at_least == Verdict::grows) return {Verdict::grows, reason(low, least) + ", at least"};
+    return {Verdict::not_proven,
+            "ωh is " + number(least) + " to " + number(s) + ", and " + number(high.value) + " the limit"};
+}
+
+// A tether that lets go and takes hold between two steps can be stretched, when it takes hold, by more than its
+// speed ever paid for. Implicit Euler alone has a proof: the force is the slope of a potential that is convex,
+// slack or taut, and by each of its steps the energy falls.
+inline Said tether(const Said& taut, bool implicit_euler) {
+    if (implicit_euler) return {Verdict::stable, "stable for every step, slack or taut"};
+    if (taut.verdict != Verdict::stable) return {taut.verdict, "taut: " + taut.reason};
+    return {Verdict::not_proven, "taut: " + taut.reason + "; each time it goes taut, it may gain"};
+}
+
+}  // namespace detail
+/// \endcond
+
+}  // namespace timestep

@@ -1,0 +1,142 @@
+#pragma once
+/// \file
+/// A throw: what one body, spun in one way and left alone, does by a solver, against its exact motion.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <type_traits>
+
+#include <timestep/rigid/exact_free_body.hpp>
+#include <timestep/rigid/symmetric_remainder.hpp>
+
+namespace timestep {
+
+/// Lengths of frames: all the same, or drawn between two. The same ones for everybody.
+class Frames {
+public:
+    /// From `shortest` to `longest`, s. Throws `std::invalid_argument` unless 0 < shortest ≤ longest.
+    Frames(double shortest, double longest)
+        : shortest_(positive("shortest frame", shortest)), longest_(positive("longest frame", longest)) {
+        if (shortest > longest) refuse("shortest frame", shortest, "at most the longest");
+    }
+    /// The next one, s.
+    double operator()() {
+        return shortest_ + (longest_ - shortest_) * (double(random_() >> 11) / 9007199254740992.0);
+    }
+    double shortest() const { return shortest_; }                ///< s
+    double longest() const { return longest_; }                  ///< s
+    bool even() const { return shortest_ == longest_; }          ///< are all the same?
+
+private:
+    double shortest_, longest_;
+    std::mt19937_64 random_{1};
+};
+
+/// From so many radians on an attitude is lost: nobody would call it right.
+inline constexpr double lost_attitude = 0.5;
+
+/// What a throw came to. Infinite, or no number, where it blew up.
+struct Thrown {
+    double seconds = 0;      ///< how long it was watched
+    double energy = 1;       ///< at the end, over that at the start
+    double most_energy = 1;  ///< the most that it ever was
+    double spin_left = 1;    ///< the spin about the axis of the body it was thrown about, at the end
+    double off = 0;          ///< the attitude's largest error in the first two seconds: 2 sin(α/2) of an angle α;
+                             ///< no number where the spin is so fast that the exact one is not known
+    bool lost = false;       ///< was that more than lost_attitude?
+};
+
+/// \cond
+namespace detail {
+// The splittings divide the body beforehand.
+template <class Rule>
+auto prepared(const Rule&, const PrincipalInertia<double>& inertia) {
+    if constexpr (std::is_same_v<Rule, SymmetricRemainder2> || std::is_same_v<Rule, SymmetricRemainder4>)
+        return RemainderInertia<double>(inertia);
+    else
+        return inertia;
+}
+
+inline double apart(const Quaternion<double>& p, const Quaternion<double>& q) {
+    return 2 * std::min(1.0, (p.conjugate() * q).vec().norm());
+}
+
+// ExactFreeBody is off by up to 60 ε for each radian and each of the moments' ratio: is a thousandth of it right?
+inline bool exact_is_known(const PrincipalInertia<double>& inertia, double radians) {
+    const double ratio = inertia.moments.maxCoeff() / inertia.moments.minCoeff();
+    return 60 * std::numeric_limits<double>::epsilon() * ratio * radians < 1e-3;
+}
+}  // namespace detail
+/// \endcond
+
+/// No hand throws a body about one of its axes to the last digit, and then all solvers look alike. A spin that is
+/// off its axis by less than a hundredth comes back tilted by a hundredth, equally fast.
+inline Vector3<double> as_thrown(const Vector3<double>& omega) {
+    int axis;
+    const double most = omega.cwiseAbs().maxCoeff(&axis), tilt = 0.01;
+    Vector3<double> across = omega / most;
+    across[axis] = 0;
+    if (across.norm() >= tilt) return omega;
+    Vector3<double> tilted = Vector3<double>::Constant(tilt / std::sqrt(2.0));
+    tilted[axis] = std::copysign(1.0, omega[axis]);
+    return omega.norm() * tilted.normalized();
+}
+
+/// Throws the body with `omega`, rad/s in its own axes, and steps it by `rule` for `seconds`, or for
+/// `most_steps` if these are over before.
+template <class Rule>
+Thrown throw_body(const Rule& rule, const PrincipalInertia<double>& inertia, const Vector3<double>& omega,
+                  Frames frames, double seconds = 10, long most_steps = 60'000) {
+    const double attitude_seconds = 2, spin = omega.norm();
+    PrincipalInertia<double> body = inertia;
+    body.moments = body.unit;  // moments of any size: no energy overflows
+    const SpinState<double> start{0, Quaternion<double>::Identity(), omega};
+    const ExactFreeBody<double> exact(body, in_world(start));
+    const auto mine = detail::prepared(rule, body);
+    const double energy = kinetic_energy(body, omega), between = attitude_seconds / 30;
+    const bool known = detail::exact_is_known(inertia, spin * std::max(attitude_seconds, frames.longest()));
+    Thrown thrown;
+    if (!known) thrown.off = std::numeric_limits<double>::quiet_NaN();
+    SpinState<double> s = start;
+    double look = between;
+    const double end = seconds - frames.longest() / 2;  // so that steps of 1/60 s are 600
+    for (long n = 0; n < most_steps && (n == 0 || s.t < end); ++n) {
+        const double h = frames();
+        s = rule.step(mine, s, h);
+        thrown.energy = kinetic_energy(body, s.omega) / energy;
+        if (!(thrown.energy < 1e300) || !is_finite(s)) {
+            thrown.energy = thrown.most_energy = std::numeric_limits<double>::infinity();
+            thrown.lost = s.t < attitude_seconds;
+            if (thrown.lost) thrown.off = 2;
+            break;
+        }
+        thrown.most_energy = std::max(thrown.most_energy, thrown.energy);
+        if (known && (n == 0 || (s.t >= look && s.t <= attitude_seconds + h / 2))) {
+            thrown.off = std::max(thrown.off, detail::apart(s.q, exact(s.t).q));
+            while (look <= s.t) look += between;
+        }
+    }
+    thrown.seconds = s.t;
+    thrown.spin_left = s.omega.dot(omega) / spin / spin;
+    thrown.lost = thrown.lost || thrown.off > lost_attitude;
+    return thrown;
+}
+
+/// The exact motion after so many seconds, as a throw.
+inline Thrown throw_exactly(const PrincipalInertia<double>& inertia, const Vector3<double>& omega,
+                            double seconds = 10) {
+    PrincipalInertia<double> body = inertia;
+    body.moments = body.unit;
+    const ExactFreeBody<double> exact(body, RigidState<double>{0, Quaternion<double>::Identity(), omega});
+    Thrown thrown;
+    thrown.seconds = seconds;
+    const bool known = detail::exact_is_known(inertia, omega.norm() * seconds);
+    thrown.spin_left = known ? in_body(exact(seconds)).omega.dot(omega) / omega.squaredNorm()
+                             : std::numeric_limits<double>::quiet_NaN();
+    return thrown;
+}
+
+}  // namespace timestep

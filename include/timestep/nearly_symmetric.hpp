@@ -1,0 +1,85 @@
+#pragma once
+/// \file
+/// Two moments that are all but equal: what a game should declare them, and what it loses if it does not.
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <timestep/body_throw.hpp>
+#include <timestep/gyroscopic/passive_gyroscopic.hpp>
+#include <timestep/which_method.hpp>
+
+namespace timestep {
+
+/// The two moments that are closest to each other.
+struct ClosestMoments {
+    int odd;                       ///< the axis of the third one, 0, 1 or 2
+    double apart;                  ///< by which share of the larger they differ
+    std::array<double, 3> equal;   ///< the moments with their mean for both, kg m²
+    bool near() const { return apart <= nearly_equal; }  ///< better declared equal?
+};
+
+/// Which two of the moments are closest.
+inline ClosestMoments closest_moments(const PrincipalInertia<double>& inertia) {
+    ClosestMoments found{0, std::numeric_limits<double>::infinity(), {}};
+    const Vector3<double>& I = inertia.moments;
+    for (int i = 0; i < 3; ++i) {
+        const double a = I[(i + 1) % 3], b = I[(i + 2) % 3];
+        const double apart = std::abs(a - b) / std::max(a, b);
+        if (apart < found.apart) found.odd = i, found.apart = apart;
+    }
+    const int i = (found.odd + 1) % 3, j = (found.odd + 2) % 3;
+    found.equal = {I[0], I[1], I[2]};
+    found.equal[std::size_t(i)] = found.equal[std::size_t(j)] = I[i] / 2 + I[j] / 2;
+    return found;
+}
+
+/// The passive step of a body whose two closest moments are declared equal, whatever the order of its axes;
+/// the mean of the old and the new ω turns it.
+class DeclaredEqual {
+public:
+    static constexpr const char* name = "declared equal";  ///< for tables and keys
+    /// Of any body.
+    explicit DeclaredEqual(const PrincipalInertia<double>& inertia)
+        : odd_(closest_moments(inertia).odd), equal_(declared(inertia)) {}
+
+    /// One step of `h` seconds. The inertia has been declared.
+    SpinState<double> step(const PrincipalInertia<double>&, const SpinState<double>& s, double h) const {
+        const int i = (odd_ + 1) % 3, j = (odd_ + 2) % 3;
+        const Vector3<double> along_z(s.omega[i], s.omega[j], s.omega[odd_]);
+        const Vector3<double> after = passive_gyroscopic.step(equal_, along_z, h);
+        Vector3<double> omega;
+        omega[i] = after.x(), omega[j] = after.y(), omega[odd_] = after.z();
+        return {s.t + h, turned_in_body(s.q, Vector3<double>(s.omega / 2 + omega / 2), h), omega};
+    }
+
+private:
+    static SymmetricInertia<double> declared(const PrincipalInertia<double>& inertia) {
+        PrincipalInertia<double> body = inertia;
+        body.moments = body.unit;
+        const ClosestMoments closest = closest_moments(body);
+        return {closest.equal[std::size_t((closest.odd + 1) % 3)], closest.equal[std::size_t(closest.odd)]};
+    }
+    int odd_;
+    SymmetricInertia<double> equal_;
+};
+
+/// After how many seconds the passive step has taken half of the spin about the axis of the odd moment, of a body
+/// spun about it at `spin` rad/s and tilted by a hundredth; infinite if it leaves it so long as we watch, an hour
+/// or a million steps.
+inline double half_gone_by_passive(const PrincipalInertia<double>& inertia, double spin, Frames frames) {
+    const int odd = closest_moments(inertia).odd;
+    Vector3<double> omega = as_thrown(Vector3<double>(spin * Vector3<double>::Unit(odd)));
+    const double half = omega[odd] / 2;
+    double t = 0;
+    for (long n = 0; n < 1'000'000 && t < 3600; ++n) {
+        const double h = frames();
+        omega = passive_gyroscopic.step(inertia, omega, h);
+        t += h;
+        if (!(omega[odd] > half)) return t;
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+}  // namespace timestep

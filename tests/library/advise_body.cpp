@@ -1,0 +1,228 @@
+// N51, I13: the advice on which solver to take for a spinning body, against the solvers' own steps.
+#include <catch2/catch_test_macros.hpp>
+
+#include <cmath>
+
+#include <timestep/advise_body.hpp>
+#include <timestep/nearly_symmetric.hpp>
+
+#include "../../chapters/06_stability/study/body_questions.hpp"
+
+using namespace timestep;
+using questions::Body;
+using questions::Vector;
+
+namespace {
+
+const Frames at_60_hz(1.0 / 60, 1.0 / 60);
+const Body box(13, 10, 5), ruler(0.0104, 1.0004, 1.01), plank(0.758, 0.787, 0.0313);
+
+BodyAdvice of(const std::vector<BodyAdvice>& all, const std::string& method) {
+    for (const BodyAdvice& advice : all)
+        if (advice.method == method) return advice;
+    FAIL("no advice on " << method);
+    return all.front();
+}
+
+}  // namespace
+
+TEST_CASE("what a solver is said to do to the energy its own steps do", "[library][N51][I13]") {
+    const questions::Tally tally = questions::verdicts(2400, 1);
+    for (const std::string& line : tally.missed) UNSCOPED_INFO(line);
+    CHECK(tally.wrong == 0);  // one in a thousand would hide a wrong limit
+    CHECK(tally.close <= 0.03 * double(tally.asked));
+    CHECK(std::min({tally.never, tally.bounded, tally.can}) > 400);
+}
+
+// E/Δ stays, and Δ comes to 1 where the spin about the middle axis passes zero.
+TEST_CASE("the half-step Jacobian's bound is reached, and 2/√c is where it ends", "[library][I13]") {
+    for (const Body& body : {box, ruler, plank}) {
+        int least, most;
+        body.moments.minCoeff(&least), body.moments.maxCoeff(&most);
+        Vector way = Vector::Constant(1e-3);
+        way[3 - least - most] = 1;
+        const auto said = [&](double turn) {
+            return detail::judged(tumble<HalfStepJacobian>, {1, 1, 0}, body, turn, 1);
+        };
+        const double end = said(1).longest_step;
+        for (const double part : {0.1, 0.5, 0.9}) {
+            const BodyAdvice advice = said(part * end);
+            REQUIRE(advice.adds == AddsEnergy::bounded);
+            const Thrown thrown = throw_body(tumble<HalfStepJacobian>, body,
+                                             Vector(part * end * way.normalized()), Frames(1, 1), 1e9, 3000);
+            CAPTURE(body.moments.transpose(), part, advice.bound, thrown.most_energy);
+            CHECK(thrown.most_energy <= advice.bound * (1 + 1e-10));
+            CHECK(thrown.most_energy - 1 > 0.9 * (advice.bound - 1));
+        }
+        CHECK(said(1.01 * end).adds == AddsEnergy::one_step_can);
+        CHECK(end >= 2);
+    }
+}
+
+TEST_CASE("that bound is a constant step's: by uneven frames it is passed", "[library][I13]") {
+    const Frames uneven(1.0 / 120, 1.0 / 60);
+    const double spin = 30;
+    const BodyAdvice even = detail::judged(tumble<HalfStepJacobian>, {1, 1, 0}, ruler, spin, 1.0 / 60);
+    REQUIRE(even.adds == AddsEnergy::bounded);
+    CHECK(of(advise_body(ruler, Vector(0, 30, 0), uneven), "half-step Jacobian").adds == AddsEnergy::one_step_can);
+    questions::Random random(4);
+    double most = 1;
+    for (int i = 0; i < 12; ++i)
+        most = std::max(most, throw_body(tumble<HalfStepJacobian>, ruler, Vector(spin * random.direction()), uneven,
+                                         600, 100'000).most_energy);
+    CHECK(most > even.bound);
+}
+
+TEST_CASE("a throw is watched as it was: energy, spin and attitude", "[library][I13]") {
+    // Of two equal moments ball and remainder is the exact motion.
+    const Body wheel(1, 1, 1.8);
+    const Vector omega(2, 1, 9);
+    const Thrown exact = throw_body(symmetric_remainder_2, wheel, omega, at_60_hz);
+    CHECK(std::abs(exact.seconds - 10) < 1e-9);
+    CHECK(std::abs(exact.energy - 1) < 1e-12);
+    CHECK(exact.off < 1e-9);
+    CHECK_FALSE(exact.lost);
+    CHECK(std::abs(exact.spin_left - throw_exactly(wheel, omega).spin_left) < 1e-9);
+    // A method of order two: half the step, a quarter of the error.
+    const auto off = [&](double rate) {
+        return throw_body(tumble<HalfStepJacobian>, box, Vector(1, 2, 2), Frames(1 / rate, 1 / rate)).off;
+    };
+    CHECK(std::abs(off(120) / off(240) - 4) < 0.1);
+    const Thrown blown = throw_body(tumble<ExplicitGyroscopic>, box, Vector(20, 30, 5), at_60_hz);
+    CHECK(std::isinf(blown.most_energy));
+    CHECK(blown.lost);
+    CHECK(throw_body(tumble<PassiveGyroscopic>, box, Vector(5, 10, 5), at_60_hz).energy < 0.99);
+    CHECK(throw_body(tumble<NoGyroscopic>, box, Vector(5, 10, 5), at_60_hz).spin_left == 1);
+    // Nobody knows where a body points after 1e12 turns, and the advice does not pretend to.
+    CHECK(std::isnan(throw_body(strang, box, Vector(1e12, 1e12, 0), at_60_hz).off));
+}
+
+TEST_CASE("uneven frames are those between the two, and the same for everybody", "[library][I13]") {
+    Frames one(0.01, 0.03), other(0.01, 0.03);
+    double sum = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const double h = one();
+        CHECK((h >= 0.01 && h <= 0.03));
+        CHECK(h == other());
+        sum += h;
+    }
+    CHECK(std::abs(sum / 1000 - 0.02) < 1e-3);
+    CHECK(Frames(0.02, 0.02)() == 0.02);
+    CHECK(Frames(0.02, 0.02).even());
+    CHECK_FALSE(one.even());
+    CHECK_THROWS_AS(Frames(0.03, 0.01), std::invalid_argument);
+    CHECK_THROWS_AS(Frames(0, 0.01), std::invalid_argument);
+}
+
+TEST_CASE("a spin about an axis is tilted by a hundredth, any other is not", "[library][I13]") {
+    const Vector tilted = as_thrown(Vector(0, -20, 0));
+    CHECK(std::abs(tilted.norm() - 20) < 1e-12);
+    CHECK(std::abs(std::hypot(tilted.x(), tilted.z()) / -tilted.y() - 0.01) < 1e-12);
+    CHECK(as_thrown(Vector(1, 20, 0)) == Vector(1, 20, 0));
+}
+
+TEST_CASE("two moments declared equal: which, and what passive takes where nobody does", "[library][I13]") {
+    const ClosestMoments closest = closest_moments(plank);
+    CHECK(closest.odd == 2);
+    CHECK(std::abs(closest.apart - 0.029 / 0.787) < 1e-12);
+    CHECK(closest.near());
+    CHECK_FALSE(closest_moments(box).near());
+    CHECK(std::abs(closest.equal[0] - 0.7725) < 1e-12);
+    CHECK(closest.equal[0] == closest.equal[1]);
+    CHECK(closest.equal[2] == 0.0313);
+    CHECK_NOTHROW(Body(closest.equal[0], closest.equal[1], closest.equal[2]));
+
+    const double gone = half_gone_by_passive(plank, 20, at_60_hz);
+    const Vector about_length = as_thrown(Vector(0, 0, 20));
+    const auto left = [&](double seconds) {
+        return throw_body(tumble<PassiveGyroscopic>, plank, about_length, at_60_hz, seconds).spin_left;
+    };
+    CAPTURE(gone, left(gone), left(gone - 0.05));
+    CHECK(left(gone) < 0.51);
+    CHECK(left(gone - 0.05) > 0.5);
+    CHECK(throw_body(DeclaredEqual(plank), plank, about_length, at_60_hz).spin_left > 0.999);
+    CHECK(std::isinf(half_gone_by_passive(Body(1, 1.02, 1.9), 20, at_60_hz)));  // it ends about the largest moment
+
+    // The same body with its axes in any order.
+    for (int odd = 0; odd < 3; ++odd) {
+        Vector I(1, 1, 1), omega(1, 2, 3);
+        I[odd] = 0.3;
+        const Body body(I.x(), I.y(), I.z());
+        const Thrown declared = throw_body(DeclaredEqual(body), body, omega, at_60_hz);
+        CHECK(std::abs(declared.spin_left - throw_exactly(body, omega).spin_left) < 1e-3);
+    }
+}
+
+TEST_CASE("up to five percent apart, two moments are better declared equal than stepped by passive",
+          "[library][I13]") {
+    CHECK(questions::nearer_declared(0.01, true) > 0.95);
+    CHECK(questions::nearer_declared(nearly_equal, true) > 0.95);
+    CHECK(questions::nearer_declared(nearly_equal, false) > 0.55);
+    CHECK(questions::nearer_declared(4 * nearly_equal, false) < 0.5);
+    CHECK(questions::nearer_declared(10 * nearly_equal, true) < 0.5);
+}
+
+TEST_CASE("a body is sent down the tree to a line of the list", "[library][I13]") {
+    const auto name = [](const Body& body, double spin, const Frames& frames, bool contacts = false, long count = 1) {
+        return recommend(body, spin, frames, contacts, count).choice.name;
+    };
+    const Frames uneven(0.01, 1.0 / 60);
+    CHECK(name(Body(2, 2, 2), 100, at_60_hz) == "ball");
+    CHECK(name(plank, 20, at_60_hz, true) == "symmetric");
+    CHECK(name(plank, 20, at_60_hz, false, 5000) == "symmetric");
+    CHECK(name(plank, 10, at_60_hz) == "free");
+    CHECK(name(Body(1, 1, 0.1), 100, uneven) == "symmetric_free");
+    CHECK(name(box, 100, uneven, true) == "contacts");
+    CHECK(name(box, 20, at_60_hz, false, 1000) == "many");
+    CHECK(name(box, 20, at_60_hz, false, 999) == "free_fast");
+    CHECK(name(box, 10, uneven) == "free_uneven");
+    const auto substeps = [](double spin, const Frames& frames) { return recommend(box, spin, frames).substeps; };
+    CHECK(substeps(15, at_60_hz) == 1);
+    CHECK(substeps(15.1, at_60_hz) == 2);
+    CHECK(substeps(100, at_60_hz) == 7);
+    CHECK(substeps(10, uneven) == 2);
+    CHECK(substeps(1e-3, uneven) == 1);
+    CHECK(recommend(box, 1e40, at_60_hz).substeps == 1'000'000'000'000'000'000);
+}
+
+// Over throws in any direction and near the middle axis, where errors grow fastest.
+TEST_CASE("in free flight the recommended line is right, and hardly any other of its price is nearer",
+          "[library][I13]") {
+    for (const auto& line : questions::recommended(250, 7, 10)) {
+        CAPTURE(line.name, line.asked, line.worst, line.beaten);
+        if (line.name == "many") continue;  // that is for its price in lanes
+        CHECK(line.asked > 10);
+        CHECK(line.worst < 1e-3);
+        CHECK(line.beaten_visibly == 0);
+    }
+}
+
+TEST_CASE("advice on a body hangs on the ratios of its moments only, and refuses what is no spin", "[library][I13]") {
+    const Vector omega(3, 10, 1);
+    const auto plain = advise_body(Body(1, 2, 2.5), omega, at_60_hz);
+    REQUIRE(plain.size() == 13);
+    for (const double unit : {1e306, 1e-300}) {
+        const auto all = advise_body(Body(unit, 2 * unit, 2.5 * unit), omega, at_60_hz);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            CAPTURE(unit, all[i].method);
+            CHECK(all[i].adds == plain[i].adds);
+            CHECK(std::abs(all[i].thrown.off - plain[i].thrown.off) < 1e-6);
+            CHECK((all[i].thrown.energy == plain[i].thrown.energy ||
+                   std::abs(all[i].thrown.energy / plain[i].thrown.energy - 1) < 1e-6));
+        }
+    }
+    CHECK_THROWS_AS(advise_body(box, Vector(0, 0, 0), at_60_hz), std::invalid_argument);
+    CHECK_THROWS_AS(advise_body(box, Vector(INFINITY, 0, 0), at_60_hz), std::invalid_argument);
+    CHECK_THROWS_AS(advise_body(box, Vector(1e60, 0, 0), at_60_hz), std::invalid_argument);
+    CHECK_NOTHROW(advise_body(box, Vector(1e49, 1e49, 0), at_60_hz));
+    CHECK_NOTHROW(advise_body(box, Vector(1e-30, 0, 0), at_60_hz));
+}
+
+TEST_CASE("of twenty thousand questions about bodies no verdict is wrong", "[library][I13][long]") {
+    for (const unsigned seed : {2u, 3u}) {
+        const questions::Tally tally = questions::verdicts(10'000, seed);
+        for (const auto& line : tally.missed) UNSCOPED_INFO(line);
+        CHECK(tally.wrong == 0);
+        CHECK(double(tally.close) < 0.03 * double(tally.asked));
+    }
+}

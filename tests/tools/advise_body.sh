@@ -1,0 +1,120 @@
+# Tests of ./course advise about a spinning body.
+
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/expect.sh"
+. "$here/stage.sh"
+
+plank='--inertia 0.758,0.787,0.0313 --spin 0,0,20'
+box='--inertia 13,10,5 --spin 1,10,0.1'
+
+refuses() {
+    what=$1
+    shift
+    expect 2 course advise "$@"
+    is "$(lines err)" 1
+    is "$(lines out)" 0
+    says err "$what"
+}
+
+# verdict METHOD: what the JSON in `out` says of it.
+verdict() { grep -A1 "\"method\": \"$1\"" out | sed -n 's/.*"verdict": "\(.*\)".*/\1/p'; }
+
+# recommended: the name of the line that the JSON in `out` recommends.
+recommended() { sed -n '/"recommended"/,$s/.*"name": "\(.*\)".*/\1/p' out; }
+
+test_bad_input_about_a_body_is_refused_by_its_name_and_rule() {
+    refuses 'count = 0: must be 1 or more' $box --count 0
+    refuses '--count = 1.5' $box --count 1.5
+    refuses "--count: '' is no number" $box --count ''
+    refuses 'shortest frame = 0.02: must be at most the longest' $box --frames 0.02,0.01
+    refuses 'shortest frame = 0: must be finite and greater than zero' $box --frames 0,0.01
+    refuses 'longest frame = inf: ' $box --frames 0.01,inf
+    refuses '--frames and --step or --rate say the same' $box --frames 0.01,0.02 --rate 60
+    refuses '--frames' $box --frames 0.01
+    refuses '--frames' $box --frames a,b
+    refuses 'belong to a spinning body' --omega 3 --count 3
+    refuses 'belong to a spinning body' --omega 3 --contacts
+    refuses 'belong to a spinning body' --omega 3 --callback
+    refuses '--callback belongs to --contacts' $box --callback
+    refuses '--inertia and --spin belong together' --inertia 1,2,3 --contacts
+}
+
+test_a_spinning_plank() {
+    expect 0 course advise --inertia 0.758,0.787,0.0313 --spin 0,0,60 --json
+    is "$(verdict explicit)" 'one step can'
+    is "$(verdict 'implicit, one iteration')" 'one step can'
+    is "$(verdict passive)" never
+    is "$(verdict 'half-step Jacobian')" bounded
+    is "$(verdict 'ball and remainder 4')" bounded
+    silent_on out nan
+    silent_on out inf
+    expect 0 course advise --inertia 0.758,0.787,0.0313 --spin 0,0,6 --json
+    is "$(verdict 'implicit, one iteration')" never
+    expect 0 course advise --inertia 1,1,1 --spin 0,0,60
+    is "$(grep -c '  never  ' out)" 13
+    is "$(grep -c '^dropped .* lost$' out)" 1
+    is "$(grep -c '^dropped, turned by h|ω|  *× 1 .* below 0.0001 %$' out)" 1
+    says out 'Recommended: nothing: leave the gyroscopic torque out because it is zero;'
+    expect 0 course advise $plank
+    is "$(grep -c '^explicit  *one step can: [+]7.4 %  *every step can  *1 torque  *60$' out)" 1
+    is "$(grep -c '^dropped  *never  *no limit  *nothing  *0$' out)" 1
+    is "$(grep -c '^ball and remainder 4  *at most × 25.1  *no limit  *14 turns  *840$' out)" 1
+}
+
+# Passive takes its spin about the length, and nobody sees why.
+test_a_spear_is_told_to_be_one() {
+    expect 0 course advise $plank
+    says out 'Two moments are within 3.7 % of each other. By passive half of the spin'
+    says out '1.02 s; by SymmetricInertia it stays'
+    says out '--inertia 0.7725,0.7725,0.0313'
+    says out 'tilted by a hundredth'
+    is "$(grep -c '^passive  *× 0.51 .* lost$' out)" 1
+    is "$(grep -c '^ball and remainder 4, 2 substeps  *× 1 .* below 0.0001 %$' out)" 1
+    expect 0 course advise --inertia 0.7725,0.7725,0.0313 --spin 0,0,20
+    silent_on out 'Two moments'
+    expect 0 course advise $plank --json
+    is "$(grep -c '"half_gone_by_passive": 1.01' out)" 1
+    expect 0 course advise $box
+    silent_on out 'Two moments'
+    silent_on out 'tilted'
+}
+
+test_the_line_of_the_list_that_is_recommended() {
+    asks() {
+        name=$1
+        shift
+        expect 0 course advise "$@" --json
+        is "$(recommended)" "$name"
+    }
+    asks free $box
+    asks free_fast $plank
+    asks symmetric $plank --contacts
+    asks symmetric $plank --count 5000
+    asks symmetric_free --inertia 1,1,0.2 --spin 1,2,50 --frames 0.01,0.02
+    asks contacts $box --contacts
+    asks callback $box --contacts --callback
+    asks callback $plank --contacts --callback
+    asks many $box --count 1000
+    asks free $box --count 999
+    asks free_uneven $box --frames 0.01,0.02
+    asks ball --inertia 1,1,1 --spin 1,2,3 --contacts
+}
+
+test_people_are_told_one_line_to_take_and_last() {
+    expect 0 course advise $box --contacts --callback
+    is "$(grep -c '^Recommended: ' out)" 1
+    is "$(tail -n 1 out | cut -c 1-50)" 'Recommended: the passive step because it adds no e'
+    says out ', chapter 8.'
+    silent_on out '**'
+    silent_on out '`'
+    expect 0 course advise --inertia 13,10,5 --spin 0,40,0
+    says out '(here 3 substeps of 0.00556 s)'
+    expect 0 course advise $box --frames 0.01,0.02
+    says out 'h = 0.02 s at most'
+    is "$(grep -c '^half-step Jacobian  *one step can' out)" 1
+    says out 'the bound is that of a constant step'
+}
+
+begin "$@"
+new_stage "$4" "$5"
+"$function"

@@ -1,0 +1,63 @@
+// What ./course advise answers about a body, computed.
+
+#include "body_answer.hpp"
+
+#include <algorithm>
+
+#include "advise.hpp"
+
+namespace course {
+
+using timestep::Frames;
+
+namespace {
+
+Frames frames_of(const Question& question) {
+    if (question.frames.empty()) {
+        const double h = step_of(question);
+        return {h, h};
+    }
+    if (question.step || question.rate) refuse("--frames and --step or --rate say the same: give one of them");
+    return {question.frames[0], question.frames[1]};
+}
+
+}  // namespace
+
+BodyAnswer answer_body(const Question& question) {
+    const auto& I = question.inertia;
+    const timestep::PrincipalInertia<double> inertia(I[0], I[1], I[2]);
+    for (const double part : question.spin) timestep::finite("spin", part);
+    const timestep::Vector3<double> omega(question.spin[0], question.spin[1], question.spin[2]);
+    const Frames frames = frames_of(question);
+    const long count = question.count.value_or(1);
+    if (count < 1) timestep::refuse("count", double(count), "1 or more");
+    if (question.callback && !question.contacts) refuse("--callback belongs to --contacts");
+
+    BodyAnswer answer{};
+    answer.all = timestep::advise_body(inertia, omega, frames);
+    answer.spin = omega.stableNorm(), answer.step = frames.longest(), answer.even = frames.even();
+    const auto thrown = timestep::as_thrown(omega);
+    answer.tilted = thrown != omega;
+    for (const auto& advice : answer.all) answer.seconds = std::max(answer.seconds, advice.thrown.seconds);
+    answer.truth = timestep::throw_exactly(inertia, thrown, answer.seconds);
+    answer.closest = timestep::closest_moments(inertia);
+    answer.all_but_equal = answer.closest.apart > 0 && answer.closest.near();
+    if (answer.all_but_equal) answer.half_gone = timestep::half_gone_by_passive(inertia, answer.spin, frames);
+    answer.take = timestep::recommend(inertia, answer.spin, frames, question.contacts, count, question.callback);
+
+    const double n = double(answer.take.substeps);
+    const Frames shorter(frames.shortest() / n, frames.longest() / n);
+    const auto run = [&](const auto& rule) { answer.taken = timestep::throw_body(rule, inertia, thrown, shorter); };
+    // Without substeps, that is the throw we have.
+    timestep::for_each_body_solver([&](const auto& rule, const auto&) {
+        if (rule.name == answer.take.choice.method && n > 1) run(rule);
+    });
+    for (const auto& advice : answer.all)
+        if (advice.method == answer.take.choice.method && n <= 1) answer.taken = advice.thrown;
+    // Of a ball that is one turn by h|ω|, where Tumble's falls short of it.
+    if (answer.take.choice.name == "ball") run(timestep::symmetric_remainder_2);
+    if (answer.take.choice.name == "symmetric") run(timestep::DeclaredEqual(inertia));
+    return answer;
+}
+
+}  // namespace course
