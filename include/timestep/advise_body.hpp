@@ -33,7 +33,7 @@ inline const char* words(AddsEnergy answer) {
 /// What one solver can make of a spinning body.
 struct BodyAdvice {
     std::string method;  ///< its name
-    AddsEnergy adds = AddsEnergy::never;
+    AddsEnergy adds = AddsEnergy::never;  ///< can it ever add energy?
     double bound = 1;    ///< times its first energy, and never more; infinite where no bound is known
     std::string reason;  ///< the formula that says so, with its numbers
     double worst_gain = 1;  ///< where one step can: what the worst one found multiplies the energy by

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// What a step multiplies the patterns by that it keeps, and what that says of a spring's frequency, of its
-/// decay and of ringing: the numbers behind `./course advise` (I13).
+/// decay and of ringing: the numbers behind the command advise (I13).
 
 #include <algorithm>
 #include <cmath>

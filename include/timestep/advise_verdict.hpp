@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Will it blow up? The verdicts of `./course advise`, and what must be known of a spring's scene for one (I13).
+/// Will it blow up? The verdicts of the command advise, and what must be known of a spring's scene for one (I13).
 
 #include <cmath>
 #include <string>

@@ -167,6 +167,7 @@ inline std::vector<Contest> recommended(long how_many, unsigned long seed, doubl
         const Frames frames(q.even ? h : h / 3, h);
         const Vector omega = q.turn / h * q.direction;
         const BodyRecommendation take = recommend(q.inertia, omega.norm(), frames, false, q.count);
+        if (take.choice.name == "symmetric") continue;  // by the thousand, and for ω alone
         double price = 0, off = NAN;
         const auto run = [&](const auto& rule, long substeps) {
             const Frames shorter((q.even ? h : h / 3) / double(substeps), h / double(substeps));
@@ -177,7 +178,6 @@ inline std::vector<Contest> recommended(long how_many, unsigned long seed, doubl
             if (take.choice.method != rule.name) return;
             price = each.all() * double(take.substeps), off = run(rule, take.substeps);
         });
-        if (std::isnan(off)) continue;  // "declared equal": what flies freely by the thousand
         double nearest = INFINITY;
         for_each_body_solver([&](const auto& rule, const BodyPrice& each) {
             if (take.choice.method == rule.name || !(each.all() <= price)) return;
