@@ -131,6 +131,10 @@ test_its_course_program_comes_built() {
 test_a_chapter_runs_in_it() {
     expect 0 make_kit kit
     expect 0 kit/course run 1
+    says out 'Its picture: '
+    [ -e kit/build/runs/01_derivatives/slopes.svg ] || fail 'no picture'
+    [ ! -e kit/build/chapters/derivatives_study ] || fail 'more was built than the program'
+    expect 0 kit/course run 1 --study
     says out 'Data, numbers and figures: '
     [ -e kit/build/runs/01_derivatives/numbers.tsv ] || fail 'no numbers'
 }

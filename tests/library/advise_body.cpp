@@ -218,7 +218,7 @@ TEST_CASE("advice on a body hangs on the ratios of its moments only, and refuses
     CHECK_NOTHROW(advise_body(box, Vector(1e-30, 0, 0), at_60_hz));
 }
 
-TEST_CASE("of twenty thousand questions about bodies no verdict is wrong", "[library][I13][long]") {
+TEST_CASE("of twenty thousand questions about bodies no verdict is wrong", "[library][I13][long][proof]") {
     for (const unsigned seed : {2u, 3u}) {
         const questions::Tally tally = questions::verdicts(10'000, seed);
         for (const auto& line : tally.missed) UNSCOPED_INFO(line);

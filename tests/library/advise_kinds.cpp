@@ -256,6 +256,6 @@ void all_kinds(long questions) {
 
 TEST_CASE("the verdicts on every kind of spring are those of runs", "[library][I13]") { all_kinds(300); }
 
-TEST_CASE("of ten thousand questions of each kind of spring 99.9 % of the verdicts are right", "[library][I13][long]") {
+TEST_CASE("of ten thousand questions of each kind of spring 99.9 % of the verdicts are right", "[library][I13][long][proof]") {
     all_kinds(10'000);
 }

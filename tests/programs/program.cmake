@@ -4,6 +4,7 @@ cmake_minimum_required(VERSION 3.25)
 cmake_policy(SET CMP0007 NEW)
 
 get_filename_component(name "${PROGRAM}" NAME_WE)
+string(REGEX REPLACE "_study$" "" name "${name}")  # it calls itself by the chapter's
 
 function(wrong text)
   set_property(GLOBAL APPEND_STRING PROPERTY problems "\n  ${text}")

@@ -24,7 +24,7 @@ test_bad_use_is_one_line_and_status_2() {
     expect 2 course advise --omega abc
     says err '--omega = abc: it takes numbers (./course advise --help)'
     expect 2 course run 3 --omega 20
-    is "$(cat err)" "course: run has no option --omega; a chapter's own options go after --: \
+    is "$(cat err)" "course: run has no option --omega; those of the chapter's study go after --: \
 ./course run 3 --study -- --omega 20"
     expect 2 course run 3 4
     silent_on err "chapter's own"

@@ -105,7 +105,7 @@ test_what_does_not_hold_with_other_options_is_said() {
 test_a_program_that_crashes_is_named() {
     expect 1 course run 3 --study --out new -- --crash
     says err 'course: '
-    says err 'swing: '
+    says err 'swing_study: '
     [ ! -e new ] || fail 'something was left'
 }
 

@@ -63,9 +63,14 @@ string(RANDOM LENGTH 12 word)
 set(work "${OUT}/.unfinished_run_${word}")
 file(MAKE_DIRECTORY "${work}")
 
-# Runs a program in `work` and sets `account` to what it prints.
-function(account_of program)
-  execute_process(COMMAND "${program}" ${ARGN} WORKING_DIRECTORY "${work}"
+# Runs a program in `work` and sets `account` to what it prints. `options` names the list of its options, in which
+# a semicolon may be part of one.
+function(account_of program options)
+  set(out "")
+  if(program STREQUAL STUDY)
+    set(out --out "${work}")
+  endif()
+  execute_process(COMMAND "${program}" ${out} ${${options}} WORKING_DIRECTORY "${work}"
     OUTPUT_VARIABLE account ERROR_VARIABLE complaint RESULT_VARIABLE status)
   if(NOT status MATCHES "^[0-9]+$")  # ended by a signal: CMake gives its name
     fail(1 "${program}: ${status}")
@@ -92,14 +97,14 @@ function(draw script)
 endfunction()
 
 string(TIMESTAMP begin "%s%f")
-account_of("${PROGRAM}")
+account_of("${PROGRAM}" none)
 string(TIMESTAMP end "%s%f")
 math(EXPR milliseconds "(${end} - ${begin}) / 1000")
 file(WRITE "${work}/program.txt" "${account}")
 file(WRITE "${work}/seconds.txt" "${milliseconds} ms\n")
 draw("${ROOM}/figures.gp")
 if(STUDY)
-  account_of("${STUDY}" --out "${work}" ${ARGUMENTS})
+  account_of("${STUDY}" ARGUMENTS)
   file(WRITE "${work}/run.txt" "${account}")
   draw("${ROOM}/study/figures.gp")
 endif()

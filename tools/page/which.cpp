@@ -5,6 +5,7 @@
 
 #include <timestep/which_method.hpp>
 
+#include <cctype>
 #include <stdexcept>
 
 namespace page {
@@ -36,8 +37,12 @@ std::string which_markdown(const Context& context, const Directive& directive) {
     int number = 0;
     for (const std::string& name : directive.arguments) {
         const timestep::Choice& choice = timestep::choice(name);
-        const std::string have = with_formulas(choice.have), take = with_formulas(choice.take);
+        std::string have = with_formulas(choice.have);
+        const std::string take = with_formulas(choice.take);
         const std::string why = with_formulas(choice.why) + " (" + link(context, choice.where) + ")";
+        if (!chapter && std::islower(static_cast<unsigned char>(have.front())) != 0) {
+            have.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(have.front())));
+        }
         text += chapter ? "| " + have + " | " + take + ": " + why + " |\n"
                         : std::to_string(++number) + ". " + have + "?<br>→ " + take + ": " + why + ".\n";
     }

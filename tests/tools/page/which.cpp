@@ -48,7 +48,7 @@ TEST_CASE("answers to which method stand in a chapter as a table, elsewhere as a
     CHECK_THAT(course.paragraph_error("Take {{which pull}}."), ContainsSubstring("on a line of its own"));
 
     page::Context context{SOURCE, SOURCE};
-    CHECK_THAT(page::fill(context, "{{which jumps pull}}\n", "list.md"), ContainsSubstring("\n2. " + pull.have + "?<br>→ " + pull.take));
+    CHECK_THAT(page::fill(context, "{{which jumps pull}}\n", "list.md"), ContainsSubstring("\n2. A" + pull.have.substr(1) + "?<br>→ " + pull.take));
 }
 
 // The order of the list is that in which timestep::choose() asks.
