@@ -16,7 +16,8 @@ hand_in() {
     cp "$2" "class/$1/velocity_now.cpp"
 }
 hand_in ada "$source/solutions/01_derivatives/velocity_now.cpp"
-hand_in ben "$source/tests/exercises/01_derivatives/velocity_now/mistake_middle.cpp"
+sh "$source/tests/exercises/variant.sh" "$source/tests/exercises/01_derivatives/velocity_now/mistakes.cpp" middle >middle.cpp
+hand_in ben middle.cpp
 hand_in cleo "$build/exercises/generated/velocity_now_stub.cpp"
 hand_in dan "$source/tests/checker/submissions/an_endless_loop.cpp"
 

@@ -10,8 +10,9 @@ words_for() {
     printf '#!/bin/sh\ncat "%s/said"\nprintf "a\\033[2Jb\\n" >"$4"\nexit %d\n' "$folder" "$status" >check
     chmod +x check
     room=$source/tests/exercises/01_derivatives/velocity_now
+    echo '{"middle": {"says": "This is the central difference.", "hint": "Look at the last argument."}}' >mistakes.json
     cmake -D NAME=velocity_now -D "FILE=$folder/answer.cpp" -D "ABOUT=$room/about.json" \
-        -D "CHECK=$folder/check" -D "WORKER=$folder/answer" -P "$source/tools/cmake/say_verdict.cmake"
+        -D "MISTAKES=$folder/mistakes.json" -D "CHECK=$folder/check" -D "WORKER=$folder/answer" -P "$source/tools/cmake/say_verdict.cmake"
 }
 
 test_a_mistake_is_told_in_words() {

@@ -14,7 +14,8 @@ new_stage() {
     done
     file=source/exercises/01_derivatives/velocity_now.cpp
     solved=source/solutions/01_derivatives/velocity_now.cpp
-    mistake=source/tests/exercises/01_derivatives/velocity_now/mistake_middle.cpp
+    mistake=mistake_middle.cpp
+    sh "$source/tests/exercises/variant.sh" source/tests/exercises/01_derivatives/velocity_now/mistakes.cpp middle >$mistake
 }
 
 course() {

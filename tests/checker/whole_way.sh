@@ -22,21 +22,23 @@ must() {
 stub=$build/exercises/generated/${exercise}_stub.cpp
 must "$stub" 1 not_started null
 must "$source/solutions/$chapter/$exercise.cpp" 0 pass null
-# sample NUMBER FILE…: so many of the files, as luck has it, but the same luck for the same files.
-IFS='
-'
+# sample NUMBER FILE: so many of the answers in it, as luck has it, but the same luck for the same file. Leaves each
+# as a file of its own, and prints their names.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 sample() {
-    number=$1
-    shift
-    cksum "$@" | sort -n | head -n "$number" | sed 's/^[0-9]* [0-9]* //'
+    for name in $(sed -n 's/^namespace \([A-Za-z0-9_]*\) {$/\1/p' "$2"); do
+        sh "$source/tests/exercises/variant.sh" "$2" "$name" >"$work/$name.cpp"
+    done
+    (cd "$work" && cksum ./*.cpp) | sort -n | head -n "$1" | sed 's/.*\.\/\(.*\)\.cpp$/\1/'
 }
 
-for correct in $(sample 1 "$room"/correct_*.cpp); do
-    must "$correct" 0 pass null
+for correct in $(sample 1 "$room/correct.cpp"); do
+    must "$work/$correct.cpp" 0 pass null
 done
-for mistake in $(sample 2 "$room"/mistake_*.cpp); do
-    name=${mistake##*/mistake_}
-    must "$mistake" 1 wrong "\"${name%.cpp}\""
+rm "$work"/*.cpp
+for mistake in $(sample 2 "$room/mistakes.cpp"); do
+    must "$work/$mistake.cpp" 1 wrong "\"$mistake\""
 done
 
 # The file in exercises/ is the stub, unless somebody has begun to work on it.

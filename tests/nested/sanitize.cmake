@@ -1,13 +1,14 @@
 # Included by project() of the nested build: what is compiled from the library alone, its tests and the
-# chapters' programs, is compiled with the flags in SANITIZE. Eigen's own checks are on.
+# chapters' programs and studies, is compiled with the flags in SANITIZE. Eigen's own checks are on.
 function(timestep_sanitize)
   get_property(programs GLOBAL PROPERTY TIMESTEP_CHAPTERS)
   list(TRANSFORM programs REPLACE "^[0-9]+_" "")
+  list(TRANSFORM programs APPEND "_study" OUTPUT_VARIABLE studies)
   separate_arguments(flags UNIX_COMMAND "${SANITIZE}")
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     list(APPEND flags -Wno-error)  # g++ warns of paths that only its sanitizers' own code makes
   endif()
-  foreach(target timestep_lab timestep_eigen_ready timestep_tests ${programs})
+  foreach(target timestep_lab timestep_eigen_ready timestep_tests ${programs} ${studies})
     target_compile_options(${target} PRIVATE -UNDEBUG ${flags})
     target_link_options(${target} PRIVATE ${flags})
   endforeach()

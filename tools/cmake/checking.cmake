@@ -49,7 +49,7 @@ function(timestep_check_learners told)
       "SHELL:-include ${header}.hpp" "SHELL:-include ${name}_declared.hpp")
     target_link_options(answer_${name} PRIVATE -no-pie -fno-lto)
     add_custom_target(check_${name} COMMAND "${CMAKE_COMMAND}" -D NAME=${name} -D FILE=${file}
-      -D ABOUT=${told}/${about} -D CHECK=$<TARGET_FILE:hidden_${name}>
+      -D ABOUT=${told}/${about} -D MISTAKES=${generated}/${name}_mistakes.json -D CHECK=$<TARGET_FILE:hidden_${name}>
       -D WORKER=$<TARGET_FILE:answer_${name}> -P "${PROJECT_SOURCE_DIR}/tools/cmake/say_verdict.cmake"
       DEPENDS hidden_${name} VERBATIM)
     add_custom_target(ready_${name})

@@ -2,10 +2,10 @@
 #   exercises/NN_chapter/NAME.cpp   the file that the learner completes
 #   solutions/NN_chapter/NAME.cpp   the same, with an answer between two lines  // [answer]
 #   tests/exercises/NN_chapter/NAME/
-#     about.json       title, declaration, hints, known mistakes: what people are told
+#     about.json       title, declaration, hints
 #     properties.cpp   the hidden tests
-#     correct_*.cpp    two answers or more that are right and written differently
-#     mistake_*.cpp    four or more that are wrong, each in a way that about.json names
+#     correct.cpp      two answers or more that are right and written differently, each in a namespace of its own
+#     mistakes.cpp     four or more that are wrong, the same; above each in comments what it says and a hint
 # One that lacks any of them is a configure error; but for the learner's own, since nothing that a
 # learner does to exercises/ may break the build: a test looks for those (tests/exercises/files.cmake).
 
@@ -23,12 +23,60 @@ function(timestep_words json where result)
   set(${result} "${words}" PARENT_SCOPE)
 endfunction()
 
+# Sets `names` to the namespaces in a file of answers, and where `words` is the name of a list, that to what is said
+# above each: its `// Says: …` and `// Hint: …`, one after the other, as JSON's strings.
+function(timestep_answers_in file names words)
+  file(READ "${PROJECT_SOURCE_DIR}/${file}" text)
+  foreach(character "[;]=<1>" "[[]=<2>" "[]]=<3>")  # CMake's lists know these as their own
+    string(REGEX MATCH "^(.+)=(<.>)$" both "${character}")
+    string(REGEX REPLACE "${CMAKE_MATCH_1}" "${CMAKE_MATCH_2}" text "${text}")
+  endforeach()
+  string(REPLACE "\n" ";" lines "${text}")
+  set(found "")
+  set(all "")
+  set(kind "")
+  set(Says "")
+  set(Hint "")
+  foreach(line IN LISTS lines)
+    if(line MATCHES "^// (Says|Hint): (.+)$")
+      set(kind ${CMAKE_MATCH_1})
+      set(${kind} "${CMAKE_MATCH_2}")
+    elseif(kind AND line MATCHES "^//       (.+)$")
+      string(APPEND ${kind} " ${CMAKE_MATCH_1}")
+    elseif(line MATCHES "^namespace ([A-Za-z][A-Za-z0-9_]*) {$")
+      list(APPEND found ${CMAKE_MATCH_1})
+      foreach(key Says Hint)
+        if(words AND ${key} STREQUAL "")
+          message(FATAL_ERROR "${file}: above namespace ${CMAKE_MATCH_1} a line // ${key}: must stand")
+        elseif(words AND "${${key}}" IN_LIST all)
+          message(FATAL_ERROR "${file}: what ${CMAKE_MATCH_1} ${key} is said of another mistake, too")
+        endif()
+        list(APPEND all "${${key}}")
+        set(${key} "")
+      endforeach()
+      set(kind "")
+    else()
+      set(kind "")
+    endif()
+  endforeach()
+  set(${names} ${found} PARENT_SCOPE)
+  if(words)
+    set(json "")
+    foreach(sentence IN LISTS all)
+      string(REPLACE "\\" "\\\\" sentence "${sentence}")
+      string(REPLACE "\"" "\\\"" sentence "${sentence}")
+      list(APPEND json "\"${sentence}\"")
+    endforeach()
+    set(${words} "${json}" PARENT_SCOPE)
+  endif()
+endfunction()
+
 # Reads an exercise, stops where something is missing, and writes into `generated` the sources that bind
 # it to the checker.
 function(timestep_read_exercise chapter name generated)
   set(room "tests/exercises/${chapter}/${name}")
   set(solution "solutions/${chapter}/${name}.cpp")
-  foreach(file ${solution} ${room}/about.json ${room}/properties.cpp)
+  foreach(file ${solution} ${room}/about.json ${room}/properties.cpp ${room}/correct.cpp ${room}/mistakes.cpp)
     if(NOT EXISTS "${PROJECT_SOURCE_DIR}/${file}")
       message(FATAL_ERROR "exercise ${name}: ${file} is missing")
     endif()
@@ -64,32 +112,34 @@ function(timestep_read_exercise chapter name generated)
     message(FATAL_ERROR "${about}: eigen must be true or false")
   endif()
 
-  file(GLOB correct CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/${room}" "${PROJECT_SOURCE_DIR}/${room}/correct_*.cpp")
+  timestep_answers_in("${room}/correct.cpp" correct "")
   list(LENGTH correct count)
   if(count LESS 2)
-    message(FATAL_ERROR "exercise ${name}: ${room} needs two files correct_*.cpp, written differently")
+    message(FATAL_ERROR "${room}/correct.cpp: needs two answers, written differently, each in a namespace of its own")
   endif()
-  file(GLOB mistakes CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/${room}" "${PROJECT_SOURCE_DIR}/${room}/mistake_*.cpp")
+  timestep_answers_in("${room}/mistakes.cpp" mistakes words)
   list(LENGTH mistakes count)
   if(count LESS 4)
-    message(FATAL_ERROR "exercise ${name}: ${room} needs four files mistake_*.cpp")
+    message(FATAL_ERROR "${room}/mistakes.cpp: needs four mistakes, each in a namespace of its own")
   endif()
-  list(TRANSFORM mistakes REPLACE "^mistake_(.*)\\.cpp$" "\\1")
-  set(told "")
+  # For those who tell the learner.
+  set(told "{")
+  set(comma "")
   foreach(mistake IN LISTS mistakes)
-    foreach(key says hint)
-      timestep_words("${json}" "${about}" words mistakes ${mistake} ${key})
-      if("${words}" IN_LIST told)
-        message(FATAL_ERROR "${about}: mistakes.${mistake}.${key} is said of another mistake, too")
-      endif()
-      list(APPEND told "${words}")
-    endforeach()
+    list(POP_FRONT words says hint)
+    string(APPEND told "${comma}\n  \"${mistake}\": {\"says\": ${says}, \"hint\": ${hint}}")
+    set(comma ",")
   endforeach()
-  string(JSON count LENGTH "${json}" mistakes)
-  list(LENGTH mistakes files)
-  if(NOT count EQUAL files)
-    message(FATAL_ERROR "${about}: mistakes names ${count}, but there are ${files} files mistake_*.cpp")
-  endif()
+  string(APPEND told "\n}\n")
+  foreach(character "<1>=;" "<2>=[" "<3>=]")
+    string(SUBSTRING "${character}" 0 3 from)
+    string(SUBSTRING "${character}" 4 1 to)
+    string(REPLACE "${from}" "${to}" told "${told}")
+  endforeach()
+  file(CONFIGURE OUTPUT "${generated}/${name}_mistakes.json" CONTENT "@told@" @ONLY)
+  foreach(file correct mistakes)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${room}/${file}.cpp")
+  endforeach()
 
   # The file as the learner gets it.
   file(READ "${PROJECT_SOURCE_DIR}/${solution}" solved)
@@ -131,40 +181,30 @@ int main() {
     return checker::serve(checker::answer_of(&@name@));
 }
 " @ONLY)
-  set(includes "")
   set(list "")
   foreach(mistake IN LISTS mistakes)
-    string(APPEND includes "namespace mistake_${mistake} {\n#include \"${source}/${room}/mistake_${mistake}.cpp\"\n}\n")
-    string(APPEND list "    {\"${mistake}\", checker::answer_of(&mistake_${mistake}::${name})},\n")
+    string(APPEND list "    {\"${mistake}\", checker::answer_of(&mistakes::${mistake}::${name})},\n")
   endforeach()
   file(CONFIGURE OUTPUT "${generated}/${name}_hidden.cpp" CONTENT
-"// The mistakes that are known, each in a namespace of its own, with the headers that they include read
-// before; and the hidden tests. One source, for reading the headers is most of the work.
+"// The mistakes that are known, with the headers that they include read before; and the hidden tests. One source, for
+// reading the headers is most of the work.
 #include \"@learners_header@\"
 #include \"@numbers_header@\"
 #include \"session.hpp\"
 
 namespace {
-@includes@
+namespace mistakes {
+#include \"@source@/@room@/mistakes.cpp\"
+}
 const bool known = checker::know(\"@name@\", {
 @list@});
 }
 
 #include \"@source@/@room@/properties.cpp\"
 " @ONLY)
-  set(includes "")
-  set(list "")
-  set(place 0)
-  foreach(file "${source}/${solution}" ${correct})
-    cmake_path(GET file STEM LAST_ONLY stem)
-    if(place EQUAL 0)
-      set(stem solution)
-    else()
-      set(file "${source}/${room}/${file}")
-    endif()
-    math(EXPR place "${place} + 1")
-    string(APPEND includes "namespace ${stem} {\n#include \"${file}\"\n}\n")
-    string(APPEND list "    {\"${stem}\", checker::answer_of(&${stem}::${name})},\n")
+  set(list "    {\"solution\", checker::answer_of(&solution::${name})},\n")
+  foreach(variant IN LISTS correct)
+    string(APPEND list "    {\"correct_${variant}\", checker::answer_of(&correct::${variant}::${name})},\n")
   endforeach()
   file(CONFIGURE OUTPUT "${generated}/${name}_variants.cpp" CONTENT
 "// Each in a namespace of its own; the headers they include are read before.
@@ -176,7 +216,12 @@ namespace {
 namespace stub {
 #include \"@generated@/@name@_stub.cpp\"
 }
-@includes@
+namespace solution {
+#include \"@source@/@solution@\"
+}
+namespace correct {
+#include \"@source@/@room@/correct.cpp\"
+}
 const bool known = checker::know_variants(\"@name@\", {checker::answer_of(&stub::@name@), {
 @list@}});
 }

@@ -1,6 +1,6 @@
 # Lets the hidden tests call a learner's function, and says what they found. For those who do without
 # the course program; called as
-#   cmake -D NAME=… -D FILE=… -D ABOUT=… -D CHECK=… -D WORKER=… -P say_verdict.cmake
+#   cmake -D NAME=… -D FILE=… -D ABOUT=… -D MISTAKES=… -D CHECK=… -D WORKER=… -P say_verdict.cmake
 cmake_minimum_required(VERSION 3.25)
 
 set(printed "${WORKER}_printed.txt")
@@ -15,6 +15,7 @@ foreach(key verdict property misconception detail trace arguments result)
 endforeach()
 string(REGEX REPLACE "\\\\[nt]" " " detail "${detail}")
 file(READ "${ABOUT}" about)
+file(READ "${MISTAKES}" mistakes)
 set(call "${NAME}${arguments}")
 set(where "in the call ${call}")
 if(arguments STREQUAL "")
@@ -22,8 +23,8 @@ if(arguments STREQUAL "")
 endif()
 
 function(mistake_says result)
-  string(JSON says ERROR_VARIABLE unknown GET "${about}" mistakes "${misconception}" says)
-  string(JSON hint ERROR_VARIABLE unknown GET "${about}" mistakes "${misconception}" hint)
+  string(JSON says ERROR_VARIABLE unknown GET "${mistakes}" "${misconception}" says)
+  string(JSON hint ERROR_VARIABLE unknown GET "${mistakes}" "${misconception}" hint)
   if(NOT unknown)
     set(${result} "\n  ${says}\n  Hint: ${hint}" PARENT_SCOPE)
   endif()

@@ -29,8 +29,6 @@ Exercise read_exercise(const fs::path& about) {
         exercise.eigen = json.at("eigen");
         exercise.hints = json.at("hints");
         exercise.learned = json.at("learned");
-        for (const auto& [name, mistake] : json.at("mistakes").items())
-            exercise.mistakes[name] = {mistake.at("says"), mistake.at("hint")};
         return exercise;
     } catch (const nlohmann::json::exception& error) {
         throw Stop(Status::bad_use, about.string() + ": " + error.what());
@@ -47,6 +45,20 @@ fs::path Exercise::file() const {
 }
 fs::path Exercise::stub() const {
     return places().build / "exercises/generated" / (name + "_stub.cpp");
+}
+fs::path Exercise::told() const {
+    return places().build / "exercises/generated" / (name + "_mistakes.json");
+}
+std::map<std::string, Misconception> Exercise::mistakes() const {
+    const fs::path file = told();
+    try {
+        std::map<std::string, Misconception> known;
+        const auto json = json_of(contents(file));
+        for (const auto& [mistake, words] : json.items()) known[mistake] = {words.at("says"), words.at("hint")};
+        return known;
+    } catch (const nlohmann::json::exception& error) {
+        throw Stop(Status::bad_use, file.string() + ": " + error.what());
+    }
 }
 fs::path Exercise::declared() const {
     return places().build / "exercises/generated" / (name + "_declared.hpp");

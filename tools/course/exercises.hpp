@@ -25,7 +25,11 @@ struct Exercise {
     bool eigen = false;
     std::vector<std::string> hints;
     std::string learned;
-    std::map<std::string, Misconception> mistakes;
+
+    /// What the build has made of mistakes.cpp, for those who tell the learner.
+    std::filesystem::path told() const;
+    /// The mistakes that are known, by their names. Throws Stop(bad_use).
+    std::map<std::string, Misconception> mistakes() const;
 
     /// 1.1
     std::string place() const;

@@ -88,9 +88,6 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 
 // What people are told of an exercise.
 std::string told_of(const Exercise& exercise) {
-    nlohmann::ordered_json mistakes = nlohmann::ordered_json::object();
-    for (const auto& [name, mistake] : exercise.mistakes)
-        mistakes[name] = {{"says", mistake.says}, {"hint", mistake.hint}};
     return nlohmann::ordered_json{{"number", exercise.number},
                                   {"title", exercise.title},
                                   {"level", exercise.level},
@@ -98,8 +95,7 @@ std::string told_of(const Exercise& exercise) {
                                   {"declaration", exercise.declaration},
                                   {"eigen", exercise.eigen},
                                   {"hints", exercise.hints},
-                                  {"learned", exercise.learned},
-                                  {"mistakes", mistakes}}
+                                  {"learned", exercise.learned}}
                .dump(2) +
            "\n";
 }
@@ -121,6 +117,7 @@ void write_exercises(const Unfinished& kit) {
         kit.copy(exercise.stub(), "exercises" / fs::path(room.string() + ".cpp"));
         kit.copy(exercise.stub(), "kit/generated" / exercise.stub().filename());
         kit.copy(exercise.declared(), "kit/generated" / exercise.declared().filename());
+        kit.copy(exercise.told(), "kit/generated" / exercise.told().filename());
     }
     const auto commands = json_of(contents(built / "commands.json"));
     copy_stripped(places().build / "tools/course/kit_course", kit.at("kit/course"), "--strip-all");

@@ -78,8 +78,9 @@ std::string wrong(const Exercise& exercise, const Verdict& verdict) {
     if (!verdict.result.empty())
         text += "  It was noticed after the call\n" +
                 wrapped(call(exercise, verdict) + ", which returned " + verdict.result, 6) + "\n";
-    const auto mistake = exercise.mistakes.find(verdict.misconception);
-    if (mistake != exercise.mistakes.end())
+    const auto known = exercise.mistakes();
+    const auto mistake = known.find(verdict.misconception);
+    if (mistake != known.end())
         text += wrapped(mistake->second.says, 2) + wrapped("Hint: " + mistake->second.hint, 2);
     else
         text += wrapped(
@@ -98,10 +99,11 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
                                        ". Every answer "
                                        "must be a finite number.",
                                    2);
-        const auto mistake = exercise.mistakes.find(verdict.misconception);
-        return mistake == exercise.mistakes.end() ? text
-                                                  : text + "\n" + wrapped(mistake->second.says, 2) +
-                                                        wrapped("Hint: " + mistake->second.hint, 2);
+        const auto known = exercise.mistakes();
+        const auto mistake = known.find(verdict.misconception);
+        return mistake == known.end() ? text
+                                      : text + "\n" + wrapped(mistake->second.says, 2) +
+                                            wrapped("Hint: " + mistake->second.hint, 2);
     }
     if (kind == "crash") {
         std::string text = wrapped(verdict.detail + ", " + when(exercise, verdict), 2);

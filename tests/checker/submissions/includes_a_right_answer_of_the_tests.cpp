@@ -1,4 +1,4 @@
-// velocity_now does_not_compile: includes tests/exercises/01_derivatives/velocity_now/correct_
+// velocity_now does_not_compile: includes tests/exercises/01_derivatives/velocity_now/correct.cpp
 #include "exercise.hpp"
 
-#include "../../exercises/01_derivatives/velocity_now/correct_weights.cpp"
+#include "../../exercises/01_derivatives/velocity_now/correct.cpp"

@@ -1,0 +1,103 @@
+#include "exercise.hpp"
+
+// Says: This is the best step of the central difference for a velocity, with the snap in place of the jerk.
+// Hint: Look at the unit: noise over snap is a time to the fourth power. Which root of it is a time?
+namespace velocity {
+
+double best_acceleration_step(double noise, double snap) {
+    return std::cbrt(3 * noise / snap);
+}
+
+}  // namespace velocity
+
+// Says: The noise is divided by the step only once, as in the formula of the chapter, which is for
+//       velocities.
+// Hint: Each position is divided by h squared here, and its noise with it. Write the sum down anew, and take
+//       its slope.
+namespace noise_over_h {
+
+double best_acceleration_step(double noise, double snap) {
+    return std::cbrt(24 * noise / snap);
+}
+
+}  // namespace noise_over_h
+
+// Says: The root is the right one, but the order of the formula still stands under it, as in the chapter,
+//       where the noise is divided by h.
+// Hint: Take the slope of both parts anew: each falls or rises with a square, so each brings a factor of
+//       two. What becomes of them?
+namespace chapters_factor {
+
+double best_acceleration_step(double noise, double snap) {
+    return std::pow(24 * noise / snap, 1.0 / 4);
+}
+
+}  // namespace chapters_factor
+
+// Says: The noise of the middle position is counted once, so the worst noise is taken to be three times that
+//       of one position.
+// Hint: The middle position enters with the weight −2. At the worst it is off to one side and the others are
+//       off to the other.
+namespace middle_once {
+
+double best_acceleration_step(double noise, double snap) {
+    return std::pow(36 * noise / snap, 1.0 / 4);
+}
+
+}  // namespace middle_once
+
+// Says: The error term comes from one of the two series: a 24th of the snap. Both series hold it, and they
+//       are added.
+// Hint: In the sum of the series ahead and the series back the odd powers cancel. What happens to the fourth
+//       power?
+namespace one_series {
+
+double best_acceleration_step(double noise, double snap) {
+    return std::pow(96 * noise / snap, 1.0 / 4);
+}
+
+}  // namespace one_series
+
+// Says: The truncation error is taken as the snap times the step squared, without the constant of the
+//       series.
+// Hint: The fourth power of the step comes with a factorial in the series. Keep it while you add the two.
+namespace no_constant {
+
+double best_acceleration_step(double noise, double snap) {
+    return std::pow(4 * noise / snap, 1.0 / 4);
+}
+
+}  // namespace no_constant
+
+// Says: This is the square of the best step: one square root is missing.
+// Hint: Where the two parts of the error are equal, one side has h squared above and the other has it below.
+//       Multiply, and count the powers.
+namespace square {
+
+double best_acceleration_step(double noise, double snap) {
+    return std::sqrt(48 * noise / snap);
+}
+
+}  // namespace square
+
+// Says: Noise and snap stand upside down: this step gets shorter with more noise.
+// Hint: What does a longer step do to the noise? So what should more noise do to the step?
+namespace upside_down {
+
+double best_acceleration_step(double noise, double snap) {
+    return std::pow(snap / (48 * noise), 1.0 / 4);
+}
+
+}  // namespace upside_down
+
+// Says: The weights 1, −2 and 1 are not added by their sizes: the worst noise in the sum is taken to be that
+//       of one position.
+// Hint: Each position may be off to its own side. Choose the three signs so that the sum of the noise is as
+//       large as it can be.
+namespace noise_cancels {
+
+double best_acceleration_step(double noise, double snap) {
+    return std::pow(12 * noise / snap, 1.0 / 4);
+}
+
+}  // namespace noise_cancels

@@ -1,7 +1,0 @@
-#include "exercise.hpp"
-
-int best_gap(double frame, double noise, double jerk, int most) {
-    if (jerk == 0) return most;
-    const double ideal = 2 * std::cbrt(3 * noise / jerk) / frame;
-    return static_cast<int>(std::clamp(std::ceil(ideal), 1.0, 1.0 * most));
-}

@@ -1,0 +1,160 @@
+#include "exercise.hpp"
+
+// Says: This is the best step in frames, rounded to the nearest whole number. It is almost always right.
+// Hint: Compare the worst errors of one frame and of two when the best step says 1.47. Which is smaller?
+namespace rounded {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    if (jerk == 0) return most;
+    const double ideal = 2 * std::cbrt(3 * noise / jerk) / frame;
+    return static_cast<int>(std::clamp(std::round(ideal), 1.0, 1.0 * most));
+}
+
+}  // namespace rounded
+
+// Says: The best step in frames is rounded down, even where one more frame is better.
+// Hint: There are two whole numbers beside the best step. Let their worst errors decide.
+namespace rounded_down {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    if (jerk == 0) return most;
+    const double ideal = 2 * std::cbrt(3 * noise / jerk) / frame;
+    return static_cast<int>(std::clamp(std::floor(ideal), 1.0, 1.0 * most));
+}
+
+}  // namespace rounded_down
+
+// Says: The best step in frames is rounded up, even where one frame less is better.
+// Hint: Between a whole number and the next, either may be the best. Compute the worst error of each.
+namespace rounded_up {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    if (jerk == 0) return most;
+    const double ideal = 2 * std::cbrt(3 * noise / jerk) / frame;
+    return static_cast<int>(std::clamp(std::ceil(ideal), 1.0, 1.0 * most));
+}
+
+}  // namespace rounded_up
+
+// Says: The whole gap is taken for the step of the central difference, so the answer is half of what it
+//       should be.
+// Hint: The central difference at the middle looks one step ahead and one step back. How far apart are its
+//       two positions?
+namespace gap_for_step {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    const auto worst = [&](int frames) {
+        const double gap = frames * frame;
+        return jerk * gap * gap / 6 + noise / gap;
+    };
+    int frames = 1;
+    while (frames < most && worst(frames + 1) < worst(frames)) ++frames;
+    return frames;
+}
+
+}  // namespace gap_for_step
+
+// Says: This is the bound of a backward difference, whose error grows with the gap itself, and it has the
+//       jerk in place of the acceleration.
+// Hint: The velocity is asked for the moment between the two frames. Which difference are they for that
+//       moment, and of which order?
+namespace velocity_now {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    const auto worst = [&](int frames) {
+        const double gap = frames * frame;
+        return jerk * gap / 2 + 2 * noise / gap;
+    };
+    int frames = 1;
+    while (frames < most && worst(frames + 1) < worst(frames)) ++frames;
+    return frames;
+}
+
+}  // namespace velocity_now
+
+// Says: The noise of one position is divided by the gap. There are two positions, each with noise.
+// Hint: At the worst the one position is off to the left and the other to the right. By how much does their
+//       difference err?
+namespace noise_once {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    const auto worst = [&](int frames) {
+        const double gap = frames * frame;
+        return jerk * gap * gap / 24 + noise / gap;
+    };
+    int frames = 1;
+    while (frames < most && worst(frames + 1) < worst(frames)) ++frames;
+    return frames;
+}
+
+}  // namespace noise_once
+
+// Says: The truncation error is a sixth of the jerk times the square of the whole gap, but the step in the
+//       series is half of the gap.
+// Hint: The noise is counted rightly here. In the other part, measure from the middle moment to either of
+//       the two frames.
+namespace one_series {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    const auto worst = [&](int frames) {
+        const double gap = frames * frame;
+        return jerk * gap * gap / 6 + 2 * noise / gap;
+    };
+    int frames = 1;
+    while (frames < most && worst(frames + 1) < worst(frames)) ++frames;
+    return frames;
+}
+
+}  // namespace one_series
+
+// Says: The number of frames that you keep is not looked at: the answer goes beyond it.
+// Hint: Where the best gap is longer than most, what is the best that you can still have?
+namespace forgot_most {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    const auto worst = [&](int frames) {
+        const double gap = frames * frame;
+        return jerk * gap * gap / 24 + 2 * noise / gap;
+    };
+    int frames = 1;
+    while (frames < 10000 && worst(frames + 1) < worst(frames)) ++frames;
+    return frames;
+}
+
+}  // namespace forgot_most
+
+// Says: Two neighbouring frames, whatever the noise. That is the jagged line with which the chapter begins.
+// Hint: Divide twice the noise by one frame, then by ten. Weigh that against what the jerk costs.
+namespace neighbours {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    return 1;
+}
+
+}  // namespace neighbours
+
+// Says: Frames as far apart as can be, whatever the jerk. That makes the noise small and the truncation
+//       error large.
+// Hint: The truncation error grows with the square of the gap. From where on does it cost more than the
+//       noise gains?
+namespace farthest {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    return most;
+}
+
+}  // namespace farthest
+
+// Says: This is the best step of the central difference, rounded to whole frames. The gap between its two
+//       positions is twice the step.
+// Hint: A central difference looks one step ahead and one step back. You were asked for the frames from one
+//       position to the other, and should choose among whole gaps, not round a step.
+namespace step_rounded {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    if (jerk == 0) return most;
+    const double step = std::cbrt(3 * noise / jerk) / frame;
+    return static_cast<int>(std::clamp(std::round(step), 1.0, 1.0 * most));
+}
+
+}  // namespace step_rounded

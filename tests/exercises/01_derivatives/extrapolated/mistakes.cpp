@@ -1,0 +1,102 @@
+#include "exercise.hpp"
+
+// Says: This is right when the fine step is half of the coarse one, and takes no notice of the ratio
+//       otherwise.
+// Hint: With a third of the step, an error of order one falls to a third, and one of order two to a ninth.
+//       What takes the place of the two?
+namespace always_half {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    const double shrinks = std::pow(2, order);
+    return fine + (fine - coarse) / (shrinks - 1);
+}
+
+}  // namespace always_half
+
+// Says: This treats every formula as if it had order one: the errors are taken to be in the ratio of the
+//       steps.
+// Hint: A formula of order two that takes half the step has a quarter of the error. Which power of the ratio
+//       do you need?
+namespace order_one {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    return fine + (fine - coarse) / (ratio - 1);
+}
+
+}  // namespace order_one
+
+// Says: The difference of the results is divided by how many times smaller the fine error is. Then some of
+//       the error stays.
+// Hint: The difference of the two results is not the coarse error. It is the coarse error less the fine one.
+namespace forgot_one {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    return fine + (fine - coarse) / std::pow(ratio, order);
+}
+
+}  // namespace forgot_one
+
+// Says: The correction has the wrong sign, so the answer has twice the fine result's error and not none of
+//       it.
+// Hint: Going from the coarse result to the fine one, you approach the exact value, and have not yet reached
+//       it. Which way do you go on?
+namespace away {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    return fine - (fine - coarse) / (std::pow(ratio, order) - 1);
+}
+
+}  // namespace away
+
+// Says: Coarse and fine are interchanged: the answer goes on beyond the coarse result, away from the exact
+//       value.
+// Hint: The result that you trust more is the one with the smaller step. Start from it.
+namespace swapped {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    return coarse + (coarse - fine) / (std::pow(ratio, order) - 1);
+}
+
+}  // namespace swapped
+
+// Says: This is the mean of the two results. Both err to the same side, so their mean does too.
+// Hint: Errors of the same sign cancel only when one result has a negative weight. The two weights must
+//       still add up to one.
+namespace mean {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    return (coarse + fine) / 2;
+}
+
+}  // namespace mean
+
+// Says: This is the correction alone: the error of the fine result, with the sign turned round.
+// Hint: Two equal results need no correction, and then the answer must be those results and not zero.
+namespace correction_alone {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    return (fine - coarse) / (std::pow(ratio, order) - 1);
+}
+
+}  // namespace correction_alone
+
+// Says: The ratio is multiplied by the order. It should be raised to the power of the order.
+// Hint: Ratio 2 and order 2 hide this, for two times two is two to the power of two. Write down the errors
+//       for the ratio 3 and the order 2.
+namespace times_order {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    return fine + (fine - coarse) / (ratio * order - 1);
+}
+
+}  // namespace times_order
+
+// Says: The power is one too high: this cancels the error after the leading one, and leaves the leading one.
+// Hint: A formula of order p has an error that falls with the power p of the step, and not p + 1.
+namespace next_order {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    return fine + (fine - coarse) / (std::pow(ratio, order + 1) - 1);
+}
+
+}  // namespace next_order

@@ -1,5 +1,0 @@
-#include "exercise.hpp"
-
-double order_of_results(double coarse, double middle, double fine) {
-    return std::log2((coarse - middle) / (middle - fine)) - 1;
-}

@@ -1,0 +1,104 @@
+#include "exercise.hpp"
+
+// Says: The finest result is taken for the exact value. But it has an error of its own, which is not small
+//       beside that of the middle one.
+// Hint: With order one, the finest result has half the error of the middle one. Compare differences that are
+//       made alike: each of two neighbours.
+namespace finest_is_exact {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::log2((coarse - fine) / (middle - fine));
+}
+
+}  // namespace finest_is_exact
+
+// Says: This compares the results themselves, as if they were errors. It is right only where the exact value
+//       is zero.
+// Hint: Add 1000 to all three results: the order must stay as it is. What can you form of them that does not
+//       change?
+namespace values {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::log2(std::fabs(coarse / middle));
+}
+
+}  // namespace values
+
+// Says: This is how many times the error shrinks when the step is halved: 2 for order one, 4 for order two,
+//       8 for order three.
+// Hint: You want the power to which 2 has to be raised to give that number.
+namespace ratio {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return (coarse - middle) / (middle - fine);
+}
+
+}  // namespace ratio
+
+// Says: The natural logarithm of the ratio. Order one would come out as 0.69.
+// Hint: The step is divided by two each time, not by e. The logarithm must fit.
+namespace natural_logarithm {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::log((coarse - middle) / (middle - fine));
+}
+
+}  // namespace natural_logarithm
+
+// Says: The ratio stands upside down, so the order comes out negative, as if the error grew with a smaller
+//       step.
+// Hint: The differences shrink from the coarse end to the fine end. The larger one belongs on top.
+namespace upside_down {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::log2((middle - fine) / (coarse - middle));
+}
+
+}  // namespace upside_down
+
+// Says: The order is rounded to a whole number.
+// Hint: A function that is not smooth can have an order such as 1.5, and a measured 1.4 may be the first
+//       sign of it. Return what you measure.
+namespace whole_number {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::round(std::log2((coarse - middle) / (middle - fine)));
+}
+
+}  // namespace whole_number
+
+// Says: This takes the two differences as if they lay a factor of four apart in the step. The order is half
+//       of what it should be.
+// Hint: From coarse to fine the step falls to a quarter. But from the first difference to the second it only
+//       falls by half.
+namespace quarter_of_step {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::log2((coarse - middle) / (middle - fine)) / 2;
+}
+
+}  // namespace quarter_of_step
+
+// Says: Right for errors that shrink with the step. Where they grow, the order is below zero, and you take
+//       its size.
+// Hint: The ratio of the two differences is above zero already, so its logarithm needs no help. Its sign
+//       says something.
+namespace without_sign {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::fabs(std::log2((coarse - middle) / (middle - fine)));
+}
+
+}  // namespace without_sign
+
+// Says: One too little: a power of the step is taken off, as if the differences still had to be divided by
+//       their steps.
+// Hint: A difference of two results falls with the same power of the step as the results' errors. Nothing
+//       has to be taken off.
+namespace one_too_many {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::log2((coarse - middle) / (middle - fine)) - 1;
+}
+
+}  // namespace one_too_many

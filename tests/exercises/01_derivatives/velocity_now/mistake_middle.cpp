@@ -1,5 +1,0 @@
-#include "exercise.hpp"
-
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (x2 - x0) / (2 * h);
-}

@@ -1,9 +1,0 @@
-#include "exercise.hpp"
-
-std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
-    // The cable as a complex number of length 1: its imaginary part is the sine.
-    const std::complex<double> cable = std::polar(1.0, s.x);
-    double rate = g * cable.imag() / length;
-    rate += drag * length * s.v * std::fabs(s.v);
-    return {s.v, -rate};
-}

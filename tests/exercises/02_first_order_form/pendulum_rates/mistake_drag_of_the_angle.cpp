@@ -1,5 +1,0 @@
-#include "exercise.hpp"
-
-std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
-    return {s.v, -g / length * std::sin(s.x) - drag * std::abs(s.v) * s.v};
-}

@@ -1,0 +1,142 @@
+#include "exercise.hpp"
+
+// Says: The pull is proportional to the angle: this is the spring that a pendulum resembles only in small
+//       swings.
+// Hint: Hang the lamp a quarter turn up, then half a turn: gravity's share along the arc must be all of it,
+//       and then none.
+namespace small_angle {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, -g / length * s.x - drag * length * std::abs(s.v) * s.v};
+}
+
+}  // namespace small_angle
+
+// Says: The two rates are in the wrong order: first the acceleration, then the velocity.
+// Hint: The rates stand in the same order as the unknowns, the angle first.
+namespace swapped_rates {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {-g / length * std::sin(s.x) - drag * length * std::abs(s.v) * s.v, s.v};
+}
+
+}  // namespace swapped_rates
+
+// Says: The drag is the plain square of the velocity, which has lost its direction: swinging back, the air
+//       pushes the lamp.
+// Hint: A square is never negative. The force must change its sign with the velocity.
+namespace square_without_sign {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, -g / length * std::sin(s.x) - drag * length * s.v * s.v};
+}
+
+}  // namespace square_without_sign
+
+// Says: The drag points along the motion: this air drives the lamp.
+// Hint: Look at a lamp that passes its lowest point: which sign must its acceleration have?
+namespace air_pushes {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, -g / length * std::sin(s.x) + drag * length * std::abs(s.v) * s.v};
+}
+
+}  // namespace air_pushes
+
+// Says: The drag is taken of the angular velocity, as if radians per second were metres per second.
+// Hint: The coefficient belongs to the speed u of the lamp through the air. Write u by the length and v, and
+//       count how many lengths remain.
+namespace drag_of_the_angle {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, -g / length * std::sin(s.x) - drag * std::abs(s.v) * s.v};
+}
+
+}  // namespace drag_of_the_angle
+
+// Says: Gravity is divided by the length, the drag is not: it is still in metres per second squared.
+// Hint: Both accelerations act along the arc. What turns one of them into an angular acceleration does the
+//       same to the other.
+namespace drag_not_divided {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, -g / length * std::sin(s.x) - drag * length * length * std::abs(s.v) * s.v};
+}
+
+}  // namespace drag_not_divided
+
+// Says: The second rate is the acceleration along the arc, in metres per second squared.
+// Hint: The unknown is an angle. Its second derivative and the acceleration along the arc differ by a factor
+//       that the cable knows.
+namespace metres_for_radians {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, -g * std::sin(s.x) - drag * length * length * std::abs(s.v) * s.v};
+}
+
+}  // namespace metres_for_radians
+
+// Says: Gravity pulls the lamp away from hanging straight down.
+// Hint: A small positive angle must make the velocity fall, not grow.
+namespace gravity_lifts {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, g / length * std::sin(s.x) - drag * length * std::abs(s.v) * s.v};
+}
+
+}  // namespace gravity_lifts
+
+// Says: The drag grows with the speed and not with its square: this is a damper.
+// Hint: At twice the speed, this air must brake four times as much.
+namespace linear_drag {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, -g / length * std::sin(s.x) - drag * length * s.v};
+}
+
+}  // namespace linear_drag
+
+// Says: The drag is worked out for the angle, gravity is not: -g sin x is still in metres per second
+//       squared.
+// Hint: A long cable swings slowly. Where does the length enter into the pull of gravity on the angle?
+namespace gravity_not_divided {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, -g * std::sin(s.x) - drag * length * std::abs(s.v) * s.v};
+}
+
+}  // namespace gravity_not_divided
+
+// Says: The drag is taken of the angular velocity and then divided by the length, too: it has lost two
+//       lengths, which the square of the speed would have brought.
+// Hint: Write u = length v in both of its places, |u| and u. What is left of the lengths when you divide by
+//       one of them?
+namespace drag_over_length {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, (-g * std::sin(s.x) - drag * std::abs(s.v) * s.v) / length};
+}
+
+}  // namespace drag_over_length
+
+// Says: The angle is turned from degrees into radians before its sine is taken, but it comes in radians.
+// Hint: Read the unit of s.x in the task, and remember the one that std::sin wants.
+namespace degrees {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    const double x = s.x * std::numbers::pi / 180;
+    return {s.v, -g / length * std::sin(x) - drag * length * std::abs(s.v) * s.v};
+}
+
+}  // namespace degrees
+
+// Says: Both rates are zero: nothing that you worked out has got into the result, and this lamp never moves.
+// Hint: A list of two zeros is a place to put the rates. What belongs into the first, and what into the
+//       second?
+namespace zero {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {0, 0};
+}
+
+}  // namespace zero

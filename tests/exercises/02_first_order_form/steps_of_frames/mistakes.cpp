@@ -1,0 +1,382 @@
+#include "exercise.hpp"
+
+// Says: Each frame is divided by the step for itself: the remainders are forgotten.
+// Hint: Frames shorter than a step would never take one. What must a frame hand on to the next?
+namespace no_remainder {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    for (const double passed : frames)
+        steps.push_back(std::min(static_cast<int>(passed / step), most_steps));
+    return steps;
+}
+
+}  // namespace no_remainder
+
+// Says: Nothing limits the steps of a frame: this loop can spiral to death.
+// Hint: After a hitch the frame may take most_steps and no more.
+namespace no_cap {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        steps.push_back(static_cast<int>(owed / step));
+        owed = std::fmod(owed, step);
+    }
+    return steps;
+}
+
+}  // namespace no_cap
+
+// Says: At the cap everything owed is dropped, the part of a step included.
+// Hint: Dropping whole steps keeps the rhythm. What is left when all whole steps have been taken away?
+namespace all_dropped {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        const int due = static_cast<int>(owed / step);
+        steps.push_back(std::min(due, most_steps));
+        owed = due > most_steps ? 0 : owed - due * step;
+    }
+    return steps;
+}
+
+}  // namespace all_dropped
+
+// Says: At the cap nothing is dropped: the frames after a hitch go on paying for it.
+// Hint: The game should run slower for a moment, and not race to catch up. What is owed after a frame must
+//       be less than a step.
+namespace nothing_dropped {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        const int count = std::min(static_cast<int>(owed / step), most_steps);
+        steps.push_back(count);
+        owed -= count * step;
+    }
+    return steps;
+}
+
+}  // namespace nothing_dropped
+
+// Says: At the cap one step is dropped, however many are still owed: after a long hitch the frames go on
+//       paying.
+// Hint: An if drops one step. What must be done until less than a step is owed, or what gives the remainder
+//       at once?
+namespace one_step_dropped {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        int count = 0;
+        for (; owed >= step && count < most_steps; ++count) owed -= step;
+        if (owed >= step) owed -= step;
+        steps.push_back(count);
+    }
+    return steps;
+}
+
+}  // namespace one_step_dropped
+
+// Says: The long frame is cut to most_steps before it is added: the part of a step that it brought is lost.
+// Hint: Add the whole frame first. The cap is on the steps, and the remainder is that of all the time that
+//       has passed.
+namespace frame_cut_short {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += std::min(passed, most_steps * step);
+        const int due = static_cast<int>(owed / step);
+        steps.push_back(std::min(due, most_steps));
+        owed = std::fmod(owed, step);
+    }
+    return steps;
+}
+
+}  // namespace frame_cut_short
+
+// Says: A step that is owed in full has to wait for the next frame: the comparison is strict.
+// Hint: What should happen when exactly one step is owed?
+namespace late_when_exact {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        int count = 0;
+        for (owed += passed; owed > step; owed -= step)
+            if (count < most_steps) ++count;
+        steps.push_back(count);
+    }
+    return steps;
+}
+
+}  // namespace late_when_exact
+
+// Says: Two things at once: a step that is owed in full has to wait for the next frame, and at the cap
+//       nothing is dropped.
+// Hint: First let the loop take a step that is owed to the last bit. Then ask what is still owed when the
+//       loop stops at the cap.
+namespace late_and_nothing_dropped {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        int count = 0;
+        for (; owed > step && count < most_steps; ++count) owed -= step;
+        steps.push_back(count);
+    }
+    return steps;
+}
+
+}  // namespace late_and_nothing_dropped
+
+// Says: A step comes when it is nearly owed in full: the comparison has a tolerance, and the simulation gets
+//       ahead of the clock by it.
+// Hint: Compare what is owed with the step, without any slack. A step that lacks a billionth of a second
+//       comes with the next frame.
+namespace with_a_tolerance {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        int count = 0;
+        for (; owed >= step - 1e-9 && count < most_steps; ++count) owed -= step;
+        owed = std::fmod(owed, step);
+        steps.push_back(count);
+    }
+    return steps;
+}
+
+}  // namespace with_a_tolerance
+
+// Says: What is owed is kept in single precision: it loses the last bits of every frame.
+// Hint: A float has seven digits. Look at the type of each variable that holds a time.
+namespace single_precision {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    float owed = 0;
+    for (const double passed : frames) {
+        owed += static_cast<float>(passed);
+        int count = 0;
+        for (; owed >= static_cast<float>(step); owed -= static_cast<float>(step))
+            if (count < most_steps) ++count;
+        steps.push_back(count);
+    }
+    return steps;
+}
+
+}  // namespace single_precision
+
+// Says: A frame takes one step at most: an if stands where a loop should.
+// Hint: A slow frame owes several steps, and pays all of them at once, up to the cap.
+namespace one_at_most {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        steps.push_back(owed >= step ? 1 : 0);
+        owed = std::fmod(owed, step);
+    }
+    return steps;
+}
+
+}  // namespace one_at_most
+
+// Says: Every frame with time takes a step that is not owed in full yet: the simulation runs ahead of the
+//       clock.
+// Hint: Less than a step is no step. It stays owed until the frames have brought the rest.
+namespace runs_ahead {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        int count = 0;
+        for (owed += passed; owed > 0; owed -= step)
+            if (count < most_steps) ++count;
+        steps.push_back(count);
+    }
+    return steps;
+}
+
+}  // namespace runs_ahead
+
+// Says: The number of steps is rounded to the nearest, so the simulation is ahead of the clock half of the
+//       time.
+// Hint: Only whole steps that have passed are taken: which way must a fraction be rounded?
+namespace rounded {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        const int due = static_cast<int>(std::lround(owed / step));
+        steps.push_back(std::min(due, most_steps));
+        owed -= due * step;
+    }
+    return steps;
+}
+
+}  // namespace rounded
+
+// Says: The remainder is right, but the steps are rounded to the nearest: half a step that is owed is taken
+//       too soon, and once more when it is owed in full.
+// Hint: std::round goes up from one half on. Which function always goes down?
+namespace rounded_to_the_nearest {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        const double due = std::round(owed / step);
+        steps.push_back(static_cast<int>(std::min<double>(due, most_steps)));
+        owed = std::fmod(owed, step);
+    }
+    return steps;
+}
+
+}  // namespace rounded_to_the_nearest
+
+// Says: The steps are rounded to the nearest, so that less than nothing may be owed; only a frame beyond the
+//       cap leaves what it should.
+// Hint: A frame takes whole steps that have passed. What is left over is never below zero when you go down
+//       to a whole number.
+namespace rounded_after_a_hitch_right {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        const int due = static_cast<int>(std::round(owed / step));
+        const int count = std::min(due, most_steps);
+        owed -= count * step;
+        owed = std::fmod(owed, step);
+        steps.push_back(count);
+    }
+    return steps;
+}
+
+}  // namespace rounded_after_a_hitch_right
+
+// Says: Two things at once: the number of steps is rounded to the nearest, and what a frame owes beyond the
+//       cap is carried on to the next.
+// Hint: First round down, always. Then look at what is owed after a frame of ten steps with a cap of three.
+namespace rounded_and_nothing_dropped {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        const int due = static_cast<int>(std::round(owed / step));
+        const int count = std::min(due, most_steps);
+        owed -= count * step;
+        steps.push_back(count);
+    }
+    return steps;
+}
+
+}  // namespace rounded_and_nothing_dropped
+
+// Says: At the cap a frame takes one step more than it may: the loop still begins one when most_steps have
+//       been taken.
+// Hint: Let the cap be 1 and go through the loop by hand: how many steps have been taken when it stops?
+namespace one_too_many {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        int count = 0;
+        for (; owed >= step && count <= most_steps; ++count) owed -= step;
+        owed = std::fmod(owed, step);
+        steps.push_back(count);
+    }
+    return steps;
+}
+
+}  // namespace one_too_many
+
+// Says: A frame stops one step before the cap, and what it might still have taken is dropped.
+// Hint: Go through the loop by hand with a cap of 1 and one step owed. Does the frame take it?
+namespace one_too_few {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        int count = 0;
+        for (; owed >= step && count + 1 < most_steps; ++count) owed -= step;
+        owed = std::fmod(owed, step);
+        steps.push_back(count);
+    }
+    return steps;
+}
+
+}  // namespace one_too_few
+
+// Says: A step that is owed in full is not taken, and then std::fmod drops it: it never comes.
+// Hint: After the loop, less than a step must be owed, unless the cap has stopped it. Which comparison sees
+//       to that?
+namespace lost_when_exact {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        int count = 0;
+        for (; owed > step && count < most_steps; ++count) owed -= step;
+        owed = std::fmod(owed, step);
+        steps.push_back(count);
+    }
+    return steps;
+}
+
+}  // namespace lost_when_exact
+
+// Says: A frame that takes most_steps loses the part of a step that it still owes, even where no whole step
+//       had to be dropped.
+// Hint: Reaching the cap is no reason to drop anything. Look only at what is owed beyond it, and keep less
+//       than a step of that.
+namespace dropped_when_all_taken {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        int count = 0;
+        for (; owed >= step && count < most_steps; ++count) owed -= step;
+        if (count == most_steps) owed = 0;
+        steps.push_back(count);
+    }
+    return steps;
+}
+
+}  // namespace dropped_when_all_taken

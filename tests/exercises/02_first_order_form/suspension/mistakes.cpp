@@ -1,0 +1,118 @@
+#include "exercise.hpp"
+
+// Says: This is the spring and the damper of the whole car, given to each of its wheels.
+// Hint: Four wheels that act side by side add up. Each is one of four.
+namespace whole_car {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    return {mass * g / sag, 2 * zeta * mass * std::sqrt(g / sag)};
+}
+
+}  // namespace whole_car
+
+// Says: The spring is that of one wheel, but its damper is worked out as if one wheel carried the whole car.
+// Hint: In the definition of zeta, k, c and m must belong to the same body: either all of them to the car or
+//       all to a quarter of it.
+namespace mass_of_the_whole_car {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    const double k = mass * g / (4 * sag);
+    return {k, 2 * zeta * std::sqrt(k * mass)};
+}
+
+}  // namespace mass_of_the_whole_car
+
+// Says: The damping lacks a factor two: the car gets half the damping ratio. (Or k is that of one wheel and
+//       m that of the car, and the whole is divided by 4 once more: that makes the same number.)
+// Hint: Solve the definition zeta = c / (2 root of k m) for c, slowly.
+namespace forgot_two {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    return {mass * g / (4 * sag), zeta * mass / 4 * std::sqrt(g / sag)};
+}
+
+}  // namespace forgot_two
+
+// Says: The damping is 2 zeta omega: the coefficient of the equation that has been divided by the mass.
+// Hint: Its unit is 1/s. A damper needs newtons per metre per second: multiply back what was divided.
+namespace already_divided {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    return {mass * g / (4 * sag), 2 * zeta * std::sqrt(g / sag)};
+}
+
+}  // namespace already_divided
+
+// Says: The springs carry the mass as if kilograms were newtons: gravity is missing.
+// Hint: A spring holds a weight. Check the unit of the stiffness.
+namespace forgot_gravity {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    return {mass / (4 * sag), 2 * zeta * mass / 4 * std::sqrt(1 / sag)};
+}
+
+}  // namespace forgot_gravity
+
+// Says: The gravity of the Earth is written into the formula; the one that is handed over is not used.
+// Hint: The game also plays on the Moon: take g from the arguments.
+namespace earth_only {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    const double omega = std::sqrt(9.81 / sag);
+    return {mass / 4 * omega * omega, 2 * zeta * mass / 4 * omega};
+}
+
+}  // namespace earth_only
+
+// Says: The damping is the critical one, whatever ratio is asked.
+// Hint: The ratio says which part of the critical damping is wanted.
+namespace always_critical {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    return {mass * g / (4 * sag), mass / 2 * std::sqrt(g / sag)};
+}
+
+}  // namespace always_critical
+
+// Says: The damping is worked out with g over the sag, which is the square of omega.
+// Hint: Stiffness goes with the square of omega, damping with omega itself.
+namespace omega_not_rooted {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    return {mass * g / (4 * sag), 2 * zeta * mass / 4 * g / sag};
+}
+
+}  // namespace omega_not_rooted
+
+// Says: The numbers are right, but the damping comes first.
+// Hint: Read in the task which of the two is returned first.
+namespace swapped {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    return {2 * zeta * mass / 4 * std::sqrt(g / sag), mass * g / (4 * sag)};
+}
+
+}  // namespace swapped
+
+// Says: Spring and damper are those of a quarter of a wheel: there is a 4 that divides twice.
+// Hint: Either begin with a quarter of the mass, or divide by the four wheels at the end. Four times your k
+//       must carry the car.
+namespace shared_out_twice {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    const double carried = mass / 4, omega = std::sqrt(g / sag);
+    return {carried * omega * omega / 4, 2 * zeta * carried * omega / 4};
+}
+
+}  // namespace shared_out_twice
+
+// Says: The spring is that of one wheel, but its damper has been divided by the four wheels twice.
+// Hint: When k and m belong to one wheel already, so does c. Is there anything left to share out?
+namespace damper_shared_twice {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    const double carried = mass / 4, k = carried * g / sag;
+    return {k, 2 * zeta * std::sqrt(k * carried) / 4};
+}
+
+}  // namespace damper_shared_twice

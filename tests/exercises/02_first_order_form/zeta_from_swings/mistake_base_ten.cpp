@@ -1,6 +1,0 @@
-#include "exercise.hpp"
-
-double zeta_from_swings(double first, double later, int swings) {
-    const double d = std::log10(first / later) / swings;
-    return d / std::hypot(2 * std::numbers::pi, d);
-}

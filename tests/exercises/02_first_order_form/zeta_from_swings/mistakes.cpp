@@ -1,0 +1,127 @@
+#include "exercise.hpp"
+
+// Says: This is the rule for small damping, delta / (2 pi): it takes a damped swing to last as long as an
+//       undamped one.
+// Hint: A damped swing takes longer, by one over the root of 1 - zeta squared. The rule gives more than 1
+//       where hardly anything is left.
+namespace small_damping {
+
+double zeta_from_swings(double first, double later, int swings) {
+    return std::log(first / later) / swings / (2 * std::numbers::pi);
+}
+
+}  // namespace small_damping
+
+// Says: The number of swings is not used: all the loss is put down to a single swing.
+// Hint: Each swing multiplies by the same factor. What does that mean for the logarithm?
+namespace one_swing {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log(first / later);
+    return d / std::hypot(2 * std::numbers::pi, d);
+}
+
+}  // namespace one_swing
+
+// Says: The ratio of the peaks is divided by the number of swings before the logarithm is taken.
+// Hint: Factors multiply, logarithms add: only one of them may be shared out evenly.
+namespace ratio_shared_out {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log(first / later / swings);
+    return d / std::hypot(2 * std::numbers::pi, d);
+}
+
+}  // namespace ratio_shared_out
+
+// Says: A swing is counted as half a turn, pi.
+// Hint: From a peak to the next one on the same side the phase goes all the way round.
+namespace half_swings {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log(first / later) / swings;
+    return d / std::hypot(std::numbers::pi, d);
+}
+
+}  // namespace half_swings
+
+// Says: The logarithm is the one to base ten.
+// Hint: The swing fades as a power of e: its logarithm is std::log.
+namespace base_ten {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log10(first / later) / swings;
+    return d / std::hypot(2 * std::numbers::pi, d);
+}
+
+}  // namespace base_ten
+
+// Says: The peaks are swapped: a swing that shrinks gets a negative damping.
+// Hint: Damping takes away from the swing. Which peak must stand above in the fraction?
+namespace upside_down {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log(later / first) / swings;
+    return d / std::hypot(2 * std::numbers::pi, d);
+}
+
+}  // namespace upside_down
+
+// Says: The heights are treated as energies: the logarithm is halved.
+// Hint: Energies go with the square of the height. A video shows heights.
+namespace energy {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log(first / later) / swings / 2;
+    return d / std::hypot(2 * std::numbers::pi, d);
+}
+
+}  // namespace energy
+
+// Says: The relative loss stands for the logarithm, which it resembles only when little is lost.
+// Hint: A swing that loses half each time never reaches nothing. Which function counts equal factors as
+//       equal shares?
+namespace relative_loss {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = (first - later) / first / swings;
+    return d / std::hypot(2 * std::numbers::pi, d);
+}
+
+}  // namespace relative_loss
+
+// Says: The equation is solved with the wrong sign under the root: the ratio comes out as if damping made
+//       the swing shorter.
+// Hint: Square delta root(1 - zeta squared) = 2 pi zeta and collect the terms with zeta on one side. One
+//       sign changes on the way.
+namespace wrong_solve {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log(first / later) / swings, turn = 2 * std::numbers::pi;
+    return d / std::sqrt(turn * turn - d * d);
+}
+
+}  // namespace wrong_solve
+
+// Says: The whole loss is put into the formula as if it were that of one swing, and only the ratio that
+//       comes out is divided by the swings. That is right for small damping only.
+// Hint: The formula is for the logarithm of one swing. What must be divided before it goes under the root?
+namespace shared_out_last {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log(first / later);
+    return d / std::hypot(2 * std::numbers::pi, d) / swings;
+}
+
+}  // namespace shared_out_last
+
+// Says: A full swing is counted as 360 degrees where the formula wants radians.
+// Hint: The swing is the sine or cosine of an angle in radians. How many of them go all the way round?
+namespace degrees {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log(first / later) / swings;
+    return d / std::hypot(360, d);
+}
+
+}  // namespace degrees

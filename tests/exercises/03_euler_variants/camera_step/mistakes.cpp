@@ -1,0 +1,165 @@
+#include "exercise.hpp"
+
+// Says: This is explicit Euler: spring and damper pull at the old state, and the position moves with the old
+//       velocity.
+// Hint: It costs no division, and blows up in a long frame. Take the acceleration at x2 and v2, and solve.
+namespace explicit_euler {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = v1 + wh * omega * (target - x1) - 2 * zeta * wh * v1;
+    return {t1 + h, x1 + h * v1, v2};
+}
+
+}  // namespace explicit_euler
+
+// Says: This is semi-implicit Euler: only the position uses something new.
+// Hint: The new position belongs into the spring and the new velocity into the damper, too.
+namespace semi_implicit {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = v1 + wh * omega * (target - x1) - 2 * zeta * wh * v1;
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace semi_implicit
+
+// Says: The spring is taken at the new position, but the damper still pulls against the old velocity.
+// Hint: There is one more term with v2: which divisor does it add to?
+namespace old_damping {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + wh * omega * (target - x1) - 2 * zeta * wh * v1) / (1 + wh * wh);
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace old_damping
+
+// Says: The damper is taken at the new velocity, but the spring still pulls from the old position: a long
+//       frame can blow up.
+// Hint: x2 is x1 + h v2. Put that into the spring, and it brings another term with v2.
+namespace old_position {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + wh * omega * (target - x1)) / (1 + 2 * zeta * wh);
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace old_position
+
+// Says: The new velocity is right, but the position has moved with the old one.
+// Hint: Look at the second line of implicit Euler in the chapter's table.
+namespace old_velocity_moves {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + wh * omega * (target - x1)) / (1 + 2 * zeta * wh + wh * wh);
+    return {t1 + h, x1 + h * v1, v2};
+}
+
+}  // namespace old_velocity_moves
+
+// Says: The spring pulls to x = 0, wherever the target is.
+// Hint: The spring's force is zero where x is the target.
+namespace no_target {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 - wh * omega * x1) / (1 + 2 * zeta * wh + wh * wh);
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace no_target
+
+// Says: The position that you return is counted from the target.
+// Hint: It is a good idea to count from the target while you solve. At the end, go back to the world's
+//       position.
+namespace from_target {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + wh * omega * (target - x1)) / (1 + 2 * zeta * wh + wh * wh);
+    return {t1 + h, x1 - target + h * v2, v2};
+}
+
+}  // namespace from_target
+
+// Says: The damping is half of what zeta says: the factor two in 2 zeta omega v is missing.
+// Hint: Take the acceleration letter by letter from the task.
+namespace half_damping {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + wh * omega * (target - x1)) / (1 + zeta * wh + wh * wh);
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace half_damping
+
+// Says: Position and velocity are right, but the state's time is still that of the old one.
+// Hint: A state holds three numbers, and a step changes all three.
+namespace clock_stands {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + wh * omega * (target - x1)) / (1 + 2 * zeta * wh + wh * wh);
+    return {t1, x1 + h * v2, v2};
+}
+
+}  // namespace clock_stands
+
+// Says: The spring has the wrong sign: it pushes the camera away from the target, with x - target where
+//       target - x must stand.
+// Hint: Where the camera is left of its target, which sign must the spring's acceleration have?
+namespace pushed_away {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + wh * omega * (x1 - target)) / (1 + 2 * zeta * wh + wh * wh);
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace pushed_away
+
+// Says: The divisor is right, but above it the spring's acceleration is added to a velocity: the step h is
+//       missing there.
+// Hint: An acceleration makes a velocity only in some time. Look at the units of the two terms above the
+//       divisor.
+namespace forgot_h {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + omega * omega * (target - x1)) / (1 + 2 * zeta * wh + wh * wh);
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace forgot_h
+
+// Says: The terms with v2 have come to the left with the signs that they had on the right: the divisor is 1
+//       minus something, and a long frame turns the camera round.
+// Hint: A term that changes sides changes its sign. How large must the divisor be at least, so that no frame
+//       can make the velocity grow?
+namespace minus_in_divisor {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + wh * omega * (target - x1)) / (1 - 2 * zeta * wh - wh * wh);
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace minus_in_divisor

@@ -1,5 +1,0 @@
-#include "exercise.hpp"
-
-double longest_parabola_step(double omega, double zeta) {
-    return 0.04;
-}

@@ -1,0 +1,120 @@
+#include "exercise.hpp"
+
+// Says: This is the limit of explicit Euler.
+// Hint: The parabola adds h² a / 2 to the position. That changes the first row of the matrix.
+namespace explicit_euler {
+
+double longest_parabola_step(double omega, double zeta) {
+    if (zeta <= 1) return 2 * zeta / omega;
+    return 2 / (zeta + std::sqrt(zeta * zeta - 1)) / omega;
+}
+
+}  // namespace explicit_euler
+
+// Says: This is the limit of semi-implicit Euler with the damping at the old velocity.
+// Hint: There the position moves with the new velocity, x1 + h v1 + h² a1. Here it is half of the last term.
+namespace semi_implicit {
+
+double longest_parabola_step(double omega, double zeta) {
+    return 2 * (std::sqrt(1 + zeta * zeta) - zeta) / omega;
+}
+
+}  // namespace semi_implicit
+
+// Says: This is where a complex pair of eigenvalues leaves the unit circle. With strong damping the
+//       eigenvalues are real before that, and one of them leaves at -1.
+// Hint: A determinant below one is not enough: two real roots may have a small product, and one of them be
+//       large.
+namespace pair_only {
+
+double longest_parabola_step(double omega, double zeta) {
+    return 4 * zeta / omega;
+}
+
+}  // namespace pair_only
+
+// Says: This is where a real eigenvalue passes -1. With weak damping the pair is complex, and leaves the
+//       unit circle earlier.
+// Hint: For a complex pair, look at the determinant.
+namespace real_root_only {
+
+double longest_parabola_step(double omega, double zeta) {
+    return zeta == 0 ? 0 : 1 / (zeta * omega);
+}
+
+}  // namespace real_root_only
+
+// Says: This asks only that the trace lies between -2 and 2. That is enough where the determinant is 1, as
+//       for semi-implicit Euler without damping.
+// Hint: Work out this determinant: it depends on h. Then look at the roots themselves.
+namespace trace_only {
+
+double longest_parabola_step(double omega, double zeta) {
+    return (std::sqrt(4 * zeta * zeta + 8) - 2 * zeta) / omega;
+}
+
+}  // namespace trace_only
+
+// Says: This is the longest omega h, a number without a unit.
+// Hint: The step itself is asked, in seconds.
+namespace omega_h {
+
+double longest_parabola_step(double omega, double zeta) {
+    return zeta < 0.5 ? 4 * zeta : 1 / zeta;
+}
+
+}  // namespace omega_h
+
+// Says: The damping is half of what zeta says: the factor two in 2 zeta omega v is missing.
+// Hint: Take the acceleration letter by letter from the task.
+namespace half_damping {
+
+double longest_parabola_step(double omega, double zeta) {
+    return (zeta < 1 ? 2 * zeta : 2 / zeta) / omega;
+}
+
+}  // namespace half_damping
+
+// Says: Every spring gets the step of the example.
+// Hint: Write the step as a matrix first: its trace and determinant depend on omega h and zeta.
+namespace example {
+
+double longest_parabola_step(double omega, double zeta) {
+    return 0.04;
+}
+
+}  // namespace example
+
+// Says: This is 1/(zeta omega), where a real eigenvalue passes -1, for every damping: without damping it
+//       divides by zero, and with weak damping the swing has left the unit circle much earlier.
+// Hint: The formula says that less damping makes longer steps. Try it with hardly any: a few steps with the
+//       longest h that it allows.
+namespace real_root_always {
+
+double longest_parabola_step(double omega, double zeta) {
+    return 1 / (zeta * omega);
+}
+
+}  // namespace real_root_always
+
+// Says: Both limits are right, but you return the longer one.
+// Hint: A run must die away in both ways at once: how long may a step be that is to keep within two limits?
+namespace longer_of_two {
+
+double longest_parabola_step(double omega, double zeta) {
+    return std::max(4 * zeta, 1 / zeta) / omega;
+}
+
+}  // namespace longer_of_two
+
+// Says: Both limits are right, but you go over from one to the other at zeta = 1, where the door itself
+//       stops swinging. The steps stop swinging earlier.
+// Hint: It is not the door's motion that counts, but the matrix of the step. For which zeta are the two
+//       limits equal?
+namespace switch_at_one {
+
+double longest_parabola_step(double omega, double zeta) {
+    return (zeta < 1 ? 4 * zeta : 1 / zeta) / omega;
+}
+
+}  // namespace switch_at_one

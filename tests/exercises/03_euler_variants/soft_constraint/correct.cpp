@@ -1,0 +1,27 @@
+#include "exercise.hpp"
+
+namespace two_steps {
+
+// From two steps of implicit Euler. One starts on the spot at speed 1 and ends at v2 = 1 + J/mass,
+// so v2 + gamma J = 0 gives gamma. The other starts at rest and gives beta.
+std::array<double, 2> soft_constraint(double mass, double omega, double zeta, double h) {
+    const double spring = h * omega * omega, damper = 2 * zeta * omega;
+    const double divisor = 1 + h * (spring + damper);
+    const double braked = -h * (spring + damper) / divisor;  // J/mass of the first
+    const double pulled = -spring / divisor;                 // J/mass of the second, for C = 1
+    const double gamma = -1 / (divisor * mass * braked);
+    const double beta = -h * pulled * (1 + mass * gamma);
+    return {gamma, beta};
+}
+
+}  // namespace two_steps
+
+namespace units {
+
+// Without units: only omega h and zeta are left, and the mass gives gamma its own.
+std::array<double, 2> soft_constraint(double mass, double omega, double zeta, double h) {
+    const double wh = omega * h, sum = 2 * zeta + wh;
+    return {1 / (wh * sum * mass), wh / sum};
+}
+
+}  // namespace units

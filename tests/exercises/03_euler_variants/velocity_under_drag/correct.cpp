@@ -1,0 +1,32 @@
+#include "exercise.hpp"
+
+namespace cases {
+
+// Up and down as two cases, and thin air by a series.
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    v -= h * gravity;
+    const bool rises = v > 0;
+    const double size = rises ? v : -v;
+    const double q = h * k * size;  // how much of the speed the old drag would take
+    double left;
+    if (q < 1e-4)
+        left = 1 - q + 2 * q * q - 5 * q * q * q;
+    else
+        left = (std::sqrt(1 + 4 * q) - 1) / (2 * q);
+    return rises ? left * size : -left * size;
+}
+
+}  // namespace cases
+
+namespace newton {
+
+// Newton-Raphson from the velocity without drag: the equation is convex on the way, so the iterates
+// fall towards the root from one side and do not miss it.
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity, size = std::fabs(w), q = h * k;
+    double s = size;
+    for (int i = 0; i < 60; ++i) s -= (s + q * s * s - size) / (1 + 2 * q * s);
+    return std::copysign(s, w);
+}
+
+}  // namespace newton

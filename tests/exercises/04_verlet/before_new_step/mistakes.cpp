@@ -1,0 +1,91 @@
+#include "exercise.hpp"
+
+// Says: The position before is left as it is: Verlet will take the way of an old step for that of a new one.
+// Hint: With half the step the point would fly on at twice its velocity. Scale the way first, then ask what
+//       is still missing.
+namespace left_alone {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    return before;
+}
+
+}  // namespace left_alone
+
+// Says: The displacement is scaled to the new step, the usual repair. With changing steps the order is one:
+//       the force is not used.
+// Hint: A short step ending now has its middle nearer to now than a long one. Under a force the velocities
+//       in the two middles differ.
+namespace only_scaled {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    return now - (now - before) * h_new / h_old;
+}
+
+}  // namespace only_scaled
+
+// Says: The displacement is scaled by h_old / h_new: in slow motion the point gets faster.
+// Hint: A shorter step has a shorter way. Try a constant velocity and half the step.
+namespace ratio_upside_down {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    const double ratio = h_old / h_new;
+    return now - ratio * (now - before) + h_new * (h_new - h_old) / 2 * a;
+}
+
+}  // namespace ratio_upside_down
+
+// Says: The scaling is right, but the force corrects in the wrong direction.
+// Hint: Let a stone fall. The middle of a shorter last step lies later than that of a longer one: is the
+//       stone faster there, or slower?
+namespace other_way_round {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    return now - (now - before) * h_new / h_old - h_new * (h_new - h_old) / 2 * a;
+}
+
+}  // namespace other_way_round
+
+// Says: This is made for the chapter's step that corrects the time: the force of the whole coming step is
+//       put into "before". Plain Verlet will add h_new² a of its own.
+// Hint: The answer is a place on the path behind the point. On a parabola, where was it one new step ago?
+namespace force_twice {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    return now - (now - before) * h_new / h_old - h_new * (h_old + h_new) / 2 * a;
+}
+
+}  // namespace force_twice
+
+// Says: The velocity over the old step is taken for the velocity now, but it is that of half an old step
+//       ago.
+// Hint: You go back along a parabola that ends now. Bring the velocity to now first: for how long does the
+//       force have to act?
+namespace velocity_of_the_middle {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    const double v = (now - before) / h_old;
+    return now - h_new * v + h_new * h_new / 2 * a;
+}
+
+}  // namespace velocity_of_the_middle
+
+// Says: Scaled and corrected in the right direction, but by twice as much as is needed.
+// Hint: From the middle of one step to the middle of the other, both ending now: how long is that?
+namespace whole_kick {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    return now - (now - before) * h_new / h_old + h_new * (h_new - h_old) * a;
+}
+
+}  // namespace whole_kick
+
+// Says: This is the position one new step after now: the coming step itself.
+// Hint: Asked is what to store as "before"; Verlet takes the step. With equal steps the answer is the old
+//       "before".
+namespace next_position {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    return now + (now - before) * h_new / h_old + h_new * (h_old + h_new) / 2 * a;
+}
+
+}  // namespace next_position

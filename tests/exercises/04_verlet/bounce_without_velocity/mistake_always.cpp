@@ -1,5 +1,0 @@
-#include "exercise.hpp"
-
-std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
-    return {floor - e * (before - floor), floor + e * (floor - now)};
-}

@@ -1,6 +1,0 @@
-#include "exercise.hpp"
-
-std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
-    if (now >= floor) return {before, now};
-    return {before, floor + e * (floor - now)};
-}

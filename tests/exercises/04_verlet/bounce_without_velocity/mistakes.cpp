@@ -1,0 +1,165 @@
+#include "exercise.hpp"
+
+// Says: The ball is put where it belongs, but "before" is left alone: the two heights still tell a fall, a
+//       slower one.
+// Hint: Verlet reads the velocity off the two heights. Compute now - before from your answer: does it point
+//       up?
+namespace only_now {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    return {before, floor + e * (floor - now)};
+}
+
+}  // namespace only_now
+
+// Says: The ball is put on the floor, as a rope's points are. Its next step goes on falling, since "before"
+//       is still up there.
+// Hint: Moving one of the two positions changes the velocity, but only by chance into the right one. You may
+//       move both.
+namespace onto_the_floor {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    return {before, floor};
+}
+
+}  // namespace onto_the_floor
+
+// Says: The speed is right, but the ball waits on the floor for the rest of the step.
+// Hint: The impact was before the end of the step. From then on the ball has risen already: for how long?
+namespace turned_at_the_floor {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    return {floor + e * (now - before), floor};
+}
+
+}  // namespace turned_at_the_floor
+
+// Says: This is the bounce that loses nothing, whatever restitution is given: e is not used.
+// Hint: A mirror keeps distances from the floor. With less speed, how far does the ball get in the same
+//       time?
+namespace loses_nothing {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    return {2 * floor - before, 2 * floor - now};
+}
+
+}  // namespace loses_nothing
+
+// Says: The speed after the bounce is right, but the ball has risen to its new height as if at the old
+//       speed.
+// Hint: The velocity changes at the floor. All that the ball rises in the rest of this step, it rises with
+//       the new one.
+namespace too_high {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    const double high = 2 * floor - now;
+    return {high + e * (now - before), high};
+}
+
+}  // namespace too_high
+
+// Says: The two heights have changed places. That turns the velocity round, but puts the ball back to where
+//       it came from, at full speed.
+// Hint: Running the last step backwards is not a bounce. Follow the ball to the floor first, and then up
+//       from there.
+namespace swapped {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    return {now, before};
+}
+
+}  // namespace swapped
+
+// Says: The heights are mirrored at zero, wherever the floor is.
+// Hint: Heights above the floor are before - floor and now - floor. Mirror these, and go back.
+namespace floor_at_zero {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    return {-e * before, -e * now};
+}
+
+}  // namespace floor_at_zero
+
+// Says: Right, except for a ball that lay on the floor one step ago: it sinks, since you ask that it came
+//       from above.
+// Hint: A ball on the floor is not above it. What counts is only where the ball is now.
+namespace only_from_above {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (before > floor && now < floor)
+        return {floor - e * (before - floor), floor + e * (floor - now)};
+    return {before, now};
+}
+
+}  // namespace only_from_above
+
+// Says: The ball bounces in every step, even high above the floor.
+// Hint: Ask first whether the ball is below the floor now.
+namespace always {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    return {floor - e * (before - floor), floor + e * (floor - now)};
+}
+
+}  // namespace always
+
+// Says: The ball is put where it belongs, and "before" is a step away from it, but on the wrong side: the
+//       two heights tell the old velocity's direction, downwards.
+// Hint: The velocity before the bounce, now - before, is negative. Write down the new one with its sign:
+//       where was a ball that now rises a step ago, above or below?
+namespace still_falling {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    const double risen = floor + e * (floor - now);
+    return {risen - e * (now - before), risen};
+}
+
+}  // namespace still_falling
+
+// Says: "now" is overwritten before the velocity is taken: the difference is that of the new height and the
+//       old "before".
+// Hint: The velocity of the fall is in the two heights that you were given. Take it before you change either
+//       of them.
+namespace velocity_too_late {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    now = floor + e * (floor - now);
+    return {now + e * (now - before), now};
+}
+
+}  // namespace velocity_too_late
+
+// Says: The new height is how far the ball has risen above the floor: the floor itself is missing, and all
+//       heights are counted from zero.
+// Hint: floor - now is a distance, and e times it is one, too. From which height on does the ball rise by
+//       it?
+namespace floor_not_added {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    const double risen = e * (floor - now);
+    return {risen + e * (now - before), risen};
+}
+
+}  // namespace floor_not_added
+
+// Says: "before" is not let below the floor: the two heights tell only the part of the new velocity that the
+//       ball has already used to rise.
+// Hint: No ball was ever at the new "before". It stands for a velocity, and may lie anywhere.
+namespace before_clamped {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    return {std::max(floor, floor - e * (before - floor)), floor + e * (floor - now)};
+}
+
+}  // namespace before_clamped

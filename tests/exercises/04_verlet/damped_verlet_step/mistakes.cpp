@@ -1,0 +1,132 @@
+#include "exercise.hpp"
+
+// Says: The displacement is shortened by gamma h, the first term of the exponential: two short steps keep
+//       another part of it than a long one, and a strong drag turns the motion round.
+// Hint: Compare two steps of h with one of 2h. Which function of h gives the same, multiplied by itself, as
+//       for the double?
+namespace straight_line {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    return now + (1 - gamma * h) * (now - before) + h * h * a;
+}
+
+}  // namespace straight_line
+
+// Says: The displacement is shortened right, but the force enters as if there were no drag within the step:
+//       the terminal velocity depends on the step.
+// Hint: Let a body fall at a / gamma. Its next displacement must be the same as the last one, exactly.
+namespace undamped_force {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    return now + std::exp(-gamma * h) * (now - before) + h * h * a;
+}
+
+}  // namespace undamped_force
+
+// Says: The whole step of Verlet, its force too, is shortened by exp(-gamma h): as if all of the force had
+//       come before the drag.
+// Hint: The force acts all the time, its first part damped most and its last part hardly. Test with the
+//       velocity at which the drag balances it.
+namespace force_shortened_too {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    return now + std::exp(-gamma * h) * (now - before + h * h * a);
+}
+
+}  // namespace force_shortened_too
+
+// Says: Right for every drag but none: with gamma = 0 you divide zero by zero.
+// Hint: A body without drag has no terminal velocity. What should the step be then?
+namespace zero_drag {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    const double kept = std::exp(-gamma * h);
+    return now + kept * (now - before) + (1 - kept) * h * a / gamma;
+}
+
+}  // namespace zero_drag
+
+// Says: The displacement shrinks by exp(-gamma) in every step, whatever its length: twice the frames, twice
+//       the drag.
+// Hint: gamma is in 1/s. What is exponentiated must have no unit.
+namespace per_step {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    if (gamma == 0) return 2 * now - before + h * h * a;
+    const double kept = std::exp(-gamma);
+    return now + kept * (now - before) + (1 - kept) * h * a / gamma;
+}
+
+}  // namespace per_step
+
+// Says: The exponent has the wrong sign: the drag drives the body.
+// Hint: A velocity that nothing drives must get less: is your factor below one?
+namespace grows {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    if (gamma == 0) return 2 * now - before + h * h * a;
+    const double kept = std::exp(gamma * h);
+    return now + kept * (now - before) + (1 - kept) * h * a / gamma;
+}
+
+}  // namespace grows
+
+// Says: Dividing by 1 + gamma h is implicit Euler's damping. It never turns a motion round, and gets the
+//       terminal velocity right, but dies down by less at long steps.
+// Hint: Stable is not yet exact. Of which function are 1 - gamma h and 1 / (1 + gamma h) two approximations?
+namespace implicit {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    return now + (now - before + h * h * a) / (1 + gamma * h);
+}
+
+}  // namespace implicit
+
+// Says: The factor shrinks the position, not only the displacement: the point is drawn to the origin.
+// Hint: The drag knows no places. Where the point is must enter with the weight one.
+namespace position_shrinks {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    if (gamma == 0) return 2 * now - before + h * h * a;
+    const double kept = std::exp(-gamma * h);
+    return kept * (2 * now - before) + (1 - kept) * h * a / gamma;
+}
+
+}  // namespace position_shrinks
+
+// Says: This is Verlet with the drag taken at the central difference of the positions, as much rope code has
+//       it: of order two and good for a weak drag, but a strong one turns the motion round.
+// Hint: (1 - gamma h/2) / (1 + gamma h/2) is another approximation of a factor per step, negative beyond
+//       gamma h = 2. Which function is approximated?
+namespace central_drag {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    const double half = gamma * h / 2;
+    return now + ((now - before) * (1 - half) + h * h * a) / (1 + half);
+}
+
+}  // namespace central_drag
+
+// Says: The terminal velocity a / gamma is added to a position: the step is missing.
+// Hint: a / gamma is in metres per second. How far does a body get with it in one step?
+namespace forgot_h {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    if (gamma == 0) return 2 * now - before + h * h * a;
+    const double kept = std::exp(-gamma * h);
+    return now + kept * (now - before) + (1 - kept) * a / gamma;
+}
+
+}  // namespace forgot_h
+
+// Says: The force pushes the wrong way: its term has the wrong sign, while the drag is right.
+// Hint: Put a straight line x = C t into x'' = a - gamma x'. Which sign has C where a is positive?
+namespace force_reversed {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    if (gamma == 0) return 2 * now - before + h * h * a;
+    const double kept = std::exp(-gamma * h);
+    return now + kept * (now - before) - (1 - kept) * h * a / gamma;
+}
+
+}  // namespace force_reversed

@@ -1,5 +1,0 @@
-#include "exercise.hpp"
-
-double position_before(double x, double v, double a, double h) {
-    return x + h * v + h * h / 2 * a;
-}

@@ -1,0 +1,74 @@
+#include "exercise.hpp"
+
+// Says: This is the position one step after now, the one with which the chapter starts Verlet.
+// Hint: Try a velocity and no force: a point that flies to the right was further to the left.
+namespace position_after {
+
+double position_before(double x, double v, double a, double h) {
+    return x + h * v + h * h / 2 * a;
+}
+
+}  // namespace position_after
+
+// Says: The velocity is followed back, but the force of that step is left out: the whole run falls to order
+//       one. Or is there a 1/2? In C++ that is 0: write 0.5.
+// Hint: The velocity given is that of now. One step before, it was another, and the way between was flown
+//       with neither of the two.
+namespace no_acceleration {
+
+double position_before(double x, double v, double a, double h) {
+    return x - h * v;
+}
+
+}  // namespace no_acceleration
+
+// Says: The force enters with h² a, twice as much as it moves a point in one step.
+// Hint: Let a point go at rest and count the metres of the first step: a stone falls half of a t squared.
+namespace whole_acceleration {
+
+double position_before(double x, double v, double a, double h) {
+    return x - h * v + h * h * a;
+}
+
+}  // namespace whole_acceleration
+
+// Says: The acceleration has changed its sign with the velocity. Running time backwards turns velocities
+//       round, but no accelerations.
+// Hint: A stone at the top of its throw: was it above that point a moment ago, or below?
+namespace force_reversed {
+
+double position_before(double x, double v, double a, double h) {
+    return x - h * v - h * h / 2 * a;
+}
+
+}  // namespace force_reversed
+
+// Says: The terms have the right signs, but the step is missing: metres per second are taken off metres.
+// Hint: Look at the units of each term. The velocity needs the seconds once, the acceleration twice.
+namespace forgot_h {
+
+double position_before(double x, double v, double a, double h) {
+    return x - v + a / 2;
+}
+
+}  // namespace forgot_h
+
+// Says: This is how far the point goes in the step before, not where it was.
+// Hint: You have the way from before to now. The point is now at x: where did that way begin?
+namespace displacement {
+
+double position_before(double x, double v, double a, double h) {
+    return h * v - h * h / 2 * a;
+}
+
+}  // namespace displacement
+
+// Says: The acceleration is multiplied by the step once, which makes it a velocity, not a way.
+// Hint: Metres per second squared times seconds are metres per second. One factor is missing.
+namespace one_h {
+
+double position_before(double x, double v, double a, double h) {
+    return x - h * v + h / 2 * a;
+}
+
+}  // namespace one_h

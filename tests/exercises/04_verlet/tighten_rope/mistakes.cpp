@@ -1,0 +1,124 @@
+#include "exercise_eigen.hpp"
+
+// Says: The two ends share the excess in halves, as the points of the chapter's rope do: their masses are
+//       not used, only whether they are held.
+// Hint: The same pull moves a lighter body further. Let a have a hundred times the mass of b: which of them
+//       moves?
+namespace halves {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    const Vector3d apart = b - a;
+    const double distance = apart.norm();
+    if (distance <= length || wa + wb == 0) return {a, b};
+    const Vector3d half = (distance - length) / 2 * (apart / distance);
+    if (wa == 0) return {a, b - 2 * half};
+    if (wb == 0) return {a + 2 * half, b};
+    return {a + half, b - half};
+}
+
+}  // namespace halves
+
+// Says: The shares are exchanged: the heavier end moves further, and the wall comes to the player.
+// Hint: wa is the inverse of a mass. The larger wa is, the lighter is a, and the further it moves.
+namespace heavier_moves_more {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    const Vector3d apart = b - a;
+    const double distance = apart.norm();
+    if (distance <= length || wa + wb == 0) return {a, b};
+    const Vector3d pull = (distance - length) / (wa + wb) * (apart / distance);
+    return {a + wb * pull, b - wa * pull};
+}
+
+}  // namespace heavier_moves_more
+
+// Says: This is a rod: it also pushes the ends apart when they are nearer than its length.
+// Hint: A loose rope does nothing. Ask whether it is too long before you move anything.
+namespace pushes {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    const Vector3d apart = b - a;
+    const double distance = apart.norm();
+    if (distance == 0 || wa + wb == 0) return {a, b};
+    const Vector3d pull = (distance - length) / (wa + wb) * (apart / distance);
+    return {a + wa * pull, b - wb * pull};
+}
+
+}  // namespace pushes
+
+// Says: Each end moves by its inverse mass times the excess. Nothing makes the two parts add up to the
+//       whole.
+// Hint: A length in metres times 1/kg is no length. Divide by something that has that unit, too.
+namespace no_sum {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    const Vector3d apart = b - a;
+    const double distance = apart.norm();
+    if (distance <= length || wa + wb == 0) return {a, b};
+    const Vector3d pull = (distance - length) * (apart / distance);
+    return {a + wa * pull, b - wb * pull};
+}
+
+}  // namespace no_sum
+
+// Says: The excess is measured again after the first end has moved, so that the second takes its share of
+//       what is left only.
+// Hint: Both shares are parts of the same excess. Compute it once, from the two positions given, before
+//       either moves.
+namespace one_after_the_other {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    const Vector3d apart = b - a;
+    const double distance = apart.norm();
+    if (distance <= length || wa + wb == 0) return {a, b};
+    a += wa / (wa + wb) * (distance - length) * (apart / distance);
+    const Vector3d rest = b - a;
+    b -= wb / (wa + wb) * (rest.norm() - length) * rest.normalized();
+    return {a, b};
+}
+
+}  // namespace one_after_the_other
+
+// Says: Right, except for a rope between two walls: there the sum of the inverse masses is zero, and you
+//       divide by it.
+// Hint: What can a rope move when both of its ends are held?
+namespace both_held {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    const Vector3d apart = b - a;
+    const double distance = apart.norm();
+    if (distance <= length) return {a, b};
+    const Vector3d pull = (distance - length) / (wa + wb) * (apart / distance);
+    return {a + wa * pull, b - wb * pull};
+}
+
+}  // namespace both_held
+
+// Says: The excess is multiplied by the whole vector between the ends, not by its direction: long ropes are
+//       pulled too hard.
+// Hint: A direction has the length one. The vector from a to b has the length of the rope.
+namespace not_a_direction {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    const Vector3d apart = b - a;
+    const double distance = apart.norm();
+    if (distance <= length || wa + wb == 0) return {a, b};
+    const Vector3d pull = (distance - length) / (wa + wb) * apart;
+    return {a + wa * pull, b - wb * pull};
+}
+
+}  // namespace not_a_direction
+
+// Says: The ends move away from each other: a rope that is too long gets longer.
+// Hint: The vector b - a leads from a to b. Along which way does a come nearer, and along which does b?
+namespace apart_instead {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    const Vector3d apart = b - a;
+    const double distance = apart.norm();
+    if (distance <= length || wa + wb == 0) return {a, b};
+    const Vector3d pull = (distance - length) / (wa + wb) * (apart / distance);
+    return {a - wa * pull, b + wb * pull};
+}
+
+}  // namespace apart_instead

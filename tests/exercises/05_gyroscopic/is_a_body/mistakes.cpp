@@ -1,0 +1,136 @@
+#include "exercise_eigen.hpp"
+
+// Says: You only ask whether the moments are above zero: one of them may still be much too large.
+// Hint: Let a body grow along x. Two of its moments grow with it. Can you think of a body of which only one
+//       grows, for ever?
+namespace only_positive {
+
+bool is_a_body(const Vector3d& inertia) {
+    return inertia.minCoeff() > 0;
+}
+
+}  // namespace only_positive
+
+// Says: Right, except that a moment of zero gets through.
+// Hint: A line of masses has no moment about itself, and a solver divides by each of them. The task calls
+//       that wrong.
+namespace zero_allowed {
+
+bool is_a_body(const Vector3d& inertia) {
+    return inertia.minCoeff() >= 0 && 2 * inertia.maxCoeff() <= inertia.sum();
+}
+
+}  // namespace zero_allowed
+
+// Says: Right, except for flat plates, whose largest moment is just the sum of the other two.
+// Hint: Put z = 0 for all pieces, and add the first two moments. Which comparison lets them be equal?
+namespace plate_rejected {
+
+bool is_a_body(const Vector3d& inertia) {
+    return inertia.minCoeff() > 0 && 2 * inertia.maxCoeff() < inertia.sum();
+}
+
+}  // namespace plate_rejected
+
+// Says: Only the last moment is compared with the sum of the other two, as if it were always the largest.
+// Hint: The artist may have named the axes in any order. Which of the three can be too large?
+namespace last_only {
+
+bool is_a_body(const Vector3d& inertia) {
+    return inertia.minCoeff() > 0 && inertia.z() <= inertia.x() + inertia.y();
+}
+
+}  // namespace last_only
+
+// Says: The squares of the moments are compared: this is Pythagoras, not the rule for moments.
+// Hint: The moments have squares of lengths in them already. They add up as they are.
+namespace squares {
+
+bool is_a_body(const Vector3d& inertia) {
+    const Vector3d squares = inertia.cwiseAbs2();
+    return inertia.minCoeff() > 0 && 2 * squares.maxCoeff() <= squares.sum();
+}
+
+}  // namespace squares
+
+// Says: The square roots of the moments are compared, as if the rule were about lengths. A moment may then
+//       be up to four times the other two.
+// Hint: Add the sums in the task before you take any root. What is inertia.x() + inertia.y() - inertia.z()?
+namespace roots {
+
+bool is_a_body(const Vector3d& inertia) {
+    if (inertia.minCoeff() <= 0) return false;
+    const Vector3d radii = inertia.cwiseSqrt();
+    return 2 * radii.maxCoeff() <= radii.sum();
+}
+
+}  // namespace roots
+
+// Says: The tolerance is a fixed number of kg m²: a body much smaller than that is none, whatever its shape.
+// Hint: What is small depends on the body. Compare with the moments themselves, or use no tolerance at all.
+namespace fixed_tolerance {
+
+bool is_a_body(const Vector3d& inertia) {
+    const double tolerance = 1e-6;
+    return inertia.minCoeff() > tolerance && 2 * inertia.maxCoeff() <= inertia.sum() + tolerance;
+}
+
+}  // namespace fixed_tolerance
+
+// Says: The largest moment may exceed the other two by a fixed number of kg m²: a small body may then have
+//       any shape.
+// Hint: Multiply all three moments by a million, and the slack must grow by as much. Take it as a share of
+//       one of them, or none.
+namespace fixed_slack {
+
+bool is_a_body(const Vector3d& inertia) {
+    const double a = inertia.x(), b = inertia.y(), c = inertia.z(), slack = 1e-9;
+    const bool positive = a > 0 && b > 0 && c > 0;
+    return positive && a <= b + c + slack && b <= c + a + slack && c <= a + b + slack;
+}
+
+}  // namespace fixed_slack
+
+// Says: The moments have lost half of their digits: this is float, and a moment that is a bit too large gets
+//       through.
+// Hint: Look for float, or a number with an f at its end, in what you wrote.
+namespace single_precision {
+
+bool is_a_body(const Vector3d& inertia) {
+    const Eigen::Vector3f moments = inertia.cast<float>();
+    return moments.minCoeff() > 0 && 2 * moments.maxCoeff() <= moments.sum();
+}
+
+}  // namespace single_precision
+
+// Says: The comparison is the wrong way round: only plates and what is no body at all get through.
+// Hint: Try a ball, with three equal moments. Is one of them greater than the sum of the other two?
+namespace upside_down {
+
+bool is_a_body(const Vector3d& inertia) {
+    return inertia.minCoeff() > 0 && 2 * inertia.maxCoeff() >= inertia.sum();
+}
+
+}  // namespace upside_down
+
+// Says: The signs are dropped: a body with a negative moment gets through.
+// Hint: A mirrored model may bring a minus sign into the file. It is an error to report, not one to hide.
+namespace signs_dropped {
+
+bool is_a_body(const Vector3d& inertia) {
+    const Vector3d sizes = inertia.cwiseAbs();
+    return sizes.minCoeff() > 0 && 2 * sizes.maxCoeff() <= sizes.sum();
+}
+
+}  // namespace signs_dropped
+
+// Says: The largest moment is compared with twice the least: long bodies, a staff say, are turned away.
+// Hint: A staff has two large moments and a small one. The largest has to be compared with both of the
+//       others together.
+namespace twice_the_least {
+
+bool is_a_body(const Vector3d& inertia) {
+    return inertia.minCoeff() > 0 && inertia.maxCoeff() <= 2 * inertia.minCoeff();
+}
+
+}  // namespace twice_the_least

@@ -1,0 +1,261 @@
+#include "exercise_eigen.hpp"
+
+// Says: The Jacobian has only one half of the product rule: the guess in front of the cross product moves,
+//       too.
+// Hint: omega2 stands in omega2 x (I omega2) twice. Keep each of the two fixed in turn, and let the other
+//       change.
+namespace missing_term {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d L = inertia * guess;
+    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
+    const Matrix3d jacobian = inertia + h * skew(guess) * inertia;
+    return guess - solve_linear(jacobian, residual);
+}
+
+}  // namespace missing_term
+
+// Says: Both terms of the Jacobian are there, but they are added.
+// Hint: d x L has the change on the left. What happens to a cross product when you swap its two sides?
+namespace sum_of_terms {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d L = inertia * guess;
+    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
+    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia + skew(L));
+    return guess - solve_linear(jacobian, residual);
+}
+
+}  // namespace sum_of_terms
+
+// Says: The residual is right, but the torque's part of the Jacobian has the wrong sign.
+// Hint: f has + h omega2 x (I omega2), so its slope has a plus there as well. Take the derivative of f, not
+//       of the torque -omega x I omega.
+namespace jacobian_sign {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d L = inertia * guess;
+    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
+    const Matrix3d jacobian = inertia - h * (skew(guess) * inertia - skew(L));
+    return guess - solve_linear(jacobian, residual);
+}
+
+}  // namespace jacobian_sign
+
+// Says: The Jacobian is right, but you have solved with llt() or ldlt(): they look at one triangle only and
+//       take the matrix for symmetric.
+// Hint: The inertia is symmetric, the Jacobian is not. Which decomposition in Eigen is for a general square
+//       matrix?
+namespace symmetric_solver {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d L = inertia * guess;
+    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
+    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
+    return guess - jacobian.ldlt().solve(residual);
+}
+
+}  // namespace symmetric_solver
+
+// Says: The update has the right size and goes the wrong way.
+// Hint: The tangent f + J d must be zero. What is d then, with its sign?
+namespace added {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d L = inertia * guess;
+    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
+    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
+    return guess + solve_linear(jacobian, residual);
+}
+
+}  // namespace added
+
+// Says: The update is right, but you have applied it to omega1.
+// Hint: Newton-Raphson moves on from the place where the tangent touches.
+namespace from_omega1 {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d L = inertia * guess;
+    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
+    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
+    return omega1 - solve_linear(jacobian, residual);
+}
+
+}  // namespace from_omega1
+
+// Says: The residual lacks the length of the step: the torque acts for a whole second.
+// Hint: A torque changes the angular momentum by torque times time. Compare the second term with the task.
+namespace residual_without_h {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d L = inertia * guess;
+    const Vector3d residual = inertia * (guess - omega1) + guess.cross(L);
+    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
+    return guess - solve_linear(jacobian, residual);
+}
+
+}  // namespace residual_without_h
+
+// Says: The residual is right, but h is missing in the Jacobian.
+// Hint: The derivative of h times something is h times its derivative.
+namespace jacobian_without_h {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d L = inertia * guess;
+    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
+    const Matrix3d jacobian = inertia + skew(guess) * inertia - skew(L);
+    return guess - solve_linear(jacobian, residual);
+}
+
+}  // namespace jacobian_without_h
+
+// Says: The residual is that of omega1, where its first term vanishes; the Jacobian is taken at the guess.
+// Hint: The tangent touches f at one place. Which omega belongs into both?
+namespace residual_at_omega1 {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d L = inertia * guess;
+    const Vector3d residual = h * omega1.cross(inertia * omega1);
+    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
+    return guess - solve_linear(jacobian, residual);
+}
+
+}  // namespace residual_at_omega1
+
+// Says: This is a round for a torque with the opposite sign: it solves the step backwards in time.
+// Hint: Euler's equations read I domega/dt + omega x I omega = 0. On which side does the term stand in f?
+namespace opposite_torque {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d L = inertia * guess;
+    const Vector3d residual = inertia * (guess - omega1) - h * guess.cross(L);
+    const Matrix3d jacobian = inertia - h * (skew(guess) * inertia - skew(L));
+    return guess - solve_linear(jacobian, residual);
+}
+
+}  // namespace opposite_torque
+
+// Says: The Jacobian is taken at omega1 and the residual at the guess. It leads to the same root, but each
+//       round gains only a few digits and does not double them.
+// Hint: The slope must be that of the place where the tangent touches.
+namespace jacobian_at_omega1 {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(inertia * guess);
+    const Matrix3d jacobian = inertia + h * (skew(omega1) * inertia - skew(inertia * omega1));
+    return guess - solve_linear(jacobian, residual);
+}
+
+}  // namespace jacobian_at_omega1
+
+// Says: This is the talk's solver: one round that begins at omega1. Your guess has no influence.
+// Hint: Put the guess where the chapter's code has omega, and look at what the residual is there.
+namespace ignores_guess {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d L = inertia * omega1;
+    const Vector3d residual = h * omega1.cross(L);
+    const Matrix3d jacobian = inertia + h * (skew(omega1) * inertia - skew(L));
+    return omega1 - solve_linear(jacobian, residual);
+}
+
+}  // namespace ignores_guess
+
+// Says: The slope of the torque is missing: you have divided by the inertia alone, and the torque is the one
+//       at the guess, as it is.
+// Hint: The second term of f depends on omega2 as well. What does the product rule make of it?
+namespace jacobian_is_inertia {
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(inertia * guess);
+    return guess - inertia.inverse() * residual;
+}
+
+}  // namespace jacobian_is_inertia
+
+// Says: You have used the three numbers on the diagonal of the tensor. This body's load lies askew, and the
+//       others count.
+// Hint: Multiply by the whole matrix, in the residual and in the Jacobian.
+namespace diagonal_only {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Matrix3d I = inertia.diagonal().asDiagonal();
+    const Vector3d L = I * guess;
+    const Vector3d residual = I * (guess - omega1) + h * guess.cross(L);
+    const Matrix3d jacobian = I + h * (skew(guess) * I - skew(L));
+    return guess - solve_linear(jacobian, residual);
+}
+
+}  // namespace diagonal_only
+
+// Says: This is right to a few digits only: numbers have gone through float, or the Jacobian comes from
+//       differences over a narrow width.
+// Hint: Stay with double, and take the derivative by the product rule: it has no error.
+namespace few_digits {
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    using Eigen::Matrix3f, Eigen::Vector3f;
+    const auto skew = [](const Vector3f& a) {
+        return Matrix3f{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+    };
+    const Matrix3f I = inertia.cast<float>();
+    const Vector3f w1 = omega1.cast<float>(), w = guess.cast<float>(), L = I * w;
+    const float step = static_cast<float>(h);
+    const Vector3f residual = I * (w - w1) + step * w.cross(L);
+    const Matrix3f jacobian = I + step * (skew(w) * I - skew(L));
+    return Vector3f(w - jacobian.partialPivLu().solve(residual)).cast<double>();
+}
+
+}  // namespace few_digits

@@ -1,7 +1,0 @@
-#include "exercise_eigen.hpp"
-
-Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
-    const double half = h * omega.norm() / 2;
-    const Vector3d v = std::sin(half) * omega;
-    return q * Quaterniond(std::cos(half), v.x(), v.y(), v.z());
-}

@@ -1,7 +1,0 @@
-#include "exercise_eigen.hpp"
-
-Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
-    const Vector3d half = h / 2 * omega;
-    const Quaterniond rate = Quaterniond(0, half.x(), half.y(), half.z()) * q;
-    return Quaterniond(q.coeffs() + rate.coeffs()).normalized();
-}

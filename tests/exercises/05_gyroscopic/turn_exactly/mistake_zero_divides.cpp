@@ -1,6 +1,0 @@
-#include "exercise_eigen.hpp"
-
-Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
-    const double speed = omega.norm();
-    return q * Eigen::AngleAxisd(speed * h, omega / speed);
-}

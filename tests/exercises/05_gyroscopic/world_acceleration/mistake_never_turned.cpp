@@ -1,5 +1,0 @@
-#include "exercise_eigen.hpp"
-
-Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    return (torque - omega.cross(inertia.cwiseProduct(omega))).cwiseQuotient(inertia);
-}

@@ -1,5 +1,0 @@
-#include "exercise.hpp"
-
-int substeps(double mass, int springs, double stiffness, double frame, double share) {
-    return 3;
-}

@@ -1,0 +1,169 @@
+#include "exercise.hpp"
+
+// Says: The count is rounded down, so nearly every step is too long.
+// Hint: Conversion to int drops what stands behind the point. Say the frame holds 3.2 of the longest steps:
+//       do three do?
+namespace rounded_down {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = std::sqrt(springs * stiffness / mass);
+    return std::max(1, static_cast<int>(omega * frame / (2 * share)));
+}
+
+}  // namespace rounded_down
+
+// Says: The count is rounded to the nearest whole number: half of the time the steps are too long.
+// Hint: Too many steps cost a little, too few blow up. Only one way of rounding is safe.
+namespace rounded {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = std::sqrt(springs * stiffness / mass);
+    return std::max(1, static_cast<int>(std::lround(omega * frame / (2 * share))));
+}
+
+}  // namespace rounded
+
+// Says: This is one step more than needed, in every frame.
+// Hint: You round up already. What is the one more for?
+namespace one_too_many {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = std::sqrt(springs * stiffness / mass);
+    return static_cast<int>(std::ceil(omega * frame / (2 * share))) + 1;
+}
+
+}  // namespace one_too_many
+
+// Says: Right, but a crate that nothing pulls gets no step at all: it hangs in the air for ever.
+// Hint: What does rounding up make of zero? Even a free crate has to move.
+namespace none {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = std::sqrt(springs * stiffness / mass);
+    return static_cast<int>(std::ceil(omega * frame / (2 * share)));
+}
+
+}  // namespace none
+
+// Says: These are springs in a row, one hung on the other: each more makes the whole softer.
+// Hint: Side by side every spring pulls at the crate itself. Do two pull harder than one, or less?
+namespace springs_in_a_row {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = std::sqrt(stiffness / springs / mass);
+    return std::max(1, static_cast<int>(std::ceil(omega * frame / (2 * share))));
+}
+
+}  // namespace springs_in_a_row
+
+// Says: Only one of the springs counts.
+// Hint: All of them pull the crate back, at once.
+namespace one_spring {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = std::sqrt(stiffness / mass);
+    return std::max(1, static_cast<int>(std::ceil(omega * frame / (2 * share))));
+}
+
+}  // namespace one_spring
+
+// Says: The omega of one spring is taken times the number of springs.
+// Hint: It is the forces that add up, so the stiffnesses, and not the angular frequencies. Where does the
+//       number stand then?
+namespace springs_outside_the_root {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = springs * std::sqrt(stiffness / mass);
+    return std::max(1, static_cast<int>(std::ceil(omega * frame / (2 * share))));
+}
+
+}  // namespace springs_outside_the_root
+
+// Says: What you call omega is omega squared.
+// Hint: Stiffness over mass has the unit 1/s². omega is in 1/s.
+namespace no_root {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = springs * stiffness / mass;
+    return std::max(1, static_cast<int>(std::ceil(omega * frame / (2 * share))));
+}
+
+}  // namespace no_root
+
+// Says: Mass and stiffness have changed places: stiffer springs would need fewer steps.
+// Hint: A stiff spring swings fast, a heavy crate slowly. Which of the two stands above the line?
+namespace upside_down {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = std::sqrt(mass / (springs * stiffness));
+    return std::max(1, static_cast<int>(std::ceil(omega * frame / (2 * share))));
+}
+
+}  // namespace upside_down
+
+// Says: This takes 1 for the limit of omega h: twice as many steps as needed.
+// Hint: Without damping, semi-implicit Euler goes farther. Look at the map, on its left.
+namespace limit_one {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = std::sqrt(springs * stiffness / mass);
+    return std::max(1, static_cast<int>(std::ceil(omega * frame / share)));
+}
+
+}  // namespace limit_one
+
+// Says: The margin is forgotten: these steps go up to the limit itself, whatever share is.
+// Hint: omega h may be as large as 2 share. With half the share the steps have to be half as long.
+namespace no_margin {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = std::sqrt(springs * stiffness / mass);
+    return std::max(1, static_cast<int>(std::ceil(omega * frame / 2)));
+}
+
+}  // namespace no_margin
+
+// Says: A smaller share makes for fewer steps here. It should make for more.
+// Hint: A / B * C is not A / (B * C). Or solve omega frame / n = 2 share for n again.
+namespace share_multiplied {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = std::sqrt(springs * stiffness / mass);
+    return std::max(1, static_cast<int>(std::ceil(omega * frame / 2 * share)));
+}
+
+}  // namespace share_multiplied
+
+// Says: You count swings a second: omega is divided by 2 pi.
+// Hint: The limit is one of omega, in radians a second. The root of stiffness over mass is just that.
+namespace hertz {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double frequency = std::sqrt(springs * stiffness / mass) / (2 * std::numbers::pi);
+    return std::max(1, static_cast<int>(std::ceil(frequency * frame / (2 * share))));
+}
+
+}  // namespace hertz
+
+// Says: Nearly right, but close to the limit the count is one off: numbers have gone through float, or you
+//       rounded with a tolerance that is too wide.
+// Hint: Keep everything in double until the count is rounded up, and round up what comes out as it is.
+namespace single_precision {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const float omega = std::sqrt(static_cast<float>(springs * stiffness / mass));
+    const float least = omega * static_cast<float>(frame) / (2 * static_cast<float>(share));
+    return std::max(1, static_cast<int>(std::ceil(least)));
+}
+
+}  // namespace single_precision
+
+// Says: Every crate gets the three steps of the example.
+// Hint: Begin with the omega of the crate.
+namespace example {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    return 3;
+}
+
+}  // namespace example

@@ -1,0 +1,414 @@
+#include "exercise.hpp"
+
+// Says: This is the trapezoid rule for the whole step: it rings as implicit midpoint does.
+// Hint: Only a part of gamma h goes by the trapezoid rule. Then comes the parabola.
+namespace trapezoid_only {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const double a = h / 2;
+    const double pull = -omega * omega * s.x - 2 * zeta * omega * s.v;
+    const auto [x2, v2] = solve(a, s.x + a * s.v, s.v + a * pull);
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace trapezoid_only
+
+// Says: This is implicit Euler: it does not ring, but it has order one.
+// Hint: Two parts: first the state between, by the trapezoid rule.
+namespace implicit_euler {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [x2, v2] = solve(h, s.x, s.v);
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace implicit_euler
+
+// Says: The first part is a step of implicit Euler: order two is lost.
+// Hint: The trapezoid rule takes the mean of the rates at both of its ends. One of them, f(y1), is known.
+namespace first_by_implicit_euler {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0);
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(gamma * h, s.x, s.v);
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace first_by_implicit_euler
+
+// Says: The first part is a step of explicit Euler. With a stiff spring the state between is far out, and
+//       the parabola cannot mend that.
+// Hint: ym stands on both sides of the first line. Solve for it.
+namespace first_explicit {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0);
+    const auto acceleration = [&](double x, double v) {
+        return -omega * omega * x - 2 * zeta * omega * v;
+    };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] =
+        std::array{s.x + gamma * h * s.v, s.v + gamma * h * acceleration(s.x, s.v)};
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace first_explicit
+
+// Says: The rest of the step is implicit Euler from the state between: order two is lost.
+// Hint: The parabola goes through three states. Where does y1 come in again?
+namespace end_by_implicit_euler {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) {
+        return -omega * omega * x - 2 * zeta * omega * v;
+    };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const auto [x2, v2] = solve((1 - gamma) * h, xm, vm);
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace end_by_implicit_euler
+
+// Says: The weights are those of BDF2 with even steps, where the state between lies half way. Here it lies
+//       at gamma h.
+// Hint: Work out the slope of the parabola through 0, gamma h and h anew. With gamma = 1/2 the weights of
+//       BDF2 must come out.
+namespace even_weights {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) {
+        return -omega * omega * x - 2 * zeta * omega * v;
+    };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double w = 4.0 / 3, a2 = h / 3;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace even_weights
+
+// Says: The state between lies half way: gamma is 1/2. A sound method, but not the one asked for.
+// Hint: gamma = 2 - sqrt(2), which is about 0.586. Then both parts have the same divisor.
+namespace half_way {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 0.5, a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) {
+        return -omega * omega * x - 2 * zeta * omega * v;
+    };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace half_way
+
+// Says: gamma is half of what it should be. 1 - 1/sqrt(2) belongs to another method, or to gamma / 2.
+// Hint: gamma = 2 - sqrt(2).
+namespace gamma_of_another {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 1 - 1 / std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) {
+        return -omega * omega * x - 2 * zeta * omega * v;
+    };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace gamma_of_another
+
+// Says: Right to some digits only: gamma, or a weight, is rounded.
+// Hint: Let std::sqrt compute it.
+namespace rounded_gamma {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 0.5858, a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) {
+        return -omega * omega * x - 2 * zeta * omega * v;
+    };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace rounded_gamma
+
+// Says: y1 and ym have each other's weight.
+// Hint: The parabola leans on the nearer state: it has a weight above one, and the old one a small negative
+//       weight.
+namespace weights_swapped {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) {
+        return -omega * omega * x - 2 * zeta * omega * v;
+    };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double w = 1 - 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace weights_swapped
+
+// Says: The rate of the second part is taken at the state between, so the end is not implicit: stiff springs
+//       blow up.
+// Hint: The slope at the end is f(y2). Solve for y2, with the same function as for ym.
+namespace slope_at_middle {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) {
+        return -omega * omega * x - 2 * zeta * omega * v;
+    };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = std::array{s.x + w * (xm - s.x) + a2 * vm,
+                                     s.v + w * (vm - s.v) + a2 * acceleration(xm, vm)};
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace slope_at_middle
+
+// Says: The second part is a trapezoid rule as well. Two of them in a row ring like one.
+// Hint: The second part looks at no old rate: three states and the rate at the end are all.
+namespace slope_of_second_chord {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) {
+        return -omega * omega * x - 2 * zeta * omega * v;
+    };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double a2 = (1 - gamma) * h / 2;
+    const auto [x2, v2] = solve(a2, xm + a2 * vm, vm + a2 * acceleration(xm, vm));
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace slope_of_second_chord
+
+// Says: You return the state between, with the time of the end.
+// Hint: The parabola is missing, or its result is not used.
+namespace middle_returned {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) {
+        return -omega * omega * x - 2 * zeta * omega * v;
+    };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    return {s.t + h, xm, vm};
+}
+
+}  // namespace middle_returned
+
+// Says: The state is right, but its time is that of the state between.
+// Hint: A whole step has gone by.
+namespace clock_of_middle {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) {
+        return -omega * omega * x - 2 * zeta * omega * v;
+    };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + gamma * h, x2, v2};
+}
+
+}  // namespace clock_of_middle
+
+// Says: The velocity is right, but the position moves with it as in semi-implicit Euler.
+// Hint: Position and velocity go through the same two parts. The second number of your solve is v2, the
+//       first x2.
+namespace position_after_velocity {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) {
+        return -omega * omega * x - 2 * zeta * omega * v;
+    };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + h, s.x + h * v2, v2};
+}
+
+}  // namespace position_after_velocity
+
+// Says: The damper is half as strong as zeta says: it has lost its factor two.
+// Hint: Compare with f(y) in the task, in the rate and in the divisor.
+namespace half_damping {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) {
+        return -omega * omega * x - zeta * omega * v;
+    };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace half_damping
+
+// Says: zeta has no influence.
+// Hint: The rate of v has two terms, and so has the divisor of each solve.
+namespace no_damping {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x) { return -omega * omega * x; };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x));
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace no_damping
+
+// Says: Right to seven digits: the state has gone through float.
+// Hint: Use double for everything.
+namespace single_precision {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    s.x = static_cast<float>(s.x), s.v = static_cast<float>(s.v);
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) {
+        return -omega * omega * x - 2 * zeta * omega * v;
+    };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace single_precision
+
+// Says: Every turret gets the state of the example.
+// Hint: Begin with one solve: y - part f(y) = something known.
+namespace example {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    return {0.1, 0.63761, -6.6344};
+}
+
+}  // namespace example

@@ -1,0 +1,520 @@
+#include "exercise.hpp"
+
+// Says: The ball is turned round at the end of the step, as in chapter 3: there it has sunk into the ground,
+//       too fast and too late.
+// Hint: When was it at height zero? Go back to that moment, and bounce there.
+namespace after_the_step {
+
+static State<double> fly(const State<double>& s, double g, double h) {
+    return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+}
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    if (s.x == 0 && s.v == 0) return {s.t + h, 0, 0};
+    State<double> end = fly(s, g, h);
+    if (end.x < 0) end = {end.t, -e * end.x, -e * end.v};
+    return end;
+}
+
+}  // namespace after_the_step
+
+// Says: Between bounces your flight is semi-implicit Euler; it must be the exact parabola. And a bounce at
+//       the end of the step comes too late.
+// Hint: Gravity is constant: where is a thrown ball after h seconds, to the last digit? Do that first, and
+//       then ask when it lands.
+namespace semi_implicit_euler {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    s.v -= g * h;
+    s.x += h * s.v;
+    if (s.x < 0) s = {s.t, 0, -e * s.v};
+    return {s.t + h, s.x, s.v};
+}
+
+}  // namespace semi_implicit_euler
+
+// Says: Your flight is explicit Euler: for the whole step the ball keeps the velocity of its beginning.
+//       Gravity bends its path meanwhile.
+// Hint: With constant acceleration position and velocity after h are known exactly. Begin with these, then
+//       the moment of the landing.
+namespace explicit_euler {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    s.x += h * s.v;
+    s.v -= g * h;
+    if (s.x < 0) s = {s.t, 0, -e * s.v};
+    return {s.t + h, s.x, s.v};
+}
+
+}  // namespace explicit_euler
+
+// Says: The flight is right. But a ball that has sunk in is lifted to the ground at the end of the step and
+//       turned round there: it should be on its way up for long.
+// Hint: At which moment within the step was it at height zero, and how fast? For how long does it fly from
+//       then on?
+namespace lifted_after_the_step {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    s.x += s.v * h - g * h * h / 2;
+    s.v -= g * h;
+    if (s.x < 0) s = {s.t, 0, -e * s.v};
+    return {s.t + h, s.x, s.v};
+}
+
+}  // namespace lifted_after_the_step
+
+// Says: The first bounce is right. But the ball comes down again within a long step, and then falls through
+//       the ground.
+// Hint: After a bounce the same question comes again: does it land before the step is over?
+namespace one_bounce {
+
+static State<double> fly(const State<double>& s, double g, double h) {
+    return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+}
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+    const double fall = (s.v + impact) / g;
+    if (s.x == 0 && s.v == 0) return {s.t + h, 0, 0};
+    if (fall > h) return fly(s, g, h);
+    return fly({s.t + fall, 0, e * impact}, g, h - fall);
+}
+
+}  // namespace one_bounce
+
+// Says: After the first bounce the ball stays on the ground as soon as it comes down again.
+// Hint: A second bounce is no other than the first. A loop takes them all.
+namespace waits_at_second {
+
+static State<double> fly(const State<double>& s, double g, double h) {
+    return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+}
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+    const double fall = (s.v + impact) / g;
+    if (s.x == 0 && s.v == 0) return {s.t + h, 0, 0};
+    if (fall > h) return fly(s, g, h);
+    const double left = h - fall;
+    if (2 * e * impact / g <= left) return {s.t + h, 0, 0};
+    return fly({s.t + fall, 0, e * impact}, g, left);
+}
+
+}  // namespace waits_at_second
+
+// Says: The ball ends the step on the ground, with the speed of its bounce: the rest of the step is lost.
+// Hint: It landed before the end. For how long does it rise already?
+namespace rest_of_step_lost {
+
+static State<double> fly(const State<double>& s, double g, double h) {
+    return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+}
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+    const double fall = (s.v + impact) / g;
+    if (s.x == 0 && s.v == 0) return {s.t + h, 0, 0};
+    if (fall > h) return fly(s, g, h);
+    return {s.t + h, 0, e * impact};
+}
+
+}  // namespace rest_of_step_lost
+
+// Says: After the bounce the ball flies for a whole step, and not only for what is left of this one.
+// Hint: Subtract the time until the bounce.
+namespace whole_step_again {
+
+static State<double> fly(const State<double>& s, double g, double h) {
+    return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+}
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+    const double fall = (s.v + impact) / g;
+    if (s.x == 0 && s.v == 0) return {s.t + h, 0, 0};
+    if (fall > h) return fly(s, g, h);
+    const State<double> end = fly({s.t, 0, e * impact}, g, h);
+    return end;
+}
+
+}  // namespace whole_step_again
+
+// Says: After the bounce the ball rises in a straight line, at one speed, for the rest of the step: gravity
+//       is forgotten.
+// Hint: From the bounce on it is a throw like any other.
+namespace straight_after_bounce {
+
+static State<double> fly(const State<double>& s, double g, double h) {
+    return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+}
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+    const double fall = (s.v + impact) / g;
+    if (s.x == 0 && s.v == 0) return {s.t + h, 0, 0};
+    if (fall > h) return fly(s, g, h);
+    return {s.t + h, e * impact * (h - fall), e * impact};
+}
+
+}  // namespace straight_after_bounce
+
+// Says: The bounce turns round the velocity that the ball would have at the end of the step, below the
+//       ground. It is faster than the ball was at the impact.
+// Hint: Which velocity has it at height zero?
+namespace velocity_of_the_end {
+
+static State<double> fly(const State<double>& s, double g, double h) {
+    return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+}
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+    const double fall = (s.v + impact) / g;
+    if (s.x == 0 && s.v == 0) return {s.t + h, 0, 0};
+    if (fall > h) return fly(s, g, h);
+    return fly({s.t + fall, 0, e * (g * h - s.v)}, g, h - fall);
+}
+
+}  // namespace velocity_of_the_end
+
+// Says: The bounce turns round the velocity of the beginning of the step. Until the impact gravity has
+//       changed it.
+// Hint: How fast is the ball at height zero? Its energy tells.
+namespace velocity_of_the_start {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t + h;
+    double left = h;
+    for (;;) {
+        const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+        const double fall = (s.v + impact) / g;
+        if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
+        left -= fall;
+        s.x = 0;
+        s.v = e * std::fabs(s.v);
+        if (2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
+    }
+}
+
+}  // namespace velocity_of_the_start
+
+// Says: The moment of the impact is found on a straight line from the first height to the last. The path is
+//       a parabola.
+// Hint: Gravity is constant: the height is a quadratic in time, and its root is known.
+namespace straight_to_the_ground {
+
+static State<double> fly(const State<double>& s, double g, double h) {
+    return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+}
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    if (s.x == 0 && s.v == 0) return {s.t + h, 0, 0};
+    const State<double> end = fly(s, g, h);
+    if (end.x >= 0) return end;
+    const double fall = h * s.x / (s.x - end.x);
+    return fly({s.t + fall, 0, -e * (s.v - g * fall)}, g, h - fall);
+}
+
+}  // namespace straight_to_the_ground
+
+// Says: The moment of the impact is that of a ball that is dropped: the velocity at the beginning is not in
+//       it.
+// Hint: Solve s.x + s.v t - g t^2 / 2 = 0 for t, with the middle term.
+namespace thrown_as_dropped {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t + h;
+    double left = h;
+    for (;;) {
+        const double impact = std::sqrt(2 * g * s.x);
+        const double fall = impact / g;
+        if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
+        left -= fall;
+        s.x = 0;
+        s.v = e * impact;
+        if (2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
+    }
+}
+
+}  // namespace thrown_as_dropped
+
+// Says: In the height g t^2 has lost its one half.
+// Hint: Constant acceleration moves a body by half of it times t^2.
+namespace half_forgotten {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t + h;
+    double left = h;
+    for (;;) {
+        const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+        const double fall = (s.v + impact) / g;
+        if (fall > left) return {end, s.x + s.v * left - g * left * left, s.v - g * left};
+        left -= fall;
+        s.x = 0;
+        s.v = e * impact;
+        if (2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
+    }
+}
+
+}  // namespace half_forgotten
+
+// Says: Gravity pulls up in your flight.
+// Hint: g is given above zero, and upwards is above zero, too. Which sign must it have?
+namespace falls_up {
+
+static State<double> fly(const State<double>& s, double g, double h) {
+    return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+}
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    if (s.x == 0 && s.v == 0) return {s.t + h, 0, 0};
+    return fly(s, -g, h);
+}
+
+}  // namespace falls_up
+
+// Says: The restitution is taken as the share of the energy that is kept. It is the share of the speed.
+// Hint: Multiply the speed by e. What happens to the energy then?
+namespace energy_share {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t + h;
+    double left = h;
+    for (;;) {
+        const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+        const double fall = (s.v + impact) / g;
+        if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
+        left -= fall;
+        s.x = 0;
+        s.v = std::sqrt(e) * impact;
+        if (2 * s.v / g <= (1 - std::sqrt(e)) * left) return {end, 0, 0};
+    }
+}
+
+}  // namespace energy_share
+
+// Says: The speed after a bounce is e^2 of the speed before. The energy is; the speed has one e.
+// Hint: The height it comes back to is e^2 of what it was. Is it in your answer?
+namespace e_squared {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t + h;
+    double left = h;
+    for (;;) {
+        const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+        const double fall = (s.v + impact) / g;
+        if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
+        left -= fall;
+        s.x = 0;
+        s.v = e * e * impact;
+        if (2 * s.v / g <= (1 - e * e) * left) return {end, 0, 0};
+    }
+}
+
+}  // namespace e_squared
+
+// Says: Every bounce is one that loses nothing: e is not used.
+// Hint: With which speed does the ball leave the ground?
+namespace loses_nothing {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t + h;
+    double left = h;
+    for (;;) {
+        const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+        const double fall = (s.v + impact) / g;
+        if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
+        left -= fall;
+        s.x = 0;
+        s.v = impact;
+        if (s.v == 0) return {end, 0, 0};
+    }
+}
+
+}  // namespace loses_nothing
+
+// Says: After ten bounces in a step the ball is left lying, even if it would still jump.
+// Hint: A bound on the number is wise, but ten are few. When does a ball with this e really lie still?
+namespace ten_bounces {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t + h;
+    for (int bounces = 0; bounces <= 10; ++bounces) {
+        const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+        const double fall = (s.v + impact) / g;
+        if (fall > h) return {end, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+        h -= fall;
+        s = {s.t + fall, 0, e * impact};
+    }
+    return {end, 0, 0};
+}
+
+}  // namespace ten_bounces
+
+// Says: After many bounces you give up, and let the ball fall for what is left of the step: through the
+//       ground.
+// Hint: A ball that bounces without end in a finite time lies still after it.
+namespace falls_at_last {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t + h;
+    for (int bounces = 0; bounces <= 1500; ++bounces) {
+        const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+        const double fall = (s.v + impact) / g;
+        if (fall > h) return {end, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+        h -= fall;
+        s = {s.t + fall, 0, e * impact};
+    }
+    return {end, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+}
+
+}  // namespace falls_at_last
+
+// Says: Bounces slower than 1 m/s are left out, as some engines do to calm their piles. Here they count.
+// Hint: You see a ball of 0.5 m/s rise by a centimetre. The sum of a series says when it is over.
+namespace slow_bounces_left_out {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t + h;
+    double left = h;
+    for (;;) {
+        const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+        const double fall = (s.v + impact) / g;
+        if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
+        left -= fall;
+        s.x = 0;
+        s.v = e * impact;
+        if (s.v < 1 || 2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
+    }
+}
+
+}  // namespace slow_bounces_left_out
+
+// Says: The ball is put to rest when half of the time of its bounces would still be to come: a bounce takes
+//       as long up as down.
+// Hint: How long does a throw with speed v take until it is down again?
+namespace rests_too_early {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t + h;
+    double left = h;
+    for (;;) {
+        const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+        const double fall = (s.v + impact) / g;
+        if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
+        left -= fall;
+        s.x = 0;
+        s.v = e * impact;
+        if (s.v / g <= (1 - e) * left) return {end, 0, 0};
+    }
+}
+
+}  // namespace rests_too_early
+
+// Says: The next bounce is left out of your sum: a ball whose later bounces fit into the rest of the step is
+//       put to rest, though the next one is not over.
+// Hint: The series begins with 1, the bounce that has just begun.
+namespace rests_a_bounce_early {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t + h;
+    double left = h;
+    for (;;) {
+        const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+        const double fall = (s.v + impact) / g;
+        if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
+        left -= fall;
+        s.x = 0;
+        s.v = e * impact;
+        if (2 * s.v * e / g <= (1 - e) * left) return {end, 0, 0};
+    }
+}
+
+}  // namespace rests_a_bounce_early
+
+// Says: A ball that begins the step on the ground, at rest or moving down, falls through it.
+// Hint: It is at the impact already: the time until then is zero. Does your comparison leave that out?
+namespace sinks {
+
+static State<double> fly(const State<double>& s, double g, double h) {
+    return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+}
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    if (s.x <= 0 && s.v <= 0) return fly(s, g, h);
+    const double end = s.t + h;
+    double left = h;
+    for (;;) {
+        const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+        const double fall = (s.v + impact) / g;
+        if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
+        left -= fall;
+        s.x = 0;
+        s.v = e * impact;
+        if (2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
+    }
+}
+
+}  // namespace sinks
+
+// Says: The clock is only moved on by what was left of the step after the last bounce.
+// Hint: A step ends at s.t + h, whatever happens within it.
+namespace clock_of_the_rest {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t + h;
+    double left = h;
+    for (;;) {
+        const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+        const double fall = (s.v + impact) / g;
+        if (fall > left)
+            return {s.t + left, s.x + s.v * left - g * left * left / 2, s.v - g * left};
+        left -= fall;
+        s.x = 0;
+        s.v = e * impact;
+        if (2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
+    }
+}
+
+}  // namespace clock_of_the_rest
+
+// Says: The clock is not moved on.
+// Hint: The state after the step is that of the time s.t + h.
+namespace clock_stands {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t;
+    double left = h;
+    for (;;) {
+        const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
+        const double fall = (s.v + impact) / g;
+        if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
+        left -= fall;
+        s.x = 0;
+        s.v = e * impact;
+        if (2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
+    }
+}
+
+}  // namespace clock_stands
+
+// Says: The answer is right to seven digits only: somewhere it goes through float.
+// Hint: Stay with double. Long steps and many bounces make the loss visible.
+namespace single_precision {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const float gravity = float(g);
+    float left = float(h), x = float(s.x), v = float(s.v);
+    for (int bounces = 0; bounces < 2000; ++bounces) {
+        const float impact = std::sqrt(v * v + 2 * gravity * x);
+        const float fall = (v + impact) / gravity;
+        if (fall > left)
+            return {s.t + h, x + v * left - gravity * left * left / 2, v - gravity * left};
+        left -= fall;
+        x = 0;
+        v = float(e) * impact;
+    }
+    return {s.t + h, 0, 0};
+}
+
+}  // namespace single_precision
+
+// Says: Every step ends like that of the example.
+// Hint: Begin with a ball that does not land: where is it after h?
+namespace example {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    return {1.5, 1.25, 0};
+}
+
+}  // namespace example

@@ -1,0 +1,271 @@
+#include "exercise.hpp"
+
+// Says: Only the last mark is looked at. A flight may go astray and still come down where it should.
+// Hint: "At every mark" needs a loop.
+namespace final_only {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    return std::fabs(x.back() - exact.back()) <= accuracy * size;
+}
+
+}  // namespace final_only
+
+// Says: NaN gets through: it is neither above the limit nor below it, and std::max(worst, NaN) is worst.
+//       Every comparison with it is false.
+// Hint: Ask the question that NaN must answer with no: is the error at most what is allowed?
+namespace nan_passes {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    double worst = 0;
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        worst = std::max(worst, std::fabs(x[mark] - exact[mark]));
+    return worst <= accuracy * size;
+}
+
+}  // namespace nan_passes
+
+// Says: Two things get through: NaN, since every comparison with it is false, also "larger than"; and a
+//       replay that broke off, since the loop ends where it does.
+// Hint: Which question must NaN answer with no? And before the loop: are there as many heights as marks?
+namespace nan_and_broken_off_pass {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        if (std::fabs(x[mark] - exact[mark]) / size > accuracy) return false;
+    return true;
+}
+
+}  // namespace nan_and_broken_off_pass
+
+// Says: Your maximum forgets: std::max(NaN, worst) is NaN, and std::max(error, NaN) is the next error. After
+//       NaN it begins anew, as if nothing had been.
+// Hint: A maximum of numbers that may be NaN is a trap. Decide at each mark, or ask std::isfinite first.
+namespace nan_forgets {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    double worst = 0;
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        worst = std::max(std::fabs(x[mark] - exact[mark]), worst);
+    return worst <= accuracy * size;
+}
+
+}  // namespace nan_forgets
+
+// Says: Marks that are NaN or infinite are passed over. They are not missing: there the replay has blown up.
+// Hint: What does the task say of such heights?
+namespace not_finite_skipped {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark) {
+        if (!std::isfinite(x[mark])) continue;
+        if (std::fabs(x[mark] - exact[mark]) > accuracy * size) return false;
+    }
+    return true;
+}
+
+}  // namespace not_finite_skipped
+
+// Says: NaN is caught, but infinite heights are passed over: infinity is a number to std::isnan.
+// Hint: An infinite error is more than any limit, if you compare it. Why is it not compared?
+namespace only_nan_seen {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark) {
+        if (std::isnan(x[mark])) return false;
+        if (std::isinf(x[mark])) continue;
+        if (std::fabs(x[mark] - exact[mark]) > accuracy * size) return false;
+    }
+    return true;
+}
+
+}  // namespace only_nan_seen
+
+// Says: The error in metres is compared with the accuracy, which is a share. The size is not used.
+// Hint: What is an error of 0.5 m in a scene of 20 m?
+namespace no_size {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        if (!(std::fabs(x[mark] - exact[mark]) <= accuracy)) return false;
+    return true;
+}
+
+}  // namespace no_size
+
+// Says: Each error is taken as a share of the true height at that mark. Near height zero nothing would be
+//       good enough, and high up almost everything.
+// Hint: The ground may be anywhere. Shares are of the size of the scene, the same at every mark.
+namespace relative_to_height {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        if (!(std::fabs(x[mark] - exact[mark]) <= accuracy * std::fabs(exact[mark]))) return false;
+    return true;
+}
+
+}  // namespace relative_to_height
+
+// Says: You take the greatest true height for the size. It depends on where height zero is.
+// Hint: The size is given.
+namespace own_size {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    double highest = 0;
+    for (const double height : exact) highest = std::max(highest, std::fabs(height));
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        if (!(std::fabs(x[mark] - exact[mark]) <= accuracy * highest)) return false;
+    return true;
+}
+
+}  // namespace own_size
+
+// Says: The error has kept its sign: a replay that is too low passes, however low.
+// Hint: An error has a size. std::fabs.
+namespace signed_error {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        if (!(x[mark] - exact[mark] <= accuracy * size)) return false;
+    return true;
+}
+
+}  // namespace signed_error
+
+// Says: The mean of the errors is compared. Many good marks hide a bad one.
+// Hint: Within at every mark means that the worst of them counts.
+namespace mean {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    double sum = 0;
+    for (std::size_t mark = 0; mark < x.size(); ++mark) sum += std::fabs(x[mark] - exact[mark]);
+    return sum / double(x.size()) <= accuracy * size * (1 + 1e-12);
+}
+
+}  // namespace mean
+
+// Says: This is the root of the mean square, which weighs large errors more but still spreads a bad mark
+//       over all the good ones.
+// Hint: Ask each mark for itself.
+namespace root_mean_square {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    double squares = 0;
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        squares += (x[mark] - exact[mark]) * (x[mark] - exact[mark]);
+    return std::sqrt(squares / double(x.size())) <= accuracy * size * (1 + 1e-12);
+}
+
+}  // namespace root_mean_square
+
+// Says: An error as large as the accuracy is turned down; with accuracy zero even a perfect replay would be.
+// Hint: Is it "less" or "at most"?
+namespace strictly_less {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        if (!(std::fabs(x[mark] - exact[mark]) < accuracy * size)) return false;
+    return true;
+}
+
+}  // namespace strictly_less
+
+// Says: You say yes at the first mark that is within. All of them must be.
+// Hint: Which answer may a single mark decide on its own: yes or no?
+namespace one_is_enough {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        if (std::fabs(x[mark] - exact[mark]) <= accuracy * size) return true;
+    return false;
+}
+
+}  // namespace one_is_enough
+
+// Says: The last mark is left out.
+// Hint: Where does your loop end?
+namespace last_left_out {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark + 1 < x.size(); ++mark)
+        if (!(std::fabs(x[mark] - exact[mark]) <= accuracy * size)) return false;
+    return true;
+}
+
+}  // namespace last_left_out
+
+// Says: The first mark is left out.
+// Hint: Lists begin at zero. The first mark need not be the start of the flight.
+namespace first_left_out {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 1; mark < x.size(); ++mark)
+        if (!(std::fabs(x[mark] - exact[mark]) <= accuracy * size)) return false;
+    return true;
+}
+
+}  // namespace first_left_out
+
+// Says: A replay that broke off is only compared as far as it goes: one that stops at once is found perfect.
+// Hint: Are there as many heights as marks?
+namespace broken_off_passes {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        if (!(std::fabs(x[mark] - exact[mark]) <= accuracy * size)) return false;
+    return true;
+}
+
+}  // namespace broken_off_passes
+
+// Says: The accuracy is taken for a percentage. It is a share: 0.01 is one percent.
+// Hint: No factor of a hundred is needed.
+namespace percent {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        if (!(100 * std::fabs(x[mark] - exact[mark]) / size <= accuracy)) return false;
+    return true;
+}
+
+}  // namespace percent
+
+// Says: The heights go through float, and small errors of large heights are lost in it.
+// Hint: Take the difference in double.
+namespace single_precision {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark) {
+        const float error = std::fabs(float(x[mark]) - float(exact[mark]));
+        if (!(error <= float(accuracy * size))) return false;
+    }
+    return true;
+}
+
+}  // namespace single_precision
+
+// Says: Every replay is turned down, as in the example.
+// Hint: Begin with a loop over the marks, and the error at each.
+namespace example {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    return false;
+}
+
+}  // namespace example

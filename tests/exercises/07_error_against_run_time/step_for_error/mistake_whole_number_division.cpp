@@ -1,5 +1,0 @@
-#include "exercise.hpp"
-
-double step_for_error(double error, double h, int order, double wanted) {
-    return h * std::pow(wanted / error, 1 / order);
-}

@@ -1,0 +1,224 @@
+#include "exercise_eigen.hpp"
+
+// Says: The wheel is not in L1: this is the step of a ship without a flywheel.
+// Hint: The angular momentum that acts is that of ship and wheel together.
+namespace wheel_forgotten {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d root = inertia.cwiseSqrt();
+    const Vector3d y = root.cwiseProduct(omega);
+    const Vector3d L = inertia.cwiseProduct(omega);
+    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
+    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
+    return y2.cwiseQuotient(root);
+}
+
+}  // namespace wheel_forgotten
+
+// Says: Only the wheel is in L1. The ship itself has an angular momentum, too.
+// Hint: L1 = I w1 + wheel.
+namespace only_the_wheel {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d root = inertia.cwiseSqrt();
+    const Vector3d y = root.cwiseProduct(omega);
+    const Vector3d L = wheel;
+    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
+    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
+    return y2.cwiseQuotient(root);
+}
+
+}  // namespace only_the_wheel
+
+// Says: The wheel is taken as a spin and multiplied by the moments of the ship.
+// Hint: Look at the units: wheel is in kg m^2/s already.
+namespace wheel_as_spin {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d root = inertia.cwiseSqrt();
+    const Vector3d y = root.cwiseProduct(omega);
+    const Vector3d L = inertia.cwiseProduct(omega + wheel);
+    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
+    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
+    return y2.cwiseQuotient(root);
+}
+
+}  // namespace wheel_as_spin
+
+// Says: This is explicit Euler: L1 acts on the old spin, and the energy grows with each step.
+// Hint: On the right of the equation stands the new spin, w2.
+namespace explicit_euler {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
+    return omega + h * L.cross(omega).cwiseQuotient(inertia);
+}
+
+}  // namespace explicit_euler
+
+// Says: The torque acts the wrong way round: as w2 x L1.
+// Hint: A cross product changes its sign when its two vectors change places.
+namespace other_way {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d root = inertia.cwiseSqrt();
+    const Vector3d y = root.cwiseProduct(omega);
+    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
+    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
+    const Vector3d y2 = (y + y.cross(k) + k.dot(y) * k) / (1 + k.squaredNorm());
+    return y2.cwiseQuotient(root);
+}
+
+}  // namespace other_way
+
+// Says: The part along L1 is lost: y + k x y alone, over 1 + k.k, does not solve the equation.
+// Hint: Take the dot product of k and the equation: what does it say of k.y2?
+namespace term_lost {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d root = inertia.cwiseSqrt();
+    const Vector3d y = root.cwiseProduct(omega);
+    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
+    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
+    const Vector3d y2 = (y + k.cross(y)) / (1 + k.squaredNorm());
+    return y2.cwiseQuotient(root);
+}
+
+}  // namespace term_lost
+
+// Says: Nothing divides by 1 + k.k: the longer the step, the larger the spin.
+// Hint: Put your y2 into y2 - k x y2. You should find y1, and find it 1 + k.k times.
+namespace not_divided {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d root = inertia.cwiseSqrt();
+    const Vector3d y = root.cwiseProduct(omega);
+    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
+    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
+    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k);
+    return y2.cwiseQuotient(root);
+}
+
+}  // namespace not_divided
+
+// Says: L1 acts on the mean of both spins. That keeps the energy, but is not the equation that is asked.
+// Hint: On the right of the equation stands w2 alone. This one brakes what is too fast for its step.
+namespace mean_spin {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d root = inertia.cwiseSqrt();
+    const Vector3d y = root.cwiseProduct(omega);
+    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
+    const Vector3d k = h / 2 / root.prod() * root.cwiseProduct(L);
+    const Vector3d y2 = y + 2 / (1 + k.squaredNorm()) * (k.cross(y) + k.cross(k.cross(y)));
+    return y2.cwiseQuotient(root);
+}
+
+}  // namespace mean_spin
+
+// Says: The equation is solved as if I could be divided through the cross product, component by component.
+// Hint: The x component of L1 x w2 holds the y and z of both vectors, and is divided by the moment about x.
+//       Write it out, in y = sqrt(I) w.
+namespace roots_forgotten {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
+    const Vector3d k = h * L.cwiseQuotient(inertia);
+    return (omega + k.cross(omega) + k.dot(omega) * k) / (1 + k.squaredNorm());
+}
+
+}  // namespace roots_forgotten
+
+// Says: What is returned is sqrt(I) w2 and not yet the spin.
+// Hint: Undo at the end what you have done at the beginning.
+namespace still_y {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d root = inertia.cwiseSqrt();
+    const Vector3d y = root.cwiseProduct(omega);
+    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
+    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
+    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
+    return y2;
+}
+
+}  // namespace still_y
+
+// Says: The length of the step is not in it.
+// Hint: A step of zero must change nothing. Where does h stand in the equation?
+namespace no_step {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d root = inertia.cwiseSqrt();
+    const Vector3d y = root.cwiseProduct(omega);
+    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
+    const Vector3d k = 1 / root.prod() * root.cwiseProduct(L);
+    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
+    return y2.cwiseQuotient(root);
+}
+
+}  // namespace no_step
+
+// Says: This is explicit Euler, scaled back to the old energy. It cannot blow up, but it is not the
+//       equation.
+// Hint: Scaling hides what went wrong. The equation itself needs no mending: solve it for w2.
+namespace scaled_explicit {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
+    const Vector3d w = omega + h * L.cross(omega).cwiseQuotient(inertia);
+    const double before = omega.dot(inertia.cwiseProduct(omega));
+    const double after = w.dot(inertia.cwiseProduct(w));
+    return after == 0 ? w : Vector3d(std::sqrt(before / after) * w);
+}
+
+}  // namespace scaled_explicit
+
+// Says: A second round puts the new spin into L. The equation takes L from the old spin.
+// Hint: With L1 from the old spin the equation is linear, and one round solves it.
+namespace new_inertia {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    Vector3d w = omega;
+    for (int i = 0; i < 2; ++i) {
+        const Vector3d root = inertia.cwiseSqrt();
+        const Vector3d y = root.cwiseProduct(omega);
+        const Vector3d L = inertia.cwiseProduct(w) + wheel;
+        const Vector3d k = h / root.prod() * root.cwiseProduct(L);
+        const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
+        w = y2.cwiseQuotient(root);
+    }
+    return w;
+}
+
+}  // namespace new_inertia
+
+// Says: The equation is right, but solved by a general solver, which loses digits where the step is long:
+//       the energy grows.
+// Hint: It subtracts numbers as large as (h L)^2 from each other. Solved by hand, there is only 1 + k.k to
+//       divide by. An inverse of the matrix loses them, too.
+namespace general_solve {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
+    const Matrix3d skew{{0, -L.z(), L.y()}, {L.z(), 0, -L.x()}, {-L.y(), L.x(), 0}};
+    const Matrix3d I = inertia.asDiagonal();
+    return solve_linear(I - h * skew, inertia.cwiseProduct(omega));
+}
+
+}  // namespace general_solve
+
+// Says: The formula is right, but it is computed with about seven digits, as float has them.
+// Hint: Is there a float in your answer, or a number of few digits?
+namespace single_precision {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Eigen::Vector3f root = inertia.cwiseSqrt().cast<float>();
+    const Eigen::Vector3f y = root.cwiseProduct(omega.cast<float>());
+    const Eigen::Vector3f L = (inertia.cwiseProduct(omega) + wheel).cast<float>();
+    const Eigen::Vector3f k = float(h) / root.prod() * root.cwiseProduct(L);
+    const Eigen::Vector3f y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
+    return y2.cwiseQuotient(root).cast<double>();
+}
+
+}  // namespace single_precision

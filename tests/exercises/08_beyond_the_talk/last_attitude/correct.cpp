@@ -1,0 +1,50 @@
+#include "exercise_eigen.hpp"
+
+namespace by_angle_axis {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond turn = Quaterniond::Identity();
+    for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+        const Vector3d angle = (times[i + 1] - times[i]) * (0.5 * spins[i] + 0.5 * spins[i + 1]);
+        turn = turn * Eigen::AngleAxisd(angle.norm(), angle.normalized());
+    }
+    return (q * turn).normalized();
+}
+
+}  // namespace by_angle_axis
+
+namespace in_the_world {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond now = q;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d mean = now * Vector3d((spins[i - 1] + spins[i]) / 2);
+        Quaterniond half(0, mean.x(), mean.y(), mean.z());
+        half.coeffs() *= (times[i] - times[i - 1]) / 2;
+        now.coeffs() += (half * now).coeffs();
+        now.normalize();
+    }
+    return now;
+}
+
+}  // namespace in_the_world
+
+namespace two_halves {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    // Half of each gap with the spin of either end.
+    const auto turn = [](const Vector3d& angle) {
+        const double half = angle.norm() / 2, sinc = half < 1e-4 ? 1 : std::sin(half) / half;
+        const Vector3d v = sinc / 2 * angle;
+        return Quaterniond(std::cos(half), v.x(), v.y(), v.z());
+    };
+    Quaterniond now = q;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const double half_gap = (times[i] - times[i - 1]) / 2;
+        now = now * turn(half_gap * spins[i - 1]) * turn(half_gap * spins[i]);
+        now.normalize();
+    }
+    return now;
+}
+
+}  // namespace two_halves

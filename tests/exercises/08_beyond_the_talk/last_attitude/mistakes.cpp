@@ -1,0 +1,267 @@
+#include "exercise_eigen.hpp"
+
+// Says: Each gap is turned with the new spin alone, as in the talk: the attitude has order one.
+// Hint: At the start of the gap the body still had the old spin. Both ends of the gap should count alike.
+namespace new_spin {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond now = q;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d mean = spins[i];
+        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
+        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+    }
+    return now;
+}
+
+}  // namespace new_spin
+
+// Says: Each gap is turned with the old spin alone: this is explicit Euler for the attitude, of order one.
+// Hint: At the end of the gap the body already has the new spin, and the recording knows it.
+namespace old_spin {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond now = q;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d mean = spins[i - 1];
+        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
+        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+    }
+    return now;
+}
+
+}  // namespace old_spin
+
+// Says: The turn stands on the left of the attitude: spins in the body's axes are taken for the world's.
+// Hint: In a product of quaternions the right one acts first, on vectors in the body's axes.
+namespace other_side {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond now = q;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
+        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
+        now = (Quaterniond(1, half.x(), half.y(), half.z()) * now).normalized();
+    }
+    return now;
+}
+
+}  // namespace other_side
+
+// Says: Nobody scales the quaternion: it gets longer with every gap.
+// Hint: A 1 with something behind it is longer than 1. What does normalized() do?
+namespace not_scaled {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond now = q;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d half = (times[i] - times[i - 1]) / 4 * (spins[i - 1] + spins[i]);
+        now = now * Quaterniond(1, half.x(), half.y(), half.z());
+    }
+    return now;
+}
+
+}  // namespace not_scaled
+
+// Says: The body turns twice as far as it should: the sum of the two spins is taken, or the whole angle
+//       where a quaternion wants half of it.
+// Hint: Take two equal spins. What must their mean be? And by what angle does a quaternion turn whose vector
+//       part is the sine of 10 degrees?
+namespace twice {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond now = q;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d mean = spins[i - 1] + spins[i];
+        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
+        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+    }
+    return now;
+}
+
+}  // namespace twice
+
+// Says: The body turns half as far as it should: a half stands there once too often.
+// Hint: One half is of the mean, the other one is of the quaternion, which holds half the angle. AngleAxisd
+//       takes the whole angle and halves it itself.
+namespace half {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond now = q;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
+        const Vector3d half = (times[i] - times[i - 1]) / 4 * mean;
+        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+    }
+    return now;
+}
+
+}  // namespace half
+
+// Says: All gaps are taken as equally long.
+// Hint: The frames come at uneven times. Each gap has its own length: the difference of two times.
+namespace even_frames {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond now = q;
+    const double gaps = double(times.size()) - 1;
+    const double gap = gaps == 0 ? 0 : (times.back() - times[0]) / gaps;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
+        const Vector3d half = gap / 2 * mean;
+        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+    }
+    return now;
+}
+
+}  // namespace even_frames
+
+// Says: Every gap is taken as long as the first one.
+// Hint: The second gap is times[2] - times[1]. What is the one that ends at frame i?
+namespace first_gap {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond now = q;
+    const double gap = times.size() < 2 ? 0 : times[1] - times[0];
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
+        const Vector3d half = gap / 2 * mean;
+        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+    }
+    return now;
+}
+
+}  // namespace first_gap
+
+// Says: The time on the clock is used, where the time since the frame before is asked.
+// Hint: Nobody says that the clock begins at zero with the replay. A gap is a difference of two times.
+namespace clock_for_gap {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond now = q;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
+        const Vector3d half = times[i] / 2 * mean;
+        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+    }
+    return now;
+}
+
+}  // namespace clock_for_gap
+
+// Says: The last gap is missing: the answer is the attitude at the last frame but one.
+// Hint: Of n frames there are n - 1 gaps. At which frame does the last one end?
+namespace last_gap_lost {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond now = q;
+    for (std::size_t i = 1; i + 1 < times.size(); ++i) {
+        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
+        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
+        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+    }
+    return now;
+}
+
+}  // namespace last_gap_lost
+
+// Says: The body turns the other way round.
+// Hint: The signs of the quaternion's vector part are those of the spin. Or have you taken the older time
+//       first?
+namespace backwards {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond now = q;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
+        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
+        now = (now * Quaterniond(1, -half.x(), -half.y(), -half.z())).normalized();
+    }
+    return now;
+}
+
+}  // namespace backwards
+
+// Says: This is the turn since the first frame, and not the attitude: q is not in it.
+// Hint: What would you return where no time goes by?
+namespace only_the_turn {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond now = Quaterniond::Identity();
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
+        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
+        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+    }
+    return now;
+}
+
+}  // namespace only_the_turn
+
+// Says: The mean of all spins turns the body once, for the whole time. But turns about different axes cannot
+//       be added up.
+// Hint: Turns do not commute: go from frame to frame, and multiply.
+namespace mean_of_all {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Vector3d mean = Vector3d::Zero();
+    for (const Vector3d& spin : spins) mean += spin / double(spins.size());
+    const Vector3d turn = (times.back() - times[0]) * mean;
+    return (q * Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized()))).normalized();
+}
+
+}  // namespace mean_of_all
+
+// Says: Where the mean of two spins is zero, this divides zero by zero.
+// Hint: Without a spin there is no axis. Ask first, take normalized(), which leaves a zero vector alone, or
+//       write a turn that needs no axis.
+namespace zero_divides {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond now = q;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
+        const double speed = mean.norm();
+        now = now * Eigen::AngleAxisd(speed * (times[i] - times[i - 1]), mean / speed);
+    }
+    return now;
+}
+
+}  // namespace zero_divides
+
+// Says: A pause is passed over once, but it may last for more frames than two: then the gap is still zero,
+//       and this divides by it.
+// Hint: An if looks once, a while as often as it must. Or do without: in a gap of zero nothing turns, and
+//       the mean of two spins is divided by no gap.
+namespace short_pause {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Quaterniond now = q;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        if (times[i] == times[i - 1]) ++i;
+        if (i == times.size()) break;
+        const double gap = times[i] - times[i - 1];
+        const Vector3d slope = (spins[i] - spins[i - 1]) / gap;
+        const Vector3d half = gap / 2 * (spins[i - 1] + gap / 2 * slope);
+        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+    }
+    return now;
+}
+
+}  // namespace short_pause
+
+// Says: The formula is right, but it is computed with about seven digits, as float has them.
+// Hint: Is there a float in your answer, or a number of few digits?
+namespace single_precision {
+
+Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Eigen::Quaternionf now = q.cast<float>();
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d half = (times[i] - times[i - 1]) / 4 * (spins[i - 1] + spins[i]);
+        const Eigen::Vector3f v = half.cast<float>();
+        now = (now * Eigen::Quaternionf(1, v.x(), v.y(), v.z())).normalized();
+    }
+    return now.cast<double>();
+}
+
+}  // namespace single_precision

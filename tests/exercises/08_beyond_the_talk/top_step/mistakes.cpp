@@ -1,0 +1,386 @@
+#include "exercise_eigen.hpp"
+
+// Says: L and up turn forwards with the top. In the top's own axes it is the world that turns, and
+//       backwards.
+// Hint: Take a spin about z and up along x. What is up x omega, and so which way does up go?
+namespace forwards {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h / 2);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h);
+    spin(1, h / 2);
+    spin(0, h / 2);
+    kick(h / 2);
+    return {L, up};
+}
+
+}  // namespace forwards
+
+// Says: Only L turns. up is at rest in the world, too, and must turn with it.
+// Hint: The two equations have the same x omega. A part turns both vectors.
+namespace up_left {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+    };
+    kick(h / 2);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h);
+    spin(1, h / 2);
+    spin(0, h / 2);
+    kick(h / 2);
+    return {L, up};
+}
+
+}  // namespace up_left
+
+// Says: Only up turns, and L stays as it is but for gravity.
+// Hint: The first equation begins with L x omega. A spin about one axis turns the rest of L about it.
+namespace L_left {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        up = back * up;
+    };
+    kick(h / 2);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h);
+    spin(1, h / 2);
+    spin(0, h / 2);
+    kick(h / 2);
+    return {L, up};
+}
+
+}  // namespace L_left
+
+// Says: Gravity pulls upwards: its torque has the wrong sign.
+// Hint: A cross product changes its sign when its two vectors change places.
+namespace gravity_up {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * Vector3d::UnitZ().cross(up); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h / 2);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h);
+    spin(1, h / 2);
+    spin(0, h / 2);
+    kick(h / 2);
+    return {L, up};
+}
+
+}  // namespace gravity_up
+
+// Says: All of gravity acts at the beginning. Then the step does not read the same from both ends, and its
+//       order is one.
+// Hint: Give gravity half of its time before the spins, and half after them.
+namespace gravity_first {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h);
+    spin(1, h / 2);
+    spin(0, h / 2);
+    return {L, up};
+}
+
+}  // namespace gravity_first
+
+// Says: Gravity acts for half the step only.
+// Hint: Each part must act for h altogether. Add up the times of each.
+namespace gravity_once {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h / 2);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h);
+    spin(1, h / 2);
+    spin(0, h / 2);
+    return {L, up};
+}
+
+}  // namespace gravity_once
+
+// Says: Gravity at the end of the step acts as at the beginning, in axes that have turned since.
+// Hint: Compute the torque from up as it is when gravity acts.
+namespace old_gravity {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const Vector3d torque = mgl * up.cross(Vector3d::UnitZ());
+    const auto kick = [&](double s) { L += s * torque; };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h / 2);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h);
+    spin(1, h / 2);
+    spin(0, h / 2);
+    kick(h / 2);
+    return {L, up};
+}
+
+}  // namespace old_gravity
+
+// Says: The spins act one after the other and not back again: x, y, z. That has order one.
+// Hint: Read your step from its end. It should say the same: half of x and of y belong behind z.
+namespace one_way {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h / 2);
+    spin(0, h);
+    spin(1, h);
+    spin(2, h);
+    kick(h / 2);
+    return {L, up};
+}
+
+}  // namespace one_way
+
+// Says: Behind z, x and y come in the same order as before it. The step does not read the same from both
+//       ends.
+// Hint: The way back is the way there in a mirror: what was last comes first.
+namespace not_mirrored {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h / 2);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    kick(h / 2);
+    return {L, up};
+}
+
+}  // namespace not_mirrored
+
+// Says: The spin about z acts for half the step only: it stands in the middle, but once.
+// Hint: Add up the times of each part. Each must act for h altogether.
+namespace z_halved {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h / 2);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h / 2);
+    spin(1, h / 2);
+    spin(0, h / 2);
+    kick(h / 2);
+    return {L, up};
+}
+
+}  // namespace z_halved
+
+// Says: The spins about x and y act for two steps.
+// Hint: What comes twice must act for half the time.
+namespace all_whole {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h / 2);
+    spin(0, h);
+    spin(1, h);
+    spin(2, h);
+    spin(1, h);
+    spin(0, h);
+    kick(h / 2);
+    return {L, up};
+}
+
+}  // namespace all_whole
+
+// Says: All angles are taken from the spin at the beginning of the step. Then the parts are not exact: each
+//       part changes L for the next.
+// Hint: A part turns by h L_i / I_i with the L that it finds.
+namespace old_spin {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const Vector3d omega = L.cwiseQuotient(inertia);
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * omega[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h / 2);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h);
+    spin(1, h / 2);
+    spin(0, h / 2);
+    kick(h / 2);
+    return {L, up};
+}
+
+}  // namespace old_spin
+
+// Says: The angles are taken from L, without the moments.
+// Hint: Angular momentum times time is no angle. What is omega about axis i?
+namespace no_inertia {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h / 2);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h);
+    spin(1, h / 2);
+    spin(0, h / 2);
+    kick(h / 2);
+    return {L, up};
+}
+
+}  // namespace no_inertia
+
+// Says: The three spins are taken as one turn about omega. While the top turns, omega does not stay: this is
+//       not exact, and its order is one.
+// Hint: About one principal axis alone the spin is steady. Take the axes one after the other.
+namespace one_turn {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    kick(h / 2);
+    const Vector3d omega = L.cwiseQuotient(inertia);
+    const Eigen::AngleAxisd back(-h * omega.norm(), omega.normalized());
+    L = back * L;
+    up = back * up;
+    kick(h / 2);
+    return {L, up};
+}
+
+}  // namespace one_turn
+
+// Says: Gravity does not act at all.
+// Hint: With gravity alone up stays, and L changes at a constant rate.
+namespace no_gravity {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h);
+    spin(1, h / 2);
+    spin(0, h / 2);
+    return {L, up};
+}
+
+}  // namespace no_gravity
+
+// Says: A top without any spin is left as it is. If it leans, gravity makes it fall.
+// Hint: Let go of a tilted top, and look at both equations: with L = 0, what is left of the first?
+namespace rest_stays {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    if (L.norm() == 0) return {L, up};
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h / 2);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h);
+    spin(1, h / 2);
+    spin(0, h / 2);
+    kick(h / 2);
+    return {L, up};
+}
+
+}  // namespace rest_stays
+
+// Says: The formula is right, but it is computed with about seven digits, as float has them.
+// Hint: Is there a float in your answer, or a number of few digits?
+namespace single_precision {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    Eigen::Vector3f l = L.cast<float>(), u = up.cast<float>();
+    const auto kick = [&](double s) { l += float(s * mgl) * u.cross(Eigen::Vector3f::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisf back(float(-s * l[i] / inertia[i]), Eigen::Vector3f::Unit(i));
+        l = back * l;
+        u = back * u;
+    };
+    kick(h / 2);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h);
+    spin(1, h / 2);
+    spin(0, h / 2);
+    kick(h / 2);
+    return {l.cast<double>(), u.cast<double>()};
+}
+
+}  // namespace single_precision
