@@ -33,6 +33,7 @@ int main() {
         std::printf("%12.3g %12.3g %12.3g %12.3g\n", h, forward, backward, central);
         h /= 2;
     }
-    std::cout << "Half the step: half the error to one side, a quarter of it in the middle.\n";
+    std::cout << "Half the step: half the error to one side, a quarter of it in the middle,\n"
+              << "until the rounding of f is larger.\n";
     if (!data.flush()) return std::cerr << "slopes.dat: cannot be written\n", 2;
 }

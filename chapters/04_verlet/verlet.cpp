@@ -13,6 +13,7 @@ const double link = 0.1;      // m
 const int sweeps = 20;        // how often a step puts all links right
 const double h = 1.0 / 60;    // s
 const int frames = 90;        // a second and a half
+const int every = 15;         // frames from one picture to the next: a quarter of a second
 
 struct Point {
     double x, y;            // where it is, m
@@ -39,12 +40,13 @@ int main() {
     for (int i = 0; i <= links; ++i) rope[i] = {i * link, 0, i * link, 0};  // held out level, at rest
 
     std::ofstream data("rope.dat");
-    for (int frame = 0; frame <= frames; ++frame) {
-        if (frame % 15 == 0) {  // a picture every quarter of a second
-            data << "# after " << frame * h << " s\n";
-            for (const Point& p : rope) data << p.x << ' ' << p.y << '\n';
-            data << "\n\n";
+    data << "# x y time\n";
+    for (int frame = 0;; ++frame) {
+        if (frame % every == 0 || frame == frames) {
+            if (frame > 0) data << "\n\n";
+            for (const Point& p : rope) data << p.x << ' ' << p.y << ' ' << frame * h << '\n';
         }
+        if (frame == frames) break;
         for (int i = 1; i <= links; ++i) fall(rope[i]);  // the first one is held
         for (int n = 0; n < sweeps; ++n)
             for (int i = 1; i <= links; ++i) put_right(rope[i - 1], rope[i], i == 1);

@@ -39,15 +39,19 @@ double energy(const Vector& w) { return 0.5 * w.dot(I * w); }
 
 int main() {
     std::ofstream data("tumble.dat");
-    data << "# time x y z\n";
-    std::cout << "second   spin about the middle axis, rad/s   energy, J (dropped: " << spin.y() << ", " << energy(spin)
-              << ")\n";
+    data << "# time x y z dropped\n";
+    std::cout << "Without the torque: " << spin.y() << " rad/s about the middle axis, " << energy(spin)
+              << " J, for ever.\nWith it:\ntime, s   spin about the middle axis, rad/s   energy, J\n";
 
-    Vector w = spin;  // what drops the torque keeps this for ever
-    const int steps = std::lround(1 / h);
-    for (int n = 0; n <= seconds * steps; ++n) {
-        data << n * h << ' ' << w.x() << ' ' << w.y() << ' ' << w.z() << '\n';
-        if (n % steps == 0) std::cout << n / steps << "   " << w.y() << "   " << energy(w) << '\n';
+    Vector w = spin;
+    double told = 0;  // the next whole second, of which we are told
+    for (int n = 0; n * h < seconds + h / 2; ++n) {
+        const double t = n * h;
+        data << t << ' ' << w.x() << ' ' << w.y() << ' ' << w.z() << ' ' << spin.y() << '\n';
+        if (t > told - h / 2) {  // this step is the nearest to it
+            std::cout << t << "   " << w.y() << "   " << energy(w) << '\n';
+            told = std::floor(t + h / 2) + 1;
+        }
         w = gyroscopic_step(w);
     }
     if (!data.flush()) return std::cerr << "tumble.dat: cannot be written\n", 2;

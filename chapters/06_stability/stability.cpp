@@ -17,8 +17,11 @@
 using namespace timestep;
 
 // Play with these.
-const double omega = 100;  // rad/s
-const int steps = 10000;   // so long we watch
+const int steps = 10000;     // so long we watch
+const double least = 0.01;   // damping ratio: of no damping to speak of,
+const double most = 10;      // up to a lot
+
+const double omega = 100;    // rad/s: whichever it is, only omega h counts
 
 // Does it swing farther in the end than at the start?
 template <class Method>
@@ -36,7 +39,7 @@ bool grows(const Method& method, double zeta, double h) {
 // Halve the gap between a step that holds and one that does not, until nothing is left of it.
 template <class Method>
 double longest_step(const Method& method, double zeta) {
-    double holds = 0, breaks = 100 / omega;
+    double holds = 0, breaks = 10 * (1 + zeta) / omega;  // longer than any of them takes
     for (int n = 0; n < 30; ++n) {
         const double h = (holds + breaks) / 2;
         (grows(method, zeta, h) ? breaks : holds) = h;
@@ -49,8 +52,8 @@ int main() {
     const auto look_at = [&](const auto& method) {
         data << "# " << method.name << '\n';
         std::cout << method.name << '\n';
-        for (int i = 0; i <= 40; ++i) {
-            const double zeta = 0.01 * std::pow(10, i / 13.0);  // of no damping to speak of, up to a lot
+        for (int i = 0; i <= 39; ++i) {
+            const double zeta = least * std::pow(most / least, i / 39.0);
             const double tried = omega * longest_step(method, zeta);
             const double formula = stability_limit(method, zeta).value;
             data << zeta << ' ' << tried << ' ' << formula << '\n';

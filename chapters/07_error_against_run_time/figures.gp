@@ -5,12 +5,11 @@ set datafile separator whitespace
 call figure "four_methods.svg" 640 520
 set logscale xy
 set format xy "10^{%T}"
-set xlabel "time for four seconds of game (µs)\n "
+set xlabel "time of the run (µs)\n "
 set ylabel "largest error (m)"
-set yrange [1e-9:10]
 set key outside bottom center horizontal reverse Left
 plot "work.dat" index 0 with linespoints @explicit_euler pt 7 ps 0.4 title "explicit Euler", \
      "" index 1 with linespoints @semi_implicit_euler pt 7 ps 0.4 title "semi-implicit Euler", \
      "" index 2 with linespoints @velocity_verlet pt 7 ps 0.4 title "velocity Verlet", \
      "" index 3 with linespoints @runge_kutta_4 pt 7 ps 0.4 title "RK4", \
-     for [i=0:3] "" index i using ($3 == 60 ? $1 : 1/0):2 with points pt 6 ps 1.6 lw 1.5 lc rgb ink
+     for [i=0:3] "" index i using 1:2:($3 == 60 ? 1.6 : 0) with points pt 6 ps variable lw 1.5 lc rgb ink

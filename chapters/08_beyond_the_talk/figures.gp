@@ -3,20 +3,16 @@ set datafile separator whitespace
 
 # The talk's solver and its one token: energy, and ω about the middle axis.
 call figure "one_token.svg" 640 600
-set multiplot layout 2,1 margins 0.14,0.97,0.15,0.97 spacing 0,0.06
-set xrange [0:12]
-set xtics 2 format ""
-set yrange [0.4:1.05]
-set ytics 0.1
+set multiplot layout 2,1 margins 0.16,0.97,0.15,0.97 spacing 0,0.06
+set autoscale xfix
+set xtics format ""
 set ylabel "energy / that at the start" offset 0.8
 set key bottom left reverse Left samplen 2
-plot 1 with lines @exact title "exact", \
-     "one_token.dat" index 0 using 1:2 with lines @implicit_gyroscopic title "talk", \
+plot "one_token.dat" index 0 using 1:(1) with lines @exact title "exact", \
+     "" index 0 using 1:2 with lines @implicit_gyroscopic title "talk", \
      "" index 1 using 1:2 with lines @half_step_jacobian title "half-step Jacobian"
 set xtics format "%g"
 set xlabel "time t (s)"
-set yrange [-13:13]
-set ytics 5
 set ylabel "ω, middle axis (rad/s)" offset 0.8
 unset key
 plot "one_token.dat" index 0 using 1:4 with lines @exact, \

@@ -35,7 +35,7 @@ void one_token(const Settings& settings, lab::Findings& out) {
             table.row({s.t, E, s.omega.y(), error});
             worst = std::max(worst, error), least = std::min(least, E), most = std::max(most, E);
             squares += error * error;
-            s = steps_of(s, settings.step, 1);
+            if (n < steps) s = steps_of(s, settings.step, 1);
         }
         const double E = kinetic_energy(brick, s.omega) / E0;
         const double rms = std::sqrt(squares / double(steps));
