@@ -23,7 +23,7 @@ inline constexpr double fair_turn = 0.25;
 inline constexpr double fair_uneven_turn = 1.0 / 12;
 /// Up to this h|ω| the half-step Jacobian is calm, as long as neither step nor spin is changed from outside.
 inline constexpr double calm_turn = 0.5;
-/// Two moments that differ by no more than this share are better declared equal, for a solver that gives ω only.
+/// Two moments that differ by no more than this share: by passive a spin about the third axis fades within seconds.
 inline constexpr double nearly_equal = 0.05;
 /// From so many bodies on it pays to step them in lanes.
 inline constexpr int many_bodies = 1000;
@@ -86,20 +86,20 @@ inline const std::vector<Choice>& choices() {
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
          "the **passive step**", "it adds no energy, and takes some, which hides what an engine adds when a rule stands there; "
          "spins fade too soon", "ch8_contacts", "passive"},
-        {"symmetric", "two moments within " + near + " % of each other, a spear, a wheel, that touches others or is one of "
-         "thousands", "**declare them equal**: `SymmetricInertia`, and passive",
-         "it then turns ω about the axis of the third, which keeps energy, |L| and the spin", "ch5_passive", "passive"},
+        {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "**`SymmetricInertia`**, by passive or the "
+         "calm half-step, between the contacts and the turn", "it turns ω about the axis of the third moment, which keeps "
+         "energy, |L| and the spin", "ch5_passive", "passive"},
         {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**",
          "it is the exact motion, attitude and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand, h|ω| at most " + calm + ", a constant step",
          "the **half-step Jacobian** in lanes; the faster ones by passive",
-         "several bodies in the time of one; ω and the energy are good, the attitude is rough", "ch8_many", "half-step Jacobian"},
+         "several bodies in the time of one; the energy is good, but fast ones soon turn at the wrong time", "ch8_many", "half-step Jacobian"},
         {"free_uneven", "a body that flies freely, in frames of uneven length",
          "a constant step, and ball and remainder 4; where that cannot be, **Runge–Kutta 4**, in so many substeps that each "
          "turns by a twelfth of a radian at most",
-         "when steps vary a splitting adds up its errors, and near the middle axis a body is soon lost", "ch2_turns",
+         "when steps vary a splitting adds up its errors, and a body thrown about its middle axis may be lost", "ch8_cost",
          "Runge-Kutta 4"},
         {"free", "a body that flies freely, h|ω| at most " + fair, "**ball and remainder 4**",
          "|L| stays, the energy is bounded, and the body points where it should", "ch8_work", "ball and remainder 4"},
@@ -154,12 +154,11 @@ inline const Choice& choose(const BodyQuestion& body) {
     if (middle > most) std::swap(middle, most);
     if (least > middle) std::swap(least, middle);
     if (least == most) return choice("ball");
-    // In free flight ball and remainder 4 by the true moments is far nearer than equal ones are.
-    const bool near = middle - least <= nearly_equal * middle || most - middle <= nearly_equal * most;
+    const bool two_equal = least == middle || middle == most;
     if (body.contacts && body.callback) return choice("callback");
-    if (near && (body.contacts || body.count >= many_bodies)) return choice("symmetric");
+    if (body.contacts && two_equal) return choice("symmetric");
     if (body.contacts) return choice("contacts");
-    if (least == middle || middle == most) return choice("symmetric_free");
+    if (two_equal) return choice("symmetric_free");
     if (body.count >= many_bodies && body.even && body.turn <= calm_turn) return choice("many");
     if (!body.even) return choice("free_uneven");
     return choice(body.turn <= fair_turn ? "free" : "free_fast");

@@ -168,8 +168,9 @@ TEST_CASE("a body is sent down the tree to a line of the list", "[library][I13]"
     };
     const Frames uneven(0.01, 1.0 / 60);
     CHECK(name(Body(2, 2, 2), 100, at_60_hz) == "ball");
-    CHECK(name(plank, 20, at_60_hz, true) == "symmetric");
-    CHECK(name(plank, 20, at_60_hz, false, 5000) == "symmetric");
+    CHECK(name(plank, 20, at_60_hz, true) == "contacts");
+    CHECK(name(Body(1, 1, 0.1), 20, at_60_hz, true) == "symmetric");
+    CHECK(name(plank, 20, at_60_hz, false, 5000) == "many");
     CHECK(name(plank, 10, at_60_hz) == "free");
     CHECK(name(Body(1, 1, 0.1), 100, uneven) == "symmetric_free");
     CHECK(name(box, 100, uneven, true) == "contacts");

@@ -88,8 +88,9 @@ test_the_line_of_the_list_that_is_recommended() {
     }
     asks free $box
     asks free_fast $plank
-    asks symmetric $plank --contacts
-    asks symmetric $plank --count 5000
+    asks contacts $plank --contacts
+    asks symmetric --inertia 1,1,0.2 --spin 1,2,50 --contacts
+    asks many $plank --count 5000
     asks symmetric_free --inertia 1,1,0.2 --spin 1,2,50 --frames 0.01,0.02
     asks contacts $box --contacts
     asks callback $box --contacts --callback

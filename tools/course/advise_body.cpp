@@ -128,11 +128,10 @@ void print_recommendation(const Answer& answer) {
         if (std::isfinite(answer.half_gone))
             std::printf("By passive half of the spin about the axis of the third is gone after\n%s s; by "
                         "SymmetricInertia it stays. ", number(answer.half_gone).c_str());
-        std::printf("Where a solver asks for ω only, declare them equal: --inertia %s\n", equal_moments(answer).c_str());
+        std::printf("(--inertia %s)\nBut then it no longer tumbles when it spins across.\n", equal_moments(answer).c_str());
     }
-    std::printf("\nRecommended: %s because %s%s, %s.\n", take.c_str(), why.c_str(),
-                answer.take.choice.name == "symmetric" ? (" (--inertia " + equal_moments(answer) + ")").c_str() : "",
-                chapter(choice).c_str());
+    std::printf("\nRecommended: %s because %s, %s.\n", take.c_str(), why.c_str(),
+                 chapter(choice).c_str());
 }
 
 void print(const Answer& answer) {
@@ -156,7 +155,7 @@ void print(const Answer& answer) {
     for (const auto& advice : answer.all) print(advice.method, advice.thrown);
     const auto& take = answer.take;
     if (take.choice.name == "ball") print("dropped, turned by h|ω|", answer.taken);
-    if (take.choice.name == "symmetric") print("declared equal", answer.taken);
+    if (answer.all_but_equal) print("declared equal", answer.declared);
     if (take.substeps > 1 && answer.taken.seconds > answer.seconds / 2)  // more steps than that nobody waits for
         print(take.choice.method + ", " + std::to_string(take.substeps) + " substeps", answer.taken);
     std::printf("\nWhy:\n");

@@ -56,7 +56,8 @@ BodyAnswer answer_body(const Question& question) {
         if (advice.method == answer.take.choice.method && n <= 1) answer.taken = advice.thrown;
     // Of a ball that is one turn by h|ω|, where Tumble's falls short of it.
     if (answer.take.choice.name == "ball") run(timestep::symmetric_remainder_2);
-    if (answer.take.choice.name == "symmetric") run(timestep::DeclaredEqual(inertia));
+    if (answer.all_but_equal)
+        answer.declared = timestep::throw_body(timestep::DeclaredEqual(inertia), inertia, thrown, frames);
     return answer;
 }
 

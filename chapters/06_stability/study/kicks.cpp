@@ -132,6 +132,22 @@ void bodies_that_turn(lab::Findings& out) {
               "do not turn calls stable, and not at one that the rule for bodies calls stable");
 }
 
+// A ball between two taut springs, which take hold at ±r: turned by an angle, how much energy do they hold?
+void taut_springs(lab::Findings& out) {
+    const double k = 1000, r = 0.1, length = 1;
+    bool all = true;
+    for (const double rest : {0.0, 0.5, 0.9}) {
+        const auto energy = [&](double angle) {
+            const double stretched = std::hypot(length + r - r * std::cos(angle), r * std::sin(angle));
+            return 2 * 0.5 * k * (stretched - rest) * (stretched - rest);
+        };
+        const double d = 1e-4, slope = (energy(d) - 2 * energy(0) + energy(-d)) / (d * d);  // I ω²
+        const double pull = k * (length - rest);
+        all = all && std::abs(slope / (2 * pull * r * (1 + r / length)) - 1) < 1e-4;
+    }
+    out.check("taut", all, "two taut springs pull a ball that has turned back with I ω² = 2 T r (1 + r/length)");
+}
+
 }  // namespace
 
 void kicks(const Settings&, lab::Findings& out) {
@@ -139,4 +155,5 @@ void kicks(const Settings&, lab::Findings& out) {
     impulses(out);
     uneven_frames(out);
     bodies_that_turn(out);
+    taut_springs(out);
 }
