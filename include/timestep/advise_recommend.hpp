@@ -140,10 +140,10 @@ inline Recommendation precisely(const Choice& choice, const SpringScene& scene, 
         made.take = "**" + taken->method + "**";
         made.why = "as near as asked; " + choice.method +
                    (own && own->substeps ? " would cost " + number(own->cost / taken->cost, 2) + " times as much"
-                                         : " is not, at no step that was looked at");
+                                         : " is so at no step that was looked at");
     }
     if (scene.varying()) made.take = "a constant step, by chapter 2's game loop; where that cannot be, **" + made.method + "**";
-    if (scene.only_pulls && made.method != implicit_euler.name)
+    if (scene.only_pulls && made.substeps && made.method != implicit_euler.name)
         made.why = "as near as asked while it is taut; nothing proves that it never gains when it goes taut";
     return made;
 }
@@ -172,7 +172,7 @@ inline Recommendation of_tether(const Choice& choice, const SpringScene& scene, 
     const long n = pieces(scene.fastest.omega * h, tether_turn);
     if (keeps_size && !scene.varying() && n)
         return {&choice, n, semi_implicit_euler_new_damping.name, "**semi-implicit Euler**, with the damping at the new velocity",
-                "with ωh at most " + plain(tether_turn) + " none of 400 throws got above 1.25 times its energy in 100,000 steps, "
+                "with ωh at most " + plain(tether_turn) + " none of 400 undamped throws got above 1.25 times its energy in 100,000 steps, "
                 "though nothing proves that none does"};
     return {&choice, 1, implicit_euler.name, "**implicit Euler**", "in every step its energy falls, slack or taut" +
             std::string(keeps_size ? "; nothing that bounces on is known to be safe here" : "")};

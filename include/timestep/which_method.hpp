@@ -72,8 +72,8 @@ inline const std::vector<Choice>& choices() {
          "semi-implicit Euler and Verlet's kind that is not so", "ch6_kicks", "Runge-Kutta 4"},
         {"tether", "a tether: a rope, a leash, a spring that only pulls",
          "**implicit Euler**; where it must bounce on, semi-implicit Euler in so many substeps that ωh is at most " + tether,
-         "by the first the energy falls in every step, slack or taut; by the second no throw of 400 got above 1.25 times its energy, "
-         "though nothing proves that none does", "ch6_question", "implicit Euler"},
+         "by the first the energy falls in every step, slack or taut; by the second no throw of 400 got above 1.25 times its "
+         "energy, though nothing proves that none does", "ch6_question", "implicit Euler"},
         {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**, with long steps",
          "four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",

@@ -205,7 +205,7 @@ test_a_tether_gets_an_answer_of_its_own() {
     says joined 'in the first swing if it is taut'
     expect 0 course advise --kind tether --stiffness 900 --mass 1 --keep-size
     joined
-    says joined 'in 4 substeps; with ωh at most 0.125 none of 400 throws'
+    says joined 'in 4 substeps; with ωh at most 0.125 none of 400 undamped throws'
 }
 
 test_one_method_is_recommended() {
