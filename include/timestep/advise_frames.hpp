@@ -158,7 +158,8 @@ inline Said varying_steps(bool one_pattern, const StabilityLimit& limit, double 
         return {Verdict::stable, "one ellipse holds every step, in any order"};
     }
     if (sure) return {Verdict::grows, "frames at random between the two lengths make it grow"};
-    return {Verdict::not_proven, "its limit, ωh = " + number(limit.value) + ", holds for a constant step"};
+    const std::string at = "its limit, ωh = " + number(limit.value);
+    return {Verdict::not_proven, at + (one_pattern ? ", lies between the frames" : ", holds for a constant step")};
 }
 
 // The largest distance from the true place in the first swing, of thirty runs with frames at random; and of two

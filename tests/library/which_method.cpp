@@ -35,6 +35,9 @@ TEST_CASE("a spring is led to its answer", "[library][I13]") {
     CHECK(choose(SpringQuestion{.turn = 0.1, .precise = true}).name == "smooth");
     CHECK(choose(SpringQuestion{.turn = 5, .zeta = 2, .precise = true}).name == "smooth_pull");
     CHECK(choose(SpringQuestion{.turn = 0.1, .even = false}).name == "uneven");
+    CHECK(choose(SpringQuestion{.turn = 0.1, .even = false, .only_pulls = true}).name == "tether");
+    CHECK(choose(SpringQuestion{.turn = 0.1, .keeps_size = true, .only_pulls = true}).name == "tether");
+    CHECK(choose(SpringQuestion{.turn = 0.1, .precise = true, .only_pulls = true}).name == "smooth");
     CHECK(choose(SpringQuestion{.turn = 2.01}).name == "unseen");
     CHECK(choose(SpringQuestion{.turn = 5, .keeps_size = true}).name == "keeps_size");
     CHECK(choose(SpringQuestion{.turn = 5, .zeta = 1}).name == "pull");

@@ -159,6 +159,55 @@ test_the_error_that_is_seen_counts() {
     says out '(chapter 3). Off by 56 % in the first swing'
 }
 
+# What is printed, as one line: people's lines are broken anywhere.
+joined() { tr '\n' ' ' <out >joined; }
+
+test_the_error_is_told_at_the_substeps_too() {
+    expect 0 course advise --omega 100 --zeta 0.05 --rate 60
+    joined
+    says joined 'in 2 substeps;'
+    says joined '(chapter 3). Off by 42 % in the first swing, in frequency and decay by'
+    expect 0 course advise --omega 10 --accuracy 1
+    joined
+    says joined '(chapter 7). Off by 0.00'
+}
+
+test_what_decays_has_no_swing() {
+    expect 0 course advise --omega 3 --zeta 2
+    joined
+    says joined 'from the true ones while it decays, over the start'
+    says joined 'no position while it decays, for 7.82 s,'
+    says joined '% while it decays, in frequency and decay by'
+    silent_on joined 'in the first swing'
+    silent_on joined 'many swings'
+}
+
+test_the_one_that_is_right_is_recommended() {
+    expect 0 course advise --omega 2000 --zeta 0.15 --accuracy 1
+    joined
+    says joined 'implicit Euler; as near as asked; Runge-Kutta 4 would cost 82 times as much'
+    expect 0 course advise --omega 1e6 --zeta 0.01
+    says out 'Recommended at 1/60 s: implicit Euler'
+    expect 0 course advise --kind cloth --stiffness 1e9 --mass 0.001 --damping 5
+    says out 'Recommended at 1/60 s: implicit Euler'
+}
+
+test_a_tether_gets_an_answer_of_its_own() {
+    for wish in '' '--keep-size' '--accuracy 1' '--frames 0.01,0.02'; do
+        expect 0 course advise --kind tether --stiffness 900 --mass 1 $wish
+        joined
+        silent_on joined 'does not drift'
+        silent_on joined 'its energy stays'
+    done
+    expect 0 course advise --kind tether --stiffness 900 --mass 1
+    joined
+    says joined 'Recommended at 1/60 s: implicit Euler; in every step its energy falls, slack or taut'
+    says joined 'in the first swing if it is taut'
+    expect 0 course advise --kind tether --stiffness 900 --mass 1 --keep-size
+    joined
+    says joined 'in 4 substeps; with ωh at most 0.125 none of 400 undamped throws'
+}
+
 test_one_method_is_recommended() {
     expect 0 course advise --omega 100 --zeta 0.05 --rate 60
     says out 'velocity, in 2 substeps;'
@@ -181,10 +230,14 @@ test_many_springs_have_a_fastest_swing() {
     expect 0 course advise --kind chain --stiffness 1000 --mass 1
     says out 'ω² = 2·2k/m, neighbours against each other; so ω = 63.2'
     expect 0 course advise --kind cloth --stiffness 1000 --mass 1
-    says out 'ω² = 2·4k/m, neighbours against each other; so ω = 89.4'
+    says out 'ω² = 2·4k/m, neighbours against each other (four'
+    joined
+    says joined 'four springs hold a point; with diagonals give --springs 8); so ω = 89.4'
+    expect 0 course advise --kind cloth --stiffness 1000 --mass 1 --springs 8
+    silent_on out 'diagonals'
     expect 0 course advise --stiffness 1000 --mass 1 --springs 2 --arm 0.5 --turning 0.083333333333
     says out 'ω² = 2·k(1/m + r²/I), if all pull at one end, one way; so ω ='
-    says out '89.4 rad/s at most, and at least 31.6 rad/s.'
+    says out '89.4 rad/s at most, for springs near their rest length, and at least 31.6 rad/s.'
     expect 0 course advise --kind hinge --stiffness 1000 --mass 1 --other-mass 2 --arm 0
     refuses '--arm needs --turning' --kind hinge --stiffness 1000 --mass 1 --arm 1
     expect 0 course advise --kind hinge --stiffness 1000 --mass 1 --other-mass 2
@@ -206,7 +259,15 @@ test_frames_and_kicks() {
     is "$(verdict 'semi-implicit Euler')" grows
     is "$(verdict 'Runge-Kutta 4')" stable
     expect 0 course advise --omega 30 --frames 0.0166667,0.0333333
-    says out 'limits hold for'
+    joined
+    says joined "the limits of semi-implicit Euler, of Verlet's kind and of Newton hold for a constant step"
+    says joined 'where that cannot be, Runge-Kutta 4; on a spring steps of every length share'
+    expect 0 course advise --omega 30 --frames 0.0166667,0.0333333 --keep-size
+    joined
+    says joined 'where that cannot be, implicit midpoint;'
+    expect 0 course advise --omega 30 --frames 0.0166667,0.0333333 --accuracy 1
+    joined
+    says joined 'where that cannot be, Runge-Kutta 4, in 2 substeps;'
     expect 0 course advise --omega 30 --kicks
     says out 'restart it after each kick'
 }
@@ -220,6 +281,8 @@ test_bad_kinds_are_refused() {
     refuses 'turning = 0: must be finite and greater than zero' --stiffness 1 --mass 1 --arm 1 --turning 0
     refuses '--arm needs --turning' --stiffness 1 --mass 1 --arm 1
     refuses '--turning needs --arm' --stiffness 1 --mass 1 --turning 1
+    refuses '--other-arm needs --other-turning' --kind hinge --stiffness 1 --mass 1 --other-arm 0.1
+    refuses 'other-turning = 0: must be finite and greater' --kind hinge --stiffness 1 --mass 1 --other-arm 1 --other-turning 0
     refuses '--springs belongs to a body, a chain or a cloth' --kind hinge --stiffness 1 --mass 1 --springs 2
     refuses '--arm belongs to a body that turns' --kind cloth --stiffness 1 --mass 1 --arm 1 --turning 1
     refuses '--other-mass belongs to --kind hinge' --stiffness 1 --mass 1 --other-mass 1

@@ -39,6 +39,8 @@ void check_words(const Question& question) {
     belongs(question.other_arm, "--other-arm", kind == "hinge", "--kind hinge");
     belongs(question.other_turning, "--other-turning", kind == "hinge", "--kind hinge");
     if (question.arm.value_or(0) > 0 && !question.turning) refuse("--arm needs --turning");
+    if (question.other_arm.value_or(0) > 0 && !question.other_turning && !question.turning)
+        refuse("--other-arm needs --other-turning");
     if (question.turning && !question.arm) refuse("--turning needs --arm");
     if (!question.frames.empty() && (question.step || question.rate))
         refuse("--frames and --step or --rate say the same: give one of them");
@@ -49,8 +51,13 @@ timestep::Pull pull_of(const Question& question) {
     if (question.turning) timestep::positive("turning", *question.turning);
     const double turning = question.turning.value_or(0);
     if (question.kind == "chain") return timestep::springs_between(mass, question.springs.value_or(2));
-    if (question.kind == "cloth") return timestep::springs_between(mass, question.springs.value_or(4));
+    if (question.kind == "cloth") {
+        timestep::Pull cloth = timestep::springs_between(mass, question.springs.value_or(4));
+        if (!question.springs) cloth.found += " (four springs hold a point; with diagonals give --springs 8)";
+        return cloth;
+    }
     if (question.kind != "hinge") return timestep::springs_on_body(mass, question.springs.value_or(1), arm, turning);
+    if (question.other_turning) timestep::positive("other-turning", *question.other_turning);
     const double other = question.other_mass.value_or(mass);
     return timestep::hinge(mass, timestep::lightness(mass, arm, turning), other,
                            timestep::lightness(other, question.other_arm.value_or(arm),

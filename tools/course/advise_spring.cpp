@@ -81,13 +81,17 @@ struct Step {
 
 void line(const std::string& words) { std::printf("%s", wrapped(words, 0).c_str()); }
 
+// Where the error is looked at.
+std::string span(const timestep::SpringScene& scene) { return scene.fastest.zeta < 1 ? "in the first swing" : "while it decays"; }
+
 // Which error is meant, in one sentence.
 void print_meaning(const timestep::SpringScene& scene, const std::string& percent) {
     const double slow = static_cast<double>(std::abs(timestep::detail::exact_rate(scene.fastest.zeta)));
-    const double swing = 2 * pi / (slow * scene.fastest.omega);
-    line("Right to " + percent + ": let go at rest, no position in the first " +
-         (scene.fastest.zeta < 1 ? "swing, " : "turns of the slow decay, ") + number(swing) + " s, is off by more than " +
-         percent + " of the start, and nothing rings. After many swings it may be farther off.");
+    const std::string end = number(2 * pi / (slow * scene.fastest.omega)) + " s, ";
+    const bool swings = scene.fastest.zeta < 1;
+    line("Right to " + percent + ": let go at rest, no position " + span(scene) + (swings ? ", " : ", for ") + end +
+         "is off by more than " + percent + " of the start, and nothing rings." +
+         (swings ? " After many swings it may be farther off." : ""));
 }
 
 // Which methods are right at this step, which one reaches that most cheaply, and what right means.
@@ -126,9 +130,8 @@ void print_right(const std::vector<Advice>& all, const timestep::SpringScene& sc
 }
 
 // The answer of which_method.hpp, its bold words bold.
-void print_recommended(const timestep::Recommendation& answer, const Step& asked, const timestep::SpringScene& scene,
-                       const std::vector<Advice>& all) {
-    std::string take = answer.choice->take;
+void print_recommended(const timestep::Recommendation& answer, const Step& asked, const timestep::SpringScene& scene) {
+    std::string take = answer.take;
     for (std::size_t at = take.find("**"); at != std::string::npos; at = take.find("**")) {
         const std::size_t end = take.find("**", at + 2);
         take = take.substr(0, at) + bold(take.substr(at + 2, end - at - 2)) + take.substr(end + 2);
@@ -138,12 +141,12 @@ void print_recommended(const timestep::Recommendation& answer, const Step& asked
     words += ": " + take;
     if (answer.substeps > 1) words += ", in " + number(double(answer.substeps)) + " substeps";
     if (answer.substeps == 0) words += ", though no million substeps would do";
-    words += "; " + answer.choice->why + " (chapter " + answer.choice->where.substr(2, 1) + ").";
-    if (answer.substeps == 1 && !scene.varying())
-        for (const auto& advice : all)
-            if (advice.method == answer.choice->method && !advice.right)
-                words += " Off by " + off(advice.position_error) + " in the first swing, in frequency and decay by " +
-                         off(advice.rate_error) + ".";
+    words += "; " + answer.why + " (chapter " + answer.choice->where.substr(2, 1) + ").";
+    if (!std::isnan(answer.position_error)) {
+        words += " Off by " + off(answer.position_error) + " " + span(scene);
+        if (scene.only_pulls) words += " if it is taut";
+        words += scene.varying() ? "." : ", in frequency and decay by " + off(answer.rate_error) + ".";
+    }
     line(words);
 }
 
@@ -154,13 +157,16 @@ void print_scene(const timestep::SpringScene& scene, const Step& asked) {
     const double decay = spring.zeta < 1 ? spring.zeta : 1 / timestep::detail::fast_decay(spring.zeta);
     if (!scene.found.empty())
         line("The fastest swing: ω² = " + scene.found + "; so ω = " + number(omega) + " rad/s" +
-             (scene.bounded() ? " at most, and at least " + number(scene.least.omega) + " rad/s." : "."));
+             (scene.bounded() ? std::string(" at most, ") +
+                                    (scene.found.find("/I") == std::string::npos ? "" : "for springs near their rest length, ") +
+                                    "and at least " + number(scene.least.omega) + " rad/s." : "."));
     if (scene.only_pulls)
-        line("A tether only pulls: limit and numbers are those of a taut one. Below the limit it may still gain, each time "
-             "it goes taut between two steps; short steps gain less.");
+        line("A tether only pulls: limit and numbers are those of a taut one. By all but implicit Euler it may still gain, "
+             "each time it goes taut between two steps; short steps gain less.");
     if (scene.varying())
         line("Frames from " + number(scene.shortest_frame) + " to " + number(scene.longest_frame) +
-             " s, all lengths alike, in any order: limits hold for a constant step. Growth is what a thousand runs "
+             " s, all lengths alike, in any order: the limits of semi-implicit Euler, of Verlet's kind and of Newton hold for a constant step, "
+             "those of the others for the longest frame. Growth is what a thousand runs "
              "with frames at random do; stable is said only where it is proven for any order.");
     const std::string steps = spring.zeta < 1 ? number(2 * pi / omega / h) + " steps a swing" : "no swing";
     std::printf("ω = %s rad/s, ζ = %s, h = %s s: ωh = %s, %s.\nThe true motion: in a second the "
@@ -185,7 +191,7 @@ void print(const std::vector<Advice>& all, const timestep::SpringScene& scene, c
         std::printf("  %s%s%s\n", padded(advice.method, 34).c_str(), advice.reason.c_str(),
                     up_to(advice.longest_step).c_str());
     std::printf("\n");
-    line("Off by: how far, let go at rest, its positions get from the true ones in the first swing, over the start. "
+    line("Off by: how far, let go at rest, its positions get from the true ones " + span(scene) + ", over the start. "
          "Amplitude: what a second multiplies it by in the long run. Energy: after a second, over what it should be. "
          "Cost: force evaluations and solves. A solve counts one, even if it is a mere division as with new damping.");
     std::printf("\n");
@@ -206,13 +212,13 @@ void advise_spring(const Question& question, bool json) {
     if (!(accuracy >= 1e-6 && accuracy <= 50))
         timestep::refuse("accuracy", accuracy, "from 1e-6 to 50 percent");
     const auto all = timestep::advise(scene, h, accuracy / 100);
-    const timestep::Wish wish{question.accuracy.has_value(), question.keep_size};
+    const timestep::Wish wish{question.accuracy.has_value(), question.keep_size, accuracy / 100};
     const timestep::Recommendation answer = timestep::recommend(scene, h, wish, all);
     if (json) {
         Json list = Json::array();
         for (const auto& advice : all) {
             list.push_back(as_json(advice));
-            if (advice.method == answer.choice->method) list.back()["recommended_substeps"] = answer.substeps;
+            if (advice.method == answer.method) list.back()["recommended_substeps"] = answer.substeps;
         }
         std::printf("%s\n", list.dump(2).c_str());
     } else {
@@ -222,7 +228,7 @@ void advise_spring(const Question& question, bool json) {
                                            : "At 60 steps a second";
         const Step asked{h, name, question.step || question.rate};
         print(all, scene, asked, accuracy);
-        print_recommended(answer, asked, scene, all);
+        print_recommended(answer, asked, scene);
     }
 }
 

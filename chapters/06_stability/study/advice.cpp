@@ -124,11 +124,11 @@ void recommended(lab::Findings& out) {
     std::vector<double> dearer;
     for (int i = 0; i < 300; ++i) {
         const DampedSpring<double> spring(1, scenes.even(0, 1) < 0.25 ? 0 : scenes.even_in_log(0.01, 30));
-        const double h = scenes.even_in_log(0.05, 20);
+        const double h = scenes.even_in_log(0.05, 1e4);
         const auto all = advise(spring, h);
         const Recommendation answer = recommend(spring, h, {.precise = true}, all);
         for (const Advice& each : all)
-            if (each.method == answer.choice->method && answer.substeps > 0)
+            if (each.method == answer.method && answer.substeps > 0)
                 dearer.push_back(each.cost * double(answer.substeps) / best_cost(*cheapest(all, h), h));
     }
     std::sort(dearer.begin(), dearer.end());
@@ -136,8 +136,8 @@ void recommended(lab::Findings& out) {
     std::printf("  recommended to one percent, over the cheapest that is: × %.3g in the middle, × %.3g at worst\n", half, worst);
     out.number("recommended_dearer", worst, "", "cost of the recommended method over the cheapest as near, at worst", 2);
     out.number("recommended_usual", half, "", "the same, in the middle of 300 springs", 2);
-    out.check("recommended", dearer.size() == 300 && half < 1.5 && worst < 6,
-              "to one percent the recommended method costs less than six times what the cheapest would, and in half "
+    out.check("recommended", dearer.size() == 300 && half < 1.5 && worst <= 4.0001,
+              "to one percent the recommended method costs at most four times what the cheapest would, and in half "
               "of the springs less than one and a half times");
 }
 
