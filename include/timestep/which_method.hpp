@@ -65,7 +65,7 @@ inline const std::vector<Choice>& choices() {
          "ch4_rope", "Verlet"},
         {"bumps", "things that bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
          "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
-        {"tether", "a tether: a rope, a leash, a spring that only pulls",
+        {"tether", "a tether: a rope, a leash, a spring that only pulls (the model `Tether` pushes, too)",
          "**implicit Euler**; where it must bounce on, semi-implicit Euler in so many substeps that ωh is at most " + tether,
          "by the first the energy falls in every step, slack or taut; by the second no throw that we made gained a quarter "
          "of its energy, though nothing proves it", "ch6_question", "implicit Euler"},
@@ -82,17 +82,17 @@ inline const std::vector<Choice>& choices() {
          "**semi-implicit Euler**, with the damping at the new velocity",
          "one force a step; its energy swings and does not drift, and its division survives any damper", "ch3_rule",
          "semi-implicit Euler, new damping"},
-        {"pull", "a stiff pull to a target, a decay, ζ at least 1", "**implicit Euler**", "the decay dies, as it should",
+        {"pull", "a stiff pull to a target, a decay: ζ at least 1, or ζωh at least " + twice, "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
-        {"keeps_size", "a swing faster than the frame that must keep its size", "**implicit midpoint**, with a constant step",
-         "its energy stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
+        {"keeps_size", "a swing faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
+         "the energy of an undamped swing stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
         {"unseen", "a swing faster than the frame, which nobody must see", "**BDF2**, restarted after each kick",
-         "the fast part dies and the slow one keeps its size", "ch6_kicks", "BDF2"},
+         "the fast part dies and the slow one keeps its size; kicked in every frame it would ring: then implicit Euler", "ch6_kicks", "BDF2"},
         {"jumps", "creeping and sudden jumps", "a step that adapts", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
-         "it is zero; `turn_by` turns the body by h|ω| about ω, to the last digit", "ch5_inertia", "dropped"},
+         "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_inertia", "dropped"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
          "the **passive step**", "it adds no energy, and takes some, which hides what an engine adds when a rule stands there; "
          "spins fade too soon", "ch8_contacts", "passive"},
@@ -145,7 +145,7 @@ inline const Choice& choose(const SpringQuestion& spring) {
     if (!spring.even) return choice("uneven");
     if (spring.precise) return choice(spring.zeta < stiff_decay ? "smooth" : "smooth_pull");
     if (spring.turn <= 2 * alive_turn) return choice("swing");
-    if (spring.zeta >= 1) return choice("pull");
+    if (spring.zeta >= 1 || spring.zeta * spring.turn >= 2) return choice("pull");  // over within a frame or so
     return choice(spring.keeps_size ? "keeps_size" : "unseen");
 }
 

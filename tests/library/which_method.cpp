@@ -41,6 +41,7 @@ TEST_CASE("a spring is led to its answer", "[library][I13]") {
     CHECK(choose(SpringQuestion{.turn = 2.01}).name == "unseen");
     CHECK(choose(SpringQuestion{.turn = 5, .keeps_size = true}).name == "keeps_size");
     CHECK(choose(SpringQuestion{.turn = 5, .zeta = 1}).name == "pull");
+    CHECK(choose(SpringQuestion{.turn = 100, .zeta = 0.05, .keeps_size = true}).name == "pull");  // its damper ends it
 }
 
 TEST_CASE("a body is led to its answer, in whatever order its moments stand", "[library][I13]") {

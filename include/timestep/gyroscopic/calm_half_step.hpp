@@ -10,8 +10,8 @@
 namespace timestep {
 
 /// The half-step Jacobian, in substeps where it might be singular, and scaled back to the energy that
-/// the step began with. Unscaled it keeps E/Δ and |L|²/Δ, where Δ is its determinant at ω over that at
-/// rest. So |L|²/E stays in every step, and the scaling brings both back, to roundoff: ω stays on the
+/// the step began with. Unscaled it keeps E/Δ and |L|²/Δ, where Δ is its determinant for the
+/// component of ω about the middle moment's axis alone, over that at rest. So |L|²/E stays in every step, and the scaling brings both back, to roundoff: ω stays on the
 /// true curve at any spin, when steps vary, and from one impulse to the next. What is off is only when
 /// it is where, by order two.
 ///

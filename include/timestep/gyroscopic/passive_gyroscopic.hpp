@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A gyroscopic step that never adds energy: the default for games.
+/// A gyroscopic step that never adds energy: for engines where a rule can only act before the contacts.
 
 #include <timestep/inline.hpp>
 #include <timestep/rigid/inertia.hpp>
