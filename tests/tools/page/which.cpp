@@ -39,16 +39,16 @@ std::vector<std::string> answers_in(const std::string& page) {
 
 TEST_CASE("answers to which method stand in a chapter as a table, elsewhere as a list") {
     const Course course;
-    const timestep::Choice& pull = timestep::choice("pull");
-    CHECK_THAT(course.fill_paragraph("{{which pull}}"),
-               ContainsSubstring("| you have | take |\n|---|---|\n| " + pull.have + " | " + pull.take + ": "));
+    const timestep::Choice& bumps = timestep::choice("bumps");
+    CHECK_THAT(course.fill_paragraph("{{which bumps}}"),
+               ContainsSubstring("| you have | take |\n|---|---|\n| " + bumps.have + " | " + bumps.take + ": "));
     CHECK_THAT(course.fill_paragraph("{{which free}}"), ContainsSubstring("\\f$h\\lvert\\omega\\rvert\\f$"));
     CHECK_THAT(course.paragraph_error("{{which}}"), ContainsSubstring("takes names of answers"));
     CHECK_THAT(course.paragraph_error("{{which pull push}}"), ContainsSubstring("no answer \"push\""));
     CHECK_THAT(course.paragraph_error("Take {{which pull}}."), ContainsSubstring("on a line of its own"));
 
     page::Context context{SOURCE, SOURCE};
-    CHECK_THAT(page::fill(context, "{{which jumps pull}}\n", "list.md"), ContainsSubstring("\n2. A" + pull.have.substr(1) + "?<br>→ " + pull.take));
+    CHECK_THAT(page::fill(context, "{{which jumps bumps}}\n", "list.md"), ContainsSubstring("\n2. T" + bumps.have.substr(1) + "?<br>→ " + bumps.take));
 }
 
 // The order of the list is that in which timestep::choose() asks.
