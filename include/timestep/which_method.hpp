@@ -67,7 +67,7 @@ inline const std::vector<Choice>& choices() {
          "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
         {"tether", "a tether: a rope, a leash, a spring that only pulls (the model `Tether` pushes, too)",
          "**implicit Euler**; where it must bounce on, semi-implicit Euler in so many substeps that ωh is at most " + tether,
-         "by the first the energy falls in every step, slack or taut; by the second no throw that we made gained a quarter "
+         "by the first the energy never rises, slack or taut; by the second no throw that we made gained a quarter "
          "of its energy, though nothing proves it", "ch6_question", "implicit Euler"},
         {"uneven", "frames of uneven length",
          "a constant step, by chapter 2's game loop; where that cannot be, **Runge–Kutta 4**, in substeps of ωh at most " + alive +

@@ -191,7 +191,8 @@ void print(const std::vector<Advice>& all, const timestep::SpringScene& scene, c
         std::printf("  %s%s%s\n", padded(advice.method, 34).c_str(), advice.reason.c_str(),
                     up_to(advice.longest_step).c_str());
     std::printf("\n");
-    line("Off by: how far, let go at rest, its positions get from the true ones " + span(scene) + ", over the start. "
+    line("Off by: how far, let go at rest, its positions get from the true ones " + span(scene) + ", over the start; "
+         "where fewer than three steps fit into it, eight are looked at, for this and for what is right. "
          "Amplitude: what a second multiplies it by in the long run. Energy: after a second, over what it should be. "
          "Cost: force evaluations and solves. A solve counts one, even if it is a mere division as with new damping.");
     std::printf("\n");
