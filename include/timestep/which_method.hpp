@@ -19,6 +19,8 @@ inline constexpr double alive_turn = 1;
 inline constexpr double tether_turn = 0.125;
 /// From this damping ratio on an implicit method is right to a percent at less cost than Runge–Kutta 4.
 inline constexpr double stiff_decay = 2;
+/// From this ζωh on a damper ends a swing within a frame or so: it is a decay.
+inline constexpr double ended_swing = 2;
 /// Up to this h|ω|, in radians a step, ball and remainder 4 points where it should: chapter 8 has thrown
 /// bodies about every axis to find it.
 inline constexpr double fair_turn = 0.25;
@@ -58,7 +60,8 @@ inline const std::vector<Choice>& choices() {
     using detail::plain;
     static const std::string alive = plain(alive_turn), twice = plain(2 * alive_turn), fair = plain(fair_turn),
                              calm = plain(calm_turn), stiff = plain(stiff_decay),
-                             tether = plain(tether_turn);
+                             tether = plain(tether_turn), ended = plain(ended_swing),
+                             uneven = "1/" + plain(1 / fair_uneven_turn);
     static const std::vector<Choice> all{
         {"positions", "points that are pushed about, forces of the position alone: ropes, cloth",
          "**Verlet**; its twin velocity Verlet where you want a velocity", "no velocity to keep in step with the push",
@@ -82,7 +85,7 @@ inline const std::vector<Choice>& choices() {
          "**semi-implicit Euler**, with the damping at the new velocity",
          "one force a step; its energy swings and does not drift, and its division survives any damper", "ch3_rule",
          "semi-implicit Euler, new damping"},
-        {"pull", "a stiff pull to a target, a decay: ζ at least 1, or ζωh at least " + twice, "**implicit Euler**", "the decay dies, as it should",
+        {"pull", "a stiff pull to a target, a decay: ζ at least 1, or ζωh at least " + ended, "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
         {"keeps_size", "a swing faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped swing stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
@@ -108,7 +111,7 @@ inline const std::vector<Choice>& choices() {
          "several bodies in the time of one; the energy is good, but fast ones soon turn at the wrong time", "ch8_many", "half-step Jacobian"},
         {"free_uneven", "a body that flies freely, in frames of uneven length",
          "a constant step, and ball and remainder 4; where that cannot be, **Runge–Kutta 4**, in so many substeps that each "
-         "turns by a twelfth of a radian at most",
+         "turns by " + uneven + " of a radian at most",
          "when steps vary a splitting adds up its errors, and a body thrown about its middle axis may be lost", "ch8_cost",
          "Runge-Kutta 4"},
         {"free", "a body that flies freely, h|ω| at most " + fair, "**ball and remainder 4**",
@@ -145,7 +148,7 @@ inline const Choice& choose(const SpringQuestion& spring) {
     if (!spring.even) return choice("uneven");
     if (spring.precise) return choice(spring.zeta < stiff_decay ? "smooth" : "smooth_pull");
     if (spring.turn <= 2 * alive_turn) return choice("swing");
-    if (spring.zeta >= 1 || spring.zeta * spring.turn >= 2) return choice("pull");  // over within a frame or so
+    if (spring.zeta >= 1 || spring.zeta * spring.turn >= ended_swing) return choice("pull");
     return choice(spring.keeps_size ? "keeps_size" : "unseen");
 }
 

@@ -167,7 +167,6 @@ inline std::vector<Contest> recommended(long how_many, unsigned long seed, doubl
         const Frames frames(q.even ? h : h / 3, h);
         const Vector omega = q.turn / h * q.direction;
         const BodyRecommendation take = recommend(q.inertia, omega.norm(), frames, false, q.count);
-        if (take.choice.name == "symmetric") continue;  // by the thousand, and for ω alone
         double price = 0, off = NAN;
         const auto run = [&](const auto& rule, long substeps) {
             const Frames shorter((q.even ? h : h / 3) / double(substeps), h / double(substeps));
