@@ -33,6 +33,7 @@ struct RungeKuttaSpin {
     static constexpr int order = RungeKutta4::order;        ///< of the error after a whole run
     /// One step of `h` seconds.
     template <class Inertia, class Real>
+    TIMESTEP_INLINE
     SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s, Real h) const {
         using Model = FreeBody<Inertia>;
         typename Model::Y y;

@@ -17,7 +17,7 @@ struct ClosestMoments {
     int odd;                       ///< the axis of the third one, 0, 1 or 2
     double apart;                  ///< by which share of the larger they differ
     std::array<double, 3> equal;   ///< the moments with their mean for both, kg m²
-    bool near() const { return apart <= nearly_equal; }  ///< better declared equal?
+    bool near() const { return apart <= nearly_equal; }  ///< so near that it matters by passive?
 };
 
 /// Which two of the moments are closest.

@@ -3,19 +3,9 @@
 #include "methods.hpp"
 
 #include <stdexcept>
-#include <type_traits>
 
-#include <timestep/gyroscopic/calm_half_step.hpp>
-#include <timestep/gyroscopic/cayley_gyroscopic.hpp>
-#include <timestep/gyroscopic/half_step_jacobian.hpp>
-#include <timestep/gyroscopic/implicit_gyroscopic.hpp>
-#include <timestep/gyroscopic/passive_gyroscopic.hpp>
-#include <timestep/methods/runge_kutta_4.hpp>
-#include <timestep/rigid/exact_free_body.hpp>
-#include <timestep/rigid/free_body.hpp>
-#include <timestep/rigid/strang.hpp>
-#include <timestep/rigid/symmetric_remainder.hpp>
-#include <timestep/rigid/tumble.hpp>
+#include <timestep/body_solvers.hpp>
+#include <timestep/body_throw.hpp>
 
 #include "appendix/others.hpp"
 #include "lab.hpp"
@@ -24,36 +14,10 @@ using namespace timestep;
 
 namespace {
 
-// Runge-Kutta 4, which knows nothing of rotations; after each step its quaternion is scaled back.
-struct RungeKuttaSpin {
-    static constexpr const char* name = "Runge-Kutta 4";
-    static constexpr int order = 4;
-
-    TIMESTEP_INLINE Spin step(const Body& inertia, const Spin& s, double h) const {
-        using Model = FreeBody<Body>;
-        Model::Y y;
-        y << s.q.coeffs(), s.omega;
-        const FirstOrder<Model::Y> now{s.t, y};
-        const auto next = runge_kutta_4.step(Model(inertia), now, h);
-        const Quaternion<double> q(Eigen::Vector4d(next.y.head<4>()));
-        return {next.t, q.normalized(), next.y.tail<3>()};
-    }
-};
-
-// What a method asks for of a body, made once: the remainder methods split it beforehand.
-template <class Rule>
-auto prepared(const Rule&, const Body& inertia) {
-    if constexpr (std::is_same_v<Rule, SymmetricRemainder2> ||
-                  std::is_same_v<Rule, SymmetricRemainder4>)
-        return RemainderInertia<double>(inertia);
-    else
-        return inertia;
-}
-
 template <class Rule>
 Method made(const Rule& rule, const std::string& name, const std::string& key) {
     const auto of_body = [=](const Body& inertia) -> Steps {
-        const auto body = prepared(rule, inertia);
+        const auto body = timestep::detail::prepared(rule, inertia);
         return [=](Spin s, double h, long steps) {
             for (long n = 0; n < steps; ++n) s = rule.step(body, s, h);
             return s;
