@@ -3,13 +3,13 @@
 #include <cstdio>
 #include <exception>
 
-#include "answer.hpp"
+#include "command_line.hpp"
 #include "terminal.hpp"
 
 int main(int argc, char** argv) {
     const auto exit_with = [](course::Status status) { return static_cast<int>(status); };
     try {
-        return exit_with(course::answer(argc, argv));
+        return exit_with(course::obey(argc, argv));
     } catch (const course::Stop& stop) {
         const std::string line = course::harmless(stop.what());
         if (!line.empty()) std::fprintf(stderr, "course: %s\n", line.c_str());

@@ -1,4 +1,4 @@
-#include "answer.hpp"
+#include "command_line.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -225,7 +225,7 @@ std::optional<std::uint64_t> seed_from(const std::optional<std::string>& given) 
     return seed;
 }
 
-void answer_bench(const CLI::App& bench, Asked& asked) {
+void bench_or_table(const CLI::App& bench, Asked& asked) {
     const auto others = bench.get_subcommands();
     if (others.empty()) {
         asked.contest.out = given(bench, "--out", asked.out);
@@ -245,7 +245,7 @@ void answer_bench(const CLI::App& bench, Asked& asked) {
 
 }  // namespace
 
-Status answer(int argc, char** argv) {
+Status obey(int argc, char** argv) {
     // What stands after -- is the chapter's study's and none of our business.
     const auto end = std::find(argv + 1, argv + argc, std::string("--"));
     Asked asked;
@@ -288,7 +288,7 @@ Status answer(int argc, char** argv) {
     if (app.got_subcommand("hint")) hint(asked.exercise);
     if (app.got_subcommand("solution")) solution(asked.exercise);
     if (app.got_subcommand("reset")) reset(asked.exercise);
-    if (const auto command = app.get_subcommand("bench"); *command) answer_bench(*command, asked);
+    if (const auto command = app.get_subcommand("bench"); *command) bench_or_table(*command, asked);
     if (app.got_subcommand("advise")) advise(asked.question, asked.json);
     if (app.got_subcommand("kit")) kit(asked.kit);
     if (app.got_subcommand("site")) site(asked.open);

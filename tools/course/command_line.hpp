@@ -7,6 +7,6 @@
 namespace course {
 
 /// Reads the command line and does what it asks. Throws Stop where it cannot.
-Status answer(int argc, char** argv);
+Status obey(int argc, char** argv);
 
 }  // namespace course
