@@ -19,7 +19,8 @@ hand_in ada "$source/solutions/01_derivatives/velocity_now.cpp"
 sh "$source/tests/exercises/variant.sh" "$source/tests/exercises/01_derivatives/velocity_now/mistakes.cpp" middle >middle.cpp
 hand_in ben middle.cpp
 hand_in cleo "$build/exercises/generated/velocity_now_stub.cpp"
-hand_in dan "$source/tests/checker/submissions/an_endless_loop.cpp"
+sh "$source/tests/split.sh" "$source/tests/checker/submissions" submissions
+hand_in dan submissions/an_endless_loop.cpp
 
 run() {
     echo "\$ $*"

@@ -59,7 +59,7 @@ endif()
 # A gap in the documentation is an error, or with OFF none.
 function(timestep_doxyfile name site pages figures tests strict make)
   doxygen_list(inputs "${pages}" "${PROJECT_SOURCE_DIR}/docs/library.dox"
-               "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}/chapters" ${tests})
+               "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}/docs/engines" "${PROJECT_SOURCE_DIR}/chapters" ${tests})
   set(unlinked "")
   if(NOT tests)
     set(unlinked tests/)

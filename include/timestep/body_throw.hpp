@@ -60,10 +60,6 @@ auto prepared(const Rule&, const PrincipalInertia<double>& inertia) {
         return inertia;
 }
 
-inline double apart(const Quaternion<double>& p, const Quaternion<double>& q) {
-    return 2 * std::min(1.0, (p.conjugate() * q).vec().norm());
-}
-
 // ExactFreeBody is off by up to 60 ε for each radian and each of the moments' ratio: is a thousandth of it right?
 inline bool exact_is_known(const PrincipalInertia<double>& inertia, double radians) {
     const double ratio = inertia.moments.maxCoeff() / inertia.moments.minCoeff();
@@ -115,7 +111,7 @@ Thrown throw_body(const Rule& rule, const PrincipalInertia<double>& inertia, con
         }
         thrown.most_energy = std::max(thrown.most_energy, thrown.energy);
         if (known && (n == 0 || (s.t >= look && s.t <= attitude_seconds + h / 2))) {
-            thrown.off = std::max(thrown.off, detail::apart(s.q, exact(s.t).q));
+            thrown.off = std::max(thrown.off, apart(s.q, exact(s.t).q));
             while (look <= s.t) look += between;
         }
     }

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "../../chapters/06_stability/study/cloth.hpp"
+#include "cloth.hpp"
 
 namespace {
 

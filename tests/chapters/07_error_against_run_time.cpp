@@ -5,7 +5,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
-#include "../../chapters/07_error_against_run_time/study/contest.hpp"
+#include "contest/contest.hpp"
 
 using namespace contest;
 

@@ -15,7 +15,7 @@
 #include <timestep/models/projectile.hpp>
 #include <timestep/scene.hpp>
 
-#include "../../chapters/07_error_against_run_time/study/scenes.hpp"
+#include "contest/scenes.hpp"
 #include "extrapolation.hpp"
 
 using namespace contest;

@@ -10,9 +10,9 @@
 
 #include <timestep/methods.hpp>
 
-#include "../../chapters/07_error_against_run_time/study/entries.hpp"
-#include "../../chapters/07_error_against_run_time/study/peers/peer.hpp"
-#include "../../chapters/07_error_against_run_time/study/scenes.hpp"
+#include "contest/entries.hpp"
+#include "contest/peers/peer.hpp"
+#include "contest/scenes.hpp"
 
 using namespace contest;
 

@@ -18,7 +18,7 @@
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
 #include <timestep/rigid/body.hpp>
 
-#include "../../chapters/07_error_against_run_time/study/scenes.hpp"
+#include "contest/scenes.hpp"
 #include "random_inertia.hpp"
 
 using namespace contest;

@@ -13,8 +13,8 @@
 #include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/rigid/shapes.hpp>
 
-#include "../../chapters/07_error_against_run_time/study/scenes.hpp"
-#include "../../chapters/07_error_against_run_time/study/sliding_capsule.hpp"
+#include "contest/scenes.hpp"
+#include "contest/sliding_capsule.hpp"
 #include "extrapolation.hpp"
 
 using namespace contest;

@@ -16,8 +16,9 @@
 #include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/rigid/shapes.hpp>
 
-#include "../../chapters/08_beyond_the_talk/study/appendix/others.hpp"
+#include "engines/rules.hpp"
 #include "random_inertia.hpp"
+#include "spins.hpp"
 
 using namespace timestep;
 
@@ -29,15 +30,6 @@ using Body = PrincipalInertia<double>;
 
 const double h = 1.0 / 60;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-Spin spinning(const V& omega) { return {0, Quaternion<double>::Identity(), omega}; }
-
-// Each method is compiled here, once: a step is a run of one.
-template <class Method>
-Spin after(const Method& method, const Body& I, Spin s, double step, long steps = 1) {
-    for (long n = 0; n < steps; ++n) s = method.step(I, s, step);
-    return s;
-}
 
 struct Rule {
     const char* name;

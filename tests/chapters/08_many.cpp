@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "../../chapters/08_beyond_the_talk/study/solids.hpp"
+#include "solids.hpp"
 
 namespace {
 

@@ -1,9 +1,6 @@
 # The submissions by the verdict that they must get:  sh table.sh
 cd "$(dirname "$0")/submissions" || exit 1
-for file in *.cpp; do
-    read -r _ _ verdict _ <"$file"
-    echo "${verdict%:} $(basename "$file" .cpp | tr _ ' ')"
-done | sort | awk '{
+awk '/^\/\/ ---- / { name = substr($0, 9); getline; sub(":$", "", $3); print $3, name }' *.cpp | sort | awk '{
     verdict = $1; $1 = ""
     if (verdict != last) { printf "%s%s\n", last ? "\n" : "", verdict; last = verdict }
     print "   " $0

@@ -97,7 +97,8 @@ CODE
 
 test_every_adversary_gets_its_verdict() {
     needs_isolation
-    for file in "$source"/tests/checker/submissions/*.cpp; do
+    sh "$source/tests/split.sh" "$source/tests/checker/submissions" submissions
+    for file in submissions/*.cpp; do
         read -r _ exercise verdict _ <"$file"
         graded=$(sed -n '2s|^// graded: ||p' "$file")  # where isolation makes it another
         name=$(basename "$file" .cpp)
@@ -173,7 +174,8 @@ test_two_gradings_at_once() {
 test_a_slow_machine_is_nobodys_fault() {
     needs_isolation
     echo 'usleep(1200000);' | answer dave
-    cp "$source/tests/checker/submissions/compiles_without_end_by_templates.cpp" bomb.cpp
+    sh "$source/tests/split.sh" "$source/tests/checker/submissions" submissions
+    cp submissions/compiles_without_end_by_templates.cpp bomb.cpp
     hand_in bomb bomb.cpp
     export STAGE_COMPILER_SECONDS=1
     expect 1 course grade class --jobs 2

@@ -15,6 +15,7 @@
 #include <timestep/rigid/shapes.hpp>
 
 #include "random_inertia.hpp"
+#include "spins.hpp"
 
 using namespace timestep;
 using V = Vector3<double>;
@@ -23,16 +24,6 @@ using Body = PrincipalInertia<double>;
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-template <class Real>
-double energy(const PrincipalInertia<Real>& I, const Vector3<Real>& w) {
-    const V spin = w.template cast<double>();
-    return spin.dot(I.moments.template cast<double>().cwiseProduct(spin)) / 2;
-}
-template <class Real>
-double momentum(const PrincipalInertia<Real>& I, const Vector3<Real>& w) {
-    return I.moments.template cast<double>().cwiseProduct(w.template cast<double>()).norm();
-}
 
 // How far energy and |L| have ever been off.
 struct Off {

@@ -20,6 +20,7 @@
 
 #include "exact_free_body.hpp"
 #include "random_inertia.hpp"
+#include "spins.hpp"
 
 using namespace timestep;
 using V = Vector3<double>;
@@ -42,22 +43,6 @@ void for_each_splitting(const Visit& visit) {
     visit(strang), visit(symmetric_remainder_2), visit(symmetric_remainder_4);
 }
 
-template <class Real = double>
-SpinState<Real> spinning(const Vector3<Real>& omega) {
-    return {0, Quaternion<Real>::Identity(), omega};
-}
-
-// The angle between two attitudes, rad, while it is small.
-double apart(const Quaternion<double>& p, const Quaternion<double>& q) {
-    return 2 * (p.conjugate() * q).vec().norm();
-}
-
-template <class Method>
-Spin after(const Method& method, const PrincipalInertia<double>& I, Spin s, double h, long steps) {
-    for (long n = 0; n < steps; ++n) s = method.step(I, s, h);
-    return s;
-}
-
 // The error in ω, or in the attitude, falls with this power of the step.
 template <class Method>
 double order(const Method& method, const PrincipalInertia<double>& I, const V& omega,
@@ -71,16 +56,6 @@ double order(const Method& method, const PrincipalInertia<double>& I, const V& o
         errors.push_back(attitude ? apart(s.q, exact.q) : (s.omega - exact.omega).norm());
     }
     return measured_order(h, errors);
-}
-
-// |L| and twice the energy in double, of moments in any real type.
-template <class Real>
-double momentum(const PrincipalInertia<Real>& I, const Vector3<Real>& w) {
-    return I.moments.template cast<double>().cwiseProduct(w.template cast<double>()).norm();
-}
-template <class Real>
-double energy2(const PrincipalInertia<Real>& I, const Vector3<Real>& w) {
-    return I.moments.template cast<double>().dot(w.template cast<double>().cwiseAbs2());
 }
 
 }  // namespace
@@ -167,7 +142,7 @@ TEMPLATE_TEST_CASE("the Cayley step keeps the energy of any body, for every step
             const auto I = random.inertia<TestType>(1e6);
             const Vector3<TestType> w = TestType(size) * random.direction<TestType>();
             const auto after = cayley_gyroscopic.step(I, w, TestType(1));
-            worst = std::max(worst, std::fabs(energy2(I, after) / energy2(I, w) - 1));
+            worst = std::max(worst, std::fabs(energy(I, after) / energy(I, w) - 1));
             if (!after.allFinite()) worst = INFINITY;
         }
     CHECK(worst <= 12 * eps);
@@ -248,74 +223,6 @@ TEST_CASE("a step back undoes a step where the page says so", "[library][ch8]") 
     returns(tumble<HalfStepJacobian>, true), returns(strang, true);
     returns(symmetric_remainder_2, true), returns(symmetric_remainder_4, true);
     returns(tumble<PassiveGyroscopic>, false), returns(tumble<CayleyGyroscopic>, false);
-}
-
-// Where two moments are equal, wherever they stand: for steps of any length.
-TEST_CASE("ball and remainder are exact for a symmetric body", "[library][ch8]") {
-    const double needle = 1e-3;
-    for (const V& I : {V(1, 1, needle), V(1, needle, 1), V(needle, 1, 1), V(1, 1, 2), V(2, 1, 1),
-                       V(1, 2, 1), V(1, 1, 1)}) {
-        const PrincipalInertia<double> body(I.x(), I.y(), I.z());
-        const ExactFreeBody<double> exact(body, in_world(spinning(V(1, 2, -2))));
-        for (const double h : {0.1, 1.0, 7.0})
-            for (const bool four : {false, true}) {
-                const Spin s =
-                    four ? after(symmetric_remainder_4, body, spinning(V(1, 2, -2)), h, 10)
-                         : after(symmetric_remainder_2, body, spinning(V(1, 2, -2)), h, 10);
-                const Spin truth = in_body(exact(10 * h));
-                INFO("I = " << I.transpose() << ", h = " << h);
-                // ExactFreeBody: some 60 ε times the ratio for each radian, and 3 rad/s for 10 h.
-                CHECK(apart(s.q, truth.q) < 60 * epsilon * 1e3 * 3 * 10 * h + 64 * epsilon);
-                CHECK((s.omega - truth.omega).norm() <
-                      60 * epsilon * 1e3 * 3 * 10 * h + 64 * epsilon);
-            }
-    }
-}
-
-TEST_CASE("ball and remainder take a symmetric body as such", "[library][ch8]") {
-    const SymmetricInertia<double> pill(1, 0.3);
-    const PrincipalInertia<double> same(1, 1, 0.3);
-    const Spin s = spinning(V(1, 2, -2));
-    CHECK(symmetric_remainder_2.step(pill, s, 0.1).omega ==
-          symmetric_remainder_2.step(same, s, 0.1).omega);
-    CHECK(symmetric_remainder_4.step(pill, s, 0.1).omega ==
-          symmetric_remainder_4.step(same, s, 0.1).omega);
-    CHECK(RemainderInertia<double>(pill).A * RemainderInertia<double>(pill).B == 0);
-}
-
-TEST_CASE("the reference is the axis of the middle moment", "[library][ch8]") {
-    RandomInertia random(8);
-    for (int i = 0; i < 200; ++i) {
-        const auto I = random.inertia<double>(1000);
-        const RemainderInertia<double> split(I);
-        const int r = 3 - split.a - split.b;
-        CHECK((I.moments[r] - I.moments[split.a]) * (I.moments[r] - I.moments[split.b]) <= 0);
-    }
-}
-
-// A small difference of two moments has all its digits: the quotient's rounding, and twice the
-// rounding of the scaled moments, some 5 ε each.
-TEMPLATE_TEST_CASE("the remainder has all its digits", "[library][ch8]", float, double) {
-    using Real = TestType;
-    const long double eps = std::numeric_limits<Real>::epsilon();
-    const auto exact = [&](const PrincipalInertia<Real>& I) {
-        const RemainderInertia<Real> split(I);
-        const auto moment = [&](int i) { return static_cast<long double>(I.moments[i]); };
-        const long double mean = std::cbrt(moment(0) * moment(1) * moment(2));
-        const long double middle = moment(3 - split.a - split.b);
-        const auto right = [&](int i, Real remainder) {
-            const long double truth = (middle - moment(i)) / moment(i) / middle * mean;
-            INFO("I = " << I.moments.transpose() << ", axis " << i);
-            CHECK(std::fabs(remainder - truth) <= 16 * eps * std::fabs(truth));
-        };
-        right(split.a, split.A), right(split.b, split.B);
-    };
-    const Real one = 1, more = Real(1 + 1e-6), less = Real(0.3);
-    exact({one, more, less}), exact({one, less, more}), exact({more, one, less});
-    exact({more, less, one}), exact({less, one, more}), exact({less, more, one});
-    exact({one, one, less}), exact({one, one, more}), exact({one, one, one});
-    RandomInertia random(13);
-    for (int i = 0; i < 200; ++i) exact(random.template inertia<Real>(1000));
 }
 
 TEMPLATE_TEST_CASE("no whole-body method makes a NaN of honest input", "[library][ch8]", float,

@@ -11,7 +11,7 @@
 #include "count.hpp"
 #include "files.hpp"
 #include "results.hpp"
-#include "scenes.hpp"
+#include "contest/scenes.hpp"
 #include "stop.hpp"
 #include "tables.hpp"
 #include "terminal.hpp"

@@ -4,7 +4,6 @@
 // their names; Bullet is the library as it is installed.
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -145,13 +144,12 @@ int main(int argc, char** argv) {
     rows.push_back(ours("double: one iteration", double_boxes, implicit_gyroscopic));
     rows.push_back(ours("double: passive", double_boxes, passive_gyroscopic));
 
-    using Clock = std::chrono::steady_clock;
     for (int turn = 0; turn < 400; ++turn)
         for (auto& row : rows) {
-            const auto start = Clock::now();
-            for (int pass = 0; pass < 4; ++pass) row.pass();
-            const std::chrono::duration<double> passed = Clock::now() - start;
-            row.seconds = std::min(row.seconds, passed.count() / 4);
+            const double seconds = lab::seconds_of([&] {
+                for (int pass = 0; pass < 4; ++pass) row.pass();
+            });
+            row.seconds = std::min(row.seconds, seconds / 4);
         }
     std::printf("%-32s %10s %10s\n", "", "ns a body", "of Bullet");
     for (const auto& row : rows) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -22,6 +21,7 @@
 
 #include "count.hpp"
 #include "terminal.hpp"
+#include "timing.hpp"
 
 namespace {
 
@@ -205,15 +205,12 @@ bool agree(std::vector<Row>& rows) {
 
 // In turns; the fastest turn is the one that nothing disturbed.
 void measure_times(std::vector<Row>& rows) {
-    using Clock = std::chrono::steady_clock;
     constexpr long steps = 10000;
     for (int turn = 0; turn < 500; ++turn)
         for (Row& row : rows)
             row.each([&](Contestant& c) {
-                const auto start = Clock::now();
-                sink = c.loop(run_of(steps));
-                const std::chrono::duration<double, std::nano> passed = Clock::now() - start;
-                c.nanoseconds = std::min(c.nanoseconds, passed.count() / steps);
+                const double seconds = lab::seconds_of([&] { sink = c.loop(run_of(steps)); });
+                c.nanoseconds = std::min(c.nanoseconds, 1e9 * seconds / steps);
             });
 }
 

@@ -2,10 +2,11 @@
 // What the two halves of bench_many share: rows that are timed in turns.
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "timing.hpp"
 
 namespace many {
 
@@ -18,11 +19,10 @@ struct Row {
 };
 
 inline double time_of(const Row& row) {
-    const auto start = std::chrono::steady_clock::now();
-    for (long i = 0; i < row.passes; ++i) row.pass();
-    const std::chrono::duration<double, std::nano> passed =
-        std::chrono::steady_clock::now() - start;
-    return passed.count() / (double(row.passes) * row.steps);
+    const double seconds = lab::seconds_of([&] {
+        for (long i = 0; i < row.passes; ++i) row.pass();
+    });
+    return 1e9 * seconds / (double(row.passes) * row.steps);
 }
 
 // In turns; the fastest turn is the one that nothing disturbed. A turn takes some 100 µs or a pass.

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "contest.hpp"
+#include "contest/contest.hpp"
 
 namespace bench {
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "../../chapters/06_stability/study/mixed.hpp"
+#include "mixed.hpp"
 
 namespace {
 

@@ -1,7 +1,6 @@
 // What a step costs, and what accuracy costs: measured here, on this machine, side by side.
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <limits>
 #include <map>
@@ -14,6 +13,7 @@
 #include <timestep/run.hpp>
 
 #include "sections.hpp"
+#include "timing.hpp"
 
 using namespace timestep;
 
@@ -21,18 +21,11 @@ namespace {
 
 volatile double sink;  // results go here, so that the compiler has to compute them
 
-template <class Work>
-double seconds_of(const Work& work) {
-    const auto begin = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
 // One body, step after step: each step waits for the one before.
 template <class Method, class Model>
 double one_body(const Method& method, const Model& model, double h) {
     const long steps = 20000;
-    return seconds_of([&] { sink = run(method, model, State{0, 1.0, 0.0}, h, steps).x; }) / steps;
+    return lab::seconds_of([&] { sink = run(method, model, State{0, 1.0, 0.0}, h, steps).x; }) / steps;
 }
 
 // A thousand bodies: their steps do not wait for each other.
@@ -41,7 +34,7 @@ double many_bodies(const Method& method, const Model& model, double h) {
     const std::size_t bodies = 1000;
     const int steps = 20;
     std::vector<double> x0(bodies, 1.0), v0(bodies), x(bodies, 1.0), v(bodies);
-    return seconds_of([&] {
+    return lab::seconds_of([&] {
                for (int n = 0; n < steps; ++n)
                    for (std::size_t i = 0; i < bodies; ++i) {
                        const State now{0, x[i], v[i]};

@@ -1,7 +1,6 @@
 // What the forms of Verlet cost, and what accuracy they give for it.
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <map>
 #include <vector>
@@ -10,6 +9,7 @@
 #include <timestep/run.hpp>
 
 #include "sections.hpp"
+#include "timing.hpp"
 
 using namespace timestep;
 
@@ -23,22 +23,21 @@ double many_bodies(const Method& method, const Spring<double>& spring, double h)
     const std::size_t bodies = 1000;
     const int steps = 20;
     std::vector<double> x0(bodies, 1.0), x(bodies, 1.0), v(bodies);
-    const auto begin = std::chrono::steady_clock::now();
-    for (int n = 0; n < steps; ++n)
-        for (std::size_t i = 0; i < bodies; ++i) {
-            if constexpr (TwoStepMethod<Method, Spring<double>,
-                                        State<double>>) {  // two positions, no v
-                const double x2 =
-                    method.step(spring, State{0, x0[i], 0.0}, State{0, x[i], 0.0}, h).x;
-                x0[i] = x[i], x[i] = x2;
-            } else {
-                const State next = method.step(spring, State{0, x[i], v[i]}, h);
-                x[i] = next.x, v[i] = next.v;
+    const double seconds = lab::seconds_of([&] {
+        for (int n = 0; n < steps; ++n)
+            for (std::size_t i = 0; i < bodies; ++i) {
+                if constexpr (TwoStepMethod<Method, Spring<double>, State<double>>) {  // two positions, no v
+                    const double x2 =
+                        method.step(spring, State{0, x0[i], 0.0}, State{0, x[i], 0.0}, h).x;
+                    x0[i] = x[i], x[i] = x2;
+                } else {
+                    const State next = method.step(spring, State{0, x[i], v[i]}, h);
+                    x[i] = next.x, v[i] = next.v;
+                }
             }
-        }
-    const auto end = std::chrono::steady_clock::now();
+    });
     sink = x[bodies / 2] + v[bodies / 3];
-    return std::chrono::duration<double>(end - begin).count() / (double(bodies) * steps);
+    return seconds / (double(bodies) * steps);
 }
 
 template <class Visit>

@@ -1,30 +1,23 @@
 // A cloth of stiff springs: many small steps, or one that solves a large sparse system?
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <string>
 
 #include "cloth.hpp"
 #include "sections.hpp"
+#include "timing.hpp"
 
 namespace {
 
 constexpr double frame = 1.0 / 60;                // s
 constexpr double exactly = 1e-6, roughly = 1e-2;  // tolerances of the conjugate gradients
 
-// Milliseconds, the least of a few goes: others share the machine.
+// The least of a few goes: others share the machine.
 template <class Work>
 double milliseconds(int goes, const Work& work) {
-    double least = 1e9;
-    for (int i = 0; i < goes; ++i) {
-        const auto begin = std::chrono::steady_clock::now();
-        work();
-        const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
-        least = std::min(least, taken.count());
-    }
-    return least;
+    return 1e3 * lab::fastest(goes, work);
 }
 
 double reach(const Cloth& cloth) {

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <map>
 
-#include "extremes.hpp"
+#include "extremes/extremes.hpp"
 #include "sections.hpp"
 
 using namespace extremes;

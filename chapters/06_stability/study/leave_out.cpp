@@ -2,7 +2,6 @@
 // kind and mixed.
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <numeric>
 #include <random>
@@ -11,6 +10,7 @@
 
 #include "mixed.hpp"
 #include "sections.hpp"
+#include "timing.hpp"
 
 using namespace timestep;
 
@@ -50,10 +50,10 @@ Crowd filled(int which) {
 // ns a body for one step of them all.
 template <class Crowd>
 double time_of(Crowd& crowd) {
-    using Clock = std::chrono::steady_clock;
-    const auto begin = Clock::now();
-    for (int n = 0; n < 2; ++n) crowd.step(debris, 0.001);
-    return std::chrono::duration<double, std::nano>(Clock::now() - begin).count() / (2.0 * bodies);
+    const double seconds = lab::seconds_of([&] {
+        for (int n = 0; n < 2; ++n) crowd.step(debris, 0.001);
+    });
+    return 1e9 * seconds / (2.0 * bodies);
 }
 
 double median(std::vector<double> values) {

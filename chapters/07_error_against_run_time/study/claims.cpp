@@ -10,7 +10,7 @@
 #include <timestep/rigid/shapes.hpp>
 #include <timestep/run.hpp>
 
-#include "scenes.hpp"
+#include "contest/scenes.hpp"
 #include "sections.hpp"
 
 using namespace contest;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "scenes.hpp"
+#include "contest/scenes.hpp"
 #include "sections.hpp"
 
 using namespace contest;

@@ -1,7 +1,6 @@
 // Six ways to fool oneself with a stopwatch, each done on purpose.
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -14,6 +13,7 @@
 #include <timestep/run.hpp>
 
 #include "sections.hpp"
+#include "timing.hpp"
 
 using namespace timestep;
 
@@ -25,18 +25,12 @@ volatile double sink;
 
 template <class Work>
 double nanoseconds(const Work& work) {
-    const auto begin = std::chrono::steady_clock::now();
-    work();
-    const std::chrono::duration<double, std::nano> passed =
-        std::chrono::steady_clock::now() - begin;
-    return passed.count();
+    return 1e9 * lab::seconds_of(work);
 }
 
 template <class Work>
 double fastest(const Work& work, int rounds = 25) {
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < rounds; ++i) least = std::min(least, nanoseconds(work));
-    return least;
+    return 1e9 * lab::fastest(rounds, work);
 }
 
 // 1. Nobody reads the result, so the compiler leaves out the work.
@@ -74,14 +68,12 @@ void nobody_looks(lab::Findings& out) {
 // 2. The first round fetches code and memory.
 void first_round(lab::Findings& out) {
     const std::size_t bodies = 200000;
-    const auto began = std::chrono::steady_clock::now();
-    std::vector<State<double>> all(
-        bodies);  // as the system hands it out: not there before it is touched
-    const std::chrono::duration<double, std::nano> made = std::chrono::steady_clock::now() - began;
+    std::vector<State<double>> all;
+    const double made = nanoseconds([&] { all.resize(bodies); });
     const auto pass = [&] {
         for (auto& s : all) s = semi_implicit_euler.step(Spring(6.0), s, h);
     };
-    const double first = (made.count() + nanoseconds(pass)) / double(bodies),
+    const double first = (made + nanoseconds(pass)) / double(bodies),
                  later = fastest(pass, 10) / double(bodies);
     out.number("first_round_ratio", first / later, "",
                "making the springs and the first round over a later one", 2);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "contest.hpp"
+#include "contest/contest.hpp"
 #include "lab.hpp"
 
 inline constexpr double pi = 3.141592653589793;

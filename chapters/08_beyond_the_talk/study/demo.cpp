@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -14,6 +13,7 @@
 
 #include "film.hpp"
 #include "sections.hpp"
+#include "timing.hpp"
 
 using namespace timestep;
 
@@ -38,13 +38,7 @@ struct Cost {
 template <class Step>
 Cost frame_after_frame(const Step& step) {
     std::vector<double> all;
-    for (int frame = 0; frame < frames; ++frame) {
-        const auto start = std::chrono::steady_clock::now();
-        step();
-        const std::chrono::duration<double, std::milli> passed =
-            std::chrono::steady_clock::now() - start;
-        all.push_back(passed.count());
-    }
+    for (int frame = 0; frame < frames; ++frame) all.push_back(1e3 * lab::seconds_of(step));
     std::sort(all.begin(), all.end());
     return {all[frames / 2], all.back()};
 }

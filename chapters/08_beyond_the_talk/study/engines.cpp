@@ -1,5 +1,5 @@
 // The appendix: the rules of the engines, and of a few books, each with what it keeps and how it
-// fails. The page is docs/rigid_methods.md.
+// fails. The page is docs/engines/rigid_methods.md.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include <timestep/measured_order.hpp>
 #include <timestep/rigid/shapes.hpp>
 
-#include "appendix/midpoint.hpp"
+#include "engines/midpoint.hpp"
 #include "engine_body.hpp"
 
 using namespace timestep;

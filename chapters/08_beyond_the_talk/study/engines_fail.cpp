@@ -11,11 +11,11 @@
 
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
 
-#include "appendix/box3d.hpp"
-#include "appendix/bullet.hpp"
-#include "appendix/jolt.hpp"
-#include "appendix/moser_veselov.hpp"
-#include "appendix/mujoco.hpp"
+#include "engines/box3d.hpp"
+#include "engines/bullet.hpp"
+#include "engines/jolt.hpp"
+#include "engines/moser_veselov.hpp"
+#include "engines/mujoco.hpp"
 #include "engine_body.hpp"
 
 using namespace timestep;

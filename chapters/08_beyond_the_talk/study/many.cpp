@@ -1,7 +1,6 @@
 // Many springs and many bodies: what one of them costs, from a hundred to a million.
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -20,6 +19,7 @@
 
 #include "random_body.hpp"
 #include "sections.hpp"
+#include "timing.hpp"
 
 using namespace timestep;
 
@@ -45,12 +45,11 @@ void measure(std::vector<Way>& ways, std::size_t count) {
     const long passes = std::max(1l, long(20000 / count));
     for (int turn = 0; turn < 4; ++turn)
         for (Way& way : ways) {
-            const auto start = std::chrono::steady_clock::now();
-            for (long i = 0; i < passes; ++i) way.pass(count);
-            const std::chrono::duration<double, std::nano> passed =
-                std::chrono::steady_clock::now() - start;
+            const double seconds = lab::seconds_of([&] {
+                for (long i = 0; i < passes; ++i) way.pass(count);
+            });
             const double steps = double(passes) * double(way.steps) * double(count);
-            way.nanoseconds = std::min(way.nanoseconds, passed.count() / steps);
+            way.nanoseconds = std::min(way.nanoseconds, 1e9 * seconds / steps);
         }
 }
 
@@ -217,13 +216,9 @@ void many_bodies(lab::Findings& out) {
                  : "in this run they pay from " + std::to_string(pays) + " bodies on",
              "where threads pay");
     std::vector<double> starts;  // ns, to start and join threads that do nothing
-    for (int i = 0; i < 101; ++i) {
-        const auto begin = std::chrono::steady_clock::now();
-        share_out(threads, threads, [](std::size_t, std::size_t) {});
-        const std::chrono::duration<double, std::nano> passed =
-            std::chrono::steady_clock::now() - begin;
-        starts.push_back(passed.count());
-    }
+    for (int i = 0; i < 101; ++i)
+        starts.push_back(1e9 * lab::seconds_of(
+                                   [&] { share_out(threads, threads, [](std::size_t, std::size_t) {}); }));
     std::sort(starts.begin(), starts.end());
     const auto in_lanes = [&](const auto& solver) {
         return [&, solver](std::size_t count) {

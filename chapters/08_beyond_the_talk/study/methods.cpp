@@ -7,7 +7,7 @@
 #include <timestep/body_solvers.hpp>
 #include <timestep/body_throw.hpp>
 
-#include "appendix/others.hpp"
+#include "engines/rules.hpp"
 #include "lab.hpp"
 
 using namespace timestep;

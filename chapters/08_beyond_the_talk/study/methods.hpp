@@ -54,7 +54,4 @@ inline double larger(double most, double value) {
     return value <= most ? most : std::isnan(value) ? INFINITY : value;
 }
 
-// Of two attitudes an angle α apart 2 sin(α/2): the angle in radians while it is small, at most 2.
-inline double apart(const timestep::Quaternion<double>& p, const timestep::Quaternion<double>& q) {
-    return 2 * std::min(1.0, (p.conjugate() * q).vec().norm());
-}
+using timestep::apart;

@@ -1,16 +1,14 @@
 // How work and precision are measured: the error in one run, the time in others.
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 
+#include "timing.hpp"
 #include "work.hpp"
 
 namespace contest {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double longest = 4e-4;  // s; a method whose run takes longer gets no shorter steps
 
@@ -18,10 +16,9 @@ volatile double sink;  // a run whose end nobody needs would not be computed
 
 // Seconds a run; short runs are timed by the dozen.
 double seconds_of(const Entry& entry, long steps, long runs) {
-    const auto begin = Clock::now();
-    for (long i = 0; i < runs; ++i) sink = entry.run(steps);
-    const std::chrono::duration<double> passed = Clock::now() - begin;
-    return passed.count() / double(runs);
+    return lab::seconds_of([&] {
+               for (long i = 0; i < runs; ++i) sink = entry.run(steps);
+           }) / double(runs);
 }
 
 Entry entry(const Method& method, const Body& inertia, const Spin& start, bool ours) {

@@ -2,6 +2,7 @@
 /// \file
 /// Three dimensions: vectors, and the quaternion that says how a body is turned.
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Core>
@@ -47,6 +48,13 @@ Vector3<Real> in_body(const Matrix3<Real>& R, const Vector3<Real>& v) {
     const Real x = v.x(), y = v.y(), z = v.z();
     return {R(0, 0) * x + R(1, 0) * y + R(2, 0) * z, R(0, 1) * x + R(1, 1) * y + R(2, 1) * z,
             R(0, 2) * x + R(1, 2) * y + R(2, 2) * z};
+}
+
+/// How far apart two unit quaternions' orientations are: 2 sin(α/2) for an angle α between them. That is the angle
+/// in radians while it is small, and at most 2.
+template <class Real>
+Real apart(const Quaternion<Real>& p, const Quaternion<Real>& q) {
+    return 2 * std::min(Real(1), (p.conjugate() * q).vec().norm());
 }
 
 /// A quaternion over its length. (Eigen's `normalized` asks first whether that is zero, a question that

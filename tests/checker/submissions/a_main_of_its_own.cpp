@@ -1,8 +1,0 @@
-// velocity_now does_not_compile: The file has a main of its own
-#include "exercise.hpp"
-
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
-
-int main() {}

@@ -1,6 +1,0 @@
-// velocity_now wrong: This is none of the usual mistakes
-#include "exercise.hpp"
-
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2.001 * h);
-}

@@ -1,1 +1,0 @@
-// velocity_now does_not_compile: The file has no function

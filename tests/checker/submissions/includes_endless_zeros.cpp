@@ -1,4 +1,0 @@
-// velocity_now does_not_compile
-#include "exercise.hpp"
-
-#include "/dev/zero"

@@ -1,0 +1,281 @@
+// Misuses that must not compile, one after the other, each below its name: with MISUSE defined the first error
+// says what its line  // error:  promises; without, it compiles.
+
+// ---- acceleration not const
+// A method reads the model and does not change it, so the force must be a const member.
+// error: timestep: a model needs a const member acceleration(), acceleration(x) or acceleration(x, v)
+#include <timestep/methods/runge_kutta_4.hpp>
+#include <timestep/run.hpp>
+
+struct Spring {
+#ifdef MISUSE
+    double acceleration(double x) { return -x; }
+#else
+    double acceleration(double x) const { return -x; }
+#endif
+};
+
+int main() {
+    timestep::run(timestep::runge_kutta_4, Spring{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10);
+}
+
+// ---- acceleration returns nothing
+// A force that returns nothing.
+// error: timestep: the acceleration must be what the position is: a number, or a vector of the same size
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/run.hpp>
+
+struct Spring {
+#ifdef MISUSE
+    void acceleration(double) const {}
+#else
+    double acceleration(double x) const { return -x; }
+#endif
+};
+
+int main() {
+    timestep::run(timestep::semi_implicit_euler, Spring{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10);
+}
+
+// ---- implicit system without derivative
+// The same for a first-order system.
+// error: timestep: implicit methods need the system's derivative slope_y(t, y)
+#include <timestep/methods/implicit_euler.hpp>
+#include <timestep/run.hpp>
+
+struct Decay {
+    double operator()(double, double y) const { return -y; }
+#ifndef MISUSE
+    double slope_y(double, double) const { return -1; }
+#endif
+};
+
+int main() {
+    timestep::run(timestep::implicit_euler, Decay{}, timestep::FirstOrder{0.0, 1.0}, 0.1, 10);
+}
+
+// ---- implicit without derivatives
+// An implicit method solves for the new state and needs the force's derivatives for that.
+// error: timestep: implicit methods need the force's derivatives slope_x and slope_v
+#include <timestep/methods/implicit_euler.hpp>
+#include <timestep/run.hpp>
+
+struct Cubic {
+    double acceleration(double x) const { return -x * x * x; }
+#ifndef MISUSE
+    double slope_x(double x, double) const { return -3 * x * x; }
+    double slope_v(double, double) const { return 0; }
+#endif
+};
+
+int main() {
+    timestep::run(timestep::implicit_euler, Cubic{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10);
+}
+
+// ---- leapfrog with damper
+// A damper needs a velocity, and leapfrog has none yet where it asks for the force.
+// error: timestep: Verlet has no velocity to hand to a force: it needs acceleration() or acceleration(x)
+#include <timestep/methods/leapfrog.hpp>
+#include <timestep/models/damped_spring.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/run.hpp>
+
+int main() {
+    const timestep::State start{0.0, 1.0, 0.0};
+#ifdef MISUSE
+    const timestep::DampedSpring model(2.0, 0.1);
+#else
+    const timestep::Spring model(2.0);
+#endif
+    timestep::run(timestep::leapfrog, model, start, 0.1, 10);
+}
+
+// ---- model for system
+// A model of a body is no first-order system, which knows neither position nor velocity.
+// error: timestep: a first-order system needs f(t, y)
+#include <timestep/methods/runge_kutta_4.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/run.hpp>
+
+using namespace timestep;
+
+int main() {
+    const Spring spring(10.0);
+#ifdef MISUSE
+    run(runge_kutta_4, spring, FirstOrder{0.0, 1.0}, 0.1, 10);
+#else
+    run(runge_kutta_4, spring, State{0.0, 1.0, 0.0}, 0.1, 10);
+#endif
+}
+
+// ---- new damping nonlinear
+// Damping at the new velocity is one division where the force is linear in the velocity, and only there.
+// error: timestep: damping at the new velocity needs a force that is linear in the velocity, with slope_v()
+#include <timestep/methods/semi_implicit_euler_new_damping.hpp>
+#include <timestep/run.hpp>
+
+struct Drag {
+#ifdef MISUSE
+    double acceleration(double, double v) const { return -v * v; }
+    double slope_x(double, double) const { return 0; }
+    double slope_v(double, double v) const { return -2 * v; }
+#else
+    double acceleration(double, double v) const { return -v; }
+    double slope_x() const { return 0; }
+    double slope_v() const { return -1; }
+#endif
+};
+
+int main() {
+    const timestep::State start{0.0, 1.0, 0.0};
+    timestep::run(timestep::semi_implicit_euler_new_damping, Drag{}, start, 0.1, 10);
+}
+
+// ---- no acceleration
+// A model must say what its force is.
+// error: timestep: a model needs a const member acceleration(), acceleration(x) or acceleration(x, v)
+#include <timestep/methods/explicit_euler.hpp>
+#include <timestep/run.hpp>
+
+struct Ball {
+#ifdef MISUSE
+    double gravity() const { return -9.81; }
+#else
+    double acceleration() const { return -9.81; }
+#endif
+};
+
+int main() {
+    timestep::run(timestep::explicit_euler, Ball{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10);
+}
+
+// ---- number for model
+// A number where a model is due.
+// error: timestep: a model needs a const member acceleration(), acceleration(x) or acceleration(x, v)
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/run.hpp>
+
+int main() {
+#ifdef MISUSE
+    const double model = 10.0;
+#else
+    const timestep::Spring model(10.0);
+#endif
+    timestep::run(timestep::semi_implicit_euler, model, timestep::State{0.0, 1.0, 0.0}, 0.1, 10);
+}
+
+// ---- scalar force in scene
+// Gravity in a scene is a vector where the position is one, as it is alone.
+// error: timestep: the acceleration must be what the position is: a number, or a vector of the same size
+#include <Eigen/Core>
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/models/projectile.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/run.hpp>
+#include <timestep/scene.hpp>
+
+using namespace timestep;
+
+int main() {
+    const State start{0.0, Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 0, 0)};
+#ifdef MISUSE
+    const Scene hung{Spring(2.0), Projectile(-9.81)};
+#else
+    const Scene hung{Spring(2.0), Projectile(Eigen::Vector3d(0, 0, -9.81))};
+#endif
+    run(semi_implicit_euler, hung, start, 0.01, 10);
+}
+
+// ---- scalar force on vector
+// Gravity is a vector where the position is one.
+// error: timestep: the acceleration must be what the position is: a number, or a vector of the same size
+#include <Eigen/Core>
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/models/projectile.hpp>
+#include <timestep/run.hpp>
+
+using namespace timestep;
+
+int main() {
+    const State start{0.0, Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 0, 0)};
+#ifdef MISUSE
+    const Projectile ball(-9.81);
+#else
+    const Projectile ball(Eigen::Vector3d(0, 0, -9.81));
+#endif
+    run(semi_implicit_euler, ball, start, 0.01, 10);
+}
+
+// ---- system without f
+// A first-order system is a function of t and y.
+// error: timestep: a first-order system needs f(t, y)
+#include <timestep/methods/explicit_euler.hpp>
+#include <timestep/run.hpp>
+
+using namespace timestep;
+
+int main() {
+#ifdef MISUSE
+    const auto f = [](double y) { return -y; };
+#else
+    const auto f = [](double, double y) { return -y; };
+#endif
+    run(explicit_euler, f, FirstOrder{0.0, 1.0}, 0.1, 10);
+}
+
+// ---- vector force on scalar
+// Gravity is a number where the position is one.
+// error: timestep: the acceleration must be what the position is: a number, or a vector of the same size
+#include <Eigen/Core>
+#include <timestep/methods/explicit_euler.hpp>
+#include <timestep/models/projectile.hpp>
+#include <timestep/run.hpp>
+
+using namespace timestep;
+
+int main() {
+    const State start{0.0, 1.0, 0.0};
+#ifdef MISUSE
+    const Projectile ball(Eigen::Vector3d(0, 0, -9.81));
+#else
+    const Projectile ball(-9.81);
+#endif
+    run(explicit_euler, ball, start, 0.01, 10);
+}
+
+// ---- velocity verlet with damper
+// A damper needs a velocity, and velocity verlet has none yet where it asks for the force.
+// error: timestep: Verlet has no velocity to hand to a force: it needs acceleration() or acceleration(x)
+#include <timestep/methods/velocity_verlet.hpp>
+#include <timestep/models/damped_spring.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/run.hpp>
+
+int main() {
+    const timestep::State start{0.0, 1.0, 0.0};
+#ifdef MISUSE
+    const timestep::DampedSpring model(2.0, 0.1);
+#else
+    const timestep::Spring model(2.0);
+#endif
+    timestep::run(timestep::velocity_verlet, model, start, 0.1, 10);
+}
+
+// ---- verlet with damper
+// A damper needs a velocity, and plain Verlet keeps none.
+// error: timestep: Verlet has no velocity to hand to a force: it needs acceleration() or acceleration(x)
+#include <timestep/methods/verlet.hpp>
+#include <timestep/models/damped_spring.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/run.hpp>
+
+int main() {
+    const timestep::State start{0.0, 1.0, 0.0};
+#ifdef MISUSE
+    const timestep::DampedSpring model(2.0, 0.1);
+#else
+    const timestep::Spring model(2.0);
+#endif
+    timestep::run(timestep::verlet, model, start, 0.1, 10);
+}

@@ -1,0 +1,157 @@
+// Misuses that must not compile, one after the other, each below its name: with MISUSE defined the first error
+// says what its line  // error:  promises; without, it compiles.
+
+// ---- expression as state
+// An Eigen expression refers to its operands and would outlive them.
+// error: timestep: a state holds vectors, not Eigen expressions of them: State<Eigen::Vector3d>
+#include <Eigen/Core>
+#include <timestep/state.hpp>
+
+int main() {
+    const Eigen::Vector3d x(1, 2, 3);
+#ifdef MISUSE
+    const timestep::State<decltype(x + x)> start{0.0, x + x, x + x};
+#else
+    const timestep::State start{0.0, x + x, x + x};
+#endif
+    return start.x.x() > 2;
+}
+
+// ---- integer first order
+// Whole numbers would round every step to nothing, in a first-order system as well.
+// error: timestep: a state holds real numbers: write 1.0 instead of 1
+#include <timestep/state.hpp>
+
+int main() {
+#ifdef MISUSE
+    const timestep::FirstOrder start{0, 1};
+#else
+    const timestep::FirstOrder start{0, 1.0};
+#endif
+    return start.y > 2;
+}
+
+// ---- integer gravity
+// Gravity as a whole number.
+// error: timestep: parameters are real numbers: write 1.0 instead of 1
+#include <timestep/models/projectile.hpp>
+
+int main() {
+#ifdef MISUSE
+    const timestep::Projectile ball(-10);
+#else
+    const timestep::Projectile ball(-10.0);
+#endif
+    return ball.gravity > 0;
+}
+
+// ---- integer inertia
+// With whole numbers for the moments the inertia would be reckoned in whole numbers.
+// error: timestep: parameters are real numbers: write 1.0 instead of 1
+#include <timestep/rigid/inertia.hpp>
+
+int main() {
+#ifdef MISUSE
+    const timestep::PrincipalInertia inertia(1, 2, 2);
+#else
+    const timestep::PrincipalInertia inertia(1.0, 2.0, 2.0);
+#endif
+    return inertia.moments.x() > 2;
+}
+
+// ---- integer parameter
+// With a whole number for ω the spring would compute in whole numbers.
+// error: timestep: parameters are real numbers: write 1.0 instead of 1
+#include <timestep/models/spring.hpp>
+
+int main() {
+#ifdef MISUSE
+    const timestep::Spring spring(10);
+#else
+    const timestep::Spring spring(10.0);
+#endif
+    return spring.omega > 20;
+}
+
+// ---- integer state
+// Whole numbers would round every step to nothing.
+// error: timestep: a state holds real numbers: write 1.0 instead of 1
+#include <timestep/state.hpp>
+
+int main() {
+#ifdef MISUSE
+    const timestep::State start{0, 1, 0};
+#else
+    const timestep::State start{0, 1.0, 0};
+#endif
+    return start.x > 2;
+}
+
+// ---- number and vector
+// A position with three coordinates and a velocity with one.
+// error: timestep: position and velocity are two numbers, or two vectors of one size
+#include <Eigen/Core>
+#include <timestep/state.hpp>
+
+int main() {
+    const Eigen::Vector3d x(1, 2, 3);
+#ifdef MISUSE
+    const timestep::State start{0.0, x, 0.0};
+#else
+    const timestep::State start{0.0, x, Eigen::Vector3d::Zero()};
+#endif
+    return start.x.x() > 2;
+}
+
+// ---- number for state
+// A run starts from a state, not from a position.
+// error: timestep: a run starts from a State{t, x, v} or a FirstOrder{t, y}
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/run.hpp>
+
+using namespace timestep;
+
+int main() {
+#ifdef MISUSE
+    const double start = 1.0;
+#else
+    const State start{0.0, 1.0, 0.0};
+#endif
+    run(semi_implicit_euler, Spring(10.0), start, 0.01, 10);
+}
+
+// ---- semi implicit first order
+// Semi-implicit Euler needs to know which unknown is the position and which the velocity.
+// error: timestep: in run(method, model, start, h, steps) this method does not step this kind of state
+#include <timestep/methods/explicit_euler.hpp>
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/run.hpp>
+
+using namespace timestep;
+
+int main() {
+    const auto decay = [](double, double y) { return -y; };
+#ifdef MISUSE
+    const SemiImplicitEuler method;
+#else
+    const ExplicitEuler method;
+#endif
+    run(method, decay, FirstOrder{0.0, 1.0}, 0.1, 10);
+}
+
+// ---- two sizes
+// A position in space and a velocity in the plane.
+// error: timestep: position and velocity are two numbers, or two vectors of one size
+#include <Eigen/Core>
+#include <timestep/state.hpp>
+
+int main() {
+    const Eigen::Vector3d x(1, 2, 3);
+#ifdef MISUSE
+    const timestep::State start{0.0, x, Eigen::Vector2d(1, 2)};
+#else
+    const timestep::State start{0.0, x, Eigen::Vector3d(1, 2, 3)};
+#endif
+    return start.x.x() > 2;
+}
