@@ -22,6 +22,8 @@
 #include <timestep/rigid/body.hpp>
 #include <timestep/rigid/shapes.hpp>
 
+#include "timing.hpp"
+
 using namespace timestep;
 
 namespace {
