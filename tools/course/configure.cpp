@@ -25,7 +25,10 @@ public:
             if (!ended_ && words != std::string::npos) text_ += (text_.empty() ? "" : " ") + line.substr(words);
         }
     }
-    std::string text() const { return text_.empty() ? "CMake could not configure the build" : text_; }
+    // Its first sentence: two blanks stand before the next.
+    std::string text() const {
+        return text_.empty() ? "CMake could not configure the build" : text_.substr(0, text_.find(".  "));
+    }
 
 private:
     bool begun_ = false, ended_ = false;

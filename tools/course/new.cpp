@@ -141,6 +141,16 @@ std::string readme_with(const std::string& line) {
     return text.insert(end + 1, line + "\n");
 }
 
+// The build must take it; else it is not made.
+void try_out(const std::string& name) {
+    try {
+        configure();
+    } catch (const Stop& stop) {
+        if (stop.status() != Status::bad_use) throw;
+        refuse("'" + name + "' was not made: " + stop.what());
+    }
+}
+
 void tell(const std::vector<Part>& parts, const std::string& next) {
     std::size_t width = 0;
     for (const auto& part : parts) width = std::max(width, part.place.size());
@@ -179,7 +189,7 @@ void new_chapter(const std::string& name) {
     const auto about = json_of(filled("chapter/about.json", words));
     unfinished.change("README.md", readme_with("| [" + std::to_string(number) + " " + std::string(about.at("title")) +
                                                "](chapters/" + folder + ") | " + std::string(about.at("question")) + " |"));
-    configure();
+    try_out(name);
     unfinished.keep();
     std::printf("Chapter %d, %s: a small example, whole. Put your own in its place, where FILL IN stands:\n\n", number,
                 name.c_str());
@@ -210,7 +220,7 @@ void new_exercise(const std::string& chapter_meant, const std::string& name) {
         {"exercise/mistakes.cpp", room + "mistakes.cpp", "four or more that are wrong, and what is said of each"}};
     Unfinished unfinished;
     for (const auto& part : parts) unfinished.write(part.place, filled(part.sample, words));
-    configure();  // makes the learner's file from the solution
+    try_out(name);  // makes the learner's file from the solution
     Exercise exercise;
     exercise.name = name;
     unfinished.write("exercises/" + file, contents(exercise.stub()));
