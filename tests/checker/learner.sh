@@ -115,6 +115,28 @@ test_reset_keeps_the_answer() {
     cmp -s $file build/exercises/generated/velocity_now_stub.cpp || fail 'the file did not come back'
 }
 
+test_reset_all_keeps_every_answer() {
+    cp $solved $file
+    expect 0 course check velocity_now
+    echo '// begun' >source/exercises/01_derivatives/best_gap.cpp
+    rm source/exercises/01_derivatives/extrapolated.cpp
+    expect 2 course reset --all velocity_now
+    cmp -s $file $solved || fail 'refused, and yet reset'
+    expect 0 course reset --all
+    says out 'The 6 files of exercises/ are as they were at the beginning; 3 of them were not.'
+    for unsolved in source/exercises/01_derivatives/*.cpp; do
+        name=$(basename "$unsolved" .cpp)
+        cmp -s "$unsolved" "build/exercises/generated/${name}_stub.cpp" || fail "$name is not the stub"
+        is "$(state "$name")" 'not started'
+    done
+    is "$(ls source/exercises/01_derivatives/*.cpp | grep -c '')" 6
+    cmp -s source/.progress/answers/velocity_now_1.cpp $solved || fail 'the answer is not kept'
+    is "$(cat source/.progress/answers/best_gap_1.cpp)" '// begun'
+    is "$(ls source/.progress/answers | grep -c '')" 2
+    expect 0 course reset --all
+    says out '; 0 of them were not.'
+}
+
 test_progress_outlives_a_new_build_and_renamed_chapters() {
     cp $solved $file
     expect 0 course check velocity_now

@@ -83,6 +83,9 @@ works() {
     refused 'it has no tests' course test
     refused 'it has no tests' sh ./course test --all
     refused 'it is itself what' sh ./course kit elsewhere
+    refused 'are added to the whole course' course new chapter my_topic
+    refused 'are added to the whole course' sh ./course new exercise 1 my_function
+    sh ./course --help | grep 'course new' && fail 'its help offers new'
     refused 'it has no solutions' course bench latency
     grep -rlF "$source" build/exercises/commands.json && fail 'it knows of the checkout'
     return 0

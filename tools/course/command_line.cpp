@@ -20,7 +20,7 @@ namespace {
 
 struct Asked {
     bool yes = false, all = false, study = false, json = false, open = false, sanitize = false;
-    std::string chapter, exercise, kit;
+    std::string chapter, exercise, kit, name;
     int rounds = 11;
     std::string seed, file, out;  // empty is a value, too: whether they were given, CLI11 knows
     std::vector<std::string> chapter_options;
@@ -124,6 +124,16 @@ void declare_grade(CLI::App& app, Asked& asked) {
         "A run that was stopped goes on where it was. Exit status 1: graded, and not all is right.");
 }
 
+void declare_new(CLI::App& app, Asked& asked) {
+    const auto make = app.add_subcommand("new", "add a chapter or an exercise to the course: a small example, to fill in");
+    make->require_subcommand(1);
+    const auto chapter = make->add_subcommand("chapter", "page, program, figures, study and test");
+    chapter->add_option("NAME", asked.name, "small letters, digits and _")->required();
+    const auto exercise = make->add_subcommand("exercise", "task, answer and hidden tests");
+    exercise->add_option("CHAPTER", asked.chapter, "number or name, as ./course list shows them")->required();
+    exercise->add_option("NAME", asked.name, "of the function: small letters, digits and _")->required();
+}
+
 void declare(CLI::App& app, Asked& asked) {
     app.require_subcommand(1);
     app.fallthrough();
@@ -168,7 +178,9 @@ void declare(CLI::App& app, Asked& asked) {
     with_exercise("watch", "check again whenever you save, and go on after a pass");
     with_exercise("hint", "the next hint to an exercise").second->required();
     with_exercise("solution", "the course's answer beside yours, after a pass").second->required();
-    with_exercise("reset", "make your file what it was at the beginning").second->required();
+    with_exercise("reset", "make your file what it was at the beginning").first
+        ->add_flag("--all", asked.all, "all files of exercises/; what you have written is kept");
+    declare_new(app, asked);
     declare_grade(app, asked);
     declare_bench(app, asked);
     declare_advise(app, asked);
@@ -287,7 +299,11 @@ Status obey(int argc, char** argv) {
     if (app.got_subcommand("watch")) watch(asked.exercise);
     if (app.got_subcommand("hint")) hint(asked.exercise);
     if (app.got_subcommand("solution")) solution(asked.exercise);
-    if (app.got_subcommand("reset")) reset(asked.exercise);
+    if (app.got_subcommand("reset")) reset(asked.exercise, asked.all);
+    if (const auto command = app.get_subcommand("new"); *command) {
+        if (command->got_subcommand("chapter")) new_chapter(asked.name);
+        if (command->got_subcommand("exercise")) new_exercise(asked.chapter, asked.name);
+    }
     if (const auto command = app.get_subcommand("bench"); *command) bench_or_table(*command, asked);
     if (app.got_subcommand("advise")) advise(asked.question, asked.json);
     if (app.got_subcommand("kit")) kit(asked.kit);

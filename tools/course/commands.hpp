@@ -55,8 +55,13 @@ void hint(const std::string& exercise);
 /// After a pass, the course's answer beside the learner's.
 void solution(const std::string& exercise);
 
-/// Makes the learner's file what it was at the beginning; the answer is kept.
-void reset(const std::string& exercise);
+/// Makes the learner's file, or `all` of them, what it was at the beginning; the answer is kept.
+void reset(const std::string& exercise, bool all);
+
+/// Adds a chapter, or an exercise to a chapter, that builds and passes: an example, to be filled in. Where it
+/// cannot, nothing is made.
+void new_chapter(const std::string& name);
+void new_exercise(const std::string& chapter, const std::string& name);
 
 /// What is asked of `bench`: which scenes, how hard to try, where the results go.
 struct Contest {

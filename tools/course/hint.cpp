@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "commands.hpp"
+#include "configure.hpp"
 #include "places.hpp"
 #include "progress.hpp"
 #include "stop.hpp"
@@ -33,6 +34,38 @@ std::vector<std::string> code_of(const fs::path& file) {
     });
     code.erase(code.begin(), begin);
     return code;
+}
+
+// Has somebody who works on the course changed the solution since? (The learner's edition has none.)
+bool made_from_an_older_solution(const Exercise& exercise) {
+    const auto solution = written_at(exercise.solution()), stub = written_at(exercise.stub());
+    return solution && (!stub || *stub < *solution);
+}
+
+// Makes the file what it was. What is in it is kept: somebody may have meant another exercise.
+void begin_again(const Exercise& exercise) {
+    if (untouched(exercise)) return;
+    const fs::path file = exercise.file();
+    const std::string stub = contents(exercise.stub());
+    std::error_code error, ignored;
+    if (fs::exists(fs::symlink_status(file, error))) {
+        const fs::path kept = places().source / ".progress" / "answers";
+        fs::create_directories(kept, error);
+        fs::path copy;
+        for (int i = 1; copy.empty() || fs::exists(copy, ignored); ++i)
+            copy = kept / (exercise.name + "_" + std::to_string(i) + ".cpp");
+        if (fs::is_regular_file(file, ignored))
+            fs::copy_file(file, copy, error);
+        else  // a folder, a link that leads nowhere: out of the way
+            fs::rename(file, copy, error);
+        if (error) {
+            fs::remove(copy, ignored);
+            throw Stop(Status::bad_use, copy.string() + ": " + error.message() + "; nothing was reset");
+        }
+        std::printf("Your answer is kept in %s\n", shown(copy).c_str());
+    }
+    fs::create_directories(file.parent_path(), ignored);
+    write_whole(file, stub);
 }
 
 }  // namespace
@@ -87,34 +120,24 @@ void solution(const std::string& name) {
     std::printf("\n%s", wrapped(exercise.learned, 2).c_str());
 }
 
-// The old answer is kept: somebody may have meant another exercise.
-void reset(const std::string& name) {
-    const Exercise exercise = find_exercise(name);
-    const fs::path file = exercise.file();
-    const std::string stub = contents(exercise.stub());
+void reset(const std::string& name, bool all) {
+    if (name.empty() != all)
+        throw Stop(Status::bad_use, "reset takes an EXERCISE, or --all for all of them (./course reset --help)");
+    const std::vector<Exercise> exercises = all ? read_exercises() : std::vector{find_exercise(name)};
+    if (std::any_of(exercises.begin(), exercises.end(), made_from_an_older_solution)) configure();
+    int changed = 0;
     change_progress([&](auto& progress) {
-        std::error_code error, ignored;
-        if (fs::exists(fs::symlink_status(file, error)) && !untouched(exercise)) {
-            const fs::path kept = places().source / ".progress" / "answers";
-            fs::create_directories(kept, error);
-            fs::path copy;
-            for (int i = 1; copy.empty() || fs::exists(copy, ignored); ++i)
-                copy = kept / (exercise.name + "_" + std::to_string(i) + ".cpp");
-            if (fs::is_regular_file(file, ignored))
-                fs::copy_file(file, copy, error);
-            else  // a folder, a link that leads nowhere: out of the way
-                fs::rename(file, copy, error);
-            if (error) {
-                fs::remove(copy, ignored);
-                throw Stop(Status::bad_use,
-                           copy.string() + ": " + error.message() + "; nothing was reset");
-            }
-            std::printf("Your answer is kept in %s\n", shown(copy).c_str());
+        for (const Exercise& exercise : exercises) {
+            if (!untouched(exercise)) ++changed;
+            begin_again(exercise);
+            progress.erase(exercise.name);
         }
-        write_whole(file, stub);
-        progress.erase(exercise.name);
     });
-    std::printf("%s is as it was at the beginning.\n", shown(file).c_str());
+    if (all)
+        std::printf("The %zu files of exercises/ are as they were at the beginning; %d of them were not.\n",
+                    exercises.size(), changed);
+    else
+        std::printf("%s is as it was at the beginning.\n", shown(exercises.front().file()).c_str());
 }
 
 }  // namespace course

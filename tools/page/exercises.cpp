@@ -13,6 +13,9 @@ std::string quoted(const std::string& text) {
 
 /// On a chapter's page: one line each, with the way to the task.
 std::string in_brief(const std::vector<Exercise>& exercises) {
+    if (exercises.empty()) {
+        return {};
+    }
     std::string table = "\n| | exercise | practises | level |\n|---|---|---|---|\n";
     for (const Exercise& exercise : exercises) {
         table += "| " + exercise.place() + " | \\ref " + exercise.id() + " " + quoted(exercise.title) + " | " +

@@ -1,0 +1,235 @@
+// course new chapter, course new exercise
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include <dlfcn.h>
+
+#include "json_of.hpp"
+
+#include "chapters.hpp"
+#include "commands.hpp"
+#include "configure.hpp"
+#include "exercises.hpp"
+#include "interrupt.hpp"
+#include "places.hpp"
+#include "stop.hpp"
+#include "terminal.hpp"
+
+namespace course {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& line) {
+    throw Stop(Status::bad_use, line);
+}
+
+// What stands in the files of tools/new, and what takes its place.
+using Words = std::vector<std::pair<std::string, std::string>>;
+
+// A file that is made from one of tools/new, and what is to be filled in there.
+struct Part {
+    std::string sample, place, fill_in;
+};
+
+std::string filled(const std::string& sample, const Words& words) {
+    const fs::path file = places().source / "tools/new" / sample;
+    std::string text = contents(file);
+    for (const auto& [word, by] : words) replace_all(text, word, by);
+    const auto left = text.find("NEW_");
+    if (left != std::string::npos) {
+        const auto end = text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_", left);
+        refuse(shown(file) + ": nothing stands for " + text.substr(left, end - left));
+    }
+    return text;
+}
+
+// Files in the making: in the end all of them are there, or nothing has changed.
+class Unfinished {
+public:
+    Unfinished() = default;
+    ~Unfinished() {
+        for (auto step = undo_.rbegin(); step != undo_.rend(); ++step) step->second ? restore(*step) : remove(*step);
+    }
+    Unfinished(const Unfinished&) = delete;
+    Unfinished& operator=(const Unfinished&) = delete;
+
+    void write(const std::string& place, const std::string& text) {
+        const fs::path file = places().source / place;
+        std::error_code error;
+        if (fs::exists(fs::symlink_status(file, error))) refuse(place + " is there already; nothing was made");
+        make_folder(file.parent_path());
+        write_whole(file, text);
+        undo_.emplace_back(file, std::nullopt);
+    }
+    void change(const std::string& place, const std::string& text) {
+        const fs::path file = places().source / place;
+        std::string before = contents(file);
+        write_whole(file, text);
+        undo_.emplace_back(file, std::move(before));
+    }
+    void keep() {
+        stop_if_interrupted();
+        undo_.clear();
+    }
+
+private:
+    using Step = std::pair<fs::path, std::optional<std::string>>;  // what to bring back; nothing: was not there
+    static void remove(const Step& step) {
+        std::error_code ignored;
+        fs::remove(step.first, ignored);  // a folder, where it is empty
+    }
+    static void restore(const Step& step) {
+        try {
+            write_whole(step.first, *step.second);
+        } catch (const Stop&) {  // it is not to be written to any more
+        }
+    }
+    void make_folder(const fs::path& folder) {
+        std::error_code error;
+        if (fs::is_directory(folder, error)) return;
+        make_folder(folder.parent_path());
+        if (!fs::create_directory(folder, error)) refuse(folder.string() + ": cannot be made");
+        undo_.emplace_back(folder, std::nullopt);
+    }
+
+    TidyEnd tidy_end_;  // over when all else is
+    std::vector<Step> undo_;
+};
+
+// Of C++, and of the checker, which a learner's function is compiled with.
+const std::vector<std::string> taken_words{
+    "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case", "catch", "char",
+    "class", "co_await", "co_return", "co_yield", "compl", "concept", "const", "const_cast", "consteval", "constexpr",
+    "constinit", "continue", "decltype", "default", "delete", "do", "double", "dynamic_cast", "else", "enum", "explicit",
+    "export", "extern", "false", "float", "for", "friend", "goto", "if", "inline", "int", "long", "mutable", "namespace",
+    "new", "noexcept", "not", "not_eq", "nullptr", "operator", "or", "or_eq", "private", "protected", "public",
+    "register", "reinterpret_cast", "requires", "return", "short", "signed", "sizeof", "static", "static_assert",
+    "static_cast", "struct", "switch", "template", "this", "thread_local", "throw", "true", "try", "typedef", "typeid",
+    "typename", "union", "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq",
+    "checker", "exercise", "learner", "not_started", "order", "std", "timestep"};
+
+// A name that a file, a target of CMake and a function of C++ can have.
+void check_name(const std::string& name) {
+    const std::string said = "'" + shortened(harmless_line(name), 60) + "'";
+    const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+    });
+    if (!plain || name.empty() || name.front() < 'a' || name.back() == '_' || name.find("__") != std::string::npos)
+        refuse(said + ": a name is small letters, digits and single _ between them, and begins with a letter");
+    if (name.size() > 40) refuse(said + ": a name has at most 40 letters");
+    if (std::find(taken_words.begin(), taken_words.end(), name) != taken_words.end())
+        refuse(said + ": is a word of C++ or of the checker");
+}
+
+// velocity_now: Velocity now
+std::string title_from(std::string name) {
+    name.front() = static_cast<char>(name.front() - 'a' + 'A');
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
+// README.md with this line at the end of its table of chapters.
+std::string readme_with(const std::string& line) {
+    std::string text = contents(places().source / "README.md");
+    const auto last = text.rfind("](chapters/");
+    const auto end = last == std::string::npos ? last : text.find('\n', last);
+    if (end == std::string::npos) refuse("README.md has no table of chapters, where the new one belongs");
+    return text.insert(end + 1, line + "\n");
+}
+
+// The build must take it; else it is not made.
+void try_out(const std::string& name) {
+    try {
+        configure();
+    } catch (const Stop& stop) {
+        if (stop.status() != Status::bad_use) throw;
+        refuse("'" + name + "' was not made: " + stop.what());
+    }
+}
+
+void tell(const std::vector<Part>& parts, const std::string& next) {
+    std::size_t width = 0;
+    for (const auto& part : parts) width = std::max(width, part.place.size());
+    for (const auto& part : parts) std::printf("  %s  %s\n", padded(part.place, width).c_str(), part.fill_in.c_str());
+    std::printf("\n%s", next.c_str());
+}
+
+}  // namespace
+
+void new_chapter(const std::string& name) {
+    if (is_kit()) refuse("this is the learner's edition: chapters are added to the whole course");
+    check_name(name);
+    const auto chapters = read_chapters();
+    int number = 1;
+    for (const auto& chapter : chapters) {
+        if (chapter.program == name || chapter.study() == name || chapter.program == name + "_study")
+            refuse("'" + name + "': chapters/" + chapter.folder + " has a program of that name");
+        number = chapter.number() + 1;
+    }
+    if (number > 99) refuse("there are chapters up to 99, and a chapter's number has two digits");
+
+    const std::string digits = (number < 10 ? "0" : "") + std::to_string(number), folder = digits + "_" + name;
+    const Words words{{"NEW_NAME", name}, {"NEW_TITLE", title_from(name)}, {"NEW_NUMBER", std::to_string(number)},
+                      {"NEW_DIGITS", digits}, {"NEW_CHAPTER", folder}};
+    const std::string room = "chapters/" + folder + "/";
+    const std::vector<Part> parts{
+        {"chapter/about.json", room + "about.json", "title, question, rows of the talks, figures"},
+        {"chapter/chapter.md", room + "chapter.md", "the page"},
+        {"chapter/program.cpp", room + name + ".cpp", "the program: one short file, its numbers to play with at the top"},
+        {"chapter/figures.gp", room + "figures.gp", "its picture"},
+        {"chapter/study/study.cpp", room + "study/study.cpp", "what finds the page's numbers and checks"},
+        {"chapter/study/figures.gp", room + "study/figures.gp", "more figures, from what the study finds"},
+        {"chapter/test.cpp", "tests/chapters/" + folder + ".cpp", "what the chapter claims, as tests"}};
+    Unfinished unfinished;
+    for (const auto& part : parts) unfinished.write(part.place, filled(part.sample, words));
+    const auto about = json_of(filled("chapter/about.json", words));
+    unfinished.change("README.md", readme_with("| [" + std::to_string(number) + " " + std::string(about.at("title")) +
+                                               "](chapters/" + folder + ") | " + std::string(about.at("question")) + " |"));
+    try_out(name);
+    unfinished.keep();
+    std::printf("Chapter %d, %s: a small example, whole. Put your own in its place, where FILL IN stands:\n\n", number,
+                name.c_str());
+    tell(parts, "Its title and question stand in README.md, too, in the table of chapters.\n"
+                "Next: ./course run " + std::to_string(number) + ", ./course tour and ./course test; an exercise to it:\n"
+                "./course new exercise " + std::to_string(number) + " NAME\n");
+}
+
+void new_exercise(const std::string& chapter_meant, const std::string& name) {
+    if (is_kit()) refuse("this is the learner's edition: exercises are added to the whole course");
+    check_name(name);
+    const Chapter chapter = find_chapter(chapter_meant);
+    int number = 1;
+    for (const auto& exercise : read_exercises()) {
+        if (exercise.name == name) refuse("'" + name + "': exercise " + exercise.place() + " has that name");
+        if (exercise.chapter == chapter.folder) number = std::max(number, exercise.number + 1);
+    }
+    if (dlsym(RTLD_DEFAULT, name.c_str()) != nullptr) refuse("'" + name + "': is a function of C");
+
+    const Words words{{"NEW_NAME", name}, {"NEW_TITLE", title_from(name)}, {"NEW_PLACE", std::to_string(number)},
+                      {"NEW_NUMBER", std::to_string(chapter.number())}};
+    const std::string room = "tests/exercises/" + chapter.folder + "/" + name + "/", file = chapter.folder + "/" + name + ".cpp";
+    const std::vector<Part> parts{
+        {"exercise/solution.cpp", "solutions/" + file, "the task, and the course's answer between two lines // [answer]"},
+        {"exercise/about.json", room + "about.json", "title, declaration, hints"},
+        {"exercise/properties.cpp", room + "properties.cpp", "the hidden tests"},
+        {"exercise/correct.cpp", room + "correct.cpp", "two answers or more that are right"},
+        {"exercise/mistakes.cpp", room + "mistakes.cpp", "four or more that are wrong, and what is said of each"}};
+    Unfinished unfinished;
+    for (const auto& part : parts) unfinished.write(part.place, filled(part.sample, words));
+    try_out(name);  // makes the learner's file from the solution
+    Exercise exercise;
+    exercise.name = name;
+    unfinished.write("exercises/" + file, contents(exercise.stub()));
+    unfinished.keep();
+    std::printf("Exercise %d.%d, %s: a small example, whole. Put your own in its place, where FILL IN stands:\n\n",
+                chapter.number(), number, name.c_str());
+    tell(parts, "The learner's file is exercises/" + file + ";\n./course reset " + name +
+                    " makes it again from the solution.\n"
+                    "Next: ./course check " + name + " --file solutions/" + file + ", and ./course test.\n");
+}
+
+}  // namespace course

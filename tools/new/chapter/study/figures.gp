@@ -1,0 +1,3 @@
+load style
+
+# FILL IN: more figures, drawn from what the study writes. about.json lists them all.
