@@ -1,4 +1,4 @@
-// Chapter 5: a box spun about its middle axis, with the gyroscopic torque and without.
+// Chapter 5: a box spun about its intermediate axis, with the gyroscopic torque and without.
 //
 //   c++ -std=c++20 -O2 -Iinclude -I/usr/include/eigen3 chapters/05_gyroscopic/gyroscopic.cpp -o box && ./box
 
@@ -40,8 +40,8 @@ double energy(const Vector& w) { return 0.5 * w.dot(I * w); }
 int main() {
     std::ofstream data("tumble.dat");
     data << "# time x y z dropped\n";
-    std::cout << "Without the torque: " << spin.y() << " rad/s about the middle axis, " << energy(spin)
-              << " J, for ever.\nWith it:\ntime, s   spin about the middle axis, rad/s   energy, J\n";
+    std::cout << "Without the torque: " << spin.y() << " rad/s about the intermediate axis, " << energy(spin)
+              << " J, for ever.\nWith it:\ntime, s   spin about the intermediate axis, rad/s   energy, J\n";
 
     Vector w = spin;
     double told = 0;  // the next whole second, of which we are told

@@ -29,7 +29,7 @@ struct Recommendation {
 /// What of a spring in a game the numbers do not tell.
 struct Wish {
     bool precise = false;     ///< has an accuracy been asked for?
-    bool keeps_size = false;  ///< must a swing faster than the frame keep its size?
+    bool keeps_size = false;  ///< must an oscillation faster than the frame keep its size?
     double accuracy = 0.01;   ///< the one that advise() was asked about
 };
 
@@ -47,7 +47,7 @@ inline long pieces(double step, double longest) {
     return n <= double(most_substeps) ? std::max(1L, static_cast<long>(n)) : 0;
 }
 
-// Every method that is advised on, judged on the fastest swing.
+// Every method that is advised on, judged on the fastest oscillation.
 inline void for_each_judged(const SpringScene& scene, const std::function<void(const Judged&)>& visit) {
     const auto look = [&](const auto& method) { visit(judged(method, scene.fastest.zeta, scene.least.zeta)); };
     for_each_method(look);
@@ -158,7 +158,7 @@ inline Recommendation in_frames(const Choice& choice, const SpringScene& scene, 
     const auto holds = [](const Advice& each) { return each.verdict == Verdict::stable && each.ringing == 0; };
     const std::string falls = "in no step does the energy rise, however frames follow each other";
     if (keeps_size && holds(*find(all, implicit_midpoint.name)))
-        return taken(implicit_midpoint.name, 1, "however frames follow each other, a swing keeps its size but for what the damper takes");
+        return taken(implicit_midpoint.name, 1, "however frames follow each other, an oscillation keeps its size but for what the damper takes");
     if (!keeps_size && find(all, implicit_euler.name)->right) return taken(implicit_euler.name, 1, falls);
     const double turn = scene.fastest.omega * h;
     const long least = pieces(turn, alive_turn);

@@ -80,7 +80,7 @@ set xrange [0:2*swing]
 set yrange [-0.3:0.45]
 set key top right maxrows 1 @key
 set arrow 1 from 0.75*swing,0.285 to swing,0.285 heads size graph 0.012,25 lc rgb ink lw 1.5
-set label 1 "a quarter of a swing" at 0.875*swing,0.325 center textcolor rgb ink
+set label 1 "a quarter of a period" at 0.875*swing,0.325 center textcolor rgb ink
 plot "oscillation.tsv" using 1:2 with lines @first title "position x", \
      "" using 1:3 with lines @second title "velocity v / ω"
 unset arrow

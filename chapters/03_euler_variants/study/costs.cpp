@@ -172,12 +172,12 @@ void work_and_precision(const std::map<std::string, Times>& times, lab::Findings
         }
     });
     out.section("The cheapest method for an accuracy");
-    auto& table = out.table("ranking.tsv", {"wanted error", "cheapest here", "steps a swing", "µs for 20 s"});
+    auto& table = out.table("ranking.tsv", {"wanted error", "cheapest here", "steps a period", "µs for 20 s"});
     for (int k = 0; k < 4; ++k) {
         char swing[16], time[16];
         std::snprintf(swing, sizeof swing, "%.1f", best[k].steps * 2 * pi / seconds);
         std::snprintf(time, sizeof time, "%.2f", 1e6 * best[k].time);
-        std::printf("  %-9s %-20s %6s steps a swing, %6s us for 20 s\n", wanted[k].second,
+        std::printf("  %-9s %-20s %6s steps a period, %6s us for 20 s\n", wanted[k].second,
                     best[k].method.c_str(), swing, time);
         table.row({std::string(wanted[k].second), best[k].method, std::string(swing), std::string(time)});
     }

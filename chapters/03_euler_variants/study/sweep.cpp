@@ -60,7 +60,7 @@ void portraits_near_the_limit(lab::Findings& out) {
     out.check("six_points", std::hypot(sixth.x - 1, sixth.v) < 1e-14, "at omega h = 1 the sixth state is the first");
     const double gained = after(2, 200).x - after(2, 100).x, again = after(2, 300).x - after(2, 200).x;
     out.check("linear_at_2", std::fabs(again / gained - 1) < 1e-12 && std::fabs(gained) > 100,
-              "at omega h = 2 the swing grows by the same amount each step");
+              "at omega h = 2 the oscillation grows by the same amount each step");
     out.number("frequency_worst", worst, "", "measured against predicted swing, worst", 1);
     // The straight line between two steps puts each crossing at most one step off: 2 in 100000.
     out.check("frequency", worst < 2e-5, "semi-implicit Euler swings with cos(theta) = 1 - (omega h)^2/2");

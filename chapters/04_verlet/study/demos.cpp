@@ -99,5 +99,5 @@ void demos(const Settings&, lab::Findings& out) {
     // amplitude is 1/√(1 ∓ ωh/2). The others swing on an upright one within it.
     const double half = omega * step / 2;
     out.check("verlets_stay", least > 1 / std::sqrt(1 + half) && most < 1 / std::sqrt(1 - half),
-              "semi-implicit Euler and Verlet in all its forms keep the swing");
+              "semi-implicit Euler and Verlet in all its forms keep the oscillation");
 }

@@ -189,7 +189,7 @@ void swing(lab::Findings& out) {
         100 * longest[0], 100 * longest[1], 100 * longest[2]);
     for (std::size_t k = 0; k < 3; ++k)
         out.number("longest_" + std::to_string(sweeps[k]), 100 * longest[k], "%",
-                   "longest stretch in the swing", 2);
+                   "longest stretch in the oscillation", 2);
 
     // Energy over that of the level rope, measured from the hanging one.
     const auto energy = [&](double steps_a_second, int n_sweeps, const std::string& file,
@@ -226,7 +226,7 @@ void swing(lab::Findings& out) {
     out.number("rope_energy_32", end_32, "", "the same with 32 sweeps", 2);
     out.number("rope_energy_fast", end_fast, "", "at 480 Hz with 4 sweeps", 2);
     out.check("rope_loses", most < 1.001 && end_4 < 0.1 && end_32 < 0.1 && end_fast > 0.2,
-              "no rope gains energy; at 60 Hz the swing is gone after 20 s, at 480 Hz part of it "
+              "no rope gains energy; at 60 Hz the oscillation is gone after 20 s, at 480 Hz part of it "
               "is left");
     out.number("rope_energy_most", most, "", "the most that any of them had", 3);
 }

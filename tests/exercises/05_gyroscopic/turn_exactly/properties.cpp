@@ -51,7 +51,7 @@ Spin draw_spin(Draw& draw) {
 
 }  // namespace
 
-PROPERTY("in no time the attitude stays as it is") {
+PROPERTY("in no time the orientation stays as it is") {
     Draw draw;
     for (int i = 0; i < 30; ++i) {
         const Spin spin = draw_spin(draw);
@@ -85,7 +85,7 @@ PROPERTY("a point beside the axis goes round it by the angle |omega| h, the righ
     }
 }
 
-PROPERTY("any number of whole turns brings the attitude back") {
+PROPERTY("any number of whole turns brings the orientation back") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
         const double speed = draw.log(0.1, 1e4), turns = std::round(draw.log(1, 1e5));
