@@ -28,7 +28,7 @@ Matrix skew(const Vector& a) {
     return m;
 }
 
-// Implicit Euler asks for the ω₂ with I (ω₂ − ω₁) + h ω₂ × I ω₂ = 0. One round of Newton–Raphson from ω₁:
+// Implicit Euler asks for the ω₂ with I (ω₂ − ω₁) + h ω₂ × I ω₂ = 0. One iteration of Newton–Raphson from ω₁:
 Vector gyroscopic_step(const Vector& w1) {
     const Vector f = h * w1.cross(I * w1);                  // how far ω₁ is from a root
     const Matrix J = I + h * (skew(w1) * I - skew(I * w1));  // how fast that changes with ω

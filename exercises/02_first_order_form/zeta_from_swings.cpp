@@ -11,9 +11,9 @@
 //
 // Example: a peak of 10 and, one full period later, a peak of 5 give 0.109653.
 //
-// What is checked: equal peaks mean no damping; the ratio that comes out makes an oscillation shrink by
-// just what was measured, for weak and for strong damping; one pair of peaks or another of the same
-// motion; the unit and the side make no difference; stronger damping gives more.
+// What is checked: equal peaks mean no damping; the ratio that comes out makes an oscillation
+// shrink by just what was measured, for weak and for strong damping; one pair of peaks or another
+// of the same motion; the unit and the side make no difference; stronger damping gives more.
 
 #include "exercise.hpp"
 

@@ -5,8 +5,8 @@
 // not turn quite far enough. Here the spin is in the body's axes, and stays the same for the whole
 // step. The turn that it makes can be computed exactly.
 //
-//   q         orientation at the start, of length one: q * v is in world coordinates what v is in the
-//             body's
+//   q         orientation at the start, of length one: q * v is in world coordinates what v is in
+//             the body's
 //   omega     angular velocity in the body's own axes, constant, in rad/s; may be zero, or tiny
 //   h         length of the step, in s; zero, long or negative (then back in time), too
 //   returns   the orientation after h seconds, of length one, with all its digits

@@ -162,7 +162,7 @@ Advice advise(const Method& method, const SpringScene& scene, double h, double w
 /// A stable method may still **ring**: a step multiplies a part that should decay by less than −1/2, and it
 /// shakes from step to step. Then the advice says so.
 ///
-/// A force evaluation and a solve are counted as equally dear. Throws `std::invalid_argument` where
+/// A force evaluation and a solve are counted as equal in cost. Throws `std::invalid_argument` where
 /// ω or h is not above zero and finite, where ωh is below 1e-12 (a step then changes nothing but the last
 /// digits) or not finite, or `wanted` is not between 1e-8 and 0.5.
 inline std::vector<Advice> advise(const SpringScene& scene, double h, double wanted = 0.01) {
@@ -199,7 +199,7 @@ inline double best_cost(const Advice& advice,
 }
 
 /// Of the methods that stay as near as wanted the one that does so at the least cost, with steps no
-/// longer than `longest`; of equally dear ones the one that stays nearer. Null where none does.
+/// longer than `longest`; of equally cheap ones the one that stays nearer. Null where none does.
 inline const Advice* cheapest(const std::vector<Advice>& all,
                               double longest = std::numeric_limits<double>::infinity()) {
     const Advice* best = nullptr;

@@ -19,7 +19,7 @@ namespace timestep {
 struct Recommendation {
     const Choice* choice;  ///< the row of which_method.hpp
     long substeps;         ///< 1: the step as it is; 0: none of up to a million does
-    std::string method{};  ///< its name in the library: that of the row, or another where the row's is too dear
+    std::string method{};  ///< its name in the library: that of the row, or another where the row's costs too much
     std::string take{};    ///< the row's words, or what of them is meant here
     std::string why{};     ///< the same of the reason
     double position_error = std::numeric_limits<double>::quiet_NaN();  ///< at those substeps: see Advice
@@ -39,7 +39,7 @@ namespace detail {
 inline constexpr long most_substeps = 1'000'000;
 // In frames of uneven length so many substeps of Runge-Kutta 4 are worth it where nothing but stability is asked.
 inline constexpr long few_substeps = 8;
-// So much dearer than the cheapest the list's own method may be.
+// So many times the cost of the cheapest the list's own method may have.
 inline constexpr double too_dear = 4;
 
 inline long pieces(double step, double longest) {
@@ -109,7 +109,7 @@ inline Right right_frames(const Judged& method, const SpringScene& scene, double
     return {method.name};
 }
 
-// Asked for an accuracy: the list's method, or the cheapest that is right where that one is far dearer.
+// Asked for an accuracy: the list's method, or the cheapest that is right where that one costs far more.
 inline Recommendation precisely(const Choice& choice, const SpringScene& scene, double h, double wanted,
                                 const std::vector<Advice>& all) {
     std::vector<Right> found;

@@ -79,8 +79,8 @@ struct Stretch {
 
 // The error first rises from zero, but it need not go on rising: at longer steps errors of frequency and
 // damping may come to cancel. Those steps are not searched for. We begin where roundoff alone is as much as
-// wanted. The error has teeth: as s grows the last step leaves the first oscillation, and what was farthest off is no
-// longer looked at. It is largest at the end of a tooth, s = end/n, where n steps just fit into the oscillation. So
+// wanted. The error has teeth: as s grows the last step leaves the first period, and what was farthest off is no
+// longer looked at. It is largest at the end of a tooth, s = end/n, where n steps just fit into the period. So
 // we go from such end to such end, skipping some where they are close or the error far below, then back to the first tooth that goes
 // wrong, and within it by bisection.
 inline Stretch first_right(const Judged& method, double zeta, double wanted) {

@@ -72,7 +72,7 @@ inline StabilityLimit stability_limit(const SemiImplicitEulerNewDamping&, double
     return {2 * (std::hypot(1, zeta) + zeta), "2 (√(1 + ζ²) + ζ)"};
 }
 
-/// The constant-force method: T = 2 − 2ζs − s²/2, D = 1 − 2ζs + s²/2. It swings too far from s = 4ζ
+/// The constant-acceleration step: T = 2 − 2ζs − s²/2, D = 1 − 2ζs + s²/2. It swings too far from s = 4ζ
 /// on, and flips from 1 + T + D = 4 − 4ζs = 0 on.
 inline StabilityLimit stability_limit(const Newton&, double zeta) {
     if (zeta <= 0.5) return {4 * zeta, "4ζ"};

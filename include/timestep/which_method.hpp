@@ -91,7 +91,7 @@ inline const std::vector<Choice>& choices() {
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
         {"unseen", "an oscillation faster than the frame, which nobody must see", "**BDF2**, restarted after each kick",
          "the fast part dies and the slow one keeps its size; kicked in every frame it would ring: then implicit Euler", "ch6_kicks", "BDF2"},
-        {"jumps", "creeping and sudden jumps", "a step that adapts", "one length does not fit both", "ch6_jumps", ""},
+        {"jumps", "a slow motion with sudden jumps", "a step that adapts", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
@@ -107,7 +107,7 @@ inline const std::vector<Choice>& choices() {
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**",
          "it is the exact motion, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand, h|ω| at most " + calm + ", a constant step",
-         "the **half-step Jacobian** in lanes; the faster ones by passive",
+         "the **half-step Jacobian** in SIMD lanes; the faster ones by passive",
          "several bodies in the time of one; the energy is good, but fast ones soon turn at the wrong time", "ch8_many", "half-step Jacobian"},
         {"free_uneven", "a body that flies freely, in frames of uneven length",
          "a constant step, and ball and remainder 4; where that cannot be, **Runge–Kutta 4**, in so many substeps that each "

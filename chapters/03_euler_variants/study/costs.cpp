@@ -119,7 +119,7 @@ void cost_table(const std::map<std::string, Times>& times, lab::Findings& out) {
         const long steps = 1000;
         run(method, counted, State{0, 1.0, 0.0}, 0.1, steps);
         if (std::string(method.name) == "implicit Euler")
-            out.number("newton_rounds", double(counted.slopes) / steps, "", "Newton-Raphson rounds a step", 2);
+            out.number("newton_rounds", double(counted.slopes) / steps, "", "Newton-Raphson iterations a step", 2);
         const Times& t = times.at(method.name);
         const double forces = double(counted.forces) / steps, solves = double(counted.slopes) / steps;
         std::printf("  %-20s %6d %6d %8.2f %8.2f %10.2f %6.2f %6.2f\n", method.name, method.cost.evaluations,

@@ -30,7 +30,7 @@ call figure "newton.svg" 640 440
 unset logscale
 set logscale y
 set format x "%g"
-set xlabel "rounds of Newton–Raphson"
+set xlabel "iterations of Newton–Raphson"
 set ylabel "residual over |Iω|"
 set xrange [-0.2:4.2]
 set yrange [1e-18:10]

@@ -209,7 +209,7 @@ void accuracy(lab::Findings& out) {
         const State<double> end = run(method, Spring(1.0), State{0, 1.0, 0.0}, h, steps);
         return std::hypot(end.x, end.v);
     };
-    out.number("swing_wh", h, "", "omega h of an oscillation stepped once round");
+    out.number("swing_wh", h, "", "omega h of an oscillation stepped for one period");
     out.number("swing_implicit", 100 * size(implicit_euler), "%",
                "what implicit Euler leaves of an oscillation");
     out.number("swing_explicit", size(explicit_euler), "", "what explicit Euler makes of an oscillation");

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Angular momentum instead of angular velocity.
+/// Angular momentum instead of angular velocity, with the lagged inertia.
 
 #include <timestep/rigid/body.hpp>
 
@@ -16,7 +16,7 @@ struct OldInertia {
 
 inline constexpr OldInertia old_inertia;  ///< the method as a value
 
-// The state holds ω instead of L. In it ω = I⁻¹L at the orientation of the same moment, so the old
+// The state holds ω instead of L. In it ω = I⁻¹L at the orientation of the same moment, so the lagged
 // inertia with the old momentum is the ω that the state holds, and I₂⁻¹L₂ is made for the next step.
 /// One step of `h` seconds without a torque from outside.
 /// [step]

@@ -87,7 +87,7 @@ Motion placed(const Capsule<Inertia>& body, const Attitude& q, const V& omega, d
 /// \cond
 namespace detail {
 // The two places in a step where the ways to treat the torque differ. All but the lagged inertia
-// change ω first and the orientation afterwards; that one keeps ω, and changes it with the attitude.
+// change ω first and the orientation afterwards; that one keeps ω, and changes it with the orientation.
 template <class Gyroscopic, class Inertia>
 V spun(const Gyroscopic& solver, const Inertia& inertia, const Turning& s, double h) {
     return after_gyroscopic_torque(solver, inertia, s.q, s.omega, h);

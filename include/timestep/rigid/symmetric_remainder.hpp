@@ -75,7 +75,7 @@ struct RemainderStep {
 }  // namespace detail
 /// \endcond
 
-/// Half a step of a, one of b, half a step of a. Order two, its error mostly smaller than that of
+/// A splitting into a spherical top (a ball) and a remainder: half a step of a, one of b, half a step of a. Order two, its error mostly smaller than that of
 /// Strang's splitting by how far the body is from a symmetric one; exact for two equal moments. |L|
 /// stays for every step, and the energy within what |L| allows; a step of −h undoes a step of h.
 ///

@@ -91,7 +91,7 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 // Says: The truncation error is a sixth of the jerk times the square of the whole gap, but the step in the
 //       series is half of the gap.
-// Hint: The noise is counted rightly here. In the other part, measure from the intermediate moment to either of
+// Hint: The noise is counted rightly here. In the other part, measure from the middle moment to either of
 //       the two frames.
 namespace one_series {
 
