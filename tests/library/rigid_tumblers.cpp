@@ -85,7 +85,7 @@ double energy2(const PrincipalInertia<Real>& I, const Vector3<Real>& w) {
 
 }  // namespace
 
-TEST_CASE("every whole-body method has its order in the spin and in the attitude",
+TEST_CASE("every whole-body method has its order in the spin and in the orientation",
           "[library][ch8]") {
     const PrincipalInertia<double> bodies[] = {
         box(12.0, 1.0, 2.0, 3.0), {1, 1.1, 0.3}, {3, 1.2, 2}};
@@ -97,7 +97,7 @@ TEST_CASE("every whole-body method has its order in the spin and in the attitude
         });
 }
 
-TEST_CASE("with the new spin for the mean the attitude falls back to order one", "[library][ch8]") {
+TEST_CASE("with the new spin for the mean the orientation falls back to order one", "[library][ch8]") {
     const auto I = box(12.0, 1.0, 2.0, 3.0);
     const RigidState<double> start = in_world(spinning(V(1, 2, 2)));
     const auto exact = ExactFreeBody<double>(I, start)(2);
@@ -283,7 +283,7 @@ TEST_CASE("ball and remainder take a symmetric body as such", "[library][ch8]") 
     CHECK(RemainderInertia<double>(pill).A * RemainderInertia<double>(pill).B == 0);
 }
 
-TEST_CASE("the reference is the axis of the middle moment", "[library][ch8]") {
+TEST_CASE("the reference is the axis of the intermediate moment", "[library][ch8]") {
     RandomInertia random(8);
     for (int i = 0; i < 200; ++i) {
         const auto I = random.inertia<double>(1000);

@@ -97,7 +97,7 @@ test_people_are_told_what_programs_are_told() {
     is "$(grep -E '^(explicit Euler|midpoint|BDF2|Newton) +(grows|stable)' out | sed 's/.*\(grows\|stable\).*/\1/')" \
         "$(sed -n '1p;2p;3p;4p' told)"
     says out 'the cheapest is'
-    says out 'four steps a swing'
+    says out 'four steps a period'
 }
 
 # Without a damper implicit Euler keeps 1/(1 + (ωh)²) of the energy a step.
@@ -134,7 +134,7 @@ test_no_step_longer_than_the_asked_one_is_recommended() {
     says out 'steps of 0.0167 s, 60 a second, cost 120 a second'
     expect 0 course advise --omega 100 --zeta 0.05 --rate 60
     says out 'At your rate, within 1 %: none.'
-    says out 'Right to 1 %: let go at rest, no position in the first swing, 0.0628 s, is off'
+    says out 'Right to 1 %: let go at rest, no position in the first period, 0.0628 s, is off'
     expect 0 course advise --omega 100 --zeta 0.05 --step 0.001
     says out 'At your step, within 1 %: '
     says out 'steps of 0.001 s, 1000 a second'
@@ -148,7 +148,7 @@ test_no_step_longer_than_the_asked_one_is_recommended() {
     silent_on out 'If it only has to'
 }
 
-# Four steps a swing and more: semi-implicit Euler keeps its size, and its place is far off.
+# Four steps a period and more: semi-implicit Euler keeps its size, and its place is far off.
 test_the_error_that_is_seen_counts() {
     expect 0 course advise --omega 0.84 --step 1 --json
     is "$(grep -A20 '"method": "semi-implicit Euler"' out | sed -n 's/.*"position_error_percent": \([0-9]*\).*/\1/p')" 55
@@ -156,7 +156,7 @@ test_the_error_that_is_seen_counts() {
     expect 0 course advise --omega 0.84 --step 1
     is "$(grep -c '^semi-implicit Euler  *stable, far off  *56 % ' out)" 1
     says out 'Recommended at your step: semi-implicit Euler, with the damping at the new'
-    says out '(chapter 3). Off by 56 % in the first swing'
+    says out '(chapter 3). Off by 56 % in the first period'
 }
 
 # What is printed, as one line: people's lines are broken anywhere.
@@ -166,7 +166,7 @@ test_the_error_is_told_at_the_substeps_too() {
     expect 0 course advise --omega 100 --zeta 0.05 --rate 60
     joined
     says joined 'in 2 substeps;'
-    says joined '(chapter 3). Off by 42 % in the first swing, in frequency and decay by'
+    says joined '(chapter 3). Off by 42 % in the first period, in frequency and decay by'
     expect 0 course advise --omega 10 --accuracy 1
     joined
     says joined '(chapter 7). Off by 0.00'
@@ -178,8 +178,8 @@ test_what_decays_has_no_swing() {
     says joined 'from the true ones while it decays, over the start'
     says joined 'no position while it decays, for 7.82 s,'
     says joined '% while it decays, in frequency and decay by'
-    silent_on joined 'in the first swing'
-    silent_on joined 'many swings'
+    silent_on joined 'in the first period'
+    silent_on joined 'many periods'
 }
 
 test_the_one_that_is_right_is_recommended() {
@@ -202,7 +202,7 @@ test_a_tether_gets_an_answer_of_its_own() {
     expect 0 course advise --kind tether --stiffness 900 --mass 1
     joined
     says joined 'Recommended at 1/60 s: implicit Euler; in no step does its energy rise, slack or taut'
-    says joined 'in the first swing if it is taut'
+    says joined 'in the first period if it is taut'
     expect 0 course advise --kind tether --stiffness 900 --mass 1 --keep-size
     joined
     says joined 'in 4 substeps; with ωh at most 0.125 none of 400 undamped throws'

@@ -138,7 +138,7 @@ void claims(std::map<std::string, Left>& left, lab::Findings& out) {
 }
 
 void a_minute(const Body& brick, const std::map<std::string, double>& ns, lab::Findings& out) {
-    std::vector<std::string> columns{"rule", "order of ω", "of the attitude", "ns a step"};
+    std::vector<std::string> columns{"rule", "order of ω", "of the orientation", "ns a step"};
     for (const Throw& thrown : throws)
         for (const char* left : {": energy", ": $\\lvert L\\rvert$"})
             columns.push_back(std::string(thrown.about) + left);

@@ -42,7 +42,7 @@ void orders(const Settings&, lab::Findings& out) {
     out.section("Orders");
     const Body brick = box(12.0, 1.0, 2.0, 3.0);
     const Spin start = spinning(Vector(1, 2, 2));
-    auto& table = out.table("orders.tsv", {"method", "order in ω", "order in the attitude"});
+    auto& table = out.table("orders.tsv", {"method", "order in ω", "order in the orientation"});
     auto& points = out.table("order_points.tsv", {"method", "h", "spin", "attitude"});
     bool as_declared = true;
     const auto write = [&](const std::string& name, const std::string& id, const Measured& m) {
@@ -74,7 +74,7 @@ void orders(const Settings&, lab::Findings& out) {
               }));
     out.number("order_new", attitude, "", "order of the orientation by the new omega");
     out.check("orders", as_declared,
-              "every method has the order it declares, in ω and in the attitude");
+              "every method has the order it declares, in ω and in the orientation");
     out.check("order_new", std::fabs(spin - 2) < 0.1 && std::fabs(attitude - 1) < 0.15,
               "with the new ω instead of the mean the orientation has order one");
 }
