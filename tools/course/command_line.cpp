@@ -78,7 +78,7 @@ void declare_advise(CLI::App& app, Asked& asked) {
 }
 
 void declare_bench(CLI::App& app, Asked& asked) {
-    const auto bench = app.add_subcommand("bench", "error against run time, every method in every scene");
+    const auto bench = app.add_subcommand("bench", "error against run time (work–precision diagrams), every method in every scene");
     Contest& contest = asked.contest;
     bench->add_flag("--quick", contest.quick, "a minute in all, without counting instructions");
     bench->add_option("--scene", contest.scenes, "this scene only; may be given again")
