@@ -27,7 +27,8 @@ void fall(Point& p) {
     p = {x, y, p.x, p.y};
 }
 
-// Both ends of a link share what is too long: its constraint, projected. Whoever is moved has the velocity changed with it.
+// Both ends of a link share what is too long: its constraint, projected.
+// Whoever is moved has the velocity changed with it.
 void put_right(Point& a, Point& b, bool a_is_held) {
     const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
     const double excess = (length - link) / length, share = a_is_held ? 0 : 0.5;

@@ -83,7 +83,7 @@ inline const std::vector<Choice>& choices() {
          "its steps follow the slow part, the fast one dies", "ch6_stiff", "BDF2"},
         {"swing", "ωh at most " + alive + ", or " + twice + " in two substeps, and a constant step: most of a game",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "one force a step; its energy swings and does not drift, and its division survives any damper", "ch3_rule",
+         "one force a step; its energy oscillates and does not drift, and its division survives any damper", "ch3_rule",
          "semi-implicit Euler, new damping"},
         {"pull", "a stiff pull to a target, a decay: ζ at least 1, or ζωh at least " + ended, "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},

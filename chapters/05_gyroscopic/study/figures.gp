@@ -106,7 +106,7 @@ do for [name in "exact explicit dropped implicit passive"] {
         set xlabel "time t (s)"
     }
     plot "tumble_".name.".tsv" using 1:2 with lines lc rgb "#0072b2" lw 2 title "about x", \
-         "" using 1:3 with lines lc rgb "#d55e00" lw 2 title "y (middle)", \
+         "" using 1:3 with lines lc rgb "#d55e00" lw 2 title "y (intermediate)", \
          "" using 1:4 with lines lc rgb "#009e73" lw 2 dt (6,3) title "z"
     unset key
 }
