@@ -97,24 +97,24 @@ inline const std::vector<Choice>& choices() {
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_inertia", "dropped"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step**", "it adds no energy, and takes some, which hides what an engine adds when a rule stands there; "
+         "the **passive step** (linearly implicit, as ODE's)", "it adds no energy, and takes some, which hides what an engine adds when a rule stands there; "
          "spins fade too soon", "ch8_contacts", "passive"},
-        {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "**`SymmetricInertia`**, by passive or the "
+        {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "**SymmetricInertia**, by passive or the "
          "calm half-step, between the contacts and the turn", "it turns ω about the axis of the third moment, which keeps "
          "energy, |L| and the spin", "ch5_passive", "passive"},
         {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps", "ch8_contacts", "calm half-step"},
-        {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**",
+        {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
          "it is the exact motion, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand, h|ω| at most " + calm + ", a constant step",
-         "the **half-step Jacobian** in SIMD lanes; the faster ones by passive",
+         "the **half-step Jacobian** (Kahan's discretisation) in SIMD lanes; the faster ones by passive",
          "several bodies in the time of one; the energy is good, but fast ones soon turn at the wrong time", "ch8_many", "half-step Jacobian"},
         {"free_uneven", "a body that flies freely, in frames of uneven length",
          "a constant step, and ball and remainder 4; where that cannot be, **Runge–Kutta 4**, in so many substeps that each "
          "turns by " + uneven + " of a radian at most",
          "when steps vary a splitting adds up its errors, and a body thrown about its intermediate axis may be lost", "ch8_cost",
          "Runge-Kutta 4"},
-        {"free", "a body that flies freely, h|ω| at most " + fair, "**ball and remainder 4**",
+        {"free", "a body that flies freely, h|ω| at most " + fair, "**ball and remainder 4**, a splitting into a spherical top and a remainder",
          "|L| stays, the energy is bounded, and the body points where it should", "ch8_work", "ball and remainder 4"},
         {"free_fast", "the same, faster", "**ball and remainder 4**, in so many substeps that each turns by " + fair + " at most",
          "what is safe at long steps is not right at them", "ch8_safe", "ball and remainder 4"},

@@ -172,7 +172,7 @@ test_the_error_is_told_at_the_substeps_too() {
     says joined '(chapter 7). Off by 0.00'
 }
 
-test_what_decays_has_no_swing() {
+test_what_decays_has_no_oscillation() {
     expect 0 course advise --omega 3 --zeta 2
     joined
     says joined 'from the true ones while it decays, over the start'
@@ -226,7 +226,7 @@ test_one_method_is_recommended() {
 }
 
 # 2·2k/m = 4000, and with a plank's arm 2k(1/m + r²/I) = 2000 (1 + 3).
-test_many_springs_have_a_fastest_swing() {
+test_many_springs_have_a_fastest_oscillation() {
     expect 0 course advise --kind chain --stiffness 1000 --mass 1
     says out 'ω² = 2·2k/m, neighbours against each other; so ω = 63.2'
     expect 0 course advise --kind cloth --stiffness 1000 --mass 1
@@ -236,8 +236,8 @@ test_many_springs_have_a_fastest_swing() {
     expect 0 course advise --kind cloth --stiffness 1000 --mass 1 --springs 8
     silent_on out 'diagonals'
     expect 0 course advise --stiffness 1000 --mass 1 --springs 2 --arm 0.5 --turning 0.083333333333
-    says out 'ω² = 2·k(1/m + r²/I), if all pull at one end, one way; so ω ='
-    says out '89.4 rad/s at most, for springs near their rest length, and at least 31.6 rad/s.'
+    joined
+    says joined 'ω² = 2·k(1/m + r²/I), if all pull at one end, one way; so ω = 89.4 rad/s at most, for springs near their rest length, and at least 31.6 rad/s.'
     expect 0 course advise --kind hinge --stiffness 1000 --mass 1 --other-mass 2 --arm 0
     refuses '--arm needs --turning' --kind hinge --stiffness 1000 --mass 1 --arm 1
     expect 0 course advise --kind hinge --stiffness 1000 --mass 1 --other-mass 2
@@ -260,7 +260,7 @@ test_frames_and_kicks() {
     is "$(verdict 'Runge-Kutta 4')" stable
     expect 0 course advise --omega 30 --frames 0.0166667,0.0333333
     joined
-    says joined "the limits of semi-implicit Euler, of Verlet's kind and of Newton hold for a constant step"
+    says joined "the limits of semi-implicit Euler, of Verlet's kind and of Newton (the constant-acceleration step) hold for a constant step"
     says joined 'where that cannot be, Runge-Kutta 4; on a spring steps of every length share'
     expect 0 course advise --omega 30 --frames 0.0166667,0.0333333 --keep-size
     joined
@@ -320,7 +320,8 @@ test_the_words_are_those_of_what_they_mean() {
     says out 'takes forces of the position only'
     expect 0 course advise --omega 10
     silent_on out 'die too slowly'
-    says out 'a mere division'
+    joined
+    says joined 'a mere division'
     silent_on out 'h < 0 s'
     says out '> 0 = 2ζ: no step is short enough'
     expect 0 course advise --omega 10 --step 0.2

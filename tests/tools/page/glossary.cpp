@@ -30,9 +30,9 @@ struct Entry {
     std::string other;               // the entry to see instead
 };
 
-// - **term** *(plainer)*: what it is. [Chapter 3](@ref ch3_order), or - **term**: see *other*.
+// - **term** (*plainer*): what it is. [Chapter 3](@ref ch3_order), or - **term**: see *other*.
 std::vector<Entry> entries_of(const std::string& glossary) {
-    static const std::regex item{R"(^- \*\*([^*]+)\*\*( \*\(([^*]+)\)\*)?[:,] (.*)$)"},
+    static const std::regex item{R"(^- \*\*([^*]+)\*\*( \(\*([^*]+)\*\))?[:,] (.*)$)"},
         link{R"(\(@ref (ch\d_\w+)\)$)"}, see{R"(^see \*([^*]+)\*\.$)"}, bracket{R"( \(.*\))"};
     std::vector<Entry> entries;
     std::smatch found, end;
