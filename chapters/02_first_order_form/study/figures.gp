@@ -103,7 +103,7 @@ plot "portrait.tsv" using 2:3 with lines @first, \
 # N15: graphs and portrait side by side, a swing long. The strip shows the last one and a half swings.
 # Both share the vertical axis: the state stands as high in the portrait as v / ω in the strip.
 strip = 'set lmargin at screen 0.14; set rmargin at screen 0.49; unset ylabel; set format y "%g"; \
-         set xlabel "time (swings)" offset 0,0.5'
+         set xlabel "time (periods)" offset 0,0.5'
 plane = 'set lmargin at screen 0.59; set rmargin at screen 0.98; set ylabel "v / ω (m)" offset 0.7,0; set format y ""; \
          set xlabel "x (m)" offset 0,0.5; set xrange [-0.31:0.31]; set xtics 0.2'
 set size noratio

@@ -144,7 +144,7 @@ Landing land(const Method& method, const Settings& settings, const std::string& 
 
 template <class Method>
 void frame_rates(const Method& method, const Settings& settings, lab::Findings& out) {
-    std::printf("  %s, the character's last swing with a step that is\n", Method::name);
+    std::printf("  %s, the character's last oscillation with a step that is\n", Method::name);
     std::printf("  frames/s  the frame's time             fixed     steps\n");
     const Landing at_144 = land(method, settings, "144", steady(144), out);
     const Landing at_60 = land(method, settings, "60", steady(60), out);

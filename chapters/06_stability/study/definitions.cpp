@@ -177,7 +177,7 @@ std::string bounded(const AnyMethod<Model, S>& method, const Model& model, const
 void boundedness(lab::Findings& out) {
     std::printf("\n  %-32s %9s %9s %9s %9s\n", "", "swing .5", "swing 2.5", "damped2.5",
                 "decay -10");
-    auto& table = out.table("bounded.tsv", {"method", "swing, ωh = 0.5", "swing, ωh = 2.5",
+    auto& table = out.table("bounded.tsv", {"method", "oscillation, ωh = 0.5", "oscillation, ωh = 2.5",
                                             "the same, ζ = 0.5", "decay, hλ = −10"});
     const State<double> swing{0, 1.0, 0.0};
     const FirstOrder<double> one{0, 1.0};

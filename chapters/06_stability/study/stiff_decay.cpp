@@ -180,7 +180,7 @@ void swings(lab::Findings& out) {
     out.number("fast_swing", fast, "rad", "what a fast oscillation turns by in a step");
     out.number("fast_swing_midpoint", turn, "rad", "what implicit midpoint makes of that");
     out.check("fast_swing_is_slow", turn > 0 && turn < fast / 30,
-              "implicit midpoint turns a fast swing by less than half a turn a step");
+              "implicit midpoint turns a fast oscillation by less than half a turn a step");
 }
 
 }  // namespace

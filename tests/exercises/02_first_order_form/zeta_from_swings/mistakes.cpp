@@ -12,7 +12,7 @@ double zeta_from_swings(double first, double later, int swings) {
 
 }  // namespace small_damping
 
-// Says: The number of oscillations is not used: all the loss is put down to a single swing.
+// Says: The number of oscillations is not used: all the loss is put down to a single period.
 // Hint: Each oscillation multiplies by the same factor. What does that mean for the logarithm?
 namespace one_swing {
 
@@ -104,7 +104,7 @@ double zeta_from_swings(double first, double later, int swings) {
 }  // namespace wrong_solve
 
 // Says: The whole loss is put into the formula as if it were that of one period, and only the ratio that
-//       comes out is divided by the swings. That is right for small damping only.
+//       comes out is divided by the number of periods. That is right for small damping only.
 // Hint: The formula is for the logarithm of one period. What must be divided before it goes under the root?
 namespace shared_out_last {
 

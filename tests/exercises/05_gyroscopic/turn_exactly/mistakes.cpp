@@ -177,7 +177,7 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 // Says: Two things at once: Quaterniond takes the cosine first, and this is the turn alone, without the
 //       orientation that it starts from.
 // Hint: Mend the order of the four numbers first: w, x, y, z. Then ask how the turn and q become one
-//       attitude.
+//       orientation.
 namespace cosine_last_and_only_the_turn {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {

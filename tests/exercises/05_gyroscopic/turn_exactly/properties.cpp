@@ -8,7 +8,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// q and -q are the same attitude.
+// q and -q are the same orientation.
 bool same(const Quaterniond& a, const Quaterniond& b, double tolerance) {
     const double apart = (a.coeffs() - b.coeffs()).norm();
     const double other = (a.coeffs() + b.coeffs()).norm();
