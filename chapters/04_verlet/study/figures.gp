@@ -48,7 +48,7 @@ plot "ball_exact.tsv" using 2:3 with lines @exact title "exact", \
      "ball_explicit_euler.tsv" using 2:3 with lines @explicit_euler title "explicit", \
      "ball_implicit_euler.tsv" using 2:3 with lines @implicit_euler title "implicit", \
      "ball_semi_implicit_euler.tsv" using 2:3 with lines lc rgb "#009e73" lw 2.5 dt (2,4) title "semi-implicit", \
-     "ball_newton.tsv" using 2:3 with lines @newton title "constant acceleration", \
+     "ball_newton.tsv" using 2:3 with lines @newton title "constant accel.", \
      "ball_verlet.tsv" using 2:3 with points pt 7 ps 0.7 lc rgb "#b15a98" title "Verlet", \
      "ball_velocity_verlet.tsv" using 2:3 with points pt 6 ps 1.3 lw 1.4 lc rgb "#b15a98" title "velocity Verlet"
 
@@ -64,7 +64,7 @@ set yrange [1e-4:1e4]
 set key outside bottom center horizontal reverse Left
 plot 1 with lines @exact title "exact", \
      "amplitude_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "explicit", \
-     "amplitude_newton.tsv" using 1:2 with lines @newton title "constant acceleration", \
+     "amplitude_newton.tsv" using 1:2 with lines @newton title "constant accel.", \
      "amplitude_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit", \
      "amplitude_velocity_verlet.tsv" using 1:2 with lines @velocity_verlet title "velocity Verlet", \
      "amplitude_verlet.tsv" using 1:2 with lines lc rgb "#4a1e40" lw 1.6 dt (2,4) title "Verlet", \
@@ -81,7 +81,7 @@ set label 11 "exact" at screen 0.10,0.08 center textcolor rgb "#777777"
 set label 12 "explicit" at screen 0.27,0.08 center textcolor rgb "#b34e00"
 set label 13 "semi-implicit" at screen 0.48,0.08 center textcolor rgb "#007a59"
 set label 14 "Verlet" at screen 0.70,0.08 center textcolor rgb "#8f4379"
-set label 15 "constant acceleration" at screen 0.88,0.08 center textcolor rgb "#9a7400"
+set label 15 "const. accel." at screen 0.88,0.08 center textcolor rgb "#9a7400"
 inside(x, y) = sqrt(x**2 + y**2) < 2.35 ? x : NaN  # a curve ends where it would leave the frame
 do for [i=0:23] {
     n = i + 2  # the file's line; the first holds names, and a curve has two points
@@ -230,7 +230,7 @@ set yrange [1e-10:2]
 set xrange [20:1e5]
 set key outside bottom center horizontal reverse Left
 plot "work_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit", \
-     "work_newton.tsv" using 1:2 with lines @newton title "constant acceleration", \
+     "work_newton.tsv" using 1:2 with lines @newton title "constant accel.", \
      "work_velocity_verlet.tsv" using 1:2 with lines @velocity_verlet title "velocity Verlet", \
      "work_verlet.tsv" using 1:2 with lines @verlet title "Verlet", \
      "work_runge_kutta_4.tsv" using 1:2 with lines @runge_kutta_4 title "RK4"
