@@ -12,7 +12,7 @@ using Array = std::array<double, 2>;  // y = (x, v): where it is, and how fast
 // Play with these.
 const double drag = 0.02;        // 1/m: how the air brakes the ball
 const double speed = 20;         // m/s: it is thrown straight up
-const double omega = 3;          // rad/s: the spring, a swing takes two seconds
+const double omega = 3;          // rad/s: the spring, the period is two seconds
 const double h = 0.017;          // s: the simulation's step
 const double frame = 1.0 / 30;   // s: the picture's
 const double seconds = 3;        // of game

@@ -14,7 +14,7 @@
 using namespace timestep;
 
 // Play with these.
-const double omega = 10;    // rad/s: a swing takes 0.63 s
+const double omega = 10;    // rad/s: the period is 0.63 s
 const double h = 1.0 / 60;  // s: one step a frame
 const int frames = 120;     // two seconds
 

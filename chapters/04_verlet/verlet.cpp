@@ -10,7 +10,7 @@
 // Play with these.
 const int links = 20;         // of a rope two metres long
 const double link = 0.1;      // m
-const int sweeps = 20;        // how often a step puts all links right
+const int sweeps = 20;        // iterations over all links in a step
 const double h = 1.0 / 60;    // s
 const int frames = 90;        // a second and a half
 const int every = 15;         // frames from one picture to the next: a quarter of a second
@@ -27,7 +27,8 @@ void fall(Point& p) {
     p = {x, y, p.x, p.y};
 }
 
-// Both ends of a link share what is too long. Whoever is moved has the velocity changed with it.
+// Both ends of a link share what is too long: its constraint, projected.
+// Whoever is moved has the velocity changed with it.
 void put_right(Point& a, Point& b, bool a_is_held) {
     const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
     const double excess = (length - link) / length, share = a_is_held ? 0 : 0.5;

@@ -1,4 +1,4 @@
-// Chapter 5: a box spun about its middle axis, with the gyroscopic torque and without.
+// Chapter 5: a box spun about its intermediate axis, with the gyroscopic torque and without.
 //
 //   c++ -std=c++20 -O2 -Iinclude -I/usr/include/eigen3 chapters/05_gyroscopic/gyroscopic.cpp -o box && ./box
 
@@ -28,7 +28,7 @@ Matrix skew(const Vector& a) {
     return m;
 }
 
-// Implicit Euler asks for the ω₂ with I (ω₂ − ω₁) + h ω₂ × I ω₂ = 0. One round of Newton–Raphson from ω₁:
+// Implicit Euler asks for the ω₂ with I (ω₂ − ω₁) + h ω₂ × I ω₂ = 0. One iteration of Newton–Raphson from ω₁:
 Vector gyroscopic_step(const Vector& w1) {
     const Vector f = h * w1.cross(I * w1);                  // how far ω₁ is from a root
     const Matrix J = I + h * (skew(w1) * I - skew(I * w1));  // how fast that changes with ω
@@ -40,8 +40,8 @@ double energy(const Vector& w) { return 0.5 * w.dot(I * w); }
 int main() {
     std::ofstream data("tumble.dat");
     data << "# time x y z dropped\n";
-    std::cout << "Without the torque: " << spin.y() << " rad/s about the middle axis, " << energy(spin)
-              << " J, for ever.\nWith it:\ntime, s   spin about the middle axis, rad/s   energy, J\n";
+    std::cout << "Without the torque: " << spin.y() << " rad/s about the intermediate axis, " << energy(spin)
+              << " J, for ever.\nWith it:\ntime, s   spin about the intermediate axis, rad/s   energy, J\n";
 
     Vector w = spin;
     double told = 0;  // the next whole second, of which we are told

@@ -19,7 +19,7 @@ using namespace timestep;
 using Clock = std::chrono::steady_clock;
 
 // Play with these.
-const double omega = 6.283185307;  // rad/s: one swing a second
+const double omega = 6.283185307;  // rad/s: one oscillation a second
 const double seconds = 4;          // of game
 const int rates[] = {15, 30, 60, 120, 240, 480, 960, 1920};  // steps a second
 

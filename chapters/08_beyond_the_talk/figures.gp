@@ -13,7 +13,7 @@ plot "one_token.dat" index 0 using 1:(1) with lines @exact title "exact", \
      "" index 1 using 1:2 with lines @half_step_jacobian title "half-step Jacobian"
 set xtics format "%g"
 set xlabel "time t (s)"
-set ylabel "ω, middle axis (rad/s)" offset 0.8
+set ylabel "ω, intermediate axis (rad/s)" offset 0.8
 unset key
 plot "one_token.dat" index 0 using 1:4 with lines @exact, \
      "" index 0 using 1:3 with lines @implicit_gyroscopic, \

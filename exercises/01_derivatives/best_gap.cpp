@@ -20,9 +20,9 @@
 // Example: best_gap(0.01, 0.0005, 12, 60) is 10. The same with most = 8 is 8.
 //
 // What is checked: without noise, neighbouring frames; without jerk, frames as far apart as can
-// be; no other number of frames has a smaller worst error, also where the best step lies between
-// two whole numbers, and where thousands of frames lie in between; on a real swing with the worst
-// noise, no other number is much better.
+// be; no other number of frames has a smaller worst error, also where the optimal step size lies
+// between two whole numbers, and where thousands of frames lie in between; on a real swing with the
+// worst noise, no other number is much better.
 
 #include "exercise.hpp"
 

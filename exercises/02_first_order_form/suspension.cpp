@@ -14,8 +14,8 @@
 // Example: 1000 kg, a sag of 0.1 m, zeta = 0.3 and g = 10 give k = 25000 and c = 1500.
 //
 // What is checked: the four springs carry the weight; no damper for zeta = 0; the four dampers are
-// critical at zeta = 1; the swing decays as zeta says, below 1 and above; twice the car needs twice
-// the spring and twice the damper; another planet.
+// critical at zeta = 1; the oscillation decays as zeta says, below 1 and above; twice the car needs
+// twice the spring and twice the damper; another planet.
 
 #include "exercise.hpp"
 

@@ -1,4 +1,4 @@
-// Chapter 3, exercise 1: how soon a swing fades that should not
+// Chapter 3, exercise 1: how soon an oscillation fades that should not
 //
 // A shop sign hangs on a spring without a damper. You step it with implicit Euler, and after a
 // while it hangs still: the method takes a share of the amplitude in every step. When is half of it

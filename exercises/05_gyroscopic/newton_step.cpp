@@ -1,14 +1,14 @@
-// Chapter 5, exercise 5: one round of Newton-Raphson
+// Chapter 5, exercise 5: one iteration of Newton-Raphson
 //
 // A cargo ship tumbles. Its load lies askew, so its inertia tensor is a full matrix. Your solver
 // does not begin at the old spin: it has a better guess of the new one, from the steps before.
-// Improve that guess by one round of Newton-Raphson.
+// Improve that guess by one iteration of Newton-Raphson.
 //
 // Implicit Euler asks for the omega2 that makes the residual zero,
 //
 //     f(omega2) = I (omega2 - omega1) + h omega2 x (I omega2).
 //
-// One round lays the tangent to f at the guess and goes to where the tangent is zero.
+// One iteration lays the tangent to f at the guess and goes to where the tangent is zero.
 //
 //   inertia  tensor I in the body's axes, kg m^2: symmetric, any body's, all nine numbers count
 //   omega1   spin at the beginning of the step, in the body's axes, rad/s
@@ -19,9 +19,9 @@
 // Example: with h = 0.1, omega1 = (3, 0, 1) and the guess (2, 2, 1) the answer is (3.1, 0.1, 0.6)
 // for the inertia tensor with the rows (4, 2, 0), (2, 4, 0), (0, 0, 6).
 //
-// What is checked: a step of zero and a ball are solved in one round; a guess that is the root
+// What is checked: a step of zero and a ball are solved in one iteration; a guess that is the root
 // stays; where the tangent at the guess is zero; half the error of the guess leaves a quarter of
-// the error; a few rounds find the root; a body that lies in other axes is stepped alike. Ten
+// the error; a few iterations find the root; a body that lies in other axes is stepped alike. Ten
 // digits count: take the Jacobian from the product rule, not from differences.
 //
 // solve_linear(A, b) is there for you: the x with A x = b, for any matrix.

@@ -21,9 +21,9 @@
 // though the true one dies.
 //
 // What is checked: a step of zero; a pure decay obeys the method's equation; the two Eulers at the
-// ends of the slider; theta = 1/2 keeps a swing without damping; where a motion grows and where it
-// dies, and the circle in between; for short steps it is what the true motion multiplies by, and
-// how fast it gets there; far out; lambda and its mirror image below the real axis.
+// ends of the slider; theta = 1/2 keeps an oscillation without damping; where a motion grows and
+// where it dies, and the circle in between; for short steps it is what the true motion multiplies
+// by, and how fast it gets there; far out; lambda and its mirror image below the real axis.
 
 #include "exercise.hpp"
 

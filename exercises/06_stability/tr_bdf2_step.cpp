@@ -1,9 +1,9 @@
 // Chapter 6, exercise 6: neither ringing nor fading
 //
 // A turret is held by a spring with a damper, and the designers make it stiffer with every build.
-// Implicit midpoint rings, implicit Euler swallows the slow swings, and BDF2 needs a step before
-// it. So combine them, within one step of h. First a part of gamma h with the trapezoid rule, to a
-// state ym between:
+// Implicit midpoint rings, implicit Euler swallows the slow oscillations, and BDF2 needs a step
+// before it. So combine them, within one step of h. First a part of gamma h with the trapezoid
+// rule, to a state ym between:
 //
 //     ym = y1 + gamma h/2 (f(y1) + f(ym))           gamma = 2 - sqrt(2)
 //
@@ -23,8 +23,8 @@
 // What is checked: the clock, and a step of zero; a turret without a spring flies on; each of the
 // two decays that a spring is made of is multiplied by this method's R(z), weak dampers and strong
 // ones; runs end where the true motion ends, with an error of order two; no step adds energy; how
-// little of a slow swing is lost; a stiff spring is at rest after one step, and a hard damper does
-// not ring.
+// little of a slow oscillation is lost; a stiff spring is at rest after one step, and a hard damper
+// does not ring.
 
 #include "exercise.hpp"
 

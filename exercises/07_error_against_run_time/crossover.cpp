@@ -3,8 +3,8 @@
 // Your editor bakes the flights of cut-scenes, and your game flies live. Two methods are at hand: A
 // of order p, and B of a higher order q, whose step costs more. You have measured one run of each,
 // as long as each other in the game's time, with whatever steps. Draw error against run time with
-// logarithms on both axes: each method is a straight line. Above some error A is faster, below it
-// is B. Where do the lines cross?
+// logarithms on both axes, a work-precision diagram: each method is a straight line. Above some
+// error A is faster, below it is B. Where do the lines cross?
 //
 //   a         {seconds, error} of the run of A: time of the processor (1e-12 to 1e6 s), and how far
 //             off it was (1e-15 to 100 m)

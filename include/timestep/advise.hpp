@@ -24,7 +24,7 @@ struct Advice {
     double energy_ratio;           ///< the energy after a second over what it should be
     double energy_drift;           ///< that minus one
     double period_error;           ///< the period over the exact one, minus one
-    double position_error;         ///< the farthest from the true place in the first swing, over the start
+    double position_error;         ///< the farthest from the true place in the first period, over the start
     double rate_error;             ///< how wrong the motion's frequency and decay are: see advise()
     double cost;                   ///< force evaluations and solves in a second of game time
     double accurate_step = 0;      ///< the end of the first stretch of right steps, s; 0: there is none
@@ -51,7 +51,7 @@ inline Said judge(const Judged& method, const SpringScene& scene, double h, cons
     if (!scene.varying()) return constant;
     Said said = varying_steps(method.one_pattern, method.limit, omega * scene.shortest_frame,
                               omega * scene.longest_frame, steps, growth);
-    // Of the slower swings that the fastest one may be nothing more is known.
+    // Of the slower oscillations that the fastest one may be nothing more is known.
     if (scene.bounded() && said.verdict == Verdict::grows) said.verdict = Verdict::not_proven;
     return said;
 }
@@ -91,7 +91,7 @@ inline Advice at_step(const Judged& method, const SpringScene& scene, double h, 
     const Said said = judge(method, scene, h, growth, steps);
     advice.verdict = said.verdict;
     advice.reason = said.reason;
-    // What a tether does when it is slack, and what is not known of the springs, is not the swing's affair.
+    // What a tether does when it is slack, and what is not known of the springs, is not the oscillation's affair.
     const bool taut = scene.only_pulls && advice.verdict == Verdict::not_proven;
     if (advice.verdict == Verdict::stable || taut) {
         const long double most = ringing(all, zeta, s);
@@ -136,12 +136,12 @@ Advice advise(const Method& method, const SpringScene& scene, double h, double w
 }  // namespace detail
 /// \endcond
 
-/// What every method of the course makes of the fastest swing of `scene`, which may be just one DampedSpring, at
+/// What every method of the course makes of the fastest oscillation of `scene`, which may be just one DampedSpring, at
 /// steps of `h` seconds, in the order in which the course meets them. With frames of uneven length `h` is the
 /// longest of them.
 ///
 /// **The error that counts is the one that is seen**: let the spring go at rest, and compare the positions after
-/// every step of the first swing, 2π/ω, with the exact ones. The largest distance, as a share of the start, is
+/// every step of the first period, 2π/ω, with the exact ones. The largest distance, as a share of the start, is
 /// Advice::position_error. (Beyond ζ = 1 the time looked at is 2π over the slow decay's rate; one step at least,
 /// and eight where fewer than three would fit.) A velocity that belongs half a step earlier, as semi-implicit
 /// Euler's, moves the whole motion in time: that is seen, and it counts.
@@ -162,7 +162,7 @@ Advice advise(const Method& method, const SpringScene& scene, double h, double w
 /// A stable method may still **ring**: a step multiplies a part that should decay by less than −1/2, and it
 /// shakes from step to step. Then the advice says so.
 ///
-/// A force evaluation and a solve are counted as equally dear. Throws `std::invalid_argument` where
+/// A force evaluation and a solve are counted as equal in cost. Throws `std::invalid_argument` where
 /// ω or h is not above zero and finite, where ωh is below 1e-12 (a step then changes nothing but the last
 /// digits) or not finite, or `wanted` is not between 1e-8 and 0.5.
 inline std::vector<Advice> advise(const SpringScene& scene, double h, double wanted = 0.01) {
@@ -199,7 +199,7 @@ inline double best_cost(const Advice& advice,
 }
 
 /// Of the methods that stay as near as wanted the one that does so at the least cost, with steps no
-/// longer than `longest`; of equally dear ones the one that stays nearer. Null where none does.
+/// longer than `longest`; of equally cheap ones the one that stays nearer. Null where none does.
 inline const Advice* cheapest(const std::vector<Advice>& all,
                               double longest = std::numeric_limits<double>::infinity()) {
     const Advice* best = nullptr;

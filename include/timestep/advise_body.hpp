@@ -100,7 +100,7 @@ inline void judge(BodyAdvice& advice, const OldInertiaSpin&, const PrincipalIner
     advice.reason = "every step may add; |L| stays, so at most I_max/I_min = " + number(advice.bound) + " times the first";
 }
 
-// It keeps E/Δ with Δ = 1 − c (hω₂/2)², ω₂ that about the axis of the middle moment and c the middle share. As Δ is
+// It keeps E/Δ with Δ = 1 − c (hω₂/2)², ω₂ that about the axis of the intermediate moment and c the middle share. As Δ is
 // at most 1, E is never more than the first one over the first Δ, while that is above zero.
 inline void judge(BodyAdvice& advice, const Tumble<HalfStepJacobian>& rule, const PrincipalInertia<double>& inertia,
                   double spin, double h, bool even) {

@@ -82,7 +82,7 @@ inline bool common_ellipse(const std::vector<StepMatrix<double>>& steps) {
 // How fast a state grows when every frame may be as long as any other: the mean of the logarithm a step, and
 // how well a thousand runs of a thousand steps know it. The seed is fixed: the advice is the same each time. Sizes
 // are those of the ellipse on which the step of the middle length goes round, if it does: x² + v² swings by itself,
-// and where in its swing a run begins and ends would be taken for growth. For the same reason runs begin anywhere.
+// and where in its oscillation a run begins and ends would be taken for growth. For the same reason runs begin anywhere.
 struct Growth {
     double mean, deviation;
 };
@@ -162,7 +162,7 @@ inline Said varying_steps(bool one_pattern, const StabilityLimit& limit, double 
     return {Verdict::not_proven, at + (one_pattern ? ", lies between the frames" : ", holds for a constant step")};
 }
 
-// The largest distance from the true place in the first swing, of thirty runs with frames at random; and of two
+// The largest distance from the true place in the first period, of thirty runs with frames at random; and of two
 // with constant ones, the shortest and the longest.
 template <class Constant>
 double random_position_error(const MatrixOf& matrix, const Constant& constant, const DampedSpring<long double>& spring,

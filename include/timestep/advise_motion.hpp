@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// How far from the true place will it be? Of a spring let go at rest, the largest distance between a method's
-/// positions and the exact ones in the first swing, from powers of the step's matrix (I13).
+/// positions and the exact ones in the first period, from powers of the step's matrix (I13).
 
 #include <array>
 #include <cmath>
@@ -67,7 +67,7 @@ inline Motion<4> motion(const Bdf2&, long double zeta, long double s) {
     return made;
 }
 
-// How many steps the reader looks at: those of one swing, 2π/ω, or beyond ζ = 1 of 2π over the slow decay's
+// How many steps the reader looks at: those of one period, 2π/ω, or beyond ζ = 1 of 2π over the slow decay's
 // rate; one at least. Where there are fewer than three we look at eight, so that no chance hit counts.
 inline long long steps_of_first_swing(long double zeta, long double s) {
     const long double pi = 3.14159265358979323846L;
@@ -99,7 +99,7 @@ private:
     int seen_ = 0;
 };
 
-// Every one of the first 256 steps, then 128 in each doubling, up to the last. A swing gets 128 samples or more,
+// Every one of the first 256 steps, then 128 in each doubling, up to the last. An oscillation gets 128 samples or more,
 // and a curve that bends no harder than t sin t rises between them by a thousandth of itself, of which the
 // parabola leaves a hundredth; a fast decay, which is over long before the slow one, is seen at its own pace. A
 // part that turns its sign at every step shows beside each sample, in the step after it.

@@ -51,7 +51,7 @@ inline StepMatrix<long double> matrix_of(const Verlet&, long double zeta, long d
 }
 
 // Every eigenvalue of a step: what it multiplies the patterns by that it keeps. The first stands for the
-// motion: of two decays the slow one, of a swing's pair the one that turns forward.
+// motion: of two decays the slow one, of an oscillation's pair the one that turns forward.
 template <class Method>
 std::vector<Complex> multipliers(const Method& method, long double zeta, long double s) {
     const auto [a, b] = eigenvalues(matrix_of(method, zeta, s));
@@ -107,8 +107,8 @@ inline std::string number(double value, int digits = 4) {
 // soon takes seconds.
 constexpr long double rings_below = -0.5L;
 
-// The most negative multiplier that rings; 0 where none does. A real one has no swing to follow. A complex
-// one stands for a swing, which turns its sign by itself: it rings where the true motion keeps less than
+// The most negative multiplier that rings; 0 where none does. A real one has no oscillation to follow. A complex
+// one stands for an oscillation, which turns its sign by itself: it rings where the true motion keeps less than
 // half as much of it (there ζ < 1, and the true one keeps e^(−ζs) a step).
 inline long double ringing(const std::vector<Complex>& all, long double zeta, long double s) {
     long double most = 0;

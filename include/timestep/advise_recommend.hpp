@@ -19,7 +19,7 @@ namespace timestep {
 struct Recommendation {
     const Choice* choice;  ///< the row of which_method.hpp
     long substeps;         ///< 1: the step as it is; 0: none of up to a million does
-    std::string method{};  ///< its name in the library: that of the row, or another where the row's is too dear
+    std::string method{};  ///< its name in the library: that of the row, or another where the row's costs too much
     std::string take{};    ///< the row's words, or what of them is meant here
     std::string why{};     ///< the same of the reason
     double position_error = std::numeric_limits<double>::quiet_NaN();  ///< at those substeps: see Advice
@@ -29,7 +29,7 @@ struct Recommendation {
 /// What of a spring in a game the numbers do not tell.
 struct Wish {
     bool precise = false;     ///< has an accuracy been asked for?
-    bool keeps_size = false;  ///< must a swing faster than the frame keep its size?
+    bool keeps_size = false;  ///< must an oscillation faster than the frame keep its size?
     double accuracy = 0.01;   ///< the one that advise() was asked about
 };
 
@@ -39,7 +39,7 @@ namespace detail {
 inline constexpr long most_substeps = 1'000'000;
 // In frames of uneven length so many substeps of Runge-Kutta 4 are worth it where nothing but stability is asked.
 inline constexpr long few_substeps = 8;
-// So much dearer than the cheapest the list's own method may be.
+// So many times the cost of the cheapest the list's own method may have.
 inline constexpr double too_dear = 4;
 
 inline long pieces(double step, double longest) {
@@ -47,7 +47,7 @@ inline long pieces(double step, double longest) {
     return n <= double(most_substeps) ? std::max(1L, static_cast<long>(n)) : 0;
 }
 
-// Every method that is advised on, judged on the fastest swing.
+// Every method that is advised on, judged on the fastest oscillation.
 inline void for_each_judged(const SpringScene& scene, const std::function<void(const Judged&)>& visit) {
     const auto look = [&](const auto& method) { visit(judged(method, scene.fastest.zeta, scene.least.zeta)); };
     for_each_method(look);
@@ -109,7 +109,7 @@ inline Right right_frames(const Judged& method, const SpringScene& scene, double
     return {method.name};
 }
 
-// Asked for an accuracy: the list's method, or the cheapest that is right where that one is far dearer.
+// Asked for an accuracy: the list's method, or the cheapest that is right where that one costs far more.
 inline Recommendation precisely(const Choice& choice, const SpringScene& scene, double h, double wanted,
                                 const std::vector<Advice>& all) {
     std::vector<Right> found;
@@ -158,7 +158,7 @@ inline Recommendation in_frames(const Choice& choice, const SpringScene& scene, 
     const auto holds = [](const Advice& each) { return each.verdict == Verdict::stable && each.ringing == 0; };
     const std::string falls = "in no step does the energy rise, however frames follow each other";
     if (keeps_size && holds(*find(all, implicit_midpoint.name)))
-        return taken(implicit_midpoint.name, 1, "however frames follow each other, a swing keeps its size but for what the damper takes");
+        return taken(implicit_midpoint.name, 1, "however frames follow each other, an oscillation keeps its size but for what the damper takes");
     if (!keeps_size && find(all, implicit_euler.name)->right) return taken(implicit_euler.name, 1, falls);
     const double turn = scene.fastest.omega * h;
     const long least = pieces(turn, alive_turn);

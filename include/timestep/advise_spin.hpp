@@ -107,7 +107,7 @@ Worst worst_direction(const Solver& solver, const PrincipalInertia<double>& iner
 }
 
 // The longest step of the talk's iteration with which no direction gains. With three different moments
-// the first gains begin close to the middle axis, where h|ω| = √(I₁I₃)/(I₃ − I₁), I₁ the least and I₃ the
+// the first gains begin close to the intermediate axis, where h|ω| = √(I₁I₃)/(I₃ − I₁), I₁ the least and I₃ the
 // largest moment. That was found by search, not proved: over random bodies no direction gains
 // a thousandth below it, and some direction does a thousandth above.
 inline double longest_safe_step(const PrincipalInertia<double>& inertia, double spin) {

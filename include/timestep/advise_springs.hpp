@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// How fast is the fastest swing? Springs on a body, in a chain, in a cloth, in a hinge: bounds from what is
+/// How fast is the fastest oscillation? Springs on a body, in a chain, in a cloth, in a hinge: bounds from what is
 /// typed about them, without their places (I13).
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace timestep {
 
-/// How the springs of a scene pull: the stiffness of one of them times this is ω² of the fastest swing. Where
+/// How the springs of a scene pull: the stiffness of one of them times this is ω² of the fastest oscillation. Where
 /// they take hold, and in which direction, is not asked, so there is a bound on either side.
 struct Pull {
     double most;        ///< 1/kg
@@ -30,7 +30,7 @@ inline double lightness(double mass, double arm, double inertia) {
 }
 
 /// `springs` springs between the world and one body. All of them in one place, pulling one way, are the fastest.
-/// At least there is the swing of one spring that pulls at the centre of mass, and of three directions one in
+/// At least there is the oscillation of one spring that pulls at the centre of mass, and of three directions one in
 /// which a third of all of them pull.
 inline Pull springs_on_body(double mass, double springs, double arm = 0, double inertia = 0) {
     if (!(springs >= 1 && springs <= 1e9 && springs == std::floor(springs)))
@@ -56,7 +56,7 @@ inline Pull hinge(double one_mass, double one, double other_mass, double other) 
     return {one + other, 1 / one_mass + 1 / other_mass, "k(1/m₁ + r₁²/I₁ + 1/m₂ + r₂²/I₂), pulling across both arms"};
 }
 
-/// The scene of these springs, each with the damper `damping`, N·s/m, beside it: a swing of ω has ζ = cω/2k.
+/// The scene of these springs, each with the damper `damping`, N·s/m, beside it: an oscillation of ω has ζ = cω/2k.
 inline SpringScene scene_of(const Pull& pull, double stiffness, double damping) {
     const double root = std::sqrt(positive("stiffness", stiffness));
     not_negative("damping", damping);
@@ -67,7 +67,7 @@ inline SpringScene scene_of(const Pull& pull, double stiffness, double damping) 
     return {swing(pull.most), swing(pull.least), pull.found};
 }
 
-/// The same where the damping ratio of the fastest swing is known.
+/// The same where the damping ratio of the fastest oscillation is known.
 inline SpringScene scene_of_zeta(const Pull& pull, double stiffness, double zeta) {
     const double root = std::sqrt(positive("stiffness", stiffness));
     return {DampedSpring<double>(root * std::sqrt(pull.most), zeta),

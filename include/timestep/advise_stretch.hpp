@@ -23,7 +23,7 @@ struct Judged {
     bool one_pattern;     // steps of all lengths are functions of one matrix
     bool two_steps;       // it takes the last two states for one curve
     bool implicit_euler;  // the one with a proof for tethers
-    StabilityLimit limit, least_limit;  // for the fastest swing, and for the slowest that it can be
+    StabilityLimit limit, least_limit;  // for the fastest oscillation, and for the slowest that it can be
     std::function<std::vector<Complex>(long double s)> multipliers;
     std::function<double(long double s)> position_error;
     MatrixOf matrix;  // of a step that is not like the one before
@@ -79,8 +79,8 @@ struct Stretch {
 
 // The error first rises from zero, but it need not go on rising: at longer steps errors of frequency and
 // damping may come to cancel. Those steps are not searched for. We begin where roundoff alone is as much as
-// wanted. The error has teeth: as s grows the last step leaves the first swing, and what was farthest off is no
-// longer looked at. It is largest at the end of a tooth, s = end/n, where n steps just fit into the swing. So
+// wanted. The error has teeth: as s grows the last step leaves the first period, and what was farthest off is no
+// longer looked at. It is largest at the end of a tooth, s = end/n, where n steps just fit into the period. So
 // we go from such end to such end, skipping some where they are close or the error far below, then back to the first tooth that goes
 // wrong, and within it by bisection.
 inline Stretch first_right(const Judged& method, double zeta, double wanted) {
@@ -113,7 +113,7 @@ inline Stretch first_right(const Judged& method, double zeta, double wanted) {
         }
         low = std::max(low, end_of(right) * (1 + 1e-9)), high = end_of(wrong);
         if (!good(low)) low = std::max(small, end_of(right));
-    } else {  // longer than a swing: no teeth
+    } else {  // longer than an oscillation: no teeth
         high = low;
         while (good(high)) low = high, high *= 1.05;
     }

@@ -38,21 +38,21 @@ inline Verdict verdict(double value, double limit) {
                                    : Verdict::too_close_to_call;
 }
 
-/// The springs of a scene, as their fastest swing sees them. Of many springs only bounds of that swing are
+/// The springs of a scene, as their fastest oscillation sees them. Of many springs only bounds of that swing are
 /// known: then `least` is slower than `fastest`, each with its own damping ratio. Springs with dampers beside
-/// them swing slower by other patterns, with less damping; where the fastest swing is stable those are, too.
+/// them swing slower by other patterns, with less damping; where the fastest oscillation is stable those are, too.
 struct SpringScene {
-    DampedSpring<double> fastest;  ///< the fastest swing is this one at most
+    DampedSpring<double> fastest;  ///< the fastest oscillation is this one at most
     DampedSpring<double> least;    ///< and this one at least
     bool only_pulls = false;       ///< a tether: it lets go when it is slack
     bool kicks = false;            ///< do impulses come between the steps?
     double shortest_frame = 0;     ///< s; 0: every step is as long as the last
     double longest_frame = 0;      ///< s
-    std::string found{};           ///< how the fastest swing was found, in a line
+    std::string found{};           ///< how the fastest oscillation was found, in a line
 
     /// One spring, of which all is known.
     SpringScene(const DampedSpring<double>& spring) : fastest(spring), least(spring) {}
-    /// A fastest swing between two bounds.
+    /// A fastest oscillation between two bounds.
     SpringScene(const DampedSpring<double>& fastest_, const DampedSpring<double>& least_, const std::string& found_)
         : fastest(fastest_), least(least_), found(found_) {}
 
@@ -79,7 +79,7 @@ inline std::string reason(const StabilityLimit& limit, double s) {
     return "ωh = " + left + (s < limit.value ? " < " : " > ") + right + formula;
 }
 
-// A constant step. `high` is the limit for the fastest swing that can be, `low` for the slowest that the
+// A constant step. `high` is the limit for the fastest oscillation that can be, `low` for the slowest that the
 // fastest one can be. By each method's formula a slower swing with less damping is stable where a faster one
 // with more, in proportion, is: no limit rises faster than ζ does.
 inline Said constant_step(const SpringScene& scene, double h, const StabilityLimit& high, const StabilityLimit& low) {

@@ -35,7 +35,7 @@ private:
     std::mt19937_64 random_{1};
 };
 
-/// From so many radians on an attitude is lost: nobody would call it right.
+/// From so many radians on an orientation is lost: nobody would call it right.
 inline constexpr double lost_attitude = 0.5;
 
 /// What a throw came to. Infinite, or no number, where it blew up.
@@ -44,7 +44,7 @@ struct Thrown {
     double energy = 1;       ///< at the end, over that at the start
     double most_energy = 1;  ///< the most that it ever was
     double spin_left = 1;    ///< the spin about the axis of the body it was thrown about, at the end
-    double off = 0;          ///< the attitude's largest error in the first two seconds: 2 sin(α/2) of an angle α;
+    double off = 0;          ///< the orientation's largest error in the first two seconds: 2 sin(α/2) of an angle α;
                              ///< no number where the spin is so fast that the exact one is not known
     bool lost = false;       ///< was that more than lost_attitude?
 };

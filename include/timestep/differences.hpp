@@ -72,8 +72,8 @@ struct CentralDifference {
 };
 
 /// Two steps to either side (N08). A central difference over 2h errs four times as much as one
-/// over h, so four thirds of the
-/// narrow one less a third of the wide one removes the third derivative too. The fifth point is `x`
+/// over h, so four thirds of the narrow one less a third of the wide one removes the third derivative
+/// too (Richardson extrapolation). The fifth point is `x`
 /// itself, with weight zero.
 struct FivePointDifference {
     static constexpr const char* name = "five-point";  ///< for tables and keys

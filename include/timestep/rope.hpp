@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A rope: points stepped by Verlet and pulled back to their distances.
+/// A rope: points stepped by Verlet and pulled back to their distances (position-based dynamics).
 
 #include <cstddef>
 #include <vector>
@@ -14,7 +14,8 @@ namespace timestep {
 
 /// A chain of points of equal mass, each at the distance `link` from the next; the first one is
 /// held. As in Jakobsen's *Advanced Character Physics* (2001), Verlet moves every point as if it
-/// were alone, and then the links are put right one after the other, a few times over. A point that
+/// were alone, and then the links are set to their length one after the other, a few times over:
+/// Gauss–Seidel iterations of constraint projection, position-based dynamics (PBD). A point that
 /// is moved has its velocity changed with it: that is what two positions are good for.
 ///
 /// `X` is a fixed-size Eigen vector.
@@ -36,7 +37,7 @@ public:
         }
     }
 
-    /// One step of length h, the same in every step: Verlet, and `sweeps` times all links. Throws
+    /// One step of length h, the same in every step: Verlet, and `sweeps` iterations over all links. Throws
     /// `std::invalid_argument`.
     /// [step]
     void step(Real h, int sweeps) {

@@ -10,7 +10,7 @@
 
 namespace timestep {
 
-/// Calls `work(first, last)` for `threads` equal shares of 0 … `count`, each in a thread of its
+/// A parallel_for: calls `work(first, last)` for `threads` equal shares of 0 … `count`, each in a thread of its
 /// own, the last one in the caller's, and waits for all. To start the threads takes as long as to
 /// step some 1,500 to 8,000 boxes in lanes, by the machine: it pays where a share is larger than
 /// that. No thread, as a system may say that does not know how many it has, is one; there are never

@@ -6,7 +6,7 @@
 /// A step is a 2×2 matrix. Its eigenvalues are the roots of λ² − Tλ + D with the trace T and the
 /// determinant D, and both lie in the unit disk when (Jury's conditions)
 ///     D ≤ 1,    1 − T + D ≥ 0,    1 + T + D ≥ 0.
-/// The second holds for every method here, the first is broken by a swing that grows, the third by a
+/// The second holds for every method here, the first is broken by an oscillation that grows, the third by a
 /// state that flips over and over. Below, s = ωh, positions are measured in x and velocities in ω x.
 ///
 /// ζ is that of a DampedSpring: finite, and zero or more. It is not looked at again here; of a
@@ -51,7 +51,7 @@ double rising_root(const Function& f) {
 }  // namespace detail
 /// \endcond
 
-/// Explicit Euler: T = 2 − 2ζs, D = 1 − 2ζs + s². A swing grows from D = 1 on, s = 2ζ. Beyond ζ = 1
+/// Explicit Euler: T = 2 − 2ζs, D = 1 − 2ζs + s². An oscillation grows from D = 1 on, s = 2ζ. Beyond ζ = 1
 /// nothing swings; the fast decay flips from 1 + T + D = 4 − 4ζs + s² = 0 on.
 inline StabilityLimit stability_limit(const ExplicitEuler&, double zeta) {
     if (zeta <= 1) return {2 * zeta, "2ζ"};
@@ -72,7 +72,7 @@ inline StabilityLimit stability_limit(const SemiImplicitEulerNewDamping&, double
     return {2 * (std::hypot(1, zeta) + zeta), "2 (√(1 + ζ²) + ζ)"};
 }
 
-/// The constant-force method: T = 2 − 2ζs − s²/2, D = 1 − 2ζs + s²/2. It swings too far from s = 4ζ
+/// The constant-acceleration step: T = 2 − 2ζs − s²/2, D = 1 − 2ζs + s²/2. It swings too far from s = 4ζ
 /// on, and flips from 1 + T + D = 4 − 4ζs = 0 on.
 inline StabilityLimit stability_limit(const Newton&, double zeta) {
     if (zeta <= 0.5) return {4 * zeta, "4ζ"};

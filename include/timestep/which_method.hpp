@@ -12,14 +12,14 @@
 
 namespace timestep {
 
-/// Up to this ωh a swing looks alive by semi-implicit Euler: six steps a swing.
+/// Up to this ωh an oscillation looks alive by semi-implicit Euler: six steps a period.
 inline constexpr double alive_turn = 1;
 /// Up to this ωh, when taut, we have seen no tether gain a quarter of its energy by semi-implicit Euler, in
 /// 100,000 steps. By twice that one throw in five does, by four times that nine in ten. Nothing proves that none will.
 inline constexpr double tether_turn = 0.125;
 /// From this damping ratio on an implicit method is right to a percent at less cost than Runge–Kutta 4.
 inline constexpr double stiff_decay = 2;
-/// From this ζωh on a damper ends a swing within a frame or so: it is a decay.
+/// From this ζωh on a damper ends an oscillation within a frame or so: it is a decay.
 inline constexpr double ended_swing = 2;
 /// Up to this h|ω|, in radians a step, ball and remainder 4 points where it should: chapter 8 has thrown
 /// bodies about every axis to find it.
@@ -83,43 +83,43 @@ inline const std::vector<Choice>& choices() {
          "its steps follow the slow part, the fast one dies", "ch6_stiff", "BDF2"},
         {"swing", "ωh at most " + alive + ", or " + twice + " in two substeps, and a constant step: most of a game",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "one force a step; its energy swings and does not drift, and its division survives any damper", "ch3_rule",
+         "one force a step; its energy oscillates and does not drift, and its division survives any damper", "ch3_rule",
          "semi-implicit Euler, new damping"},
         {"pull", "a stiff pull to a target, a decay: ζ at least 1, or ζωh at least " + ended, "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
-        {"keeps_size", "a swing faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
-         "the energy of an undamped swing stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
-        {"unseen", "a swing faster than the frame, which nobody must see", "**BDF2**, restarted after each kick",
+        {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
+         "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
+        {"unseen", "an oscillation faster than the frame, which nobody must see", "**BDF2**, restarted after each kick",
          "the fast part dies and the slow one keeps its size; kicked in every frame it would ring: then implicit Euler", "ch6_kicks", "BDF2"},
-        {"jumps", "creeping and sudden jumps", "a step that adapts", "one length does not fit both", "ch6_jumps", ""},
+        {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_inertia", "dropped"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step**", "it adds no energy, and takes some, which hides what an engine adds when a rule stands there; "
+         "the **passive step** (linearly implicit, as ODE's)", "it adds no energy, and takes some, which hides what an engine adds when a rule stands there; "
          "spins fade too soon", "ch8_contacts", "passive"},
-        {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "**`SymmetricInertia`**, by passive or the "
+        {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "**SymmetricInertia**, by passive or the "
          "calm half-step, between the contacts and the turn", "it turns ω about the axis of the third moment, which keeps "
          "energy, |L| and the spin", "ch5_passive", "passive"},
         {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps", "ch8_contacts", "calm half-step"},
-        {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**",
-         "it is the exact motion, attitude and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
+        {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
+         "it is the exact motion, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand, h|ω| at most " + calm + ", a constant step",
-         "the **half-step Jacobian** in lanes; the faster ones by passive",
+         "the **half-step Jacobian** (Kahan's discretisation) in SIMD lanes; the faster ones by passive",
          "several bodies in the time of one; the energy is good, but fast ones soon turn at the wrong time", "ch8_many", "half-step Jacobian"},
         {"free_uneven", "a body that flies freely, in frames of uneven length",
          "a constant step, and ball and remainder 4; where that cannot be, **Runge–Kutta 4**, in so many substeps that each "
          "turns by " + uneven + " of a radian at most",
-         "when steps vary a splitting adds up its errors, and a body thrown about its middle axis may be lost", "ch8_cost",
+         "when steps vary a splitting adds up its errors, and a body thrown about its intermediate axis may be lost", "ch8_cost",
          "Runge-Kutta 4"},
-        {"free", "a body that flies freely, h|ω| at most " + fair, "**ball and remainder 4**",
+        {"free", "a body that flies freely, h|ω| at most " + fair, "**ball and remainder 4**, a splitting into a spherical top and a remainder",
          "|L| stays, the energy is bounded, and the body points where it should", "ch8_work", "ball and remainder 4"},
         {"free_fast", "the same, faster", "**ball and remainder 4**, in so many substeps that each turns by " + fair + " at most",
          "what is safe at long steps is not right at them", "ch8_safe", "ball and remainder 4"},
         {"energy", "energy and |L| kept, whatever else", "the **calm half-step**",
-         "to roundoff, at any spin and when steps vary; the attitude is rough", "ch8_fails", "calm half-step"},
+         "to roundoff, at any spin and when steps vary; the orientation is rough", "ch8_fails", "calm half-step"},
     };
     return all;
 }
@@ -133,11 +133,11 @@ inline const Choice& choice(std::string_view name) {
 
 /// What must be known of a spring to choose.
 struct SpringQuestion {
-    double turn;              ///< ωh of the fastest swing, rad a step
+    double turn;              ///< ωh of the fastest oscillation, rad a step
     double zeta = 0;          ///< its damping ratio
     bool even = true;         ///< is the step constant?
     bool precise = false;     ///< is an error of a percent too much?
-    bool keeps_size = false;  ///< must a swing faster than the frame be kept?
+    bool keeps_size = false;  ///< must an oscillation faster than the frame be kept?
     bool only_pulls = false;  ///< is it a tether, which goes slack?
 };
 

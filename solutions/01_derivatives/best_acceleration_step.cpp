@@ -1,4 +1,4 @@
-// Chapter 1, exercise 5: the best step for an acceleration
+// Chapter 1, exercise 5: the optimal step size for an acceleration
 //
 // A tracker gives you positions, and you need the acceleration, to shake a controller with. From
 // three positions that lie h apart it is (x2 − 2 x1 + x0)/h², the acceleration at the moment of

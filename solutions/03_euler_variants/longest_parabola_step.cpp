@@ -31,7 +31,7 @@ double longest_parabola_step(double omega, double zeta) {
         const std::complex<double> root = std::sqrt(half * half - (xx * vv - xv * vx));
         return std::max(std::abs(half + root), std::abs(half - root)) < 1;
     };
-    double good = 0, bad = 4;  // beyond wh = 4 every swing has left, whatever the damping
+    double good = 0, bad = 4;  // beyond wh = 4 every oscillation has left, whatever the damping
     for (int i = 0; i < 60; ++i) {
         const double middle = (good + bad) / 2;
         (stable(middle) ? good : bad) = middle;

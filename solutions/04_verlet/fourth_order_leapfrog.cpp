@@ -10,7 +10,8 @@
 //
 //   s         state now: s.t in seconds, the angle s.x in radians from hanging straight down (it
 //             may be large: a ball can go round), its rate of change s.v in radians per second
-//   omega     of small swings, in rad/s: the acceleration is x'' = -omega² sin x. Zero or more
+//   omega     of small oscillations, in rad/s: the acceleration is x'' = -omega² sin x. Zero or
+//             more
 //   h         the step, in seconds; may be negative, which runs time backwards. The size of omega
 //             times h is at most 1
 //   returns   the state h later, its time as well

@@ -1,9 +1,10 @@
 // Chapter 4, exercise 3: a rope between two weights
 //
 // A grappling hook ties the player to a crate, or to a wall. Verlet has moved both ends; now put
-// the rope to its length again, once. A rope can only pull: if the ends are nearer than its length,
-// it hangs loose and does nothing. The chapter's rope shares the excess in halves. Here the ends
-// have masses, and each moves in proportion to its inverse mass 1/m. A wall has the inverse mass 0.
+// the rope to its length again, once: position-based dynamics (PBD) calls it constraint projection.
+// A rope can only pull: if the ends are nearer than its length, it hangs loose and does nothing.
+// The chapter's rope shares the excess in halves. Here the ends have masses, and each moves in
+// proportion to its inverse mass 1/m. A wall has the inverse mass 0.
 //
 //   a, b      positions of the two ends, in metres
 //   wa, wb    inverse masses of a and of b, in 1/kg; zero for an end that is held

@@ -5,7 +5,7 @@
 // spin change? Use Euler's equations, with the gyroscopic torque in them.
 //
 //   inertia   the three moments along the body's own axes, each above zero, in kg m²
-//   q         attitude, of length one: q * v is in world coordinates what v is in the body's. In
+//   q         orientation, of length one: q * v is in world coordinates what v is in the body's. In
 //             Eigen q.conjugate() turns back
 //   omega     angular velocity in world coordinates, in rad/s; may be zero
 //   torque    in world coordinates, in N m; may be zero

@@ -214,7 +214,7 @@ TEST_CASE("erratum: beyond zeta = 1 it crosses zero once if thrown fast enough",
     }
 }
 
-TEST_CASE("the portrait of a damped swing spirals inwards, clockwise", "[N17][ch2]") {
+TEST_CASE("the portrait of a damped oscillation spirals inwards, clockwise", "[N17][ch2]") {
     const DampedSpring legs(8.0, 0.1);
     const State start{0, 0.25, 0.0};
     const double turn = 2 * 3.14159265358979 / (8 * std::sqrt(1 - 0.01));

@@ -160,7 +160,7 @@ TEST_CASE("the stepped spring turns by arccos(1 - (omega h)^2/2) a step", "[N32]
     }
 }
 
-TEST_CASE("four steps a swing are stable, three are not, and the limit is pi", "[N33][ch3]") {
+TEST_CASE("four steps a period are stable, three are not, and the limit is pi", "[N33][ch3]") {
     const auto radius = [](double steps) {
         return spectral_radius(step_matrix(semi_implicit_euler, Spring(1.0), 2 * pi / steps));
     };

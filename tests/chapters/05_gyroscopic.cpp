@@ -94,7 +94,7 @@ TEST_CASE("a solver without any code steps a ball", "[N41][ch5]") {
     CHECK(turn(Nothing{}, sphere(1.0, 1.0), spinning(1, 2, 3), h).omega == V(1, 2, 3));
 }
 
-TEST_CASE("the attitude of a tumbling box is of order one, its quaternion of length one",
+TEST_CASE("the orientation of a tumbling box is of order one, its quaternion of length one",
           "[N42][ch5]") {
     const auto brick = box(12.0, 1.0, 2.0, 3.0);
     const Spin start = spinning(1, 2, 2), end = ExactFreeBody<double>(brick, start)(1);
@@ -152,7 +152,7 @@ TEST_CASE("dropped: a thrown staff's axis goes round at |ω| instead of |L|/I", 
     CHECK((after(no_gyroscopic, stick, start, h, steps).q * V(V::UnitZ()) - tip).norm() > 1);
 }
 
-TEST_CASE("old inertia: the momentum stays, the energy does not", "[N45][ch5]") {
+TEST_CASE("lagged inertia: the momentum stays, the energy does not", "[N45][ch5]") {
     const auto pill = capsule(1.0, 0.15, 0.6);
     const Spin start = spinning(5, 0, 20), end = after(old_inertia, pill, start, h, 600);
     CHECK((angular_momentum(pill, end) - angular_momentum(pill, start)).norm() <
@@ -198,7 +198,7 @@ TEST_CASE("one iteration misses the converged solution by the square of h|ω|, s
     CHECK(std::fabs(measured_order(step, apart) - 3) < 0.1);
 }
 
-TEST_CASE("a box about its middle axis: who turns over, and when", "[N50][ch5]") {
+TEST_CASE("a box about its intermediate axis: who turns over, and when", "[N50][ch5]") {
     const auto brick = box(1.0, 1.0, 2.0, 3.0);
     const Spin start = spinning(1e-3, 10, 1e-3);
     const ExactFreeBody<double> exact(brick, start);

@@ -106,7 +106,7 @@ TEST_CASE("the cloth's matrix is symmetric with positive eigenvalues, taut or sl
     }
 }
 
-TEST_CASE("the cloth's fastest swing is the root of 8k/m, and half of h times it are enough steps",
+TEST_CASE("the cloth's fastest oscillation is the root of 8k/m, and half of h times it are enough steps",
           "[I12][N62][ch6]") {
     const Cloth flat(14, 1e4);
     const Tangent tangent(flat, frame);

@@ -59,7 +59,7 @@ const Rule exact_rules[] = {rule(midpoint_spin), rule(moser_veselov_2), rule(mos
 
 }  // namespace
 
-TEST_CASE("each method of the appendix has its order in the spin and in the attitude", "[ch8]") {
+TEST_CASE("each method of the appendix has its order in the spin and in the orientation", "[ch8]") {
     const Body bodies[] = {box(12.0, 1.0, 2.0, 3.0), {1, 1.1, 0.3}, {3, 1.2, 2}};
     std::vector<Rule> all;
     for_each_other([&](const auto& method) { all.push_back(rule(method)); });
@@ -183,7 +183,7 @@ TEST_CASE("Magnus-Taylor keeps L, and for short steps the energy", "[ch8]") {
     CHECK(most > 2);
 }
 
-TEST_CASE("Jolt's rule ends about the middle axis, ODE's about the largest moment's", "[ch8]") {
+TEST_CASE("Jolt's rule ends about the intermediate axis, ODE's about the largest moment's", "[ch8]") {
     RandomInertia random(23);
     for (int n = 0; n < 20; ++n) {
         const Body I = random.inertia<double>(5);

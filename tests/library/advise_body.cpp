@@ -73,7 +73,7 @@ TEST_CASE("that bound is a constant step's: by uneven frames it is passed", "[li
     CHECK(most > even.bound);
 }
 
-TEST_CASE("a throw is watched as it was: energy, spin and attitude", "[library][I13]") {
+TEST_CASE("a throw is watched as it was: energy, spin and orientation", "[library][I13]") {
     // Of two equal moments ball and remainder is the exact motion.
     const Body wheel(1, 1, 1.8);
     const Vector omega(2, 1, 9);

@@ -85,7 +85,7 @@ TEST_CASE("a tether gets implicit Euler, and short substeps where it must bounce
     }
 }
 
-TEST_CASE("in frames of uneven length the answer heeds the swing, its size and the accuracy", "[library][I13]") {
+TEST_CASE("in frames of uneven length the answer heeds the oscillation, its size and the accuracy", "[library][I13]") {
     CHECK(in_frames(30, 0, 1.0 / 60, 1.0 / 30).method == "Runge-Kutta 4");
     CHECK(in_frames(30, 0, 1.0 / 60, 1.0 / 30).substeps == 1);
     CHECK(in_frames(120, 0, 1.0 / 60, 1.0 / 30).substeps == 4);

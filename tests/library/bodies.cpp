@@ -165,7 +165,7 @@ TEST_CASE("a body that no scene could step is refused where it is added", "[libr
     CHECK_NOTHROW(checked(Nothing{}));
 }
 
-TEST_CASE("a body's attitude is scaled to length one where it is added", "[library][ch6]") {
+TEST_CASE("a body's orientation is scaled to length one where it is added", "[library][ch6]") {
     const Box crate{box(3.0, 1.0, 2.0, 3.0)};
     for (const double size : {2.0, 10.0, 1e-200, 1e200, 0.5e-323}) {
         Bodies<double, Box> boxes;

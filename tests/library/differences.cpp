@@ -54,7 +54,7 @@ TEST_CASE("differences of vectors are vectors", "[differences]") {
     CHECK(off(five_point_difference) <= error_bound(five_point_difference, h, epsilon, 1));
 }
 
-TEMPLATE_TEST_CASE("the best step is where the error bound is smallest", "[differences][N01]",
+TEMPLATE_TEST_CASE("the optimal step size is where the error bound is smallest", "[differences][N01]",
                    ForwardDifference, CentralDifference, FivePointDifference) {
     const TestType formula;
     for (const double noise : {1e-16, 6e-8, 0.002})

@@ -222,7 +222,7 @@ TEMPLATE_TEST_CASE("a pack of bodies turns as each does alone", "[library][ch8]"
             const Vector3<Real> alone =
                 after_gyroscopic_torque(passive_gyroscopic, one_of(i), q1, one, h);
             same_lane("velocity", after, i, alone, allowed * double(one.norm()));
-            same_lane("attitude", q2.coeffs(), i, turned(q1, one, h).coeffs(), 8 * eps);
+            same_lane("orientation", q2.coeffs(), i, turned(q1, one, h).coeffs(), 8 * eps);
         }
     };
     for (int n = 0; n < 200; ++n) {

@@ -223,7 +223,7 @@ TEST_CASE("a body that is not finite is refused, and nothing is added", "[librar
                     std::invalid_argument);
     CHECK_THROWS_MATCHES(
         boxes.add(crate, Quaternion<double>::Identity(), Vector3<double>(1, std::nan(""), 3)),
-        std::invalid_argument, Message("body: its state must be finite, its attitude not zero"));
+        std::invalid_argument, Message("body: its state must be finite, its orientation not zero"));
     // 1e200 is a number, its square is none; in `float` neither is that of 1e25.
     CHECK_THROWS_MATCHES(
         boxes.add(crate, Quaternion<double>::Identity(), Vector3<double>(0, 1e200, 0)),
@@ -242,7 +242,7 @@ TEST_CASE("a body that is not finite is refused, and nothing is added", "[librar
 }
 
 // A length other than one would be a stretch, and the energy would go with it.
-TEMPLATE_TEST_CASE("an attitude that is too long or too short is a rotation all the same",
+TEMPLATE_TEST_CASE("an orientation that is too long or too short is a rotation all the same",
                    "[library][ch8]", float, double) {
     using Real = TestType;
     using Limits = std::numeric_limits<Real>;

@@ -185,7 +185,7 @@ TEST_CASE("two or three equal moments, and spins about one axis", "[library][N40
 // The angle about L takes a third integral times (I₃ − I₁)/I₁: its roundoff, some ε for each radian, times
 // the ratio of the moments. The same formulas in long double tell how much: the docstring's 60, and as
 // much again for starts that these have not met. Of the digits at the ratio 10, those beyond are lost.
-TEST_CASE("the exact attitude loses as many digits as the ratio of the moments has", "[library][N40]") {
+TEST_CASE("the exact orientation loses as many digits as the ratio of the moments has", "[library][N40]") {
     if (std::numeric_limits<Long>::digits == std::numeric_limits<double>::digits) SKIP("long double is double");
     RandomInertia random(43);
     for (const double ratio : {10.0, 1e4, 1e6, 1e8}) {

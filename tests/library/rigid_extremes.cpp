@@ -106,7 +106,7 @@ TEST_CASE("ball and remainder are numbers to 1e19 in float", "[library][ch8]") {
 }
 
 // Half a turn is what is left of so fast a spin: q₂ = (0, u) q₁, with the axis u.
-TEST_CASE("an attitude keeps its length as long as a square does not overflow", "[library][N42]") {
+TEST_CASE("an orientation keeps its length as long as a square does not overflow", "[library][N42]") {
     const Quaternion<float> one = Quaternion<float>::Identity();
     for (const float spin : {1e10f, 1e15f, 1e19f, 1e21f}) {
         const Quaternion<float> q = turned(one, F(spin * F(2, -1, 2) / 3), 1 / 60.0f);
@@ -118,7 +118,7 @@ TEST_CASE("an attitude keeps its length as long as a square does not overflow", 
     CHECK(!is_finite(RigidState<float>{0, turned(one, beyond, 1 / 60.0f), beyond}));
 }
 
-TEST_CASE("a quaternion of length zero is no attitude: the state is not finite", "[library][N42]") {
+TEST_CASE("a quaternion of length zero is no orientation: the state is not finite", "[library][N42]") {
     RigidState<double> s{0, Quaternion<double>(0, 0, 0, 0), {1, 2, 3}};
     CHECK(!is_finite(s));
     s.q.x() = 1e-200;  // short, yet it points somewhere

@@ -50,7 +50,7 @@ double order(const Solver& solver, const PrincipalInertia<double>& I, const V& o
 
 }  // namespace
 
-TEST_CASE("every solver has the order it declares, in the spin and in the attitude", "[library][N42][N45]") {
+TEST_CASE("every solver has the order it declares, in the spin and in the orientation", "[library][N42][N45]") {
     const auto brick = box(12.0, 1.0, 2.0, 3.0);
     const V omega(1, 2, 2);
     for_each_gyroscopic([&](const auto& solver) {

@@ -265,7 +265,7 @@ TEST_CASE("three equations by hand agree with the general solve", "[library][N48
     CHECK((A * solve3(A, b) - b).norm() < 32 * epsilon);
 }
 
-TEST_CASE("the attitude turns by nearly h omega, keeps its length and undoes itself", "[library][N42]") {
+TEST_CASE("the orientation turns by nearly h omega, keeps its length and undoes itself", "[library][N42]") {
     const Quaternion<double> q = Quaternion<double>(1, 2, 3, 4).normalized();
     const V omega(0.3, -0.2, 0.6);
     for (const double h : {0.01, 0.1, 1.0, 100.0}) {

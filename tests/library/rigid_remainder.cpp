@@ -54,7 +54,7 @@ TEST_CASE("ball and remainder take a symmetric body as such", "[library][ch8]") 
     CHECK(RemainderInertia<double>(pill).A * RemainderInertia<double>(pill).B == 0);
 }
 
-TEST_CASE("the reference is the axis of the middle moment", "[library][ch8]") {
+TEST_CASE("the reference is the axis of the intermediate moment", "[library][ch8]") {
     RandomInertia random(8);
     for (int i = 0; i < 200; ++i) {
         const auto I = random.inertia<double>(1000);

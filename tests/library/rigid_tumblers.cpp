@@ -60,7 +60,7 @@ double order(const Method& method, const PrincipalInertia<double>& I, const V& o
 
 }  // namespace
 
-TEST_CASE("every whole-body method has its order in the spin and in the attitude",
+TEST_CASE("every whole-body method has its order in the spin and in the orientation",
           "[library][ch8]") {
     const PrincipalInertia<double> bodies[] = {
         box(12.0, 1.0, 2.0, 3.0), {1, 1.1, 0.3}, {3, 1.2, 2}};
@@ -72,7 +72,7 @@ TEST_CASE("every whole-body method has its order in the spin and in the attitude
         });
 }
 
-TEST_CASE("with the new spin for the mean the attitude falls back to order one", "[library][ch8]") {
+TEST_CASE("with the new spin for the mean the orientation falls back to order one", "[library][ch8]") {
     const auto I = box(12.0, 1.0, 2.0, 3.0);
     const RigidState<double> start = in_world(spinning(V(1, 2, 2)));
     const auto exact = ExactFreeBody<double>(I, start)(2);

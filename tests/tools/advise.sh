@@ -97,7 +97,7 @@ test_people_are_told_what_programs_are_told() {
     is "$(grep -E '^(explicit Euler|midpoint|BDF2|Newton) +(grows|stable)' out | sed 's/.*\(grows\|stable\).*/\1/')" \
         "$(sed -n '1p;2p;3p;4p' told)"
     says out 'the cheapest is'
-    says out 'four steps a swing'
+    says out 'four steps a period'
 }
 
 # Without a damper implicit Euler keeps 1/(1 + (ωh)²) of the energy a step.
@@ -134,7 +134,7 @@ test_no_step_longer_than_the_asked_one_is_recommended() {
     says out 'steps of 0.0167 s, 60 a second, cost 120 a second'
     expect 0 course advise --omega 100 --zeta 0.05 --rate 60
     says out 'At your rate, within 1 %: none.'
-    says out 'Right to 1 %: let go at rest, no position in the first swing, 0.0628 s, is off'
+    says out 'Right to 1 %: let go at rest, no position in the first period, 0.0628 s, is off'
     expect 0 course advise --omega 100 --zeta 0.05 --step 0.001
     says out 'At your step, within 1 %: '
     says out 'steps of 0.001 s, 1000 a second'
@@ -148,7 +148,7 @@ test_no_step_longer_than_the_asked_one_is_recommended() {
     silent_on out 'If it only has to'
 }
 
-# Four steps a swing and more: semi-implicit Euler keeps its size, and its place is far off.
+# Four steps a period and more: semi-implicit Euler keeps its size, and its place is far off.
 test_the_error_that_is_seen_counts() {
     expect 0 course advise --omega 0.84 --step 1 --json
     is "$(grep -A20 '"method": "semi-implicit Euler"' out | sed -n 's/.*"position_error_percent": \([0-9]*\).*/\1/p')" 55
@@ -156,7 +156,7 @@ test_the_error_that_is_seen_counts() {
     expect 0 course advise --omega 0.84 --step 1
     is "$(grep -c '^semi-implicit Euler  *stable, far off  *56 % ' out)" 1
     says out 'Recommended at your step: semi-implicit Euler, with the damping at the new'
-    says out '(chapter 3). Off by 56 % in the first swing'
+    says out '(chapter 3). Off by 56 % in the first period'
 }
 
 # What is printed, as one line: people's lines are broken anywhere.
@@ -166,20 +166,20 @@ test_the_error_is_told_at_the_substeps_too() {
     expect 0 course advise --omega 100 --zeta 0.05 --rate 60
     joined
     says joined 'in 2 substeps;'
-    says joined '(chapter 3). Off by 42 % in the first swing, in frequency and decay by'
+    says joined '(chapter 3). Off by 42 % in the first period, in frequency and decay by'
     expect 0 course advise --omega 10 --accuracy 1
     joined
     says joined '(chapter 7). Off by 0.00'
 }
 
-test_what_decays_has_no_swing() {
+test_what_decays_has_no_oscillation() {
     expect 0 course advise --omega 3 --zeta 2
     joined
     says joined 'from the true ones while it decays, over the start'
     says joined 'no position while it decays, for 7.82 s,'
     says joined '% while it decays, in frequency and decay by'
-    silent_on joined 'in the first swing'
-    silent_on joined 'many swings'
+    silent_on joined 'in the first period'
+    silent_on joined 'many periods'
 }
 
 test_the_one_that_is_right_is_recommended() {
@@ -202,7 +202,7 @@ test_a_tether_gets_an_answer_of_its_own() {
     expect 0 course advise --kind tether --stiffness 900 --mass 1
     joined
     says joined 'Recommended at 1/60 s: implicit Euler; in no step does its energy rise, slack or taut'
-    says joined 'in the first swing if it is taut'
+    says joined 'in the first period if it is taut'
     expect 0 course advise --kind tether --stiffness 900 --mass 1 --keep-size
     joined
     says joined 'in 4 substeps; with ωh at most 0.125 none of 400 undamped throws'
@@ -226,7 +226,7 @@ test_one_method_is_recommended() {
 }
 
 # 2·2k/m = 4000, and with a plank's arm 2k(1/m + r²/I) = 2000 (1 + 3).
-test_many_springs_have_a_fastest_swing() {
+test_many_springs_have_a_fastest_oscillation() {
     expect 0 course advise --kind chain --stiffness 1000 --mass 1
     says out 'ω² = 2·2k/m, neighbours against each other; so ω = 63.2'
     expect 0 course advise --kind cloth --stiffness 1000 --mass 1
@@ -236,8 +236,8 @@ test_many_springs_have_a_fastest_swing() {
     expect 0 course advise --kind cloth --stiffness 1000 --mass 1 --springs 8
     silent_on out 'diagonals'
     expect 0 course advise --stiffness 1000 --mass 1 --springs 2 --arm 0.5 --turning 0.083333333333
-    says out 'ω² = 2·k(1/m + r²/I), if all pull at one end, one way; so ω ='
-    says out '89.4 rad/s at most, for springs near their rest length, and at least 31.6 rad/s.'
+    joined
+    says joined 'ω² = 2·k(1/m + r²/I), if all pull at one end, one way; so ω = 89.4 rad/s at most, for springs near their rest length, and at least 31.6 rad/s.'
     expect 0 course advise --kind hinge --stiffness 1000 --mass 1 --other-mass 2 --arm 0
     refuses '--arm needs --turning' --kind hinge --stiffness 1000 --mass 1 --arm 1
     expect 0 course advise --kind hinge --stiffness 1000 --mass 1 --other-mass 2
@@ -260,7 +260,7 @@ test_frames_and_kicks() {
     is "$(verdict 'Runge-Kutta 4')" stable
     expect 0 course advise --omega 30 --frames 0.0166667,0.0333333
     joined
-    says joined "the limits of semi-implicit Euler, of Verlet's kind and of Newton hold for a constant step"
+    says joined "the limits of semi-implicit Euler, of Verlet's kind and of Newton (the constant-acceleration step) hold for a constant step"
     says joined 'where that cannot be, Runge-Kutta 4; on a spring steps of every length share'
     expect 0 course advise --omega 30 --frames 0.0166667,0.0333333 --keep-size
     joined
@@ -320,7 +320,8 @@ test_the_words_are_those_of_what_they_mean() {
     says out 'takes forces of the position only'
     expect 0 course advise --omega 10
     silent_on out 'die too slowly'
-    says out 'a mere division'
+    joined
+    says joined 'a mere division'
     silent_on out 'h < 0 s'
     says out '> 0 = 2ζ: no step is short enough'
     expect 0 course advise --omega 10 --step 0.2

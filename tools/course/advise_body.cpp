@@ -149,7 +149,7 @@ void print(const Answer& answer) {
                 answer.tilted ? ", tilted by a hundredth as no hand is exact" : "",
                 number(answer.seconds, "%.4g").c_str());
     std::printf("%s%s%s%s%s\n", padded("method", 34).c_str(), padded("energy left", 14).c_str(),
-                padded("at most", 14).c_str(), padded("spin left", 12).c_str(), "attitude off in 2 s");
+                padded("at most", 14).c_str(), padded("spin left", 12).c_str(), "orientation off in 2 s");
     std::printf("%s%s%s%s%s\n", padded("the true motion", 34).c_str(), padded("× 1", 14).c_str(),
                 padded("× 1", 14).c_str(), padded(number(100 * answer.truth.spin_left, "%.3g") + " %", 12).c_str(), "0");
     for (const auto& advice : answer.all) print(advice.method, advice.thrown);

@@ -1,4 +1,4 @@
-// course advise: what was typed about springs, as a scene with a fastest swing.
+// course advise: what was typed about springs, as a scene with a fastest oscillation.
 
 #include <cmath>
 #include <string>

@@ -82,7 +82,7 @@ struct Step {
 void line(const std::string& words) { std::printf("%s", wrapped(words, 0).c_str()); }
 
 // Where the error is looked at.
-std::string span(const timestep::SpringScene& scene) { return scene.fastest.zeta < 1 ? "in the first swing" : "while it decays"; }
+std::string span(const timestep::SpringScene& scene) { return scene.fastest.zeta < 1 ? "in the first period" : "while it decays"; }
 
 // Which error is meant, in one sentence.
 void print_meaning(const timestep::SpringScene& scene, const std::string& percent) {
@@ -91,7 +91,7 @@ void print_meaning(const timestep::SpringScene& scene, const std::string& percen
     const bool swings = scene.fastest.zeta < 1;
     line("Right to " + percent + ": let go at rest, no position " + span(scene) + (swings ? ", " : ", for ") + end +
          "is off by more than " + percent + " of the start, and nothing rings." +
-         (swings ? " After many swings it may be farther off." : ""));
+         (swings ? " After many periods it may be farther off." : ""));
 }
 
 // Which methods are right at this step, which one reaches that most cheaply, and what right means.
@@ -150,13 +150,13 @@ void print_recommended(const timestep::Recommendation& answer, const Step& asked
     line(words);
 }
 
-// The scene in words: its fastest swing, how it was found, and the step.
+// The scene in words: its fastest oscillation, how it was found, and the step.
 void print_scene(const timestep::SpringScene& scene, const Step& asked) {
     const auto& spring = scene.fastest;
     const double h = asked.h, omega = spring.omega;
     const double decay = spring.zeta < 1 ? spring.zeta : 1 / timestep::detail::fast_decay(spring.zeta);
     if (!scene.found.empty())
-        line("The fastest swing: ω² = " + scene.found + "; so ω = " + number(omega) + " rad/s" +
+        line("The fastest oscillation: ω² = " + scene.found + "; so ω = " + number(omega) + " rad/s" +
              (scene.bounded() ? std::string(" at most, ") +
                                     (scene.found.find("/I") == std::string::npos ? "" : "for springs near their rest length, ") +
                                     "and at least " + number(scene.least.omega) + " rad/s." : "."));
@@ -165,10 +165,10 @@ void print_scene(const timestep::SpringScene& scene, const Step& asked) {
              "each time it goes taut between two steps; short steps gain less.");
     if (scene.varying())
         line("Frames from " + number(scene.shortest_frame) + " to " + number(scene.longest_frame) +
-             " s, all lengths alike, in any order: the limits of semi-implicit Euler, of Verlet's kind and of Newton hold for a constant step, "
+             " s, all lengths alike, in any order: the limits of semi-implicit Euler, of Verlet's kind and of Newton (the constant-acceleration step) hold for a constant step, "
              "those of the others for the longest frame. Growth is what a thousand runs "
              "with frames at random do; stable is said only where it is proven for any order.");
-    const std::string steps = spring.zeta < 1 ? number(2 * pi / omega / h) + " steps a swing" : "no swing";
+    const std::string steps = spring.zeta < 1 ? number(2 * pi / omega / h) + " steps a period" : "no oscillation";
     std::printf("ω = %s rad/s, ζ = %s, h = %s s: ωh = %s, %s.\nThe true motion: in a second the "
                 "amplitude %s.\n\n",
                 number(omega).c_str(), number(spring.zeta).c_str(), number(h).c_str(),
@@ -200,7 +200,7 @@ void print(const std::vector<Advice>& all, const timestep::SpringScene& scene, c
     const auto& spring = scene.fastest;
     const double quarter = pi / 2 / spring.omega;
     if (spring.zeta < 1)
-        std::printf("The talk's rule of thumb, four steps a swing, allows %s s: your step is %s.\n",
+        std::printf("The talk's rule of thumb, four steps a period, allows %s s: your step is %s.\n",
                     number(quarter).c_str(), asked.h <= quarter ? "within it" : "longer");
 }
 

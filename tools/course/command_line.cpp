@@ -40,7 +40,7 @@ void declare_springs(CLI::App& advise, Question& question, const Number& number)
     number("--other-arm", question.other_arm, "M", "its arm");
     number("--other-turning", question.other_turning, "KG*M^2", "its least moment of inertia");
     advise.add_flag("--kicks", question.kicks, "impulses come between the steps");
-    advise.add_flag("--keep-size", question.keep_size, "a swing faster than the frame must not die");
+    advise.add_flag("--keep-size", question.keep_size, "an oscillation faster than the frame must not die");
 }
 
 void declare_advise(CLI::App& app, Asked& asked) {
@@ -68,7 +68,7 @@ void declare_advise(CLI::App& app, Asked& asked) {
         ->type_name("SHORTEST,LONGEST")
         ->delimiter(',')
         ->expected(2);
-    number("--accuracy", question.accuracy, "PERCENT", "how far off a position of the first swing may be (1)");
+    number("--accuracy", question.accuracy, "PERCENT", "how far off a position of the first period may be (1)");
     declare_springs(*advise, question, number);
     // Of a body.
     number("--count", question.count, "NUMBER", "so many bodies like this one (1)");
@@ -78,7 +78,7 @@ void declare_advise(CLI::App& app, Asked& asked) {
 }
 
 void declare_bench(CLI::App& app, Asked& asked) {
-    const auto bench = app.add_subcommand("bench", "error against run time, every method in every scene");
+    const auto bench = app.add_subcommand("bench", "error against run time (work–precision diagrams), every method in every scene");
     Contest& contest = asked.contest;
     bench->add_flag("--quick", contest.quick, "a minute in all, without counting instructions");
     bench->add_option("--scene", contest.scenes, "this scene only; may be given again")

@@ -106,7 +106,7 @@ struct Question {
     std::string kind = "spring";                                 ///< or chain, cloth, tether, hinge
     std::optional<double> springs, arm, turning;                 ///< how many, m, kg m²
     std::optional<double> other_mass, other_arm, other_turning;  ///< of a hinge's other body
-    bool kicks = false, keep_size = false;                       ///< impulses; a fast swing that is to stay
+    bool kicks = false, keep_size = false;                       ///< impulses; a fast oscillation that is to stay
 };
 
 /// What every method makes of it: will it blow up, what does it cost, how wrong is it?

@@ -99,7 +99,7 @@ Best measure(const Formula& formula, const Function& f, double x, const std::str
     out.number("best_" + name, best.step, "", "step with the smallest error", 2);
     out.number("best_error_" + name, best.error, "", "error at that step", 2);
     if (!std::isfinite(predicted)) return best;  // nothing is left out, so no step is too large
-    out.number("predicted_" + name, predicted, "", "the best step by the formula", 2);
+    out.number("predicted_" + name, predicted, "", "the optimal step size by the formula", 2);
     costs.row({formula.name + (", " + type), double(formula.evaluations), cell(best.step),
                cell(predicted), cell(best.error)});
     as_predicted = as_predicted && best.step < 2 * predicted && predicted < 2 * best.step &&
@@ -135,9 +135,9 @@ void all(const Function& f, double x, lab::Findings& out) {
     out.number("epsilon_double", std::numeric_limits<double>::epsilon(), "",
                "from 1 to the next double", 2);
     out.check("float_errs_more", float_errs_more,
-              "in float every formula has a larger best step and a larger error than in double");
+              "in float every formula has a larger optimal step size and a larger error than in double");
     out.check("order_helps", order_helps,
-              "the higher the order, the larger the best step and the smaller the error there");
+              "the higher the order, the larger the optimal step size and the smaller the error there");
     out.check("best_steps", as_predicted,
               "every predicted step is within a factor 2 of the best one measured, and its error "
               "within 1.3");
@@ -148,7 +148,7 @@ void all(const Function& f, double x, lab::Findings& out) {
         "rises_again",
         largest_error<double>(forward_difference, f, x, tiny) >
             100 * largest_error<double>(forward_difference, f, x, best),
-        "a thousand times below its best step the forward difference errs over 100 times more");
+        "a thousand times below its optimal step size the forward difference errs over 100 times more");
 }
 
 }  // namespace

@@ -133,7 +133,7 @@ void frames(const Settings& settings, lab::Findings& out) {
     out.number("grid_mm", 1000 * settings.grid, "mm", "the positions are rounded to this");
     out.number("hand_speed", velocity(0), "m/s", "the hand moves at up to this");
     out.number("hand_amplitude", amplitude, "m", "the hand swings by this to each side");
-    out.number("hand_omega", omega, "rad/s", "angular frequency of its swing");
+    out.number("hand_omega", omega, "rad/s", "angular frequency of its oscillation");
     out.number("hand_acceleration", most_acceleration, "m/s²", "the hand's largest acceleration");
     out.number("hand_jerk", most_jerk, "m/s³", "the largest slope of its acceleration");
     out.number("rate", settings.rate, "", "positions a second");

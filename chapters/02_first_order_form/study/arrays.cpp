@@ -124,13 +124,13 @@ void coupled(const Settings& settings, lab::Findings& out) {
     });
     const Vector2 w = row.frequencies();
     std::printf("  two bodies tied by a spring: modes at %.4g and %.4g rad/s\n", w(0), w(1));
-    std::printf("  RK4, 40 steps a swing, is never more than %.1e m off\n", worst);
+    std::printf("  RK4, 40 steps a period, is never more than %.1e m off\n", worst);
     out.number("mode_together", w(0), "rad/s",
                "frequency of the mode in which both go the same way");
     out.number("mode_against", w(1), "rad/s",
                "frequency of the mode in which they go opposite ways");
     out.number("beat", 2 * pi / (w(1) - w(0)), "s",
-               "time in which the swing wanders over and back");
+               "time in which the oscillation wanders over and back");
     out.number("coupled_error", 1000 * worst, "mm", "largest distance of RK4 from the exact motion",
                2);
     // RK4 turns each mode late by (ωh)⁵/120 a step: over 12 swings of 40 steps with ωh = 2π/40, and

@@ -46,7 +46,7 @@ void taking_turns(lab::Findings& out) {
     const double trace = 2 - (a + b) * (a + b) + a * a * b * b;
     const double predicted = std::sqrt(trace * trace / 4 - 1) - trace / 2;
     std::printf(
-        "  the swing of a spring of %g rad/s grows to at most\n"
+        "  the oscillation of a spring of %g rad/s grows to at most\n"
         "    %8.1f times at a steady 60 frames/s\n"
         "    %8.1f times at a steady 30 frames/s\n"
         "    %8.0f times in %.2f s when frames take turns\n",

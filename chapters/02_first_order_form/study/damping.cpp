@@ -84,12 +84,12 @@ void spiral(const Settings& settings, lab::Findings& out) {
     const double left = legs.exact(start, settings.period()).x / start.x;
     std::printf(
         "  the character's legs: zeta = %.3g;\n"
-        "  after %.3f s, %.0f %% of the swing is left\n",
+        "  after %.3f s, %.0f %% of the amplitude is left\n",
         legs.zeta, settings.period(), 100 * std::fabs(left));
     out.number("zeta", legs.zeta, "", "damping ratio of the character's legs");
     out.number("damping", settings.damping, "N·s/m", "damping of its legs");
     out.number("left_after_a_swing", 100 * std::fabs(left), "%",
-               "what is left of the swing after a time of 2π/ω", 2);
+               "what is left of the amplitude after a time of 2π/ω", 2);
 }
 
 // A legend that is easily told too simply: beyond ζ = 1 the solution is a sum of two exponentials,

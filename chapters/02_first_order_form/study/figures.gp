@@ -80,7 +80,7 @@ set xrange [0:2*swing]
 set yrange [-0.3:0.45]
 set key top right maxrows 1 @key
 set arrow 1 from 0.75*swing,0.285 to swing,0.285 heads size graph 0.012,25 lc rgb ink lw 1.5
-set label 1 "a quarter of a swing" at 0.875*swing,0.325 center textcolor rgb ink
+set label 1 "a quarter of a period" at 0.875*swing,0.325 center textcolor rgb ink
 plot "oscillation.tsv" using 1:2 with lines @first title "position x", \
      "" using 1:3 with lines @second title "velocity v / ω"
 unset arrow
@@ -103,7 +103,7 @@ plot "portrait.tsv" using 2:3 with lines @first, \
 # N15: graphs and portrait side by side, a swing long. The strip shows the last one and a half swings.
 # Both share the vertical axis: the state stands as high in the portrait as v / ω in the strip.
 strip = 'set lmargin at screen 0.14; set rmargin at screen 0.49; unset ylabel; set format y "%g"; \
-         set xlabel "time (swings)" offset 0,0.5'
+         set xlabel "time (periods)" offset 0,0.5'
 plane = 'set lmargin at screen 0.59; set rmargin at screen 0.98; set ylabel "v / ω (m)" offset 0.7,0; set format y ""; \
          set xlabel "x (m)" offset 0,0.5; set xrange [-0.31:0.31]; set xtics 0.2'
 set size noratio

@@ -144,7 +144,7 @@ Landing land(const Method& method, const Settings& settings, const std::string& 
 
 template <class Method>
 void frame_rates(const Method& method, const Settings& settings, lab::Findings& out) {
-    std::printf("  %s, the character's last swing with a step that is\n", Method::name);
+    std::printf("  %s, the character's last oscillation with a step that is\n", Method::name);
     std::printf("  frames/s  the frame's time             fixed     steps\n");
     const Landing at_144 = land(method, settings, "144", steady(144), out);
     const Landing at_60 = land(method, settings, "60", steady(60), out);
@@ -156,16 +156,16 @@ void frame_rates(const Method& method, const Settings& settings, lab::Findings& 
                       same_bits(at_144.states, uneven.states);
     std::printf("  with the fixed step all four find the same states%s\n",
                 same ? ", bit for bit" : ": NO, THEY DIFFER");
-    std::printf("  its first swing goes over %.4g m, its last over %.4g m: it %s\n", at_60.first,
+    std::printf("  its first oscillation goes over %.4g m, its last over %.4g m: it %s\n", at_60.first,
                 at_60.fixed, at_60.fixed < at_60.first ? "settles" : "grows");
-    out.number("swing_144", at_144.variable, "m", "the last swing at 144 steps a second", 2);
-    out.number("swing_30", at_30.variable, "m", "the last swing at 30 steps a second", 2);
+    out.number("swing_144", at_144.variable, "m", "the last oscillation at 144 steps a second", 2);
+    out.number("swing_30", at_30.variable, "m", "the last oscillation at 30 steps a second", 2);
     out.check("same_at_every_rate", same,
               "with a fixed step the states are the same bit for bit at every frame rate");
     // The first swing would go from −v/ω to v/ω.
     const double first = 2 * std::fabs(landing.v) / settings.omega();
     out.check("frame_rate_matters", at_144.variable < first && at_30.variable > first,
-              "with a step as long as the frame the swing shrinks at 144 frames/s and grows at 30");
+              "with a step as long as the frame the oscillation shrinks at 144 frames/s and grows at 30");
     if (settings.step == Settings{}.step)  // the page speaks of this step alone
         out.check("one_step_short", at_144.states.size() + 1 == at_60.states.size(),
                   "after three seconds 144 frames/s have taken one step fewer than 60");

@@ -94,12 +94,12 @@ void spring_parameters(const Settings& settings, lab::Findings& out) {
     };
     std::printf(
         "  x'' = -omega^2 x  %g kg on %g N/m: omega = %.4g rad/s,\n"
-        "                    a swing takes %.3f s\n",
+        "                    the period is %.3f s\n",
         m, k, omega(k, m), settings.period());
     out.number("mass", m, "kg", "the character's mass");
     out.number("stiffness", k, "N/m", "stiffness of its legs");
     out.number("omega", omega(k, m), "rad/s", "angular frequency of the character on its legs");
-    out.number("period", settings.period(), "s", "time of one swing");
+    out.number("period", settings.period(), "s", "the period");
     out.number("omega_four_masses", omega(k, 4 * m), "rad/s", "the same with four times the mass");
     out.number("omega_four_springs", omega(4 * k, m), "rad/s", "with four times the stiffness");
     out.check("stiffer_is_faster", omega(4 * k, m) > omega(k, m), "a stiffer spring swings faster");

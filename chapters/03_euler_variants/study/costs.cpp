@@ -112,7 +112,7 @@ void cost_table(const std::map<std::string, Times>& times, lab::Findings& out) {
         const long steps = 1000;
         run(method, counted, State{0, 1.0, 0.0}, 0.1, steps);
         if (std::string(method.name) == "implicit Euler")
-            out.number("newton_rounds", double(counted.slopes) / steps, "", "Newton-Raphson rounds a step", 2);
+            out.number("newton_rounds", double(counted.slopes) / steps, "", "Newton-Raphson iterations a step", 2);
         const Times& t = times.at(method.name);
         const double forces = double(counted.forces) / steps, solves = double(counted.slopes) / steps;
         std::printf("  %-20s %6d %6d %8.2f %8.2f %10.2f %6.2f %6.2f\n", method.name, method.cost.evaluations,
@@ -165,12 +165,12 @@ void work_and_precision(const std::map<std::string, Times>& times, lab::Findings
         }
     });
     out.section("The cheapest method for an accuracy");
-    auto& table = out.table("ranking.tsv", {"wanted error", "cheapest here", "steps a swing", "µs for 20 s"});
+    auto& table = out.table("ranking.tsv", {"wanted error", "cheapest here", "steps a period", "µs for 20 s"});
     for (int k = 0; k < 4; ++k) {
         char swing[16], time[16];
         std::snprintf(swing, sizeof swing, "%.1f", best[k].steps * 2 * pi / seconds);
         std::snprintf(time, sizeof time, "%.2f", 1e6 * best[k].time);
-        std::printf("  %-9s %-20s %6s steps a swing, %6s us for 20 s\n", wanted[k].second,
+        std::printf("  %-9s %-20s %6s steps a period, %6s us for 20 s\n", wanted[k].second,
                     best[k].method.c_str(), swing, time);
         table.row({std::string(wanted[k].second), best[k].method, std::string(swing), std::string(time)});
     }

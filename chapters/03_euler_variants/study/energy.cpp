@@ -78,5 +78,5 @@ void energies(const Settings& settings, lab::Findings& out) {
     out.check("energy_mean",
               wh < 2 && std::fabs(mean - predicted) < 20 / (1 - wh / 2) / wh / steps + 1e-9 &&
                   std::fabs(moving_mean - 1) < 40 / (1 - wh / 2) / (1 - wh / 2) / wh / steps + 1e-9,
-              "the mean energy of semi-implicit Euler is its kept energy over 1 - (omega h)^2/4");
+              "the mean energy of semi-implicit Euler is its modified energy over 1 - (omega h)^2/4");
 }

@@ -148,7 +148,7 @@ unset key
 do for [i=0:80] {
     plot "exact.tsv" every 5 using 1:2 with lines @exact, \
          "sweep_frames.tsv" index i using 2:3 with points pt 7 ps 3 lw 0.3 lc rgb "#009e73", \
-         "" index i every ::1::1 using (0):(5.2):(sprintf("ωh = %.3f   %.2f steps a swing", $1, 2*pi/$1)) \
+         "" index i every ::1::1 using (0):(5.2):(sprintf("ωh = %.3f   %.2f steps a period", $1, 2*pi/$1)) \
             with labels textcolor rgb ink
 }
 

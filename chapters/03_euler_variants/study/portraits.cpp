@@ -50,7 +50,7 @@ void smaller_steps(const Settings& settings, lab::Findings& out) {
     const Spring spring(settings.omega);
     const State start{0, 1.0, 0.0};
     const double seconds = 4 * pi / settings.omega;  // two swings
-    std::printf("  explicit Euler, error after two swings:\n   ");
+    std::printf("  explicit Euler, error after two periods:\n   ");
     double before = 0;
     for (const long divisor : {1, 2, 4, 8}) {
         const long steps = divisor * std::max(1L, std::lround(seconds / settings.step));
@@ -60,8 +60,8 @@ void smaller_steps(const Settings& settings, lab::Findings& out) {
         const State exact = spring.exact(start, seconds);
         const double error = amplitude({0, end.x - exact.x, end.v - exact.v}, settings.omega);
         std::printf(" %.3g m (%ld steps)", error, steps);
-        out.number("smaller_steps_" + std::to_string(divisor), double(steps), "", "steps in two swings");
-        out.number("smaller_error_" + std::to_string(divisor), error, "m", "error after two swings");
+        out.number("smaller_steps_" + std::to_string(divisor), double(steps), "", "steps in two periods");
+        out.number("smaller_error_" + std::to_string(divisor), error, "m", "error after two periods");
         if (divisor > 1)
             out.check("smaller_is_better_" + std::to_string(divisor), error < before,
                       "explicit Euler's error falls as the step is halved");

@@ -41,7 +41,7 @@ double predicted_steps_per_swing(double wh) { return 2 * pi / std::acos(1 - wh *
 void portraits_near_the_limit(lab::Findings& out) {
     const Spring spring(1.0);
     double worst = 0;
-    std::printf("  %6s %22s %22s\n", "omega h", "swing, exact (steps)", "measured");
+    std::printf("  %6s %22s %22s\n", "omega h", "period, exact (steps)", "measured");
     for (const double wh : {0.1, 0.5, 1.0, 1.5, 1.9, 1.99, 2.0, 2.01}) {
         auto& table = out.table("sweep_" + label(wh) + ".tsv", {"x", "v_over_omega"});
         // At the limit the state leaves along a line, past it along a curve, within a few steps.
@@ -60,8 +60,8 @@ void portraits_near_the_limit(lab::Findings& out) {
     out.check("six_points", std::hypot(sixth.x - 1, sixth.v) < 1e-14, "at omega h = 1 the sixth state is the first");
     const double gained = after(2, 200).x - after(2, 100).x, again = after(2, 300).x - after(2, 200).x;
     out.check("linear_at_2", std::fabs(again / gained - 1) < 1e-12 && std::fabs(gained) > 100,
-              "at omega h = 2 the swing grows by the same amount each step");
-    out.number("frequency_worst", worst, "", "measured against predicted swing, worst", 1);
+              "at omega h = 2 the oscillation grows by the same amount each step");
+    out.number("frequency_worst", worst, "", "measured against predicted period, worst", 1);
     // The straight line between two steps puts each crossing at most one step off: 2 in 100000.
     out.check("frequency", worst < 2e-5, "semi-implicit Euler swings with cos(theta) = 1 - (omega h)^2/2");
 }

@@ -94,10 +94,10 @@ void demos(const Settings&, lab::Findings& out) {
     // constant_force.cpp.
     out.check(
         "parabolas", exact_on_ball < steps * 4 * eps * (20 + 12 * 2.4) && off_on_ball > 1,
-        "Verlet in all its forms and Newton fly the parabola itself, and every Euler misses it");
+        "Verlet in all its forms and constant acceleration fly the parabola itself, and every Euler misses it");
     // Semi-implicit Euler keeps x² + (v/ω)² − ωh x (v/ω), here 1: on the ellipse's axes, x = ±v/ω, the
     // amplitude is 1/√(1 ∓ ωh/2). The others swing on an upright one within it.
     const double half = omega * step / 2;
     out.check("verlets_stay", least > 1 / std::sqrt(1 + half) && most < 1 / std::sqrt(1 - half),
-              "semi-implicit Euler and Verlet in all its forms keep the swing");
+              "semi-implicit Euler and Verlet in all its forms keep the oscillation");
 }

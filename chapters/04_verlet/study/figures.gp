@@ -33,7 +33,7 @@ set yrange [0:16]
 set key top left reverse Left
 plot 1 with lines @exact title "exact", \
      "newton_line.tsv" using 1:3 with lines @faint title "√(1 + ω²h²/2)", \
-     "" using 1:2 with lines lc rgb "#e0a800" lw 2.5 dt 1 title "Newton, largest |λ|", \
+     "" using 1:2 with lines lc rgb "#e0a800" lw 2.5 dt 1 title "constant acceleration, largest |λ|", \
      "newton_points.tsv" using 1:2 with points pt 6 ps 0.9 lw 1.6 lc rgb "#9a7400" title "measured"
 
 # The first demo: a ball.
@@ -48,7 +48,7 @@ plot "ball_exact.tsv" using 2:3 with lines @exact title "exact", \
      "ball_explicit_euler.tsv" using 2:3 with lines @explicit_euler title "explicit", \
      "ball_implicit_euler.tsv" using 2:3 with lines @implicit_euler title "implicit", \
      "ball_semi_implicit_euler.tsv" using 2:3 with lines lc rgb "#009e73" lw 2.5 dt (2,4) title "semi-implicit", \
-     "ball_newton.tsv" using 2:3 with lines @newton title "Newton", \
+     "ball_newton.tsv" using 2:3 with lines @newton title "constant accel.", \
      "ball_verlet.tsv" using 2:3 with points pt 7 ps 0.7 lc rgb "#b15a98" title "Verlet", \
      "ball_velocity_verlet.tsv" using 2:3 with points pt 6 ps 1.3 lw 1.4 lc rgb "#b15a98" title "velocity Verlet"
 
@@ -64,7 +64,7 @@ set yrange [1e-4:1e4]
 set key outside bottom center horizontal reverse Left
 plot 1 with lines @exact title "exact", \
      "amplitude_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "explicit", \
-     "amplitude_newton.tsv" using 1:2 with lines @newton title "Newton", \
+     "amplitude_newton.tsv" using 1:2 with lines @newton title "constant accel.", \
      "amplitude_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit", \
      "amplitude_velocity_verlet.tsv" using 1:2 with lines @velocity_verlet title "velocity Verlet", \
      "amplitude_verlet.tsv" using 1:2 with lines lc rgb "#4a1e40" lw 1.6 dt (2,4) title "Verlet", \
@@ -81,7 +81,7 @@ set label 11 "exact" at screen 0.10,0.08 center textcolor rgb "#777777"
 set label 12 "explicit" at screen 0.27,0.08 center textcolor rgb "#b34e00"
 set label 13 "semi-implicit" at screen 0.48,0.08 center textcolor rgb "#007a59"
 set label 14 "Verlet" at screen 0.70,0.08 center textcolor rgb "#8f4379"
-set label 15 "Newton" at screen 0.88,0.08 center textcolor rgb "#9a7400"
+set label 15 "const. accel." at screen 0.88,0.08 center textcolor rgb "#9a7400"
 inside(x, y) = sqrt(x**2 + y**2) < 2.35 ? x : NaN  # a curve ends where it would leave the frame
 do for [i=0:23] {
     n = i + 2  # the file's line; the first holds names, and a curve has two points
@@ -158,9 +158,9 @@ set xrange [-1.2:2.3]
 set yrange [-3.4:0.3]
 set key outside bottom center horizontal reverse Left
 plot "rope_frames.tsv" index 0 using 2:3 with lines @faint title "at the start", \
-     for [k in "6 9 12"] "" index int(k) using 2:3 with lines @second title (k eq "6" ? "1 sweep" : ""), \
-     for [k in "6 9 12"] "" index int(k) using 4:5 with lines @third title (k eq "6" ? "4 sweeps" : ""), \
-     for [k in "6 9 12"] "" index int(k) using 6:7 with lines @first title (k eq "6" ? "32 sweeps" : ""), \
+     for [k in "6 9 12"] "" index int(k) using 2:3 with lines @second title (k eq "6" ? "1 iteration" : ""), \
+     for [k in "6 9 12"] "" index int(k) using 4:5 with lines @third title (k eq "6" ? "4 iterations" : ""), \
+     for [k in "6 9 12"] "" index int(k) using 6:7 with lines @first title (k eq "6" ? "32 iterations" : ""), \
      for [k in "6 9 12"] "" index int(k) every ::20::20 using 2:3:(sprintf("%.1f s", $1)) \
          with labels left offset 0.7,0 textcolor rgb ink, \
      for [k in "4 6"] "" index 12 every ::20::20 using int(k):int(k)+1:(sprintf("%.1f s", $1)) \
@@ -174,9 +174,9 @@ set xlabel "x (m)\n " offset 0,0.4
 set ylabel "y (m)"
 set key outside bottom center horizontal reverse Left
 do for [i=0:60] {
-    plot "rope_frames.tsv" index i using 2:3 with lines lc rgb "#d55e00" lw 2.5 dt 1 title "1 sweep", \
-         "" index i using 4:5 with lines lc rgb "#009e73" lw 2.5 dt 1 title "4 sweeps", \
-         "" index i using 6:7 with lines lc rgb "#0072b2" lw 2.5 dt 1 title "32 sweeps"
+    plot "rope_frames.tsv" index i using 2:3 with lines lc rgb "#d55e00" lw 2.5 dt 1 title "1 iteration", \
+         "" index i using 4:5 with lines lc rgb "#009e73" lw 2.5 dt 1 title "4 iterations", \
+         "" index i using 6:7 with lines lc rgb "#0072b2" lw 2.5 dt 1 title "32 iterations"
 }
 
 set tics autofreq
@@ -187,7 +187,7 @@ set size noratio
 set autoscale
 set logscale xy
 set format xy "%g"
-set xlabel "sweeps a step\n " offset 0,0.4
+set xlabel "iterations a step\n " offset 0,0.4
 set ylabel "too long by (%)"
 set xrange [0.9:80]
 set key outside bottom center horizontal reverse Left
@@ -195,7 +195,7 @@ plot "stretch_60.tsv" using 1:2 with linespoints @second pt 7 ps 0.7 title "60 H
      "stretch_120.tsv" using 1:2 with linespoints @third pt 7 ps 0.7 title "120 Hz", \
      "stretch_240.tsv" using 1:2 with linespoints @fourth pt 7 ps 0.7 title "240 Hz", \
      "stretch_480.tsv" using 1:2 with linespoints @first pt 7 ps 0.7 title "480 Hz", \
-     "stretch_budget.tsv" using 1:2 with points pt 6 ps 1.8 lw 2 lc rgb ink title "480 sweeps a second"
+     "stretch_budget.tsv" using 1:2 with points pt 6 ps 1.8 lw 2 lc rgb ink title "480 iterations a second"
 unset logscale
 
 # What the links do to the energy.
@@ -206,9 +206,9 @@ set ylabel "energy / energy at the start"
 set xrange [0:20]
 set key outside bottom center horizontal reverse Left
 plot 1 with lines @exact title "exact", \
-     "rope_energy_fast.tsv" using 1:2 with lines @first title "480 Hz, 4 sweeps", \
-     "rope_energy_32.tsv" using 1:2 with lines @third title "60 Hz, 32 sweeps", \
-     "rope_energy_4.tsv" using 1:2 with lines @second title "60 Hz, 4 sweeps"
+     "rope_energy_fast.tsv" using 1:2 with lines @first title "480 Hz, 4 iterations", \
+     "rope_energy_32.tsv" using 1:2 with lines @third title "60 Hz, 32 iterations", \
+     "rope_energy_4.tsv" using 1:2 with lines @second title "60 Hz, 4 iterations"
 
 # In float: shorter steps, and worse.
 call figure "floats.svg" 640 440
@@ -230,7 +230,7 @@ set yrange [1e-10:2]
 set xrange [20:1e5]
 set key outside bottom center horizontal reverse Left
 plot "work_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit", \
-     "work_newton.tsv" using 1:2 with lines @newton title "Newton", \
+     "work_newton.tsv" using 1:2 with lines @newton title "constant accel.", \
      "work_velocity_verlet.tsv" using 1:2 with lines @velocity_verlet title "velocity Verlet", \
      "work_verlet.tsv" using 1:2 with lines @verlet title "Verlet", \
      "work_runge_kutta_4.tsv" using 1:2 with lines @runge_kutta_4 title "RK4"

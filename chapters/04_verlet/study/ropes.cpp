@@ -41,7 +41,7 @@ std::string cell(double value) {
 
 void stretch_table(const Settings& settings, lab::Findings& out) {
     auto& summary =
-        out.table("stretch.tsv", {"sweeps a step", "60 Hz", "120 Hz", "240 Hz", "480 Hz"});
+        out.table("stretch.tsv", {"iterations a step", "60 Hz", "120 Hz", "240 Hz", "480 Hz"});
     const double rates[] = {60, 120, 240, 480};
     double quarter = 0, budget[4] = {}, first = 0, at_8 = 0;
     std::vector<std::vector<double>> by_rate(4);
@@ -69,25 +69,25 @@ void stretch_table(const Settings& settings, lab::Findings& out) {
     }
     const double own = stretch_at_rest(60, int(settings.sweeps));
     std::printf(
-        "  %zu links of %g m, at rest, 60 steps a second: %.3g %% too long with 1 sweep a step,\n"
+        "  %zu links of %g m, at rest, 60 steps a second: %.3g %% too long with 1 iteration a step,\n"
         "  %.3g %% with %ld\n",
         links, link, 100 * first, 100 * own, settings.sweeps);
     std::printf(
-        "  480 sweeps a second: 60 Hz %.3g %%, 120 Hz %.3g %%, 240 Hz %.3g %%,\n  480 Hz %.3g %%\n",
+        "  480 iterations a second: 60 Hz %.3g %%, 120 Hz %.3g %%, 240 Hz %.3g %%,\n  480 Hz %.3g %%\n",
         100 * budget[0], 100 * budget[1], 100 * budget[2], 100 * budget[3]);
     out.number("links", double(links), "", "links of the rope");
-    out.number("stretch_one", 100 * first, "%", "stretch at 60 Hz with one sweep", 2);
-    out.number("stretch_many", 100 * budget[0], "%", "stretch at 60 Hz with eight sweeps", 2);
-    out.number("stretch_fast", 100 * budget[3], "%", "stretch at 480 Hz with one sweep", 2);
+    out.number("stretch_one", 100 * first, "%", "stretch at 60 Hz with one iteration", 2);
+    out.number("stretch_many", 100 * budget[0], "%", "stretch at 60 Hz with eight iterations", 2);
+    out.number("stretch_fast", 100 * budget[3], "%", "stretch at 480 Hz with one iteration", 2);
     out.number("stretch_gain", budget[0] / budget[3], "", "one over the other", 2);
     // At rest the sweeps take away what gravity adds in a step, h²g at every point, and while the
     // rope hangs straight all they do is linear: exactly a quarter, but for the rest that the
     // slowest motion has left.
     out.check("stretch_quarter", quarter < 1e-7,
-              "half the step is a quarter of the stretch, for any number of sweeps");
+              "half the step is a quarter of the stretch, for any number of iterations");
     out.check("stretch_budget",
               budget[3] < budget[2] && budget[2] < budget[1] && budget[1] < budget[0],
-              "for the same number of sweeps a second, more steps with fewer sweeps stretch less");
+              "for the same number of iterations a second, more steps with fewer iterations stretch less");
 
     // The stiffest springs that Verlet can carry have ωh = 1 (see below): they hang g (n + 1) h²/2L
     // too long on the mean, and one sweep (n − 1) where they have (n + 1): the derivation stands in
@@ -99,7 +99,7 @@ void stretch_table(const Settings& settings, lab::Findings& out) {
     out.check("sweep_is_stiffest",
               std::fabs(budget[3] / one_sweep - 1) < 1e-7 &&
                   100 * budget[3] > 0.8 * stiffest && 100 * budget[3] < stiffest,
-              "one sweep a step hangs about as little too long as the stiffest springs that the "
+              "one iteration a step hangs about as little too long as the stiffest springs that the "
               "step can carry: within a fifth");
 
     // A chain of springs that hangs as little too long: g n/(2ω²L) on the mean, hence ω. Its
@@ -127,11 +127,11 @@ void stretch_table(const Settings& settings, lab::Findings& out) {
         }
         return farthest >= 1e3;
     };
-    std::printf("  springs as stiff as 8 sweeps need %.0f steps a second, or they blow up\n",
+    std::printf("  springs as stiff as 8 iterations need %.0f steps a second, or they blow up\n",
                 spring_omega);
     out.check(
         "springs_blow_up", blows_up(1.02 / spring_omega) && !blows_up(0.98 / spring_omega),
-        "a chain of springs as stiff as eight sweeps blows up with a step 2 % longer than 1/omega");
+        "a chain of springs as stiff as eight iterations blows up with a step 2 % longer than 1/omega");
 }
 
 // Let go from the level with any step. At rest with one sweep the rope hangs n(n − 1)/2 h²g too long
@@ -153,12 +153,12 @@ void any_step(lab::Findings& out) {
             worst = std::max(worst, (farthest - n * link) / hangs);
         }
     std::printf(
-        "  3000 steps of 1/240 to 1 s, 1 to 32 sweeps: it gets longer by %.2g times what it\n"
-        "  hangs too long with one sweep, at the most\n",
+        "  3000 steps of 1/240 to 1 s, 1 to 32 iterations: it gets longer by %.2g times what it\n"
+        "  hangs too long with one iteration, at the most\n",
         worst);
     out.check("rope_holds", worst < 6,
-              "with steps of 1/240 to 1 s and 1 to 32 sweeps the rope gets longer by less than six "
-              "times what it hangs too long with one sweep");
+              "with steps of 1/240 to 1 s and 1 to 32 iterations the rope gets longer by less than six "
+              "times what it hangs too long with one iteration");
 }
 
 // Let go from the level: the shape, and the energy that the links take away.
@@ -184,12 +184,12 @@ void swing(lab::Findings& out) {
         }
     }
     std::printf(
-        "  let go from the level, at its longest: +%.3g %% with 1 sweep,\n"
+        "  let go from the level, at its longest: +%.3g %% with 1 iteration,\n"
         "  +%.3g %% with 4, +%.2g %% with 32\n",
         100 * longest[0], 100 * longest[1], 100 * longest[2]);
     for (std::size_t k = 0; k < 3; ++k)
         out.number("longest_" + std::to_string(sweeps[k]), 100 * longest[k], "%",
-                   "longest stretch in the swing", 2);
+                   "longest stretch in the oscillation", 2);
 
     // Energy over that of the level rope, measured from the hanging one.
     const auto energy = [&](double steps_a_second, int n_sweeps, const std::string& file,
@@ -219,14 +219,14 @@ void swing(lab::Findings& out) {
                                   energy(60, 32, "rope_energy_32.tsv", end_32),
                                   energy(480, 4, "rope_energy_fast.tsv", end_fast)});
     std::printf(
-        "  energy after 20 s, of 1 at the start: 60 Hz 4 sweeps %.3f, 32 sweeps %.3f;\n"
-        "  480 Hz 4 sweeps %.3f; and at the most %.4f\n",
+        "  energy after 20 s, of 1 at the start: 60 Hz 4 iterations %.3f, 32 iterations %.3f;\n"
+        "  480 Hz 4 iterations %.3f; and at the most %.4f\n",
         end_4, end_32, end_fast, most);
-    out.number("rope_energy_4", end_4, "", "rope's energy after 20 s at 60 Hz, 4 sweeps", 2);
-    out.number("rope_energy_32", end_32, "", "the same with 32 sweeps", 2);
-    out.number("rope_energy_fast", end_fast, "", "at 480 Hz with 4 sweeps", 2);
+    out.number("rope_energy_4", end_4, "", "rope's energy after 20 s at 60 Hz, 4 iterations", 2);
+    out.number("rope_energy_32", end_32, "", "the same with 32 iterations", 2);
+    out.number("rope_energy_fast", end_fast, "", "at 480 Hz with 4 iterations", 2);
     out.check("rope_loses", most < 1.001 && end_4 < 0.1 && end_32 < 0.1 && end_fast > 0.2,
-              "no rope gains energy; at 60 Hz the swing is gone after 20 s, at 480 Hz part of it "
+              "no rope gains energy; at 60 Hz the oscillation is gone after 20 s, at 480 Hz part of it "
               "is left");
     out.number("rope_energy_most", most, "", "the most that any of them had", 3);
 }

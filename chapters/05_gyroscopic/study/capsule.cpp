@@ -76,9 +76,9 @@ void free_capsule(const Settings& settings, lab::Findings& out) {
         } else if (solver.key == "old_inertia") {
             // L is rotated there and back each step: some ε of it a step.
             out.check("capsule_old_momentum", off < 1e-6,
-                      "with the old inertia the angular momentum stays");
+                      "with the lagged inertia the angular momentum stays");
             out.check("capsule_old_energy", energy > 1.5,
-                      "with the old inertia the capsule ends with more than 1.5 times its energy");
+                      "with the lagged inertia the capsule ends with more than 1.5 times its energy");
         } else if (solver.key == "passive") {
             // A step keeps the energy to 8 ε, and going into the body's axes and back to as much
             // again. In n steps such errors add up like √n: to some 16 ε √600 = 9e-14 here, if they

@@ -92,7 +92,7 @@ void driven_body(const Settings&, lab::Findings& out) {
         const double order =
             measured_order({steps.end() - 3, steps.end()}, {errors.end() - 3, errors.end()});
         out.number("driven_" + key + "_order", order, "",
-                   name + ": order of the driven box's attitude", 2);
+                   name + ": order of the driven box's orientation", 2);
         out.number("driven_" + key + "_error", errors.front(), "rad", name + ": error at 60 Hz", 2);
         std::printf("%-24s %10.3f %10.4f %10.2f\n", name.c_str(), errors.front(), errors.back(),
                     order);

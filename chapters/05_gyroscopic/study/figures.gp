@@ -18,7 +18,7 @@ set xtics autofreq
 set logscale xy
 set format xy "10^{%T}"
 set xlabel "step h (s)"
-set ylabel "attitude after a second, off by (rad)"
+set ylabel "orientation after a second, off by (rad)"
 set xrange [2e-4:2e-2]
 set key bottom right reverse Left
 plot "attitude.tsv" using 1:2 with linespoints @explicit_gyroscopic pt 7 ps 0.6 title "explicit", \
@@ -30,7 +30,7 @@ call figure "newton.svg" 640 440
 unset logscale
 set logscale y
 set format x "%g"
-set xlabel "rounds of Newton–Raphson"
+set xlabel "iterations of Newton–Raphson"
 set ylabel "residual over |Iω|"
 set xrange [-0.2:4.2]
 set yrange [1e-18:10]
@@ -69,7 +69,7 @@ set key at screen 0.55,0.075 center horizontal maxcols 3 reverse Left width 1
 plot 0 with lines @exact title "exact", \
      "capsule_explicit.tsv" using 1:4 with lines @explicit_gyroscopic title "explicit", \
      "capsule_dropped.tsv" using 1:4 with lines @no_gyroscopic title "dropped", \
-     "capsule_old_inertia.tsv" using 1:4 with lines @old_inertia title "old inertia", \
+     "capsule_old_inertia.tsv" using 1:4 with lines @old_inertia title "lagged inertia", \
      "capsule_implicit.tsv" using 1:4 with lines @implicit_gyroscopic title "implicit", \
      "capsule_passive.tsv" using 1:4 with lines @passive_gyroscopic title "passive"
 unset multiplot
@@ -106,7 +106,7 @@ do for [name in "exact explicit dropped implicit passive"] {
         set xlabel "time t (s)"
     }
     plot "tumble_".name.".tsv" using 1:2 with lines lc rgb "#0072b2" lw 2 title "about x", \
-         "" using 1:3 with lines lc rgb "#d55e00" lw 2 title "y (middle)", \
+         "" using 1:3 with lines lc rgb "#d55e00" lw 2 title "y (intermediate)", \
          "" using 1:4 with lines lc rgb "#009e73" lw 2 dt (6,3) title "z"
     unset key
 }
@@ -139,7 +139,7 @@ set key at screen 0.55,0.09 center horizontal maxcols 3 reverse Left width 1
 plot 1 with lines @exact title "exact", \
      "tumble_explicit.tsv" using 1:6 with lines @explicit_gyroscopic title "explicit", \
      "tumble_dropped.tsv" using 1:6 with lines @no_gyroscopic title "dropped", \
-     "tumble_old_inertia.tsv" using 1:6 with lines @old_inertia title "old inertia", \
+     "tumble_old_inertia.tsv" using 1:6 with lines @old_inertia title "lagged inertia", \
      "tumble_implicit.tsv" using 1:6 with lines @implicit_gyroscopic title "implicit", \
      "tumble_converged.tsv" using 1:6 with lines @converged_gyroscopic title "converged", \
      "tumble_passive.tsv" using 1:6 with lines @passive_gyroscopic title "passive"

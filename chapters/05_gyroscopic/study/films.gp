@@ -22,7 +22,7 @@ set xlabel "time t (s)"
 set key at screen 0.55,0.075 center horizontal maxcols 3 reverse Left width 1
 plot "plane_rolling_explicit.tsv" using 1:2 with lines @explicit_gyroscopic title "explicit", \
      "plane_rolling_dropped.tsv" using 1:2 with lines @no_gyroscopic title "dropped", \
-     "plane_rolling_old_inertia.tsv" using 1:2 with lines @old_inertia title "old inertia", \
+     "plane_rolling_old_inertia.tsv" using 1:2 with lines @old_inertia title "lagged inertia", \
      "plane_rolling_implicit.tsv" using 1:2 with lines @implicit_gyroscopic title "implicit", \
      "plane_rolling_passive.tsv" using 1:2 with lines @passive_gyroscopic title "passive"
 unset multiplot
@@ -50,7 +50,7 @@ set key at screen 0.55,0.075 center horizontal maxcols 3 reverse Left width 1
 plot "throws_middle_fine.tsv" using 1:2 with lines @exact title "short steps", \
      "throws_middle_explicit.tsv" using 1:2 with lines @explicit_gyroscopic title "explicit", \
      "throws_middle_dropped.tsv" using 1:2 with lines @no_gyroscopic title "dropped", \
-     "throws_middle_old_inertia.tsv" using 1:2 with lines @old_inertia title "old inertia", \
+     "throws_middle_old_inertia.tsv" using 1:2 with lines @old_inertia title "lagged inertia", \
      "throws_middle_implicit.tsv" using 1:2 with lines @implicit_gyroscopic title "implicit", \
      "throws_middle_passive.tsv" using 1:2 with lines @passive_gyroscopic title "passive"
 unset multiplot
@@ -62,12 +62,12 @@ call figure "driven.svg" 640 520
 set logscale xy
 set format xy "10^{%T}"
 set xlabel "step h (s)\n " offset 0,0.4
-set ylabel "error of the attitude (rad)"
+set ylabel "error of the orientation (rad)"
 set xrange [4e-4:2e-2]
 set key outside bottom center horizontal reverse Left width 2
 plot "driven_dropped.tsv" using 1:2 with lines @no_gyroscopic title "dropped", \
      "driven_explicit.tsv" using 1:2 with lines @explicit_gyroscopic title "explicit", \
-     "driven_old_inertia.tsv" using 1:2 with lines @old_inertia title "old inertia", \
+     "driven_old_inertia.tsv" using 1:2 with lines @old_inertia title "lagged inertia", \
      "driven_implicit.tsv" using 1:2 with lines @implicit_gyroscopic title "implicit", \
      "driven_converged.tsv" using 1:2 with lines @converged_gyroscopic title "converged", \
      "driven_passive.tsv" using 1:2 with lines @passive_gyroscopic title "passive"

@@ -55,7 +55,7 @@ void minute(const Settings& settings, lab::Findings& out) {
                               " has lost more than a tenth of its angular momentum");
             if (k == "old_inertia")
                 out.check(id + "_momentum", std::fabs(L - 1) < 1e-9,
-                          "old inertia: the angular momentum of " + of + " stays");
+                          "lagged inertia: the angular momentum of " + of + " stays");
         }
         table.row(cells);
     }

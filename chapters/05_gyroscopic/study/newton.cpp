@@ -68,20 +68,20 @@ void newton(const Settings&, lab::Findings& out) {
     const auto cell = [](double r) { return std::isnan(r) ? lab::Cell("-") : lab::Cell(r); };
     for (int n = 0; n < 7; ++n)
         table.row({double(n), cell(left[0][n]), cell(left[1][n]), cell(left[2][n])});
-    std::printf("  residual after rounds 0 to 3 at h|omega| = 0.1: %.1e %.1e %.1e %.1e\n",
+    std::printf("  residual after iterations 0 to 3 at h|omega| = 0.1: %.1e %.1e %.1e %.1e\n",
                 left[0][0], left[0][1], left[0][2], left[0][3]);
     for (int n = 0; n < 3; ++n)
         out.number("newton_left_" + std::to_string(n), left[0][n], "",
-                   "residual after that many rounds", 2);
+                   "residual after that many iterations", 2);
     // Quadratic: the residual after a round is a constant times the square of that before it.
     const double first = left[0][1] / (left[0][0] * left[0][0]),
                  second = left[0][2] / (left[0][1] * left[0][1]);
-    out.check("newton_quadratic", second < 4 * first, "each round squares the residual");
+    out.check("newton_quadratic", second < 4 * first, "each iteration squares the residual");
 
     // Random boxes: rounds needed, and how often they do not suffice.
     auto& needed =
-        out.table("newton_rounds.tsv", {"$h\\lvert\\omega\\rvert$", "rounds, median",
-                                             "rounds, largest", "not found"});
+        out.table("newton_rounds.tsv", {"$h\\lvert\\omega\\rvert$", "iterations, median",
+                                             "iterations, largest", "not found"});
     RandomBody random(1);
     double missed_at_3 = 0;
     for (const double size : {0.01, 0.1, 0.3, 1.0, 3.0}) {

@@ -146,13 +146,13 @@ void one_throw(const Settings& settings, lab::Findings& out) {
               "explicit without rolling resistance: the spin more than doubles, and in the end the "
               "capsule lies flat with less than a tenth of that");
     out.number("plane_old_energy", old.energy, "",
-               "old inertia: energy at the end over that at the start", 2);
+               "lagged inertia: energy at the end over that at the start", 2);
     out.check("plane_explicit", expl.blown_up > 0, "explicit: the capsule on the plane blows up");
     out.check("plane_dropped",
               dropped.spin > 10 && dropped.most_energy <= 1 && dropped.upright > 80,
               "dropped: after 20 s with rolling resistance it stands on its end and spins");
     out.check("plane_old", old.spin > scene::spin && old.energy > 2,
-              "momentum with old inertia: it stands on its end and spins faster than at the start");
+              "momentum with lagged inertia: it stands on its end and spins faster than at the start");
     out.check("plane_rests", implicit.rest > 0 && passive.rest > 0,
               "implicit and passive: the capsule comes to rest");
     out.check("plane_one_iteration",

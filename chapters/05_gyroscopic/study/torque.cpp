@@ -86,7 +86,7 @@ void torque(const Settings&, lab::Findings& out) {
 }
 
 void attitude(const Settings&, lab::Findings& out) {
-    out.section("From the spin to the attitude");
+    out.section("From the spin to the orientation");
     const auto brick = box(12.0, 1.0, 2.0, 3.0);
     const auto start = spinning(1, 2, 2);
     const ExactFreeBody<double> exact(brick, start);
@@ -111,11 +111,11 @@ void attitude(const Settings&, lab::Findings& out) {
         h.push_back(step), error.push_back(passive);
     }
     const double order = measured_order(h, error);
-    std::printf("  after a second the attitude is off with order %.2f in the step\n", order);
+    std::printf("  after a second the orientation is off with order %.2f in the step\n", order);
     out.number("attitude_price", price, "", "error of the passive step over that of one iteration",
                2);
-    out.number("attitude_order", order, "", "measured order of the attitude");
-    out.check("attitude_order", std::fabs(order - 1) < 0.1, "the attitude is of order one");
+    out.number("attitude_order", order, "", "measured order of the orientation");
+    out.check("attitude_order", std::fabs(order - 1) < 0.1, "the orientation is of order one");
     // Scaling rounds four squares, a sum, a root and a quotient: a few ε.
     out.check("attitude_norm", norm_off < 8 * 2.3e-16,
               "the quaternion's length stays one, to roundoff");

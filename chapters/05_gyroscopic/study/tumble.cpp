@@ -85,7 +85,7 @@ void tumble(const Settings& settings, lab::Findings& out) {
     out.number("tumble_between", truth.at.size() > 1 ? truth.at[1] - truth.at[0] : 0, "s",
                "from flip to flip, exactly");
     out.number("tumble_seconds", seconds, "s", "length of the run");
-    out.number("tumble_spin", settings.spin, "rad/s", "spin about the middle axis");
+    out.number("tumble_spin", settings.spin, "rad/s", "spin about the intermediate axis");
     out.number("tumble_tilt", settings.tilt, "rad/s", "spin about the other two");
     out.number("tumble_mass", mass, "kg", "mass of the box");
     const V I = brick.moments;
@@ -93,7 +93,7 @@ void tumble(const Settings& settings, lab::Findings& out) {
     std::snprintf(moments, sizeof moments, "(%.3g, %.3g, %.3g) kg m²", I.x(), I.y(), I.z());
     out.text("tumble_moments", moments, "its moments about x, y and z");
     out.number("tumble_moment", L0 * L0 / E0 / 2, "kg m²", "L²/2E, exactly");
-    out.number("tumble_middle", brick.moments.y(), "kg m²", "the middle moment");
+    out.number("tumble_middle", brick.moments.y(), "kg m²", "the intermediate moment");
     out.number("tumble_largest", brick.moments.x(), "kg m²", "the largest moment");
     out.number("tumble_h_omega", h * settings.spin, "", "the step times the spin");
 

@@ -166,7 +166,7 @@ void your_spring(const Settings& settings, lab::Findings& out) {
     }
     recommended(out);
     if (const Advice* best = cheapest(all, settings.step)) {
-        out.text("cheapest", best->method, "the cheapest method whose positions are right to one percent in the first swing");
+        out.text("cheapest", best->method, "the cheapest method whose positions are right to one percent in the first period");
         out.number("cheapest_rate", 1 / best_step(*best, settings.step), "Hz",
                    "the steps a second that it takes");
     }

@@ -59,10 +59,10 @@ void advice_bodies(const Settings&, lab::Findings& out) {
     // Uneven frames.
     const auto four = questions::uneven_throws(symmetric_remainder_4, fair_turn, 4, 100);
     const auto kutta = questions::uneven_throws(RungeKuttaSpin{}, fair_uneven_turn, 4, 100);
-    std::printf("  uneven frames near the middle axis: ball and remainder 4 loses %.2g %%, Runge-Kutta 4 is off by %.2g %%\n",
+    std::printf("  uneven frames near the intermediate axis: ball and remainder 4 loses %.2g %%, Runge-Kutta 4 is off by %.2g %%\n",
                 100 * four.lost, 100 * kutta.worst);
     out.number("uneven_4_lost", 100 * four.lost, "%",
-               "of the throws near the middle axis that ball and remainder 4 loses by uneven frames, a quarter of a radian", 2);
+               "of the throws near the intermediate axis that ball and remainder 4 loses by uneven frames, a quarter of a radian", 2);
     out.number("uneven_rk4_worst", 100 * kutta.worst, "%", "how far Runge-Kutta 4 is off there, a twelfth at most", 2);
     out.check("uneven_frames", four.lost > 0.1 && kutta.worst < 0.01,
               "by frames of uneven length ball and remainder 4 loses more than a tenth of the throws near the middle "

@@ -80,7 +80,7 @@ void survivors(lab::Findings& out) {
     const long alone = survives(cloth, frame, 600);
     const long with_enough = survives(cloth, frame / double(enough), 60 * enough);
     const long with_few = survives(cloth, frame / double(few), 60 * few);
-    std::printf("  %d x %d masses, 1e4 N/m: the fastest swing is %.3g rad/s\n", n, n,
+    std::printf("  %d x %d masses, 1e4 N/m: the fastest oscillation is %.3g rad/s\n", n, n,
                 cloth.fastest());
     std::printf(
         "  semi-implicit Euler: gone at step %ld with one step a frame, at step %ld with %ld a\n"
@@ -106,7 +106,7 @@ void survivors(lab::Findings& out) {
         apart = std::max(apart, 100 * (exact.x() - rough.x()).segment<3>(3 * i).norm());
     std::printf("  solved to one percent only, a mass is %.0f cm elsewhere after a second\n",
                 apart);
-    out.number("cloth_fastest", cloth.fastest(), "rad/s", "fastest swing of a cloth of 12 x 12");
+    out.number("cloth_fastest", cloth.fastest(), "rad/s", "fastest oscillation of a cloth of 12 x 12");
     out.number("cloth_alone", double(alone), "",
                "steps until it is gone, one explicit step a frame");
     out.number("cloth_enough", double(enough), "", "explicit steps a frame that it needs");

@@ -177,7 +177,7 @@ std::string bounded(const AnyMethod<Model, S>& method, const Model& model, const
 void boundedness(lab::Findings& out) {
     std::printf("\n  %-32s %9s %9s %9s %9s\n", "", "swing .5", "swing 2.5", "damped2.5",
                 "decay -10");
-    auto& table = out.table("bounded.tsv", {"method", "swing, ωh = 0.5", "swing, ωh = 2.5",
+    auto& table = out.table("bounded.tsv", {"method", "oscillation, ωh = 0.5", "oscillation, ωh = 2.5",
                                             "the same, ζ = 0.5", "decay, hλ = −10"});
     const State<double> swing{0, 1.0, 0.0};
     const FirstOrder<double> one{0, 1.0};
@@ -209,12 +209,12 @@ void accuracy(lab::Findings& out) {
         const State<double> end = run(method, Spring(1.0), State{0, 1.0, 0.0}, h, steps);
         return std::hypot(end.x, end.v);
     };
-    out.number("swing_wh", h, "", "omega h of a swing stepped once round");
+    out.number("swing_wh", h, "", "omega h of an oscillation stepped for one period");
     out.number("swing_implicit", 100 * size(implicit_euler), "%",
-               "what implicit Euler leaves of a swing");
-    out.number("swing_explicit", size(explicit_euler), "", "what explicit Euler makes of a swing");
+               "what implicit Euler leaves of an oscillation");
+    out.number("swing_explicit", size(explicit_euler), "", "what explicit Euler makes of an oscillation");
     out.check("stable_not_accurate", size(implicit_euler) < 0.3,
-              "implicit Euler, which is stable, loses most of the first swing at omega h = 0.5");
+              "implicit Euler, which is stable, loses most of the first period at omega h = 0.5");
 }
 
 }  // namespace

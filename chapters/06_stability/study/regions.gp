@@ -65,7 +65,7 @@ set yrange [-3.2:3.2]
 set xtics 1
 set ytics 1
 set xlabel "real part of hλ: decay to the left\n " offset 0,0.4
-set ylabel "imaginary part of hλ: swing"
+set ylabel "imaginary part of hλ: oscillation"
 set key outside bottom center horizontal reverse Left width -5
 set label 1 "damped" at -0.91,0.93 center offset 0,1.1 textcolor rgb ink
 set label 2 "hard damping:\nits fast part" at -3.13,0 right offset -0.6,1.6 textcolor rgb ink

@@ -56,7 +56,7 @@ call figure "fates.svg" 640 900
 set multiplot layout 2,1 margins 0.3,0.97,0.17,0.99 spacing 0,0.09
 set logscale x
 set yrange [0.4:12.6]
-set ytics ("BDF2" 1, "implicit Euler" 2, "implicit midpoint" 3, "velocity Verlet" 4, "Verlet" 5, "with new damping" 6, "semi-implicit" 7, "RK4" 8, "Heun" 9, "midpoint" 10, "Newton" 11, "explicit" 12)
+set ytics ("BDF2" 1, "implicit Euler" 2, "implicit midpoint" 3, "velocity Verlet" 4, "Verlet" 5, "with new damping" 6, "semi-implicit" 7, "RK4" 8, "Heun" 9, "midpoint" 10, "constant accel." 11, "explicit" 12)
 unset grid
 unset key
 set xrange [0.7:1.4e8]

@@ -150,9 +150,9 @@ void swings(lab::Findings& out) {
                                    swing(semi_implicit_euler, out), swing(velocity_verlet, out)});
     const double bound = std::log(3.0) / 3000;
     out.number("swing_worst", worst, "",
-               "measured growth of a swing against formula, logarithm, worst", 1);
+               "measured growth of an oscillation against formula, logarithm, worst", 1);
     out.check("swings", worst < bound,
-              "the growth of swings is the one predicted, for every method of the picture");
+              "the growth of oscillations is the one predicted, for every method of the picture");
 
     double off = 0;
     bool kept = true, damped = true;
@@ -164,29 +164,29 @@ void swings(lab::Findings& out) {
     }
     const auto stable = [](double wh) { return factor(runge_kutta_4, wh) <= 1 + 1e-12; };
     const double limit = largest_stable_step(stable, 10.0);
-    std::printf("  implicit midpoint keeps every swing within %.1e; RK4 up to omega h = %.6f\n",
+    std::printf("  implicit midpoint keeps every oscillation within %.1e; RK4 up to omega h = %.6f\n",
                 off, limit);
     out.number("rk4_swing_limit", limit, "",
-               "largest omega h at which RK4 does not grow on a swing", 4);
+               "largest omega h at which RK4 does not grow on an oscillation", 4);
     out.check("rk4_swing_limit", std::fabs(limit - std::sqrt(8.0)) < 1e-9,
               "RK4 is stable up to omega h = sqrt 8");
     out.check("p_stable", off < 8 * eps,
-              "implicit midpoint keeps the size of a swing for every omega h");
+              "implicit midpoint keeps the size of an oscillation for every omega h");
     out.check(
         "not_p_stable", kept && damped,
-        "implicit Euler and BDF2 damp every swing; semi-implicit Euler keeps it up to omega h = 2");
+        "implicit Euler and BDF2 damp every oscillation; semi-implicit Euler keeps it up to omega h = 2");
     // Keeping the size is not keeping the time: by what angle does a step turn?
     const double fast = 100, turn = std::arg(stability_function(implicit_midpoint, {0, fast}));
-    out.number("fast_swing", fast, "rad", "what a fast swing turns by in a step");
+    out.number("fast_swing", fast, "rad", "what a fast oscillation turns by in a step");
     out.number("fast_swing_midpoint", turn, "rad", "what implicit midpoint makes of that");
     out.check("fast_swing_is_slow", turn > 0 && turn < fast / 30,
-              "implicit midpoint turns a fast swing by less than half a turn a step");
+              "implicit midpoint turns a fast oscillation by less than half a turn a step");
 }
 
 }  // namespace
 
 void stiff_decay(const Settings&, lab::Findings& out) {
-    out.section("Stiff decays and fast swings");
+    out.section("Stiff decays and fast oscillations");
     decays(out);
     swings(out);
 }

@@ -38,7 +38,7 @@ set format x "10^{%T}"
 set format y "%g"
 set ytics (0.001, 0.01, 0.1, 1, 10)
 set xlabel "ωh (rad)\n " offset 0,0.4
-set ylabel "growth of a swing a step"
+set ylabel "growth of an oscillation a step"
 set key outside bottom center vertical maxrows 3 reverse Left
 plot "swing_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit Euler", \
      "swing_velocity_verlet.tsv" using 1:2 with lines @verlet title "velocity Verlet", \

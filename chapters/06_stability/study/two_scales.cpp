@@ -46,8 +46,8 @@ void two_scales(const Settings&, lab::Findings& out) {
     out.section("Two time scales in one system");
     const auto row = two_scales_row();
     auto& table = out.table("two_scales.tsv", {"method", "steps a second",
-                                               "error of the slow swing, m",
-                                               "left of the fast swing"});
+                                               "error of the slow oscillation, m",
+                                               "left of the fast oscillation"});
     std::printf("  %-34s %8s %12s %12s\n", "ten seconds", "steps/s", "slow error", "fast left");
     std::map<std::string, Ended> ended;
     const auto words = [](double x) {
@@ -85,17 +85,17 @@ void two_scales(const Settings&, lab::Findings& out) {
     out.check("two_scales_explicit", gone == 10 && enough == 6,
               "of the ten explicit methods none stands 60 Hz; with as many steps as theory asks for six do");
     out.check("two_scales_implicit", euler.fast < 1e-15 && euler.slow_error > 0.05,
-              "implicit Euler kills the fast swing and damps the slow one");
+              "implicit Euler kills the fast oscillation and damps the slow one");
     out.check("two_scales_midpoint",
               std::abs(middle.fast / 1e-3 - 1) < 0.01 && middle.slow_error < 1e-3,
-              "implicit midpoint follows the slow swing and lets the fast one ring for ever");
+              "implicit midpoint follows the slow oscillation and lets the fast one ring for ever");
     out.check("two_scales_bdf2", bdf.fast < 1e-15 && bdf.slow_error < 0.02,
-              "BDF2 kills the fast swing and follows the slow one");
+              "BDF2 kills the fast oscillation and follows the slow one");
 
     out.number("two_scales_frame", std::ceil(5000.0 / 60), "",
                "steps a frame that semi-implicit Euler needs");
     out.number("two_scales_euler", euler.slow_error, "m",
-               "implicit Euler's error of the slow swing", 2);
+               "implicit Euler's error of the slow oscillation", 2);
     out.number("two_scales_midpoint", middle.slow_error, "m", "implicit midpoint's", 2);
     out.number("two_scales_bdf2", bdf.slow_error, "m", "BDF2's", 2);
 
@@ -112,11 +112,11 @@ void two_scales(const Settings&, lab::Findings& out) {
     const double error =
         std::hypot(implicit.x[3] - std::cos(slowest * 10), implicit.v[3] + std::sin(10.0));
     std::printf(
-        "  a chain of 1e-12 kg links and a mass of 1 kg: fastest swing %.3g rad/s, so "
+        "  a chain of 1e-12 kg links and a mass of 1 kg: fastest oscillation %.3g rad/s, so "
         "semi-implicit\n"
         "  Euler takes %.3g steps a second; implicit midpoint at 60 Hz is %.1e off after 10 s\n",
         fastest, fastest / 2, error);
-    out.number("chain_fastest", fastest, "rad/s", "the fastest swing of the chain");
+    out.number("chain_fastest", fastest, "rad/s", "the fastest oscillation of the chain");
     out.number("chain_rate", fastest / 2, "Hz",
                "steps a second that semi-implicit Euler needs for it");
     out.number("chain_error", error, "m", "implicit midpoint at 60 Hz, after ten seconds", 2);

@@ -126,7 +126,7 @@ void equal_runs(lab::Findings& out) {
                 times[500] / times[0], mean / times[0], times.back() / times[0]);
 }
 
-// 5. What has come to rest is dear: near zero, numbers are subnormal, and many processors take them
+// 5. What has come to rest costs more: near zero, numbers are subnormal, and many processors take them
 // apart by hand.
 void at_rest(lab::Findings& out) {
     const auto time_of = [&](const State<double>& from) {
@@ -158,8 +158,8 @@ void lucky_end(lab::Findings& out) {
                          error_after(semi_implicit_euler, seconds, 9600));
     };
     out.number("order_at_4", order(4.0), "",
-               "order of semi-implicit Euler seen after four whole swings");
-    out.number("order_at_4_1", order(4.1), "", "the same, seen a tenth of a swing later");
+               "order of semi-implicit Euler seen after four whole periods");
+    out.number("order_at_4_1", order(4.1), "", "the same, seen a tenth of a period later");
     out.check(
         "lucky_end", order(4.0) > 1.5 && std::fabs(order(4.1) - 1) < 0.1,
         "an error looked at only where the mass turns round shows an order that is not there");

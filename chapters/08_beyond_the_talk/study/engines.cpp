@@ -80,7 +80,7 @@ struct Throw {
     Spin start;
 };
 const Throw throws[] = {{"short", "short axis", spin_of(10, 2, 1)},
-                        {"middle", "middle axis", spin_of(1, 10, 0.1)},
+                        {"middle", "intermediate axis", spin_of(1, 10, 0.1)},
                         {"long", "long axis", spin_of(1, 2, 10)}};
 const Spin& tumbling = throws[1].start;
 
@@ -114,7 +114,7 @@ void claims(std::map<std::string, Left>& left, lab::Findings& out) {
     out.check("engines_lost_half", left["mujoco_middle"].energy < 0.5 &&
                                        left["box3d_middle"].energy < 0.5 &&
                                        left["box3d_middle"].energy > left["mujoco_middle"].energy,
-              "thrown about its middle axis the box loses more than half, in four substeps less");
+              "thrown about its intermediate axis the box loses more than half, in four substeps less");
     out.check("engines_jolt_momentum", one_length, "Jolt: |L| stays to roundoff");
     out.check("engines_jolt_loses", left["jolt_long"].energy < 0.9,
               "Jolt: the box loses energy when thrown about its long axis");
@@ -138,7 +138,7 @@ void claims(std::map<std::string, Left>& left, lab::Findings& out) {
 }
 
 void a_minute(const Body& brick, const std::map<std::string, double>& ns, lab::Findings& out) {
-    std::vector<std::string> columns{"rule", "order of ω", "of the attitude", "ns a step"};
+    std::vector<std::string> columns{"rule", "order of ω", "of the orientation", "ns a step"};
     for (const Throw& thrown : throws)
         for (const char* left : {": energy", ": $\\lvert L\\rvert$"})
             columns.push_back(std::string(thrown.about) + left);
@@ -267,12 +267,12 @@ void price(const Body& brick, const std::map<std::string, double>& ns, lab::Find
         no_nearer = no_nearer &&
                     error(midpoint, brick, thrown.start) >= error(half_step, brick, thrown.start);
     out.number("engines_midpoint_error", error(midpoint, brick, tumbling), "rad",
-               "implicit midpoint: the attitude's error, the middle throw, two seconds at 60 Hz",
+               "implicit midpoint: the orientation's error, the middle throw, two seconds at 60 Hz",
                2);
     out.number("engines_half_step_error", error(half_step, brick, tumbling), "rad",
                "the half-step Jacobian's", 2);
     out.check("engines_midpoint_error", no_nearer,
-              "in each of the three throws, in two seconds, implicit midpoint's attitude is no "
+              "in each of the three throws, in two seconds, implicit midpoint's orientation is no "
               "nearer than the half-step Jacobian's");
 }
 

@@ -87,13 +87,13 @@ void ends(lab::Findings& out) {
                 most);
     out.number("engines_bodies", many, "", "random bodies that were spun");
     out.number("engines_about_middle", about_middle, "",
-               "of them end with the energy of a turn about the middle axis, by Jolt's rule");
+               "of them end with the energy of a turn about the intermediate axis, by Jolt's rule");
     out.number("engines_jolt_tumbles", tumbles, "", "of them turn over in the minute after");
     out.number("engines_about_largest", about_largest, "",
                "of them turn about the axis of the largest moment in the end, by ODE's rule");
     out.number("engines_jolt_most", most, "", "the most energy that Jolt's rule left one of them");
     out.check("engines_about_middle", about_middle == many && most > 1.1 && tumbles > 0.9 * many,
-              "Jolt: every random body ends with E = L²/2I of the middle moment, to a hundredth, "
+              "Jolt: every random body ends with E = L²/2I of the intermediate moment, to a hundredth, "
               "over nine in ten tumble on, and some have gained a tenth");
     out.check("engines_about_largest", about_largest == many,
               "ODE: every random body ends about the axis of its largest moment, to a hundredth");

@@ -147,7 +147,7 @@ void fails(const Settings& settings, lab::Findings& out) {
                "what a step there multiplies the energy by");
     out.check("singular", there > 1e3,
               "at its singular spin a step multiplies the energy without limit");
-    std::printf("  moments 3:2:1, middle axis, h|omega| = %.3f: energy x %.1g\n", singular, there);
+    std::printf("  moments 3:2:1, intermediate axis, h|omega| = %.3f: energy x %.1g\n", singular, there);
 
     auto& curve = out.table("fails.tsv", {"size", "implicit", "half_step", "cayley", "passive",
                                           "calm", "strang", "remainder_2", "remainder_4"});

@@ -9,7 +9,7 @@ set format xy "10^{%T}"
 set xtics autofreq
 set ytics autofreq
 set xlabel "step h (s)"
-set ylabel "attitude after two seconds, off by (rad)"
+set ylabel "orientation after two seconds, off by (rad)"
 set xrange [1.2e-3:0.2]
 set yrange [1e-11:1]
 set key below horizontal maxcols 3 reverse Left samplen 2
@@ -101,7 +101,7 @@ do for [j = 1:3] { do for [i = 1:3] {
     set bmargin at screen top(j) - 0.24
     set title (j == 1 ? head(word(bodies, i)) : "") textcolor rgb ink offset 0,-0.5
     set format y (i == 1 ? "%g" : "")
-    set ylabel (i == 1 ? "attitude off by (rad)" : "") offset 0.5
+    set ylabel (i == 1 ? "orientation off by (rad)" : "") offset 0.5
     if (i == 3) { set label 1 spin(word(paces, j)) at graph 1.05,0.5 center rotate by -90 textcolor rgb ink }
     set xlabel (j == 3 ? "µs a second of the motion" : "") offset 0,0.3
     if (i > 1) { set ytics ("" 1, "" 0.01, "" 1e-4, "" 1e-6, "" 1e-8, "" 1e-10, "" 1e-12) } \

@@ -236,7 +236,7 @@ void many_bodies(lab::Findings& out) {
             return turn(solver, inertia, s, step);
         };
         out.text("lanes_" + id + "_box", error_in_a_pack(turned, brick),
-                 "box, 10 rad/s, turned by the new omega: worst attitude, or share of throws lost");
+                 "box, 10 rad/s, turned by the new omega: worst orientation, or share of throws lost");
         out.text("lanes_" + id + "_ruler", error_in_a_pack(turned, ruler), "a ruler, the same");
     };
     errors("passive", passive_gyroscopic);

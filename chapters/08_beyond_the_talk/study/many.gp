@@ -23,7 +23,7 @@ plot "many_caches.tsv" using 2:(20) with impulses @faint notitle, \
      "many_springs.tsv" using 1:2 with linespoints @second pt 7 ps 0.5 title "one by one", \
      "" using 1:3 with linespoints @first pt 7 ps 0.5 title "lanes", \
      "" using 1:4 with linespoints @third pt 7 ps 0.5 title "lanes, 32 a pass"
-set title "boxes, half-step Jacobian and attitude" offset 0,1.3
+set title "boxes, half-step Jacobian and orientation" offset 0,1.3
 set xlabel "how many there are"
 set yrange [1:2000]
 set ytics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)

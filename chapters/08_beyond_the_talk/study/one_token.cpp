@@ -58,7 +58,7 @@ void one_token(const Settings& settings, lab::Findings& out) {
     follow(method("half_step"));
     out.number("token_seconds", seconds, "s", "how long the box is watched");
     out.text("token_moments", "(13, 10, 5) kg m²", "moments of the box");
-    out.number("token_spin", settings.spin, "rad/s", "its spin about the middle axis");
+    out.number("token_spin", settings.spin, "rad/s", "its spin about the intermediate axis");
     out.number("token_tilt", settings.tilt, "rad/s", "its spin about the other two");
 
     // Does the energy drift? A quarter of an hour, the mean of the first and of the last minute.

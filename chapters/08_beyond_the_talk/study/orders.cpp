@@ -42,13 +42,13 @@ void orders(const Settings&, lab::Findings& out) {
     out.section("Orders");
     const Body brick = box(12.0, 1.0, 2.0, 3.0);
     const Spin start = spinning(Vector(1, 2, 2));
-    auto& table = out.table("orders.tsv", {"method", "order in ω", "order in the attitude"});
+    auto& table = out.table("orders.tsv", {"method", "order in ω", "order in the orientation"});
     auto& points = out.table("order_points.tsv", {"method", "h", "spin", "attitude"});
     bool as_declared = true;
     const auto write = [&](const std::string& name, const std::string& id, const Measured& m) {
         const double spin = measured_order(m.h, m.spin);
         const double attitude = measured_order(m.h, m.attitude);
-        std::printf("  %-30s order %.2f in omega, %.2f in the attitude\n", name.c_str(), spin,
+        std::printf("  %-30s order %.2f in omega, %.2f in the orientation\n", name.c_str(), spin,
                     attitude);
         table.row({name, rounded(spin), rounded(attitude)});
         for (std::size_t i = 0; i < m.h.size(); ++i)
@@ -72,9 +72,9 @@ void orders(const Settings&, lab::Findings& out) {
                   }
                   return s;
               }));
-    out.number("order_new", attitude, "", "order of the attitude by the new omega");
+    out.number("order_new", attitude, "", "order of the orientation by the new omega");
     out.check("orders", as_declared,
-              "every method has the order it declares, in ω and in the attitude");
+              "every method has the order it declares, in ω and in the orientation");
     out.check("order_new", std::fabs(spin - 2) < 0.1 && std::fabs(attitude - 1) < 0.15,
-              "with the new ω instead of the mean the attitude has order one");
+              "with the new ω instead of the mean the orientation has order one");
 }

@@ -191,16 +191,16 @@ void throws(const Settings&, lab::Findings& out) {
     out.number("worst_game", 100 * worst_game, "%",
                "worst error of ball and remainder 4 in all throws at 10 rad/s, 60 Hz", 2);
     out.number("middle_15", 100 * middle_15, "%",
-               "its worst error about the middle axis at 15 rad/s", 2);
+               "its worst error about the intermediate axis at 15 rad/s", 2);
     out.number("middle_30", middle_30.wrong, "%",
-               "of the ruler's throws about the middle axis off by 1 % at 30 rad/s", 2);
+               "of the ruler's throws about the intermediate axis off by 1 % at 30 rad/s", 2);
     out.number("middle_30_lost", middle_30.lost, "%", "and lost", 2);
     out.number("middle_half", 100 * middle_half.worst, "%", "the worst of them at 120 Hz", 2);
     out.check("middle_15", middle_15 < 1e-3,
-              "15 rad/s at 60 Hz, four bodies thrown about their middle axis: ball and remainder 4 "
+              "15 rad/s at 60 Hz, four bodies thrown about their intermediate axis: ball and remainder 4 "
               "is off by less than 0.1 %");
     out.check("middle_30", middle_30.wrong > 50 && middle_30.lost > 5 && middle_half.worst < 0.01,
-              "30 rad/s at 60 Hz: of the ruler's throws about its middle axis it has most off by "
+              "30 rad/s at 60 Hz: of the ruler's throws about its intermediate axis it has most off by "
               "more than 1 %, and loses some; at 120 Hz all are right to 1 %");
     out.number("worst_30", 100 * worst_30, "%", "its worst error at 30 rad/s", 2);
     out.number("box_100", box_100.wrong, "%", "of the box's throws off by 1 % at 100 rad/s", 2);
@@ -209,7 +209,7 @@ void throws(const Settings&, lab::Findings& out) {
                "of the box's throws that ball and remainder 2 has off by more than 1 %", 2);
     out.number("ruler_wrong", two.wrong, "%", "of the ruler's throws", 2);
     out.number("ruler_rate", std::sqrt(r.x() * r.z()), "",
-               "the rate at which a ruler leaves its middle axis, over |omega|", 2);
+               "the rate at which a ruler leaves its intermediate axis, over |omega|", 2);
     out.number("half_worst", 100 * half_worst, "%", "worst error of the half-step Jacobian", 2);
     out.number("ruler_cayley", of("cayley", "ruler").lost, "%",
                "of the ruler's throws that Cayley has lost", 2);
@@ -232,7 +232,7 @@ void throws(const Settings&, lab::Findings& out) {
               "than 20 % of the ruler's, and loses one");
     out.check("near_middle", near_middle,
               "the ruler's twenty worst throws by ball and remainder 2 come to within 2 % of a "
-              "turn about its middle axis");
+              "turn about its intermediate axis");
     out.check("take_half_step", half,
               "10 rad/s at 60 Hz, every throw of four bodies: the half-step Jacobian with the mean "
               "is off by less than 10 %");

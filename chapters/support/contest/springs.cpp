@@ -11,7 +11,7 @@ namespace contest {
 
 // Twice: the second time in float, to show its floor.
 Scene spring() {
-    Scene spring = spring_scene("spring", "a spring, one swing a second", 1, Spring(hertz),
+    Scene spring = spring_scene("spring", "a spring, one oscillation a second", 1, Spring(hertz),
                                 State{0, 1.0, 0.0});
     const Spring single(static_cast<float>(hertz));
     const State start{0.0f, 1.0f, 0.0f};

@@ -144,8 +144,8 @@ private:
         refuse("step huge", "step", good, huge<Real>);
         refuse("spin NaN", "start", {0, good.q, V(1, nan, 0)}, h);
         refuse("spin ∞", "start", {0, good.q, V(1, inf, 0)}, h);
-        refuse("attitude NaN", "start", {0, Quaternion<Real>(nan, 0, 0, 0), good.omega}, h);
-        refuse("attitude 0", "start", {0, Quaternion<Real>(0, 0, 0, 0), good.omega}, h);
+        refuse("orientation NaN", "start", {0, Quaternion<Real>(nan, 0, 0, 0), good.omega}, h);
+        refuse("orientation 0", "start", {0, Quaternion<Real>(0, 0, 0, 0), good.omega}, h);
     }
 
     // The energy that the solver lets a body reach, over that at the start. The passive and the

@@ -11,7 +11,7 @@ namespace timestep {
 
 /// The half-step Jacobian, in substeps where it might be singular, and scaled back to the energy that
 /// the step began with. Unscaled it keeps E/Δ and |L|²/Δ, where Δ is its determinant for the
-/// component of ω about the middle moment's axis alone, over that at rest. So |L|²/E stays in every step, and the scaling brings both back, to roundoff: ω stays on the
+/// component of ω about the intermediate moment's axis alone, over that at rest. So |L|²/E stays in every step, and the scaling brings both back, to roundoff: ω stays on the
 /// true curve at any spin, when steps vary, and from one impulse to the next. What is off is only when
 /// it is where, by order two.
 ///
@@ -24,7 +24,7 @@ struct CalmHalfStep {
     static constexpr int most = 32;       ///< substeps
 
     // How far does ω circle in a step? With p_x = |a_y a_z| θ_x² and so on round, θ = hω, and r the axis
-    // of the middle moment, the exact motion circles by the root of the larger of p_r + p_i and
+    // of the intermediate moment, the exact motion circles by the root of the larger of p_r + p_i and
     // p_r + p_j. Both stay, and the sum of all three, which we take, is at least as large. And
     // Δ = 1 − p_r/4, so it is above 15/16 in substeps for which that sum is below ¼.
     //

@@ -105,7 +105,7 @@ private:
     }
     /// [continuation]
 
-    // The axis that the exact motion circles. The middle moment has the largest |g|, as Σg = 0.
+    // The axis that the exact motion circles. The intermediate moment has the largest |g|, as Σg = 0.
     template <class Real>
     static int circled(const Vector3<Real>& hg, const Vector3<Real>& y1) {
         const Vector3<Real> root = hg.cwiseAbs().cwiseSqrt();

@@ -7,8 +7,8 @@
 
 namespace timestep {
 
-/// ImplicitGyroscopic with h/2 where the Jacobian has h, and nothing else (Kahan 1993; Hirota and
-/// Kimura 2000). Order two; a step of −h undoes a step of h; the energy swings and does not drift.
+/// ImplicitGyroscopic with h/2 where the Jacobian has h, and nothing else: Kahan's discretisation (1993),
+/// for Euler's equations also found by Hirota and Kimura (2000). Order two; a step of −h undoes a step of h; the energy oscillates and does not drift.
 /// Two quantities are kept exactly, which confine ω to a closed curve near the true one.
 ///
 /// With the first h|ω| below 2, and h the same in every step, the energy is never more than

@@ -1,13 +1,13 @@
 #pragma once
 /// \file
-/// Angular momentum instead of angular velocity.
+/// Angular momentum instead of angular velocity, with the lagged inertia.
 
 #include <timestep/rigid/body.hpp>
 
 namespace timestep {
 
-/// Steps the angular momentum L, in which no gyroscopic term appears: L̇ = T (N45). But the attitude
-/// needs ω₂ = I₂⁻¹L₂, and I₂, the inertia in world coordinates, depends on the attitude that is not
+/// Steps the angular momentum L, in which no gyroscopic term appears: L̇ = T (N45). But the orientation
+/// needs ω₂ = I₂⁻¹L₂, and I₂, the inertia in world coordinates, depends on the orientation that is not
 /// known yet: I₁ has to do. L is kept to roundoff; the energy is anybody's.
 struct OldInertia {
     static constexpr const char* name = "momentum, old inertia";  ///< for tables and keys
@@ -16,7 +16,7 @@ struct OldInertia {
 
 inline constexpr OldInertia old_inertia;  ///< the method as a value
 
-// The state holds ω instead of L. In it ω = I⁻¹L at the attitude of the same moment, so the old
+// The state holds ω instead of L. In it ω = I⁻¹L at the orientation of the same moment, so the lagged
 // inertia with the old momentum is the ω that the state holds, and I₂⁻¹L₂ is made for the next step.
 /// One step of `h` seconds without a torque from outside.
 /// [step]

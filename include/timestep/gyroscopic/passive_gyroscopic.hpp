@@ -7,14 +7,14 @@
 
 namespace timestep {
 
-/// The passive step. It takes the angular momentum L from the old state and the angular velocity
+/// The passive step, linearly implicit. It takes the angular momentum L from the old state and the angular velocity
 /// from the new one, I(ω₂ − ω₁) = h L₁ × ω₂ (as the engine ODE does), so that the equation is linear
 /// and the torque does no work. Its solution is explicit Euler's, and a little more, over a number: a
 /// few lines without a branch, and without a determinant that could vanish.
 ///
 /// Order one, as the talk's solver; the energy never grows, for any inertia, spin and step (N51). The
 /// angular momentum is kept to order one only: it never shrinks. So a body left alone ends turning about
-/// its largest moment, however short the step; where two moments are equal, say so by SymmetricInertia,
+/// its largest principal moment, however short the step; where two moments are equal, say so by SymmetricInertia,
 /// whose step loses nothing. Where (hω)² is too large for a number (hω beyond 1e154, in float 1e19,
 /// less by the root of the moments' ratio) three moments give back NaN.
 struct PassiveGyroscopic {

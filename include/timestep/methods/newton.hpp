@@ -1,13 +1,13 @@
 #pragma once
 /// \file
-/// "Newton": the force is taken as constant over the step.
+/// The constant-acceleration step: the force is taken as constant over the step.
 
 #include <timestep/forces.hpp>
 #include <timestep/methods/cost.hpp>
 
 namespace timestep {
 
-/// The constant-force method, which the talk calls Newton (I09). Each step is a piece of a
+/// The constant-acceleration step, which the talk calls Newton (I09). Each step is a piece of a
 /// parabola, so projectiles are stepped exactly, with any h.
 ///
 /// On an undamped spring the step has determinant 1 + (ωh)²/2 and trace 2 − (ωh)²/2. Up to ωh = 4

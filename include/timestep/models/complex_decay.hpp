@@ -13,7 +13,7 @@ namespace timestep {
 /// ẏ = λ y with λ = a + ib, which turns by b a second while it decays by −a. The complex number
 /// y = p + iq is held as the vector (p, q), so that real methods step it:
 ///     ṗ = a p − b q,    q̇ = b p + a q.
-/// A damped swing is one such motion and its mirror image, with λ = ω (−ζ ± i √(1 − ζ²)).
+/// A damped oscillation is one such motion and its mirror image, with λ = ω (−ζ ± i √(1 − ζ²)).
 template <class Real>
 struct ComplexDecay {
     std::complex<Real> lambda;  ///< relative rate, 1/s

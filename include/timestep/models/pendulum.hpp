@@ -10,11 +10,11 @@
 namespace timestep {
 
 /// A pendulum, a = −ω² sin x, where x is the angle from hanging straight down, in rad, and
-/// ω = √(g/l). Small swings are those of a Spring; large ones are slower. The course's plainest
+/// ω = √(g/l). Small oscillations are those of a Spring; large ones are slower. The course's plainest
 /// nonlinear force (I05).
 template <class Real>
 struct Pendulum {
-    Real omega;  ///< angular frequency of small swings, rad/s
+    Real omega;  ///< angular frequency of small oscillations, rad/s
 
     /// `omega` in rad/s, zero or more, its square finite. Throws `std::invalid_argument`.
     explicit Pendulum(Real omega_) : omega(not_negative("omega", omega_)) {

@@ -13,7 +13,7 @@ namespace timestep {
 /// together; with L = 0 it is the Spring, whose components do not know of each other.
 template <class Real>
 struct Tether {
-    Real omega;   ///< angular frequency of the swing along the tether, rad/s
+    Real omega;   ///< angular frequency of the oscillation along the tether, rad/s
     Real length;  ///< rest length, m
 
     /// `omega` in rad/s, its square finite, and `length` in m, both zero or more.

@@ -9,10 +9,10 @@
 
 namespace timestep {
 
-/// Attitude and angular momentum of a body that turns about one of its axes after the other.
+/// Orientation and angular momentum of a body that turns about one of its axes after the other.
 template <class Real>
 struct AxisSpin {
-    Quaternion<Real> q;  ///< attitude
+    Quaternion<Real> q;  ///< orientation
     Vector3<Real> L;     ///< angular momentum in body coordinates
 
     // The sine and cosine of half the angle do for both: the quaternion takes half angles, and

@@ -37,7 +37,7 @@ public:
         Motion<Real> motion;  ///< what it does
     };
 
-    /// Adds a body to the others of its kind, its attitude scaled to length one. Throws
+    /// Adds a body to the others of its kind, its orientation scaled to length one. Throws
     /// `std::invalid_argument`, as `checked` does, where a scene could not step it.
     template <class Kind>
     void add(const Kind& body, const Motion<Real>& start) {

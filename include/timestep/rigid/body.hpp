@@ -13,7 +13,7 @@ struct RigidState {
     using Scalar = Real;   ///< the real number type
 
     Real t;                ///< time, s
-    Quaternion<Real> q;    ///< attitude: q v q* is in world coordinates what v is in the body's
+    Quaternion<Real> q;    ///< orientation: q v q* is in world coordinates what v is in the body's
     Vector3<Real> omega;   ///< angular velocity in world coordinates, rad/s
 };
 
@@ -39,7 +39,7 @@ Real kinetic_energy(const Inertia& inertia, const RigidState<Real>& s) {
 }
 
 /// What the gyroscopic torque adds to the angular velocity in `h` seconds, world coordinates in and
-/// out, with the attitude as the rotation matrix `R` that engines keep beside the quaternion.
+/// out, with the orientation as the rotation matrix `R` that engines keep beside the quaternion.
 /// `Gyroscopic` solves in body coordinates, where the inertia does not change (N47). For a body without a
 /// gyroscopic torque nothing is computed (N41).
 /// [change]
@@ -76,7 +76,7 @@ Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
 }
 /// [gyroscopic]
 
-/// The same with the attitude as a quaternion.
+/// The same with the orientation as a quaternion.
 template <class Gyroscopic, class Inertia, class Real>
 TIMESTEP_INLINE
 Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver, const Inertia& inertia,

@@ -11,7 +11,7 @@
 namespace timestep {
 
 /// The exact solution of Euler's equations I ω̇ + ω × Iω = 0 (N40) for any three moments and any
-/// start, the attitude included (Jacobi 1850; Landau and Lifshitz, *Mechanics*, section 37).
+/// start, the orientation included (Jacobi 1850; Landau and Lifshitz, *Mechanics*, section 37).
 ///
 /// Energy and angular momentum confine ω to a closed curve round the axis of the largest or of the
 /// smallest moment, and along it the components go as cn, sn and dn. Between the two families of

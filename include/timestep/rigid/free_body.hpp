@@ -7,7 +7,7 @@
 
 namespace timestep {
 
-/// Attitude and angular velocity in one array y = (q, ω): seven numbers, the quaternion as Eigen keeps
+/// Orientation and angular velocity in one array y = (q, ω): seven numbers, the quaternion as Eigen keeps
 /// it, x, y, z, w, and ω in body coordinates, where the inertia does not change.
 ///
 /// For such a method q is four numbers like any others, and their length is off 1 by its error. Who
@@ -21,7 +21,7 @@ struct FreeBody {
     /// Copies the inertia.
     explicit FreeBody(const Inertia& inertia_) : inertia(inertia_) {}
 
-    /// ẏ: of the attitude q̇ = ½ q ω, where ω stands for the quaternion (0, ω) (N42), and of the
+    /// ẏ: of the orientation q̇ = ½ q ω, where ω stands for the quaternion (0, ω) (N42), and of the
     /// angular velocity Euler's equation ω̇ = −I⁻¹(ω × Iω) (N40).
     /// [rate]
     TIMESTEP_INLINE Y operator()(Real, const Y& y) const {

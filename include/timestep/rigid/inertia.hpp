@@ -157,7 +157,7 @@ struct PrincipalInertia {
 
 /// A symmetric matrix: the inertia in whatever axes the modeller has used. It knows its principal
 /// axes. A game turns the body's frame into them once, when it loads the body, and uses
-/// PrincipalInertia from then on; the full matrix is dearer in every step.
+/// PrincipalInertia from then on; the full matrix costs more in every step.
 template <class Real>
 struct FullInertia {
     using Scalar = Real;                       ///< the real number type

@@ -52,14 +52,14 @@ PrincipalInertia<L> in_every_lane(const PrincipalInertia<Real>& one) {
 }  // namespace detail
 /// \endcond
 
-/// As many bodies of one kind as the processor adds numbers at once: attitudes and angular
+/// As many bodies of one kind as the processor adds numbers at once: orientations and angular
 /// velocities in world coordinates, as in RigidState, with a pack for every number.
 template <class Inertia>
 struct BodyPack {
     using Pack = typename Inertia::Scalar;  ///< the pack
 
     Inertia inertia;      ///< kg m²
-    Quaternion<Pack> q;   ///< attitude
+    Quaternion<Pack> q;   ///< orientation
     Vector3<Pack> omega;  ///< angular velocity in world coordinates, rad/s
 
     /// One step of `h` seconds, of all of them: turn(), that steps one.
@@ -84,12 +84,12 @@ class ManyBodies {
 public:
     using Pack = Lanes<Real>;  ///< so many are stepped at once
 
-    /// Adds a body to the others of its kind, its attitude scaled to length one. Throws
+    /// Adds a body to the others of its kind, its orientation scaled to length one. Throws
     /// `std::invalid_argument` where its state is not finite, or |ω|² is not.
     template <template <class> class Kind>
     void add(const Kind<Real>& inertia, const Quaternion<Real>& q, const Vector3<Real>& omega) {
         if (!is_finite(RigidState<Real>{Real(t), q, omega}))
-            throw std::invalid_argument("body: its state must be finite, its attitude not zero");
+            throw std::invalid_argument("body: its state must be finite, its orientation not zero");
         const Real speed = std::hypot(omega.x(), omega.y(), omega.z());
         if (!is_finite(speed * speed)) refuse("speed", speed, "so low that its square is a number");
         const Quaternion<Real> attitude = as_rotation(q);

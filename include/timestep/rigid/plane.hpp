@@ -18,11 +18,11 @@ namespace timestep::plane {
 using V = Vector3<double>;                ///< a vector, world coordinates
 using M = Matrix3<double>;                ///< a matrix, world coordinates
 using Attitude = Quaternion<double>;      ///< from body to world coordinates
-using Turning = RigidState<double>;       ///< time, attitude and angular velocity
+using Turning = RigidState<double>;       ///< time, orientation and angular velocity
 using Motion = timestep::Motion<double>;  ///< and the centre of mass with its velocity
 using Flat = Eigen::Vector2d;             ///< the part of a vector along the plane
 
-/// Where a contact takes its lever arm from: the attitude at the start of the step, as engines do,
+/// Where a contact takes its lever arm from: the orientation at the start of the step, as engines do,
 /// or the middle between that and the one at its end.
 enum class Arms {
     start,  ///< as it was
@@ -86,8 +86,8 @@ Motion placed(const Capsule<Inertia>& body, const Attitude& q, const V& omega, d
 
 /// \cond
 namespace detail {
-// The two places in a step where the ways to treat the torque differ. All but the old inertia
-// change ω first and the attitude afterwards; that one keeps ω, and changes it with the attitude.
+// The two places in a step where the ways to treat the torque differ. All but the lagged inertia
+// change ω first and the orientation afterwards; that one keeps ω, and changes it with the orientation.
 template <class Gyroscopic, class Inertia>
 V spun(const Gyroscopic& solver, const Inertia& inertia, const Turning& s, double h) {
     return after_gyroscopic_torque(solver, inertia, s.q, s.omega, h);

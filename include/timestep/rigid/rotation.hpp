@@ -31,7 +31,7 @@ Matrix3<Real> skew(const Vector3<Real>& a) {
 }
 /// [skew]
 
-/// A vector in world coordinates whose body coordinates are `v`: R v, where `R` is the attitude as
+/// A vector in world coordinates whose body coordinates are `v`: R v, where `R` is the orientation as
 /// a matrix. Spelt out, as at -O2 a compiler may call Eigen's product for each of the three.
 template <class Real>
 TIMESTEP_INLINE
@@ -66,7 +66,7 @@ Quaternion<Real> over_its_length(const Quaternion<Real>& q) {
     return Quaternion<Real>(q.coeffs() / sqrt(q.squaredNorm()));
 }
 
-/// The attitude after `h` seconds at the angular velocity `omega`, in rad/s and world coordinates
+/// The orientation after `h` seconds at the angular velocity `omega`, in rad/s and world coordinates
 /// (N42): q̇ = ½ ω q, where ω stands for the quaternion (0, ω). One Euler step leaves the unit
 /// quaternions, so the result is scaled back to length one. A step turns the body by
 /// 2 atan(h|ω|/2) instead of h|ω|, short of half a turn whatever the spin, as long as the square of
@@ -84,7 +84,7 @@ Quaternion<Real> turned(const Quaternion<Real>& q1, const Vector3<Real>& omega, 
 // q̇ = ½ q ω with ω in the body. A constant ω turns the body about ω by h|ω|. The quaternion
 // 1 + h/2 ω, scaled to length one, turns it about the same axis by 2 atan(h|ω|/2), which is
 // (h|ω|)³/12 less: no sine, no cosine, and little enough for order two.
-/// The attitude after `h` seconds at the angular velocity `omega`, in rad/s and BODY coordinates:
+/// The orientation after `h` seconds at the angular velocity `omega`, in rad/s and BODY coordinates:
 /// the other side of the product. With the mean of the old and the new ω it is of order two. The
 /// same bounds hold as for `turned`.
 /// [in_body]

@@ -15,7 +15,7 @@ struct SpinState {
     using Scalar = Real;   ///< the real number type
 
     Real t;                ///< time, s
-    Quaternion<Real> q;    ///< attitude: q v q* is in world coordinates what v is in the body's
+    Quaternion<Real> q;    ///< orientation: q v q* is in world coordinates what v is in the body's
     Vector3<Real> omega;   ///< angular velocity in BODY coordinates, rad/s
 };
 

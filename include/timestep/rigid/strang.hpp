@@ -11,7 +11,7 @@ namespace timestep {
 /// is a steady turn about that axis, by the angle h Lᵢ/Iᵢ. A step takes them in turns, 1, 2, 3, 2,
 /// 1, half a step of each but the one in the middle (McLachlan 1993, Reich 1994).
 ///
-/// Order two. Every part is a turn, so |L| stays for every step; the energy swings and does not
+/// Order two. Every part is a turn, so |L| stays for every step; the energy oscillates and does not
 /// drift while h|ω| is small, and for no step is it more than |L| allows, |L|²/2I of the least
 /// moment. A step of −h undoes a step of h.
 struct Strang {

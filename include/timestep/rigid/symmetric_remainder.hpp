@@ -12,7 +12,7 @@ namespace timestep {
 /// A body's energy as that of a ball and a remainder about two axes a and b,
 ///     ½ L·I⁻¹L = ½ |L|²/I_r + ½ A L_a² + ½ B L_b²,  A = 1/I_a − 1/I_r,  B = 1/I_b − 1/I_r.
 ///
-/// Made once a body. The reference r is the axis of the middle moment: it makes the product A B
+/// Made once a body. The reference r is the axis of the intermediate moment: it makes the product A B
 /// least, to which a splitting's error is proportional. Of two equal moments one is always the
 /// middle one; then A or B is zero, and the splitting is exact.
 template <class Real>
@@ -75,11 +75,11 @@ struct RemainderStep {
 }  // namespace detail
 /// \endcond
 
-/// Half a step of a, one of b, half a step of a. Order two, its error mostly smaller than that of
+/// A splitting into a spherical top (a ball) and a remainder: half a step of a, one of b, half a step of a. Order two, its error mostly smaller than that of
 /// Strang's splitting by how far the body is from a symmetric one; exact for two equal moments. |L|
 /// stays for every step, and the energy within what |L| allows; a step of −h undoes a step of h.
 ///
-/// Its error goes with (hλ)², λ² = −A B |L|², and for throws near the middle axis grows like exp(λt):
+/// Its error goes with (hλ)², λ² = −A B |L|², and for throws near the intermediate axis grows like exp(λt):
 /// λ is the rate at which a turn about that axis is left. A ruler's is nearly |ω|; take
 /// SymmetricRemainder4 for it. Beyond h|ω| of about 1e19 in `float`, 1e154 in `double`, both give NaN.
 struct SymmetricRemainder2 {

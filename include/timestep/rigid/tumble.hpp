@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A gyroscopic solver and the attitude by the mean spin: a method for the whole body.
+/// A gyroscopic solver and the orientation by the mean spin: a method for the whole body.
 
 #include <algorithm>
 
@@ -8,9 +8,9 @@
 
 namespace timestep {
 
-/// `Solver` gives the new ω; the attitude is turned by the mean of the old ω and the new one, in
-/// body coordinates. A solver of order two keeps its order in the attitude, too. With the new ω
-/// alone, as in the talk (N42), the attitude has order one whatever the solver.
+/// `Solver` gives the new ω; the orientation is turned by the mean of the old ω and the new one, in
+/// body coordinates. A solver of order two keeps its order in the orientation, too. With the new ω
+/// alone, as in the talk (N42), the orientation has order one whatever the solver.
 template <class Solver>
 struct Tumble {
     static constexpr const char* name = Solver::name;            ///< for tables and keys

@@ -1,6 +1,6 @@
 #include "exercise.hpp"
 
-// Says: This is the best step of the central difference for a velocity, with the snap in place of the jerk.
+// Says: This is the optimal step size of the central difference for a velocity, with the snap in place of the jerk.
 // Hint: Look at the unit: noise over snap is a time to the fourth power. Which root of it is a time?
 namespace velocity {
 
@@ -69,7 +69,7 @@ double best_acceleration_step(double noise, double snap) {
 
 }  // namespace no_constant
 
-// Says: This is the square of the best step: one square root is missing.
+// Says: This is the square of the optimal step size: one square root is missing.
 // Hint: Where the two parts of the error are equal, one side has h squared above and the other has it below.
 //       Multiply, and count the powers.
 namespace square {

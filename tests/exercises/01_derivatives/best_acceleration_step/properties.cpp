@@ -48,7 +48,7 @@ PROPERTY("a step that is slightly longer or shorter than yours has a larger wors
 
 // At the least of a sum of h² and 1/h² the two parts are equal: off by 4e-7 for a step that is off
 // by 1e-7, as one is that is found by comparing sums.
-PROPERTY("the best step is found for the finest tracker and the coarsest, for any motion") {
+PROPERTY("the optimal step size is found for the finest tracker and the coarsest, for any motion") {
     Draw draw;
     for (int i = 0; i < 100; ++i) {
         const double noise = draw.log(1e-12, 1e6), snap = draw.log(1e-6, 1e12);
@@ -60,7 +60,7 @@ PROPERTY("the best step is found for the finest tracker and the coarsest, for an
 
 // x = A cos ωt at its crest, with |x⁗| = A ω⁴ and all noise to the worse side. The step is 0.15/ω
 // at the most, so what comes after the leading term is below a thousandth of it.
-PROPERTY("on a swing with the worst noise, steps a tenth longer or shorter are worse") {
+PROPERTY("on an oscillation with the worst noise, steps a tenth longer or shorter are worse") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
         const double a = draw.log(0.05, 5), omega = draw.real(1, 10);

@@ -20,7 +20,7 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 namespace two_neighbours {
 
-// The best step in closed form lies between two whole numbers: which of them?
+// The optimal step size in closed form lies between two whole numbers: which of them?
 int best_gap(double frame, double noise, double jerk, int most) {
     if (jerk == 0) return most;
     const double ideal = 2 * std::cbrt(3 * noise / jerk) / frame;

@@ -1,7 +1,7 @@
 #include "exercise.hpp"
 
-// Says: This is the best step in frames, rounded to the nearest whole number. It is almost always right.
-// Hint: Compare the worst errors of one frame and of two when the best step says 1.47. Which is smaller?
+// Says: This is the optimal step size in frames, rounded to the nearest whole number. It is almost always right.
+// Hint: Compare the worst errors of one frame and of two when the optimal step size says 1.47. Which is smaller?
 namespace rounded {
 
 int best_gap(double frame, double noise, double jerk, int most) {
@@ -12,8 +12,8 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 }  // namespace rounded
 
-// Says: The best step in frames is rounded down, even where one more frame is better.
-// Hint: There are two whole numbers beside the best step. Let their worst errors decide.
+// Says: The optimal step size in frames is rounded down, even where one more frame is better.
+// Hint: There are two whole numbers beside the optimal step size. Let their worst errors decide.
 namespace rounded_down {
 
 int best_gap(double frame, double noise, double jerk, int most) {
@@ -24,7 +24,7 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 }  // namespace rounded_down
 
-// Says: The best step in frames is rounded up, even where one frame less is better.
+// Says: The optimal step size in frames is rounded up, even where one frame less is better.
 // Hint: Between a whole number and the next, either may be the best. Compute the worst error of each.
 namespace rounded_up {
 
@@ -145,7 +145,7 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 }  // namespace farthest
 
-// Says: This is the best step of the central difference, rounded to whole frames. The gap between its two
+// Says: This is the optimal step size of the central difference, rounded to whole frames. The gap between its two
 //       positions is twice the step.
 // Hint: A central difference looks one step ahead and one step back. You were asked for the frames from one
 //       position to the other, and should choose among whole gaps, not round a step.

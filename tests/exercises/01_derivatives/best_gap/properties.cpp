@@ -93,7 +93,7 @@ PROPERTY("where two numbers of frames are almost equally good, the better one is
 
 // x = A sin ωt from −g/2 to g/2, all noise to the worse side. ωg is 0.4 at the most for twice the
 // best gap: what comes after the leading term is below (ωg)²/80 of it, a fifth of a percent.
-PROPERTY("on a swing with the worst noise, half or twice as many frames are no better") {
+PROPERTY("on an oscillation with the worst noise, half or twice as many frames are no better") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
         Throw swing(draw, draw.real(2, 10));

@@ -42,7 +42,7 @@ PROPERTY("let go at rest, the lamp is pulled along the arc by gravity's share ac
 }
 
 // Energy per mass, (length v)²/2 + g length (1 − cos x), by the rates of x and v.
-PROPERTY("without air the energy does not change at any moment of the swing") {
+PROPERTY("without air the energy does not change at any moment of the oscillation") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
         const State<double> s{draw.real(0, 9), angle_of(draw), draw.real(-5, 5)};

@@ -33,7 +33,7 @@ PROPERTY("at a damping ratio of 1 the car just does not swing") {
     }
 }
 
-PROPERTY("below 1, a swing fades at the rate zeta omega, where omega is that of the car undamped") {
+PROPERTY("below 1, an oscillation fades at the rate zeta omega, where omega is that of the car undamped") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
         const double mass = draw.log(0.1, 1e5), sag = draw.log(1e-3, 1), g = draw.real(0.1, 25);

@@ -1,8 +1,8 @@
 #include "exercise.hpp"
 
-// Says: This is the rule for small damping, delta / (2 pi): it takes a damped swing to last as long as an
+// Says: This is the rule for small damping, delta / (2 pi): it takes a damped oscillation to last as long as an
 //       undamped one.
-// Hint: A damped swing takes longer, by one over the root of 1 - zeta squared. The rule gives more than 1
+// Hint: A damped oscillation takes longer, by one over the root of 1 - zeta squared. The rule gives more than 1
 //       where hardly anything is left.
 namespace small_damping {
 
@@ -12,8 +12,8 @@ double zeta_from_swings(double first, double later, int swings) {
 
 }  // namespace small_damping
 
-// Says: The number of swings is not used: all the loss is put down to a single swing.
-// Hint: Each swing multiplies by the same factor. What does that mean for the logarithm?
+// Says: The number of oscillations is not used: all the loss is put down to a single period.
+// Hint: Each oscillation multiplies by the same factor. What does that mean for the logarithm?
 namespace one_swing {
 
 double zeta_from_swings(double first, double later, int swings) {
@@ -23,7 +23,7 @@ double zeta_from_swings(double first, double later, int swings) {
 
 }  // namespace one_swing
 
-// Says: The ratio of the peaks is divided by the number of swings before the logarithm is taken.
+// Says: The ratio of the peaks is divided by the number of oscillations before the logarithm is taken.
 // Hint: Factors multiply, logarithms add: only one of them may be shared out evenly.
 namespace ratio_shared_out {
 
@@ -34,7 +34,7 @@ double zeta_from_swings(double first, double later, int swings) {
 
 }  // namespace ratio_shared_out
 
-// Says: A swing is counted as half a turn, pi.
+// Says: An oscillation is counted as half a turn, pi.
 // Hint: From a peak to the next one on the same side the phase goes all the way round.
 namespace half_swings {
 
@@ -46,7 +46,7 @@ double zeta_from_swings(double first, double later, int swings) {
 }  // namespace half_swings
 
 // Says: The logarithm is the one to base ten.
-// Hint: The swing fades as a power of e: its logarithm is std::log.
+// Hint: The oscillation fades as a power of e: its logarithm is std::log.
 namespace base_ten {
 
 double zeta_from_swings(double first, double later, int swings) {
@@ -56,8 +56,8 @@ double zeta_from_swings(double first, double later, int swings) {
 
 }  // namespace base_ten
 
-// Says: The peaks are swapped: a swing that shrinks gets a negative damping.
-// Hint: Damping takes away from the swing. Which peak must stand above in the fraction?
+// Says: The peaks are swapped: an oscillation that shrinks gets a negative damping.
+// Hint: Damping takes away from the oscillation. Which peak must stand above in the fraction?
 namespace upside_down {
 
 double zeta_from_swings(double first, double later, int swings) {
@@ -79,7 +79,7 @@ double zeta_from_swings(double first, double later, int swings) {
 }  // namespace energy
 
 // Says: The relative loss stands for the logarithm, which it resembles only when little is lost.
-// Hint: A swing that loses half each time never reaches nothing. Which function counts equal factors as
+// Hint: An oscillation that loses half each time never reaches nothing. Which function counts equal factors as
 //       equal shares?
 namespace relative_loss {
 
@@ -91,7 +91,7 @@ double zeta_from_swings(double first, double later, int swings) {
 }  // namespace relative_loss
 
 // Says: The equation is solved with the wrong sign under the root: the ratio comes out as if damping made
-//       the swing shorter.
+//       the oscillation shorter.
 // Hint: Square delta root(1 - zeta squared) = 2 pi zeta and collect the terms with zeta on one side. One
 //       sign changes on the way.
 namespace wrong_solve {
@@ -103,9 +103,9 @@ double zeta_from_swings(double first, double later, int swings) {
 
 }  // namespace wrong_solve
 
-// Says: The whole loss is put into the formula as if it were that of one swing, and only the ratio that
-//       comes out is divided by the swings. That is right for small damping only.
-// Hint: The formula is for the logarithm of one swing. What must be divided before it goes under the root?
+// Says: The whole loss is put into the formula as if it were that of one period, and only the ratio that
+//       comes out is divided by the number of periods. That is right for small damping only.
+// Hint: The formula is for the logarithm of one period. What must be divided before it goes under the root?
 namespace shared_out_last {
 
 double zeta_from_swings(double first, double later, int swings) {
@@ -115,8 +115,8 @@ double zeta_from_swings(double first, double later, int swings) {
 
 }  // namespace shared_out_last
 
-// Says: A full swing is counted as 360 degrees where the formula wants radians.
-// Hint: The swing is the sine or cosine of an angle in radians. How many of them go all the way round?
+// Says: A full period is counted as 360 degrees where the formula wants radians.
+// Hint: The oscillation is the sine or cosine of an angle in radians. How many of them go all the way round?
 namespace degrees {
 
 double zeta_from_swings(double first, double later, int swings) {

@@ -24,7 +24,7 @@ PROPERTY("peaks that do not shrink mean no damping") {
 }
 
 // An error of 1e-15 in ζ is one of 2πn 1e-15/(1 − ζ²)^(3/2) in what is left: at most 2e-13 here.
-PROPERTY("a swing with the ratio that comes out shrinks by just what was measured, in one swing") {
+PROPERTY("an oscillation with the ratio that comes out shrinks by just what was measured, in one period") {
     Draw draw;
     for (int i = 0; i < 60; ++i) {
         const double first = draw.real(1, 100), part = draw.log(0.005, 0.999);
@@ -35,7 +35,7 @@ PROPERTY("a swing with the ratio that comes out shrinks by just what was measure
     }
 }
 
-PROPERTY("and so it does when the later peak comes several swings later") {
+PROPERTY("and so it does when the later peak comes several periods later") {
     Draw draw;
     for (int i = 0; i < 60; ++i) {
         const int swings = static_cast<int>(draw.log(2, 1000));
@@ -68,7 +68,7 @@ PROPERTY("the unit of the heights and the side of the peaks make no difference")
     }
 }
 
-// At ζ = 0.99 one swing leaves e⁻⁴⁴, at 0.9998 e⁻³¹⁴. A relative error of the logarithm counts
+// At ζ = 0.99 one period leaves e⁻⁴⁴, at 0.9998 e⁻³¹⁴. A relative error of the logarithm counts
 // 1 − ζ² times in ζ.
 PROPERTY("damping so strong that hardly anything is left still gives the right ratio, below 1") {
     Draw draw;

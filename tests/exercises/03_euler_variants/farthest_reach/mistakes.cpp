@@ -12,7 +12,7 @@ double farthest_reach(double x, double v, double omega, double h) {
 
 // Says: This is where the ellipse crosses v = 0. But it leans over, and reaches farther with some velocity
 //       left.
-// Hint: The kept energy at the farthest point has a term with x v. Which v is that point's?
+// Hint: The modified energy at the farthest point has a term with x v. Which v is that point's?
 namespace at_rest {
 
 double farthest_reach(double x, double v, double omega, double h) {
@@ -25,7 +25,7 @@ double farthest_reach(double x, double v, double omega, double h) {
 
 // Says: The extra term of the energy has the wrong sign: this is the ellipse of the method that moves first
 //       and pulls afterwards.
-// Hint: Try one step by hand: the kept energy must be the same before and after.
+// Hint: Try one step by hand: the modified energy must be the same before and after.
 namespace leans_the_other_way {
 
 double farthest_reach(double x, double v, double omega, double h) {
@@ -91,7 +91,7 @@ double farthest_reach(double x, double v, double omega, double h) {
 }  // namespace stepped
 
 // Says: The answer of the example comes back, whatever the state.
-// Hint: Write down the kept energy at the state you are given, and the same energy at the farthest point.
+// Hint: Write down the modified energy at the state you are given, and the same energy at the farthest point.
 namespace example {
 
 double farthest_reach(double x, double v, double omega, double h) {

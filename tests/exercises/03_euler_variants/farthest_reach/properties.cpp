@@ -111,7 +111,7 @@ PROPERTY("all of the ellipse counts, even at omega h = 1, where a run has but si
     }
 }
 
-// The term that the kept energy has more is at most a share ωh/2 of the true one.
+// The term that the modified energy has more is at most a share ωh/2 of the true one.
 PROPERTY("with short steps it is the amplitude of the true motion, but for a share of omega h") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {

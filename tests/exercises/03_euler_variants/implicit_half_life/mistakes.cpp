@@ -52,7 +52,7 @@ double implicit_half_life(double omega, double h) {
 
 }  // namespace backwards
 
-// Says: This multiplies omega by 2 pi, as if it were a number of swings a second.
+// Says: This multiplies omega by 2 pi, as if it were a number of oscillations a second.
 // Hint: omega is an angular frequency, in rad/s. The factor of the step takes it as it is.
 namespace hertz {
 

@@ -86,7 +86,7 @@ double longest_parabola_step(double omega, double zeta) {
 }  // namespace example
 
 // Says: This is 1/(zeta omega), where a real eigenvalue passes -1, for every damping: without damping it
-//       divides by zero, and with weak damping the swing has left the unit circle much earlier.
+//       divides by zero, and with weak damping the oscillation has left the unit circle much earlier.
 // Hint: The formula says that less damping makes longer steps. Try it with hardly any: a few steps with the
 //       longest h that it allows.
 namespace real_root_always {

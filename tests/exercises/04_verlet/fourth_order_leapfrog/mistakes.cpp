@@ -132,7 +132,7 @@ State<double> fourth_order_leapfrog(State<double> s, double omega, double h) {
 
 }  // namespace old_force
 
-// Says: The force is that of small swings, with the angle in the place of its sine.
+// Says: The force is that of small oscillations, with the angle in the place of its sine.
 // Hint: A wrecking ball swings wide, and an angle of 2 pi is the same place as 0.
 namespace small_swings {
 

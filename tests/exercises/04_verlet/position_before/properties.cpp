@@ -56,7 +56,7 @@ PROPERTY("in a game of any size, and with any step, it lies on the parabola of t
 PROPERTY("a run of Verlet on a spring, started from it, has order two") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
-        // Verlet runs ahead by (ωh)²/24 of the phase, and the swing that the velocity starts is too
+        // Verlet runs ahead by (ωh)²/24 of the phase, and the oscillation that the velocity starts is too
         // large by (ωh)²/8: at these phases the two do not cancel.
         const double omega = draw.real(1, 3), phase = draw.real(0.2, 0.5), end = 1 / omega;
         const auto error = [&](int steps) {

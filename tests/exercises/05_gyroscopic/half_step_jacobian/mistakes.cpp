@@ -191,7 +191,7 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 // Says: This is the implicit midpoint rule, solved to the last digit. It is a good method, but it needs
 //       several solves a step.
-// Hint: The torque of the end is wanted as it is linearised about omega. That is one round of Newton-Raphson
+// Hint: The torque of the end is wanted as it is linearised about omega. That is one iteration of Newton-Raphson
 //       from omega, and no more.
 namespace midpoint_to_the_end {
 
@@ -214,7 +214,7 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 // Says: You have taken the true torque of the end and solved to the last digit. This is the trapezoidal
 //       rule, at several solves a step.
-// Hint: Stop after one round: the torque linearised about omega is what the task asks for.
+// Hint: Stop after one iteration: the torque linearised about omega is what the task asks for.
 namespace mean_to_the_end {
 
 static Matrix3d skew(const Vector3d& a) {

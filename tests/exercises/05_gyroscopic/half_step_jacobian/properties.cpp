@@ -114,7 +114,7 @@ PROPERTY("half the step leaves a quarter of the error") {
     REQUIRE(close(order(whole, half), 2, 0, 0.2));
 }
 
-PROPERTY("the energy of a long tumble stays within a hundredth: it swings and does not drift") {
+PROPERTY("the energy of a long tumble stays within a hundredth: it oscillates and does not drift") {
     Draw draw;
     for (int i = 0; i < 3; ++i) {
         const Vector3d inertia = draw_uneven(draw), begin = draw_direction(draw);

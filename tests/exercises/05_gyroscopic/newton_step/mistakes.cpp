@@ -158,7 +158,7 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 
 }  // namespace residual_at_omega1
 
-// Says: This is a round for a torque with the opposite sign: it solves the step backwards in time.
+// Says: This is an iteration for a torque with the opposite sign: it solves the step backwards in time.
 // Hint: Euler's equations read I domega/dt + omega x I omega = 0. On which side does the term stand in f?
 namespace opposite_torque {
 
@@ -176,7 +176,7 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 }  // namespace opposite_torque
 
 // Says: The Jacobian is taken at omega1 and the residual at the guess. It leads to the same root, but each
-//       round gains only a few digits and does not double them.
+//       iteration gains only a few digits and does not double them.
 // Hint: The slope must be that of the place where the tangent touches.
 namespace jacobian_at_omega1 {
 
@@ -192,7 +192,7 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 
 }  // namespace jacobian_at_omega1
 
-// Says: This is the talk's solver: one round that begins at omega1. Your guess has no influence.
+// Says: This is the talk's solver: one iteration that begins at omega1. Your guess has no influence.
 // Hint: Put the guess where the chapter's code has omega, and look at what the residual is there.
 namespace ignores_guess {
 

@@ -58,7 +58,7 @@ PROPERTY("a step of zero ends with omega1, whatever the guess") {
     }
 }
 
-PROPERTY("a ball keeps its spin: one round finds omega1 from any guess") {
+PROPERTY("a ball keeps its spin: one iteration finds omega1 from any guess") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
         Problem p = draw_problem(draw);
@@ -107,7 +107,7 @@ PROPERTY("near the root, half the error of the guess leaves a quarter of the err
     }
 }
 
-PROPERTY("a few rounds from omega1 find the root") {
+PROPERTY("a few iterations from omega1 find the root") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
         const Solved p = draw_solved(draw);

@@ -130,7 +130,7 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 }  // namespace no_time
 
 // Says: This is the turn alone: where the body was before is forgotten.
-// Hint: Your turn is right. The new attitude is a product of two quaternions, and q is one of them.
+// Hint: Your turn is right. The new orientation is a product of two quaternions, and q is one of them.
 namespace only_the_turn {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
@@ -175,9 +175,9 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 }  // namespace cosine_last
 
 // Says: Two things at once: Quaterniond takes the cosine first, and this is the turn alone, without the
-//       attitude that it starts from.
+//       orientation that it starts from.
 // Hint: Mend the order of the four numbers first: w, x, y, z. Then ask how the turn and q become one
-//       attitude.
+//       orientation.
 namespace cosine_last_and_only_the_turn {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
@@ -240,8 +240,8 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 
 }  // namespace tiny_angle_ignored
 
-// Says: Without spin this returns the attitude of a body that has never been turned.
-// Hint: A body that does not spin stays as it is. What is its attitude?
+// Says: Without spin this returns the orientation of a body that has never been turned.
+// Hint: A body that does not spin stays as it is. What is its orientation?
 namespace attitude_lost {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// q and -q are the same attitude.
+// q and -q are the same orientation.
 bool same(const Quaterniond& a, const Quaterniond& b, double tolerance) {
     const double apart = (a.coeffs() - b.coeffs()).norm();
     const double other = (a.coeffs() + b.coeffs()).norm();
@@ -51,7 +51,7 @@ Spin draw_spin(Draw& draw) {
 
 }  // namespace
 
-PROPERTY("in no time the attitude stays as it is") {
+PROPERTY("in no time the orientation stays as it is") {
     Draw draw;
     for (int i = 0; i < 30; ++i) {
         const Spin spin = draw_spin(draw);
@@ -85,7 +85,7 @@ PROPERTY("a point beside the axis goes round it by the angle |omega| h, the righ
     }
 }
 
-PROPERTY("any number of whole turns brings the attitude back") {
+PROPERTY("any number of whole turns brings the orientation back") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
         const double speed = draw.log(0.1, 1e4), turns = std::round(draw.log(1, 1e5));

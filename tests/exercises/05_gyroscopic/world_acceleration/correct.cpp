@@ -20,7 +20,7 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace by_tensor {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    // All in the world, with the inertia tensor of this attitude.
+    // All in the world, with the inertia tensor of this orientation.
     const Matrix3d R = q.toRotationMatrix();
     const Matrix3d I = R * inertia.asDiagonal() * R.transpose();
     const Vector3d total = torque - omega.cross(I * omega);

@@ -48,7 +48,7 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 
 }  // namespace turned_wrong_way
 
-// Says: The attitude is not used: the moments are taken along the axes of the world.
+// Says: The orientation is not used: the moments are taken along the axes of the world.
 // Hint: A ship that has turned by a quarter has its moments along other axes of the world. Go into the
 //       body's axes first.
 namespace never_turned {

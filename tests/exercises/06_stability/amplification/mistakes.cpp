@@ -126,7 +126,7 @@ double amplification(double re, double im, double theta, double h) {
 }  // namespace size_of_lambda
 
 // Says: You have put -|lambda| in for lambda: as if every motion were a pure decay.
-// Hint: A swing, im without re, does not decay by itself. Let z be complex, and take the size of R alone.
+// Hint: An oscillation, im without re, does not decay by itself. Let z be complex, and take the size of R alone.
 namespace size_as_decay {
 
 double amplification(double re, double im, double theta, double h) {
@@ -137,7 +137,7 @@ double amplification(double re, double im, double theta, double h) {
 }  // namespace size_as_decay
 
 // Says: The imaginary part has been left out: this motion does not swing.
-// Hint: im says how fast it swings, and explicit Euler makes a swing grow. Use a complex z.
+// Hint: im says how fast it swings, and explicit Euler makes an oscillation grow. Use a complex z.
 namespace damping_only {
 
 double amplification(double re, double im, double theta, double h) {

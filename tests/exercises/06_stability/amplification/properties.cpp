@@ -76,7 +76,7 @@ PROPERTY("a step is explicit Euler for its first part and implicit Euler for the
     }
 }
 
-PROPERTY("half way, a swing without damping keeps its size, and with damping it dies") {
+PROPERTY("half way, an oscillation without damping keeps its size, and with damping it dies") {
     Draw draw;
     for (int i = 0; i < 60; ++i) {
         const double h = draw_step(draw), swing = draw.sign() * draw.log(1e-6, 1e6);

@@ -279,7 +279,7 @@ double longest_kutta_step(double omega, double zeta) {
 }  // namespace undamped_up_to_one
 
 // Says: Only the real part of lambda counts here: the door decays and does not swing.
-// Hint: zeta omega is how fast the swing dies. lambda has an imaginary part, too, or a root that is real.
+// Hint: zeta omega is how fast the oscillation dies. lambda has an imaginary part, too, or a root that is real.
 namespace decay_of_zeta_omega {
 
 double longest_kutta_step(double omega, double zeta) {

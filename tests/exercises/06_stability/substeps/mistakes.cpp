@@ -24,7 +24,7 @@ int substeps(double mass, int springs, double stiffness, double frame, double sh
 }  // namespace rounded
 
 // Says: This is one step more than needed, in every frame.
-// Hint: You round up already. What is the one more for?
+// Hint: You round up already. What is the extra one for?
 namespace one_too_many {
 
 int substeps(double mass, int springs, double stiffness, double frame, double share) {
@@ -134,7 +134,7 @@ int substeps(double mass, int springs, double stiffness, double frame, double sh
 
 }  // namespace share_multiplied
 
-// Says: You count swings a second: omega is divided by 2 pi.
+// Says: You count oscillations a second: omega is divided by 2 pi.
 // Hint: The limit is one of omega, in radians a second. The root of stiffness over mass is just that.
 namespace hertz {
 

@@ -140,7 +140,7 @@ PROPERTY("no step adds energy, however long it is, with a damper or without") {
 }
 
 // |R|² is one less a multiple of (omega h)⁴.
-PROPERTY("of a slow swing, half the step loses a sixteenth of the energy in a step") {
+PROPERTY("of a slow oscillation, half the step loses a sixteenth of the energy in a step") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
         const Turret swing{draw_omega(draw), 0};

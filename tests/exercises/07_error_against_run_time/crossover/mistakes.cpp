@@ -118,7 +118,7 @@ std::array<double, 2> crossover(std::array<double, 2> a, int p, std::array<doubl
 
 // Says: The seconds are one over what they should be: in the equation for S a quotient or a sign is upside
 //       down.
-// Hint: Let B's steps get dearer: the crossing moves to longer runs. Does yours?
+// Hint: Let B's steps cost more: the crossing moves to longer runs. Does yours?
 namespace seconds_upside_down {
 
 std::array<double, 2> crossover(std::array<double, 2> a, int p, std::array<double, 2> b, int q) {
@@ -132,7 +132,7 @@ std::array<double, 2> crossover(std::array<double, 2> a, int p, std::array<doubl
 
 // Says: Only the errors are compared: the time that the two runs took does not matter to you. It is half of
 //       the diagram.
-// Hint: What if B's step got ten times as dear? B's point would move to the right.
+// Hint: What if B's step cost ten times as much? B's point would move to the right.
 namespace seconds_left_out {
 
 std::array<double, 2> crossover(std::array<double, 2> a, int p, std::array<double, 2> b, int q) {

@@ -89,7 +89,7 @@ PROPERTY("with twice the steps in a run, or any other number, the lines cross wh
 }
 
 // f (E/E')^(1/q) = (E/E')^(1/p)
-PROPERTY("dearer steps of the higher order move the crossing along the line of the other") {
+PROPERTY("costlier steps of the higher order move the crossing along the line of the other") {
     Draw draw;
     for (int i = 0; i < 60; ++i) {
         const Contest contest(draw);

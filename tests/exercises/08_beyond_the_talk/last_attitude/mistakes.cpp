@@ -1,6 +1,6 @@
 #include "exercise_eigen.hpp"
 
-// Says: Each gap is turned with the new spin alone, as in the talk: the attitude has order one.
+// Says: Each gap is turned with the new spin alone, as in the talk: the orientation has order one.
 // Hint: At the start of the gap the body still had the old spin. Both ends of the gap should count alike.
 namespace new_spin {
 
@@ -16,7 +16,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 
 }  // namespace new_spin
 
-// Says: Each gap is turned with the old spin alone: this is explicit Euler for the attitude, of order one.
+// Says: Each gap is turned with the old spin alone: this is explicit Euler for the orientation, of order one.
 // Hint: At the end of the gap the body already has the new spin, and the recording knows it.
 namespace old_spin {
 
@@ -32,7 +32,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 
 }  // namespace old_spin
 
-// Says: The turn stands on the left of the attitude: spins in the body's axes are taken for the world's.
+// Says: The turn stands on the left of the orientation: spins in the body's axes are taken for the world's.
 // Hint: In a product of quaternions the right one acts first, on vectors in the body's axes.
 namespace other_side {
 
@@ -149,7 +149,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 
 }  // namespace clock_for_gap
 
-// Says: The last gap is missing: the answer is the attitude at the last frame but one.
+// Says: The last gap is missing: the answer is the orientation at the last frame but one.
 // Hint: Of n frames there are n - 1 gaps. At which frame does the last one end?
 namespace last_gap_lost {
 
@@ -182,7 +182,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 
 }  // namespace backwards
 
-// Says: This is the turn since the first frame, and not the attitude: q is not in it.
+// Says: This is the turn since the first frame, and not the orientation: q is not in it.
 // Hint: What would you return where no time goes by?
 namespace only_the_turn {
 

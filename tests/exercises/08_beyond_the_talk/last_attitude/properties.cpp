@@ -94,7 +94,7 @@ struct Smooth {
 
 }  // namespace
 
-PROPERTY("one frame leaves the attitude as it is, and so does a pause, or a replay without spin") {
+PROPERTY("one frame leaves the orientation as it is, and so does a pause, or a replay without spin") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
         const Replay one = draw_replay(draw, 1, 0.1);
@@ -110,7 +110,7 @@ PROPERTY("one frame leaves the attitude as it is, and so does a pause, or a repl
 
 // Single precision should not be taken for a quaternion that nobody scales: few digits here, and
 // all of them below.
-PROPERTY("the attitude has length one") {
+PROPERTY("the orientation has length one") {
     Draw draw;
     for (int i = 0; i < 30; ++i) {
         const Replay replay = draw_replay(draw, i == 0 ? 1000 : draw.integer(2, 60), 0.1);

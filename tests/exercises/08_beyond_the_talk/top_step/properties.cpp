@@ -200,7 +200,7 @@ PROPERTY("half the step leaves a quarter of the error") {
     REQUIRE(close(order(whole, half), 2, 0, 0.2));
 }
 
-PROPERTY("the energy of a long dance stays within a twentieth: it swings and does not drift") {
+PROPERTY("the energy of a long dance stays within a twentieth: it oscillates and does not drift") {
     Draw draw;
     for (int i = 0; i < 3; ++i) {
         const Top begin = draw_dance(draw, i == 2);
