@@ -34,14 +34,14 @@ test_bad_use_is_one_line_and_status_2() {
 
 test_every_command_has_a_help_and_stands_in_the_doors() {
     expect 0 course --help
-    for command in tour test list run check watch hint reset grade advise bench kit site; do
+    for command in tour test list run where check watch hint reset grade advise bench kit site; do
         says out "  $command "
         expect 0 course $command --help
         says out "Usage: ./course $command"
         grep -q "^  ./course $command " "$source_of_door" || fail "the door's help lacks $command"
         expect 0 course --help
     done
-    is "$(sed -n '/^Subcommands/,$p' out | grep -c '^  [a-z]')" 14
+    is "$(sed -n '/^Subcommands/,$p' out | grep -c '^  [a-z]')" 15
 }
 
 test_list_shows_title_and_question_in_order() {

@@ -67,7 +67,7 @@ test_with_nothing_new_it_hands_over_and_asks_nobody() {
         stand_in $tool "echo $tool >>'$folder/calls'; exit 1"
     done
     : >calls
-    for command in tour list run check watch hint solution reset advise bench site kit test; do
+    for command in tour list run where check watch hint solution reset advise bench site kit test; do
         expect 7 course $command 1
         is "$(/bin/cat out err)" "handed over: $command 1"
     done
