@@ -123,8 +123,7 @@ private:
         std::string flag, help, rule, initial;
         std::function<std::string(const std::string&)> set;  // what is wrong with the text
     };
-    enum class Parsed { go, help };
-    Parsed parse(int argc, char** argv);
+    bool parse(int argc, char** argv);  // false: --help was asked for
     bool set_folder(const std::string& text);
     void print_help() const;
 

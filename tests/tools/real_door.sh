@@ -56,8 +56,17 @@ END
     done
     touch checkout/tools/checker/known.cpp
     builds 1 check velocity_now
-    touch checkout/tools/course/tell.cpp
+    touch checkout/tools/checker/known.cpp checkout/tools/course/tell.cpp
     builds 2 check  # what has been begun, the course program finds out
+    # By CMake alone it is the same check.
+    expect 0 cmake --build checkout/build --target check_velocity_now
+    says out '1.1 velocity_now: right'
+    cp "$source/solutions/01_derivatives/best_gap.cpp" $room/velocity_now.cpp
+    expect 1 cmake --build checkout/build --target check_velocity_now
+    says out '1.1 velocity_now: does not compile'
+    rm $room/velocity_now.cpp
+    expect 1 cmake --build checkout/build --target check_velocity_now
+    says out 'velocity_now.cpp is not there; ./course reset velocity_now brings it back'
 }
 
 test_no_file_in_exercises_stops_a_command() {
