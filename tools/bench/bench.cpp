@@ -43,7 +43,7 @@ contest::Scene scene_of(const std::string& id) {
 Asked read_words(int argc, char** argv) {
     Asked asked;
     std::vector<std::string> given;
-    const auto into = [](std::string& word) {
+    const auto into = [](auto& word) {
         return [&word](const std::string& value) {
             word = value;
             return std::string();
