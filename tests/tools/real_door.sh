@@ -66,7 +66,7 @@ END
     says out '1.1 velocity_now: does not compile'
     rm $room/velocity_now.cpp
     expect 1 cmake --build checkout/build --target check_velocity_now
-    says out 'velocity_now.cpp is not there; ./course reset velocity_now brings it back'
+    says err 'velocity_now.cpp is not there; ./course reset velocity_now brings it back'
 }
 
 test_no_file_in_exercises_stops_a_command() {
