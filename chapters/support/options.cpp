@@ -40,7 +40,8 @@ bool Options::parse(int argc, char** argv) const {
     app.allow_extras();
     std::vector<const CLI::Option*> given;
     for (const Option& option : options_) {
-        CLI::Option* const known = option.has_value ? app.add_option(option.flag) : app.add_flag(option.flag);
+        CLI::Option* const known =
+            option.has_value ? app.add_option(option.flag) : app.add_flag(option.flag);
         given.push_back(known->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
         for (int i = 1; i < argc; ++i)  // CLI11 would take the next word for its value
             if (option.has_value && argv[i] == option.flag + "=") set(option.flag, option.set, "");
@@ -53,7 +54,8 @@ bool Options::parse(int argc, char** argv) const {
     }
     for (const std::string& word : app.remaining()) {
         if (word == "--help" || word == "-h") return false;
-        throw std::invalid_argument(shown(word) + ": unknown option (" + program_ + " --help lists them)");
+        throw std::invalid_argument(shown(word) + ": unknown option (" + program_ +
+                                    " --help lists them)");
     }
     for (std::size_t i = 0; i < options_.size(); ++i) {
         const Option& option = options_[i];

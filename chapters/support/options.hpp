@@ -19,7 +19,8 @@ public:
     void add(const std::string& flag, Setter set, bool often = false);
     /// An option without a value.
     void add(const std::string& flag, bool& given);
-    /// Sets what was given; false where --help was asked for. Throws std::invalid_argument, one line.
+    /// Sets what was given; false where --help was asked for. Throws std::invalid_argument, one
+    /// line.
     bool parse(int argc, char** argv) const;
 
 private:
