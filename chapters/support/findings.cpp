@@ -64,28 +64,41 @@ void Findings::section(const std::string& title) {
 }
 
 void Findings::add_number(const std::string& name, const std::string& value,
-                          const std::string& unit, const std::string& meaning) {
+                          const std::string& unit, const std::string& meaning, Place from) {
     if (std::find(names_.begin(), names_.end(), name) != names_.end())
         throw std::logic_error(name + ": a number of that name exists already");
     names_.push_back(name);
     numbers_ += join({name, value, unit, meaning});
+    add_place("number", name, from);
+}
+
+// Seen from the course's folder: where that is on this machine is nobody's business.
+void Findings::add_place(const char* kind, const std::string& name, Place from) {
+    const std::string file = fs::path(from.file).generic_string();
+    const auto chapters = file.rfind("chapters/");
+    const std::string shown =
+        chapters == std::string::npos ? fs::path(file).filename().string() : file.substr(chapters);
+    places_ += join({name, kind, shown + ":" + std::to_string(from.line)});
 }
 
 void Findings::number(const std::string& name, double value, const std::string& unit,
-                      const std::string& meaning, int digits) {
-    add_number(name, formatted(value, digits), unit, meaning);
+                      const std::string& meaning, int digits, Place from) {
+    add_number(name, formatted(value, digits), unit, meaning, from);
 }
 
-void Findings::text(const std::string& name, const std::string& words, const std::string& meaning) {
-    add_number(name, words, "", meaning);
+void Findings::text(const std::string& name, const std::string& words, const std::string& meaning,
+                    Place from) {
+    add_number(name, words, "", meaning, from);
 }
 
-void Findings::check(const std::string& name, bool holds, const std::string& statement) {
+void Findings::check(const std::string& name, bool holds, const std::string& statement, Place from) {
+    add_place("check", name, from);
     checks_ += join({name, statement});
     if (!holds) failed_.push_back(statement);
 }
 
-Table& Findings::table(const std::string& file, std::vector<std::string> columns) {
+Table& Findings::table(const std::string& file, std::vector<std::string> columns, Place from) {
+    add_place("data", file, from);
     return tables_.emplace_back(file, std::move(columns));
 }
 
@@ -124,7 +137,8 @@ fs::path make_staging(const fs::path& target) {
 void Findings::save(const std::string& folder) const {
     const fs::path target(folder);
     std::vector<std::pair<std::string, const std::string*>> files{{"numbers.tsv", &numbers_},
-                                                                  {"checks.tsv", &checks_}};
+                                                                  {"checks.tsv", &checks_},
+                                                                  {"places.tsv", &places_}};
     for (const auto& table : tables_) files.emplace_back(table.file(), &table.text());
 
     const std::vector<fs::path> made = make_folder(target);

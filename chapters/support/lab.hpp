@@ -22,6 +22,16 @@ double cache_bytes(int level);
 /// The compiler that made this program.
 std::string compiler();
 
+/// A line of a source. As the default of an argument it is the caller's. (It does what std::source_location
+/// does, which clang 14 has not got.)
+struct Place {
+    const char* file;
+    int line;
+    static constexpr Place here(const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+        return {file, line};
+    }
+};
+
 /// One cell of a data file: a number, or a word.
 using Cell = std::variant<double, std::string>;
 
@@ -44,20 +54,24 @@ private:
 };
 
 /// What a run found: its data files, the numbers that the page names, and the checks that the
-/// page's sentences rest on. All of it stays in memory until the run is over.
+/// page's sentences rest on. All of it stays in memory until the run is over. Of each the run keeps, in
+/// places.tsv, which line wrote it: that of the call, or where a function calls for others and passes
+/// their `from` on, theirs.
 class Findings {
 public:
     /// Prints a heading; `{{run: title}}` on a page quotes what is printed below it.
     void section(const std::string& title);
     /// A number for the page, rounded to `digits` significant digits. Integers stand in full.
     void number(const std::string& name, double value, const std::string& unit,
-                const std::string& meaning, int digits = 3);
+                const std::string& meaning, int digits = 3, Place from = Place::here());
     /// Words for the page, such as the name of the method that won.
-    void text(const std::string& name, const std::string& words, const std::string& meaning);
+    void text(const std::string& name, const std::string& words, const std::string& meaning,
+              Place from = Place::here());
     /// Something the page says and this run confirms.
-    void check(const std::string& name, bool holds, const std::string& statement);
+    void check(const std::string& name, bool holds, const std::string& statement,
+               Place from = Place::here());
     /// A data file with the columns named.
-    Table& table(const std::string& file, std::vector<std::string> columns);
+    Table& table(const std::string& file, std::vector<std::string> columns, Place from = Place::here());
 
     const std::vector<std::string>& failed() const { return failed_; }
     /// Writes every file into `folder`, each of them whole. A disk that is full changes nothing
@@ -66,11 +80,13 @@ public:
 
 private:
     void add_number(const std::string& name, const std::string& value, const std::string& unit,
-                    const std::string& meaning);
+                    const std::string& meaning, Place from);
+    void add_place(const char* kind, const std::string& name, Place from);
     std::deque<Table> tables_;  // a deque: references to its tables stay good
     std::vector<std::string> names_, failed_;
     std::string numbers_ = "name\tvalue\tunit\tmeaning\n";
     std::string checks_ = "name\tstatement\n";
+    std::string places_ = "name\tkind\tplace\n";
 };
 
 /// The rule that an option's number must obey.
@@ -107,8 +123,7 @@ private:
         std::string flag, help, rule, initial;
         std::function<std::string(const std::string&)> set;  // what is wrong with the text
     };
-    enum class Parsed { go, help };
-    Parsed parse(int argc, char** argv);
+    bool parse(int argc, char** argv);  // false: --help was asked for
     bool set_folder(const std::string& text);
     void print_help() const;
 

@@ -1,175 +1,69 @@
-// Options of a chapter program: few, plain, and strict.
+#include "options.hpp"
 
-#include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <cstdio>
-#include <filesystem>
 #include <stdexcept>
 
-#include "lab.hpp"
+#include <CLI/CLI.hpp>
 
 namespace lab {
 
-const Rule any_number{[](double) { return true; }, "a finite number"};
-const Rule above_zero{[](double v) { return v > 0; }, "finite and greater than zero"};
-const Rule zero_or_more{[](double v) { return v >= 0; }, "finite and zero or more"};
-
 namespace {
 
-// What the user typed, as it may stand in a message of one line.
-std::string one_line(const std::string& text) {
-    std::string line;
-    for (const char c : text) {
-        char code[8];
-        std::snprintf(code, sizeof code, "\\x%02x", static_cast<unsigned char>(c));
-        const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-        line += control ? std::string(code) : std::string(1, c);
-    }
-    return line;
+// What was typed, as it is shown.
+std::string shown(const std::string& word) {
+    return word.empty() ? "\"\"" : word;
 }
 
-template <class Number>
-std::errc read(const std::string& text, Number& value) {
-    const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';  // from_chars knows none
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data() + plus, end, value);
-    return stop == end ? error : std::errc::invalid_argument;
-}
-
-std::string shown(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
+void set(const std::string& flag, const Options::Setter& setter, const std::string& value) {
+    const std::string wrong = setter(value);
+    if (!wrong.empty()) throw std::invalid_argument(flag + " " + shown(value) + ": " + wrong);
 }
 
 }  // namespace
 
-Program::Program(std::string name, std::string summary)
-    : name_(std::move(name)), summary_(std::move(summary)) {}
+Options::Options(std::string program) : program_(std::move(program)) {}
 
-void Program::option(const std::string& flag, double& value, Rule rule, const std::string& help) {
-    const auto set = [&value, rule](const std::string& text) {
-        double given = 0;
-        const std::errc error = read(text, given);
-        if (error == std::errc::invalid_argument)
-            return "is no number (must be " + std::string(rule.words) + ")";
-        if (error != std::errc() || !std::isfinite(given) || !rule.holds(given))
-            return "must be " + std::string(rule.words);
-        value = given;
+void Options::add(const std::string& flag, Setter set, bool often) {
+    options_.push_back({flag, std::move(set), true, often});
+}
+
+void Options::add(const std::string& flag, bool& given) {
+    const auto set = [&given](const std::string&) {
+        given = true;
         return std::string();
     };
-    options_.push_back({flag, help, rule.words, shown(value), set});
+    options_.push_back({flag, set, false, false});
 }
 
-void Program::option(const std::string& flag, long& value, long least, long most,
-                     const std::string& help) {
-    const std::string rule =
-        "a whole number from " + std::to_string(least) + " to " + std::to_string(most);
-    const auto set = [&value, least, most, rule](const std::string& text) {
-        long given = 0;
-        if (read(text, given) != std::errc() || given < least || given > most)
-            return "must be " + rule;
-        value = given;
-        return std::string();
-    };
-    options_.push_back({flag, help, rule, std::to_string(value), set});
-}
-
-void Program::option(const std::string& flag, std::string& value, std::vector<std::string> choices,
-                     const std::string& help) {
-    std::string words;
-    for (const auto& choice : choices) words += (words.empty() ? "" : ", ") + choice;
-    const std::string rule = "one of " + words;
-    const auto set = [&value, choices, rule](const std::string& text) {
-        if (std::find(choices.begin(), choices.end(), text) == choices.end())
-            return "must be " + rule;
-        value = text;
-        return std::string();
-    };
-    options_.push_back({flag, help, rule, value, set});
-}
-
-bool Program::set_folder(const std::string& text) {
-    folder_ = text;
-    std::error_code error;
-    std::filesystem::path path = text;  // goes up to the innermost thing that is there
-    while (!path.empty() && !exists(path, error)) path = path.parent_path();
-    return !text.empty() && (path.empty() || is_directory(path, error));
-}
-
-Program::Parsed Program::parse(int argc, char** argv) {
-    std::vector<Option> known = options_;
-    known.push_back({"--out", "", "", "", [this](const std::string& text) {
-                         return std::string(
-                             set_folder(text) ? "" : "must be a folder, or the name of a new one");
-                     }});
-
-    std::vector<std::string> given;
-    for (int i = 1; i < argc; ++i) {
-        std::string word = argv[i];
-        if (word == "--help" || word == "-h") return Parsed::help;
-        const auto equals = word.find('=');
-        const std::string flag = word.substr(0, equals);
-        const auto option = std::find_if(known.begin(), known.end(),
-                                         [&](const Option& o) { return o.flag == flag; });
-        if (option == known.end())
-            throw std::invalid_argument((word.empty() ? "\"\"" : word) + ": unknown option (" +
-                                        name_ + " --help lists them)");
-        if (std::find(given.begin(), given.end(), flag) != given.end())
-            throw std::invalid_argument(flag + ": must be given once only");
-        given.push_back(flag);
-        if (equals == std::string::npos && i + 1 == argc)
-            throw std::invalid_argument(flag + ": needs a value");
-        const std::string text = equals == std::string::npos ? argv[++i] : word.substr(equals + 1);
-        const std::string wrong = option->set(text);
-        if (!wrong.empty())
-            throw std::invalid_argument(flag + " " + (text.empty() ? "\"\"" : text) + ": " + wrong);
-        changed_ = changed_ || flag != "--out";
+bool Options::parse(int argc, char** argv) const {
+    CLI::App app;
+    app.set_help_flag();  // CLI11's own takes --help=1, too
+    app.allow_extras();
+    std::vector<const CLI::Option*> given;
+    for (const Option& option : options_) {
+        CLI::Option* const known =
+            option.has_value ? app.add_option(option.flag) : app.add_flag(option.flag);
+        given.push_back(known->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
+        for (int i = 1; i < argc; ++i)  // CLI11 would take the next word for its value
+            if (option.has_value && argv[i] == option.flag + "=") set(option.flag, option.set, "");
     }
-    return Parsed::go;
-}
-
-void Program::print_help() const {
-    std::printf("%s: %s\n\n", name_.c_str(), summary_.c_str());
-    for (const auto& option : options_)
-        std::printf("  %-11s %s (%s; must be %s)\n", option.flag.c_str(), option.help.c_str(),
-                    option.initial.c_str(), option.rule.c_str());
-    std::printf("  %-11s %s\n  %-11s %s\n", "--out DIR", "leave data, numbers and checks in DIR",
-                "--help", "this text");
-}
-
-int Program::run(int argc, char** argv, const std::function<void(Findings&)>& body) {
     try {
-        Findings findings;
-        if (parse(argc, argv) == Parsed::help)
-            print_help();
-        else
-            body(findings);
-        // A full disk shows when the buffer is written out.
-        if (std::fflush(stdout) != 0 || std::ferror(stdout))
-            throw std::runtime_error("standard output: cannot be written");
-        const bool failed = !findings.failed().empty() && !changed_;
-        if (!failed && !folder_.empty()) findings.save(folder_);
-        for (std::size_t i = 0; i < findings.failed().size(); ++i) {
-            const char* statement = findings.failed()[i].c_str();
-            if (!changed_) {
-                std::fprintf(stderr, "%s: does not hold: %s\n", name_.c_str(), statement);
-                continue;
-            }
-            // Other options are there to be played with: what no longer holds is told, as no error.
-            if (i == 0)
-                std::fprintf(stderr,
-                             "%s: with these options the following, true with the page's options, "
-                             "does not hold:\n",
-                             name_.c_str());
-            std::fprintf(stderr, "  %s\n", statement);
-        }
-        return failed ? 1 : 0;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s: %s\n", name_.c_str(), one_line(error.what()).c_str());
-        return 2;
+        app.parse(argc, argv);
+    } catch (const CLI::ArgumentMismatch& error) {
+        const std::string words = error.what();
+        throw std::invalid_argument(words.substr(0, words.find(':')) + ": needs a value");
     }
+    for (const std::string& word : app.remaining()) {
+        if (word == "--help" || word == "-h") return false;
+        throw std::invalid_argument(shown(word) + ": unknown option (" + program_ +
+                                    " --help lists them)");
+    }
+    for (std::size_t i = 0; i < options_.size(); ++i) {
+        const Option& option = options_[i];
+        if (given[i]->count() > 1 && !option.often)
+            throw std::invalid_argument(option.flag + ": must be given once only");
+        for (const std::string& value : given[i]->results()) set(option.flag, option.set, value);
+    }
+    return true;
 }
 
 }  // namespace lab

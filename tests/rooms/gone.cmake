@@ -31,3 +31,16 @@ file(STRINGS "${WORK}/build/CMakeCache.txt" found REGEX "^GNUPLOT:")
 if(NOT words MATCHES "gnuplot is gone; looking for another" OR NOT found STREQUAL "GNUPLOT:FILEPATH=${REAL}")
   message(FATAL_ERROR "What was gone was not looked for again: ${found}\n${words}")
 endif()
+
+# What has to be there is named with its package.
+foreach(needed "CLI11;libcli11-dev" "nlohmann_json;nlohmann-json3-dev")
+  list(GET needed 0 package)
+  list(GET needed 1 debian)
+  execute_process(COMMAND "${CMAKE_COMMAND}" -B "${WORK}/build" -S "${ROOT}" -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON
+    RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE words)
+  if(status EQUAL 0 OR NOT words MATCHES "\n  ${package} is not installed \\(Debian's package ${debian}\\)\n")
+    message(FATAL_ERROR "without ${package} the configuration exits with ${status}:\n${words}")
+  endif()
+  execute_process(COMMAND "${CMAKE_COMMAND}" -B "${WORK}/build" -S "${ROOT}" -UCMAKE_DISABLE_FIND_PACKAGE_${package}
+    OUTPUT_QUIET ERROR_QUIET)
+endforeach()

@@ -34,7 +34,7 @@ test_bad_use_is_one_line_and_status_2() {
 
 test_every_command_has_a_help_and_stands_in_the_doors() {
     expect 0 course --help
-    for command in tour test list run check watch hint reset new grade advise bench kit site; do
+    for command in tour test list run where check watch hint reset new grade advise bench kit site; do
         says out "  $command "
         expect 0 course $command --help
         says out "Usage: ./course $command"

@@ -71,6 +71,86 @@ test_what_is_more_than_a_comment_is_compiled() {
     compiles 1
 }
 
+# A program that says where a function is called: in main.cpp, beside a library that everything includes.
+new_caller() {
+    mkdir -p library support study
+    printf '// what f does\ninline int f() { return 0; }\n' >library/f.hpp
+    printf '// who calls?\ninline int caller(int line = __builtin_LINE()) { return line; }\n' >support/caller.hpp
+    if [ "${1-}" = std ]; then
+        printf '#include <source_location>\nusing Place = std::source_location;\n\
+inline int caller(Place place = Place::current()) { return place.line(); }\n' >support/caller.hpp
+    fi
+    printf '#pragma once\ninline int beside() { return caller(); }\n' >study/beside.hpp
+    cat >study/main.cpp <<'END'
+#include <stdio.h>
+#include "f.hpp"
+#include "caller.hpp"
+#include "beside.hpp"
+// the call
+int main() { return printf("%d %d", caller(), beside()) * f(); }
+END
+    : >calls
+    compile_caller
+    compiles 1
+    calls_from 6 2
+}
+compile_caller() {
+    expect 0 sh "$source/tools/cmake/compile_what_changed.sh" ./compiler -std=c++20 -Ilibrary -Isupport "$@" -MD -MT main.o \
+        -MF main.d -o main.o -c "$folder/study/main.cpp"
+}
+calls_from() {
+    g++ main.o -o main || fail 'no program'
+    is "$(./main || :)" "$1 $2"
+}
+
+test_a_call_that_has_moved_is_compiled() {
+    new_project
+    for kind in builtin std; do
+        new_caller $kind
+        # No line of a call moves by what is said in the library, or at the end of a line.
+        sed -i '1i// one line more' library/f.hpp
+        compile_caller
+        compiles 0
+        sed -i 's|// the call|// a call|' study/main.cpp
+        compile_caller
+        compiles 0
+        # In the source, by a comment, a long comment, a blank line; and in a header beside it.
+        sed -i '1i// one line more' study/main.cpp
+        compile_caller
+        compiles 1
+        calls_from 7 2
+        { seq 20 | sed 's|^|// |'; cat study/main.cpp; } >longer
+        cp longer study/main.cpp
+        compile_caller
+        compiles 1
+        calls_from 27 2
+        sed -i '5i\\' study/main.cpp
+        compile_caller
+        compiles 1
+        calls_from 28 2
+        sed -i '2i// one line more' study/beside.hpp
+        compile_caller
+        compiles 1
+        calls_from 28 3
+        compile_caller
+        compiles 0
+    done
+}
+
+test_a_line_that_has_moved_within_what_asks_is_compiled() {
+    new_project
+    new_caller
+    printf '// asks itself\ninline int own() { return __builtin_LINE(); }\n' >library/f.hpp
+    sed -i 's/caller(), beside()) [*] f()/own(), beside())/' study/main.cpp
+    compile_caller
+    compiles 1
+    calls_from 2 2
+    sed -i '1i// one line more' library/f.hpp
+    compile_caller
+    compiles 1
+    calls_from 3 2
+}
+
 test_what_fails_is_tried_again() {
     new_project
     : >calls

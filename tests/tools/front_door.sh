@@ -67,7 +67,7 @@ test_with_nothing_new_it_hands_over_and_asks_nobody() {
         stand_in $tool "echo $tool >>'$folder/calls'; exit 1"
     done
     : >calls
-    for command in tour list run check watch hint solution reset new advise bench site kit test; do
+    for command in tour list run where check watch hint solution reset new advise bench site kit test; do
         expect 7 course $command 1
         is "$(/bin/cat out err)" "handed over: $command 1"
     done
@@ -80,7 +80,7 @@ test_what_is_new_is_built_first() {
     make_sources
     expect 7 course list
     for file in tools/course/main.cpp tools/course/more.cpp include/state.hpp CMakeLists.txt \
-        tools/cmake/new.cmake tools/processes/look.cpp course; do
+        tools/cmake/new.cmake tools/processes/look.cpp tools/set_up.sh course; do
         : >calls
         touch "checkout/$file"
         expect 7 course list
@@ -106,6 +106,51 @@ test_what_is_new_is_built_first() {
     : >calls
     expect 7 course list
     says calls '--target course'
+}
+
+# builds NUMBER TARGETS WORDS…: with something new, ./course WORDS builds so often, these targets, and tells the course
+# program of those beside itself.
+builds() {
+    touch checkout/tools/course/main.cpp
+    : >calls
+    number=$1 targets=$2
+    shift 2
+    expect 7 course "$@"
+    is "$* $(grep -c -e --build calls)" "$* $number"
+    says calls "cmake --build $folder/checkout/build --target course${targets:+ $targets}"
+    is "$(cat built)" "$targets"
+}
+
+test_what_a_check_needs_is_built_in_one_go_with_the_course_program() {
+    new_machine 0
+    have_all
+    make_sources
+    for room in 01_first/velocity_now 01_first/best_gap 03_third/top_step; do
+        mkdir -p "checkout/tests/exercises/$room"
+        echo '{"number": 1,' >"checkout/tests/exercises/$room/about.json"
+    done
+    echo '{"number": 2,' >checkout/tests/exercises/01_first/best_gap/about.json
+    builds 1 ready_velocity_now check velocity_now
+    builds 1 ready_velocity_now check --seed 1 exercises/01_first/velocity_now.cpp
+    builds 1 ready_top_step check 3.1
+    builds 1 ready_best_gap watch 1.2
+    # What it does not know is left to the course program.
+    for words in '' 1.3 7.1 '1.[' .. . '*' no_such --json; do
+        builds 1 '' check "$words"
+    done
+    builds 1 '' hint velocity_now
+    builds 1 '' list
+    : >calls
+    expect 7 course check velocity_now
+    is "$(lines calls)" 0
+    # With no build at all yet, too.
+    rm -r checkout/build
+    builds 1 ready_velocity_now check velocity_now
+    is "$(grep -c -e '^cmake -S' calls)" 1
+    : >build_fails
+    touch checkout/tools/course/main.cpp
+    expect 1 course check velocity_now
+    says err 'course: the course program, or ready_velocity_now, could not be built'
 }
 
 test_the_first_chapter_comes_before_the_course_program() {

@@ -6,8 +6,9 @@ stand_in() { rm -f "bin/$1"; printf '#!/bin/sh\n%s\n' "$2" >"bin/$1"; chmod +x "
 
 # new_machine USER_ID: with apt-get, apt-cache and nothing that the course needs.
 new_machine() {
-    mkdir -p bin usr checkout apt tmp
+    mkdir -p bin usr checkout/tools apt tmp
     cp "$source/course" checkout/course
+    cp "$source/tools/set_up.sh" checkout/tools
     for tool in sh cat sed grep tail head tee env mkdir mktemp rm mv touch chmod readlink tr cp find uname flock; do
         ln -s "$(command -v $tool)" bin/$tool
     done
@@ -79,7 +80,7 @@ case \$1 in
     : >"\$4/build.ninja" ;;
 --build) [ ! -e '$folder/build_fails' ] || { echo 'error: no'; exit 1; }
     mkdir -p "\$2/tools/course"
-    printf '#!/bin/sh\necho "handed over: \$*"\nexit 7\n' >"\$2/tools/course/course"
+    printf '#!/bin/sh\necho "handed over: \$*"\necho "\$COURSE_BUILT" >$folder/built\nexit 7\n' >"\$2/tools/course/course"
     chmod +x "\$2/tools/course/course" ;;
 esac
 END

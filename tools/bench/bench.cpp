@@ -10,6 +10,7 @@
 
 #include "count.hpp"
 #include "files.hpp"
+#include "options.hpp"
 #include "results.hpp"
 #include "contest/scenes.hpp"
 #include "stop.hpp"
@@ -42,26 +43,23 @@ contest::Scene scene_of(const std::string& id) {
 Asked read_words(int argc, char** argv) {
     Asked asked;
     std::vector<std::string> given;
-    for (int i = 1; i < argc; ++i) {
-        const std::string word = argv[i];
-        const auto value = [&]() -> std::string {
-            if (++i == argc) throw Stop(Status::bad_use, word + ": needs a value");
-            return argv[i];
+    const auto into = [](auto& word) {
+        return [&word](const std::string& value) {
+            word = value;
+            return std::string();
         };
-        if (word == "--quick")
-            asked.quick = true;
-        else if (word == "--json")
-            asked.json = true;
-        else if (word == "--again")
-            asked.again = true;
-        else if (word == "--out")
-            asked.out = value();
-        else if (word == "--scene")
-            given.push_back(value());
-        else if (word == "--count")
-            asked.count = value();
-        else
-            throw Stop(Status::bad_use, word + ": unknown option");
+    };
+    lab::Options options("./course bench");
+    options.add("--quick", asked.quick);
+    options.add("--json", asked.json);
+    options.add("--again", asked.again);
+    options.add("--out", into(asked.out));
+    options.add("--count", into(asked.count));
+    options.add("--scene", [&](const std::string& id) { return given.push_back(id), std::string(); }, true);
+    try {
+        if (!options.parse(argc, argv)) throw std::invalid_argument("./course bench --help says what it takes");
+    } catch (const std::invalid_argument& wrong) {
+        throw Stop(Status::bad_use, wrong.what());
     }
     const auto& all = contest::all_scenes;
     for (const auto& id : given)

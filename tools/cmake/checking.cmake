@@ -1,7 +1,8 @@
-# How a learner's file is compiled and checked: by the course program, and without it. The hidden tests
-# are built (tests/exercises) or come built (the learner's edition): for each exercise the targets
-# hidden_NAME and worker_NAME, and timestep_worker. What a check of it needs is target ready_NAME. `told` is the folder of what is told of each exercise,
-# NN_chapter/NAME/about.json; the build folder has the declarations, exercises/generated/NAME_declared.hpp.
+# How a learner's file is compiled and checked. The hidden tests are built (tests/exercises) or come built (the
+# learner's edition): for each exercise the targets hidden_NAME and worker_NAME, and timestep_worker. What a check of
+# it needs is target ready_NAME, and the check, for those who build by CMake alone, target check_NAME. `told` is the
+# folder of what is told of each exercise, NN_chapter/NAME/about.json; the build folder has the declarations,
+# exercises/generated/NAME_declared.hpp.
 include(CheckCXXCompilerFlag)
 include(CheckCXXSourceCompiles)
 
@@ -20,9 +21,13 @@ function(timestep_check_learners told)
     list(APPEND flags -ftrivial-auto-var-init=pattern)
   endif()
 
-  # Without the course program: the target check_NAME compiles the learner's file and checks it. A file
-  # that is not there must stop that target and nothing else: the compiler misses it, not CMake. (Not
-  # marked as GENERATED: `ninja clean` would remove it.)
+  # The course program, which checks. The learner's edition brings it built.
+  set(course "")
+  if(TIMESTEP_KIT)
+    set(course "${PROJECT_SOURCE_DIR}/kit/course")
+  elseif(TARGET course)
+    set(course "$<TARGET_FILE:course>")
+  endif()
   set(checks "")
   set(workers "")
   set(comma "")
@@ -31,31 +36,28 @@ function(timestep_check_learners told)
   foreach(about IN LISTS abouts)
     cmake_path(GET about PARENT_PATH room)
     cmake_path(GET room FILENAME name)
-    set(file "${PROJECT_SOURCE_DIR}/exercises/${room}.cpp")
-    if(NOT EXISTS "${file}" OR IS_DIRECTORY "${file}")
-      file(CONFIGURE OUTPUT "${generated}/${name}_answer.cpp" CONTENT "#include \"${file}\"\n" @ONLY)
-      set(file "${generated}/${name}_answer.cpp")
-    endif()
     file(READ "${told}/${about}" json)
     string(JSON eigen GET "${json}" eigen)
     set(header exercise)
     if(eigen)
       set(header exercise_eigen)
     endif()
-    add_executable(answer_${name} EXCLUDE_FROM_ALL "${file}" $<TARGET_OBJECTS:worker_${name}>)
-    target_link_libraries(answer_${name} PRIVATE timestep_worker timestep)
-    target_include_directories(answer_${name} PRIVATE "${generated}" "${learner}")
-    target_compile_options(answer_${name} PRIVATE -UNDEBUG ${flags}
-      "SHELL:-include ${header}.hpp" "SHELL:-include ${name}_declared.hpp")
-    target_link_options(answer_${name} PRIVATE -no-pie -fno-lto)
-    add_custom_target(check_${name} COMMAND "${CMAKE_COMMAND}" -D NAME=${name} -D FILE=${file}
-      -D ABOUT=${told}/${about} -D MISTAKES=${generated}/${name}_mistakes.json -D CHECK=$<TARGET_FILE:hidden_${name}>
-      -D WORKER=$<TARGET_FILE:answer_${name}> -P "${PROJECT_SOURCE_DIR}/tools/cmake/say_verdict.cmake"
-      DEPENDS hidden_${name} VERBATIM)
     add_custom_target(ready_${name})
     add_dependencies(ready_${name} hidden_${name} timestep_worker ready_${header})
     if(NOT TIMESTEP_KIT)
       add_dependencies(ready_${name} worker_${name})
+    endif()
+    if(course)  # COURSE_BUILT: what it need not build
+      add_custom_target(check_${name}
+        COMMAND "${CMAKE_COMMAND}" -E env COURSE_BUILT=ready_${name} "${course}" check ${name}
+        WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}" USES_TERMINAL VERBATIM)
+      add_dependencies(check_${name} ready_${name})
+      if(NOT TIMESTEP_KIT)
+        add_dependencies(check_${name} course)
+      endif()
+    else()
+      add_custom_target(check_${name} COMMAND "${CMAKE_COMMAND}" -E echo
+        "check_${name} needs the course program, which -DTIMESTEP_COURSE=ON builds" COMMAND "${CMAKE_COMMAND}" -E false VERBATIM)
     endif()
     list(APPEND all_ready ready_${name})
     string(APPEND checks "${comma}\n  \"${name}\": \"$<TARGET_FILE:hidden_${name}>\"")

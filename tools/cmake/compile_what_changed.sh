@@ -1,6 +1,7 @@
 #!/bin/sh
-# Compiles a source, unless the compiler would read what it has read already: but for comments and for
-# where a line stands. A comment in a header that everything includes costs seconds then, not minutes.
+# Compiles a source, unless the compiler would read what it has read already: but for comments and, where no
+# source asks for its own lines, for where a line stands. A comment in a header that everything includes costs
+# seconds then, not minutes.
 #
 #     sh compile_what_changed.sh g++ … -MF DEPENDENCIES -o OBJECT -c SOURCE
 #
@@ -9,13 +10,16 @@
 # compiled beforehand when it only preprocesses; and for builds in which comments and lines do not count:
 # a debugger's lines and warnings of a missing comment would be old.
 
-object= depends= before=
+object= depends= near= before=
 for word; do
-    case $before in -o) object=$word ;; -MF) depends=$word ;; esac
+    case $before in -o) object=$word ;; -MF) depends=$word ;; -c) near=${word%"${word##*/}"} ;; esac
     before=$word
 done
 
-# The same command, to print what the compiler reads, without comments (-P: and without the lines' places).
+# The same command, to print what the compiler reads, without comments. A place that is looked up as the program is
+# compiled (std::source_location, __builtin_LINE) is the line of a call: where one may be, the lines of the files
+# beside the source count, and of those that ask for places themselves. The library's headers, which everything
+# includes, know of no such function.
 read_only() {
     left=$# before=
     while [ $left -gt 0 ]; do
@@ -25,8 +29,24 @@ read_only() {
         set -- "$@" "$word"
         before=$word left=$((left - 1))
     done
-    # A place that is looked up as the program is compiled does not show here: no two of those are alike.
-    "$@" -E -P | sed "s/source_location/& $$ $(date +%s)/" || echo "$$ is no sum of anything"  # the compiler says by itself what is wrong
+    "$@" -E | awk -v near="$near" '
+        /^# [0-9]+ "/ {
+            match($0, /"[^"]*"/)
+            file = substr($0, RSTART + 1, RLENGTH - 2)
+            ours = substr($0, RSTART + RLENGTH) !~ /3/  # 3: a header of the system
+            line = $2
+            next
+        }
+        NF > 0 {
+            print
+            if (/source_location|__builtin_(LINE|FILE)/) { asked = 1; asks[file] = 1 }
+            if (ours) { files[++count] = file; lines[count] = line }
+        }
+        { ++line }
+        END {
+            for (i = 1; asked && i <= count; ++i)
+                if (index(files[i], near) == 1 || files[i] in asks) print files[i], lines[i]
+        }' || echo "$$ is no sum of anything"  # the compiler says by itself what is wrong
 }
 # Was a file that the object depends on touched since we began? Then nobody knows what was read.
 touched() {

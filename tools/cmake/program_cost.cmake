@@ -11,6 +11,9 @@ if(LINES)
     string(APPEND table "${text}")
   endforeach()
   file(WRITE "${TABLE}" "${table}")
+  cmake_path(GET TABLE PARENT_PATH run)
+  file(WRITE "${run}/places.tsv"  # for ./course where
+    "name\tkind\tplace\nprograms.tsv\tdata\ttools/cmake/program_cost.cmake:${CMAKE_CURRENT_LIST_LINE}\n")
   return()
 endif()
 

@@ -7,7 +7,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <optional>
+#include <sstream>
 #include <thread>
 
 #include <unistd.h>
@@ -139,6 +141,22 @@ bool is_ready(const Exercise& exercise) {
            all_there(exercise);
 }
 
+void mark_ready(const std::vector<fs::path>& marks, fs::file_time_type begin) {
+    std::error_code ignored;
+    fs::create_directories(marks.front().parent_path(), ignored);
+    for (const auto& mark : marks) {
+        write_whole(mark, "");
+        fs::last_write_time(mark, begin, ignored);  // what was touched while it was built is new
+    }
+}
+
+// Has the front door, or the build that asks, just built this target?
+bool is_built(const std::string& target) {
+    const char* const built = std::getenv("COURSE_BUILT");
+    std::istringstream targets(built == nullptr ? "" : built);
+    return std::find(std::istream_iterator<std::string>(targets), {}, target) != std::istream_iterator<std::string>();
+}
+
 }  // namespace
 
 void build(const std::vector<std::string>& targets, ProgressLine& progress) {
@@ -195,11 +213,20 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress) {
 void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) {
     std::vector<std::string> targets;
     std::vector<fs::path> marks;
+    std::error_code ignored;
     for (const auto& exercise : exercises) {
         if (is_ready(exercise)) continue;
-        targets.push_back("ready_" + exercise.name);
+        const std::string target = "ready_" + exercise.name;
+        if (is_built(target) && all_there(exercise)) {
+            // The front door's mark is as old as its build.
+            const auto begin = fs::last_write_time(places().build / "up_to_date", ignored);
+            if (!ignored) mark_ready({ready_mark(exercise)}, begin);
+            continue;
+        }
+        targets.push_back(target);
         marks.push_back(ready_mark(exercise));
     }
+    unsetenv("COURSE_BUILT");  // what changes from now on is new
     if (targets.empty()) return;
     const auto begin = fs::file_time_type::clock::now();
     // What CMake writes when it configures, the build does not bring back.
@@ -208,12 +235,7 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) 
         fs::exists(places().build / "CMakeCache.txt"))
         listen({places().cmake, places().build.string()}, [](std::string_view) {});
     build(targets, progress);
-    std::error_code ignored;
-    fs::create_directories(marks.front().parent_path(), ignored);
-    for (const auto& mark : marks) {
-        write_whole(mark, "");
-        fs::last_write_time(mark, begin, ignored);  // what was touched while it was built is new
-    }
+    mark_ready(marks, begin);
 }
 
 std::string site_address() {

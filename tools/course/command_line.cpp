@@ -154,6 +154,9 @@ void declare(CLI::App& app, Asked& asked) {
     run->footer(
         "What stands after -- goes to the chapter's study; its options:\n"
         "  ./course run 3 --study -- --help");
+    app.add_subcommand("where", "the line that wrote a number, check, data file or figure of a page")
+        ->add_option("NAME", asked.name, "as on the page's source, with its chapter: 03/energy_mean")
+        ->required();
     const auto with_exercise = [&](const char* name, const char* words) {
         const auto command = app.add_subcommand(name, words);
         const auto option = command->add_option("EXERCISE", asked.exercise,
@@ -286,6 +289,7 @@ Status obey(int argc, char** argv) {
     if (app.got_subcommand("tour")) tour();
     if (app.got_subcommand("test")) test(asked.all);
     if (app.got_subcommand("list")) list(asked.json);
+    if (app.got_subcommand("where")) where(asked.name);
     if (const auto command = app.get_subcommand("run"); *command)
         run(asked.chapter, asked.study, given(*command, "--out", asked.out), asked.chapter_options);
     if (const auto command = app.get_subcommand("check"); *command)

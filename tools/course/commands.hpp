@@ -23,6 +23,10 @@ void test(bool strict);
 void run(const std::string& chapter, bool study, const std::optional<std::string>& out,
          const std::vector<std::string>& options);
 
+/// Says which line wrote a number, check, data file or figure, what it is, and which pages use it: `03/energy_mean`,
+/// or `energy_mean` for all that are called so. Throws Stop(bad_use) naming what is called nearly so.
+void where(const std::string& name);
+
 /// Checks answers: of one exercise (`file` instead of the learner's own, which is then not counted
 /// as done), or of all that have been begun. With `sanitize`, errors count that do not show in the
 /// numbers. Throws Stop(wrong) where one is not right.

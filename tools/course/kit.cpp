@@ -40,7 +40,8 @@ const std::vector<Part> parts{
 };
 const std::vector<std::string> single_files{".gitignore",           "CMakeLists.txt",
                                             "CMakePresets.json",    "LICENSE",
-                                            "tools/CMakeLists.txt", "course"};
+                                            "tools/CMakeLists.txt", "tools/set_up.sh",
+                                            "course"};
 
 // The folder in the making, beside the one that is wanted; gone unless it comes to that.
 class Unfinished {

@@ -9,6 +9,7 @@
 #include "fill.hpp"
 #include "image.hpp"
 #include "ledger.hpp"
+#include "options.hpp"
 #include "text.hpp"
 
 #include <iostream>
@@ -29,27 +30,29 @@ constexpr const char* usage =
     "{{talks}} is made of, with the tests below ROOT/tests. A draft has gaps where\n"
     "something comes from a run that is still to be made.\n";
 
-Options parse(int argc, char** argv) {
-    Options options{{"--source", ""},  {"--runs", ""},  {"--input", ""},   {"--output", ""},
-                    {"--chapter", ""}, {"--index", ""}, {"--figures", ""}, {"--depfile", ""},
-                    {"--indexes", ""}, {"--draft", ""}};
-    for (int i = 1; i < argc; i += 2) {
-        const std::string name{argv[i]};
-        if (options.count(name) == 0) {
-            throw std::invalid_argument{"page: " + name +
-                                        ": unknown option (page --help lists them)"};
+/// False where --help was asked for.
+bool parse(int argc, char** argv, Options& options) {
+    lab::Options known{"page"};
+    for (const char* flag : {"--source", "--runs", "--input", "--output", "--chapter", "--index", "--figures",
+                             "--depfile", "--indexes", "--draft"}) {
+        known.add(flag, [flag, &options](const std::string& value) {
+            options[flag] = value;
+            return std::string{value.empty() ? "must not be empty" : ""};
+        });
+    }
+    try {
+        if (!known.parse(argc, argv)) {
+            return false;
         }
-        if (i + 1 == argc || *argv[i + 1] == '\0') {
-            throw std::invalid_argument{"page: " + name + ": needs a value"};
-        }
-        options[name] = argv[i + 1];
+    } catch (const std::invalid_argument& wrong) {
+        throw std::invalid_argument{std::string{"page: "} + wrong.what()};
     }
     for (const char* needed : {"--source", "--runs", "--input", "--output"}) {
         if (options[needed].empty()) {
             throw std::invalid_argument{std::string{"page: "} + needed + ": is missing"};
         }
     }
-    return options;
+    return true;
 }
 
 /// Copies the figures that the page shows, and of every animation its first frame.
@@ -104,14 +107,13 @@ void make_page(Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc == 2 && (std::string{argv[1]} == "--help" || std::string{argv[1]} == "-h")) {
-        std::cout << usage;
-        return 0;
-    }
     Options options;
     try {
-        options = parse(argc, argv);
-        make_page(options);
+        if (parse(argc, argv, options)) {
+            make_page(options);
+        } else {
+            std::cout << usage;
+        }
         return 0;
     } catch (const std::exception& wrong) {
         // A page of an earlier build must not pass for this one's.

@@ -53,7 +53,9 @@ const Number& RunData::number(const std::string& name) {
     }
     const auto found = numbers_.find(name);
     if (found == numbers_.end()) {
-        throw std::out_of_range{"the run of " + chapter_ + " has no number \"" + name + "\""};
+        const std::string check = written_at(name, "check");
+        throw std::out_of_range{"the run of " + chapter_ + " has no number \"" + name + "\"" +
+                                (check.empty() ? "" : ", but a check of that name" + check)};
     }
     return found->second;
 }
@@ -66,9 +68,24 @@ const std::string& RunData::check(const std::string& name) {
     }
     const auto found = checks_.find(name);
     if (found == checks_.end()) {
-        throw std::out_of_range{"the run of " + chapter_ + " made no check \"" + name + "\""};
+        const std::string number = written_at(name, "number");
+        throw std::out_of_range{"the run of " + chapter_ + " made no check \"" + name + "\"" +
+                                (number.empty() ? "" : ", but has a number of that name" + number)};
     }
     return found->second;
+}
+
+std::string RunData::written_at(const std::string& name, const std::string& kind) const {
+    if (!std::filesystem::exists(folder_ / "places.tsv")) {
+        return {};
+    }
+    for (const std::string& line : split_lines(read_file(folder_ / "places.tsv"))) {
+        const std::vector<std::string> cells = split(line, '\t');
+        if (cells.size() == 3 && cells[0] == name && cells[1] == kind) {
+            return " (written at " + cells[2] + ")";
+        }
+    }
+    return {};
 }
 
 Table RunData::table(const std::string& file) const {
@@ -81,13 +98,13 @@ Table RunData::table(const std::string& file) const {
             table.columns = cells;
         } else if (!text.empty()) {  // a blank line only tells gnuplot to lift its pen
             if (cells.size() != table.columns.size()) {
-                throw Error{path.string(), line, "has not as many cells as the first line"};
+                throw Error{path.string(), line, "has not as many cells as the first line" + written_at(file, "data")};
             }
             table.rows.push_back(cells);
         }
     }
     if (table.rows.empty()) {
-        throw Error{path.string(), 1, "is a table without rows"};
+        throw Error{path.string(), 1, "is a table without rows" + written_at(file, "data")};
     }
     return table;
 }

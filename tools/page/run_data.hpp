@@ -35,6 +35,9 @@ public:
     /// The statement that the run confirmed.
     const std::string& check(const std::string& name);
     Table table(const std::string& file) const;
+    /// Which line wrote the number, check or data file: " (written at chapters/…/energy.cpp:42)". Nothing where the
+    /// run does not say.
+    std::string written_at(const std::string& name, const std::string& kind) const;
     /// What the program printed, or what stands in the study's account below a heading, heading included.
     std::string account(const std::string& heading = "") const;
     /// A text file as it stands.

@@ -16,12 +16,14 @@ Number look_up(Context& context, std::string reference) {
         reference.erase(reference.size() - 6);
     }
     std::string name;
-    Number number = context.run_of(reference, name).number(name);
+    RunData& run = context.run_of(reference, name);
+    Number number = run.number(name);
     if (number.value == "nan" || number.value == "-nan" || number.value.empty()) {
         throw std::out_of_range{"the number \"" + name + "\" is " +
                                 (number.value.empty() ? "not measured here; what needs it stands between {{where " +
                                                             name + "}} and {{end}}"
-                                                      : "\"" + number.value + "\"")};
+                                                      : "\"" + number.value + "\"") +
+                                run.written_at(name, "number")};
     }
     number.unit = bare ? "" : number.unit;
     return number;

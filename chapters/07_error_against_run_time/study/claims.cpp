@@ -41,8 +41,8 @@ double seconds_to(const std::vector<Point>& line, double accuracy) {
 }
 
 void percent(lab::Findings& out, const std::string& name, double share,
-             const std::string& meaning) {
-    out.number(name, 100 * share, "%", meaning, share < 1 ? 2 : 3);
+             const std::string& meaning, lab::Place from = lab::Place::here()) {
+    out.number(name, 100 * share, "%", meaning, share < 1 ? 2 : 3, from);
 }
 
 // The slope of our method's line on the spring from a rate to four times that. Of errors alone, so that a

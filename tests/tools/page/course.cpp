@@ -82,6 +82,12 @@ Course::Course() {
           "winner\tRK4_x\t\tthe best\n"
           "lost\tnan\t\tnot found\n");
     write(run + "checks.tsv", "name\tstatement\ngrows\tthe amplitude grows\n");
+    write(run + "places.tsv",
+          "name\tkind\tplace\n"
+          "amplitude\tnumber\tchapters/03_springs/study/growth.cpp:12\n"
+          "lost\tnumber\tchapters/03_springs/study/growth.cpp:31\n"
+          "grows\tcheck\tchapters/03_springs/study/growth.cpp:40\n"
+          "costs.tsv\tdata\tchapters/03_springs/study/costs.cpp:7\n");
     write(run + "costs.tsv", "method\ttime_step\nEuler $x|y$\t1e-06\n\nRK4\t20000\n");
     write(run + "program.txt", "It has x < 3\n");
     write(run + "run.txt", "\nGrowth\n------\n  x < 3\n\nOrder\n-----\n  1.00\n");

@@ -203,7 +203,6 @@ TEST_CASE("a name that the run does not know is an error at its line") {
     CHECK(course.paragraph_error("$x = {{none}}$") ==
           "chapter.md:5: the run of 03_springs has no number \"none\"");
     CHECK(course.paragraph_error("{{04_more/x}}") == "chapter.md:5: there is no run of 04_more");
-    CHECK(course.paragraph_error("{{lost}}") == "chapter.md:5: the number \"lost\" is \"nan\"");
     CHECK(course.paragraph_error("{{table none.tsv}}") ==
           "chapter.md:5: the run of 03_springs left no none.tsv");
     CHECK(course.paragraph_error("{{run: None}}") ==
@@ -218,6 +217,24 @@ TEST_CASE("a name that the run does not know is an error at its line") {
           "chapter.md:5: this {{ has no closing }}");
     CHECK(course.paragraph_error("{{figure sweep.gif: a\nb {{none}}}}") ==
           "chapter.md:6: the run of 03_springs has no number \"none\"");
+}
+
+TEST_CASE("what is misused is named with the line that wrote it") {
+    const Course course;
+    CHECK(course.paragraph_error("{{lost}}") ==
+          "chapter.md:5: the number \"lost\" is \"nan\" (written at chapters/03_springs/study/growth.cpp:31)");
+    CHECK(course.paragraph_error("{{grows}}") ==
+          "chapter.md:5: the run of 03_springs has no number \"grows\", but a check of that name "
+          "(written at chapters/03_springs/study/growth.cpp:40)");
+    CHECK(course.paragraph_error("{{check amplitude}}") ==
+          "chapter.md:5: the run of 03_springs made no check \"amplitude\", but has a number of that name "
+          "(written at chapters/03_springs/study/growth.cpp:12)");
+    course.write("runs/03_springs/run/costs.tsv", "method\ttime\n");
+    CHECK_THAT(course.paragraph_error("{{table costs.tsv}}"),
+               ContainsSubstring("is a table without rows (written at chapters/03_springs/study/costs.cpp:7)"));
+    // A run that does not say, as one from elsewhere.
+    course.write("runs/03_springs/run/places.tsv", "");
+    CHECK(course.paragraph_error("{{lost}}") == "chapter.md:5: the number \"lost\" is \"nan\"");
 }
 
 TEST_CASE("a directive in the wrong form is an error") {
