@@ -185,7 +185,7 @@ inline std::vector<Contest> recommended(long how_many, unsigned long seed, doubl
         });
         auto line = std::find_if(all.begin(), all.end(), [&](const Contest& c) { return c.name == take.choice.name; });
         if (line == all.end()) line = all.insert(all.end(), Contest{take.choice.name});
-        ++line->asked, line->wrong += off > 0.01, line->lost += off > lost_attitude;
+        ++line->asked, line->wrong += off > 0.01, line->lost += off > lost_orientation;
         line->worst = std::max(line->worst, off);
         // Below a millionth it is roundoff and of no use to anybody.
         if (nearest < off && off > 1e-6) ++line->beaten, line->beaten_visibly += off > 0.01;
@@ -238,7 +238,7 @@ Uneven uneven_throws(const Rule& rule, double fair, double fastest, int throws) 
         const double substeps = std::ceil(turn / fair);
         const timestep::Frames frames(h / 3 / substeps, h / substeps);
         const double off = throw_body(rule, body, omega, frames, 2).off;
-        all.lost += !(off <= timestep::lost_attitude) * 1.0 / throws;
+        all.lost += !(off <= timestep::lost_orientation) * 1.0 / throws;
         all.worst = std::max(all.worst, off);
     }
     return all;

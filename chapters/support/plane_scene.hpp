@@ -25,7 +25,7 @@ void for_each_variant(const Use& use) {
     };
     one("explicit", timestep::explicit_gyroscopic);
     one("dropped", timestep::no_gyroscopic);
-    one("old_inertia", timestep::old_inertia);
+    one("lagged_inertia", timestep::lagged_inertia);
     one("implicit", timestep::implicit_gyroscopic);
     one("converged", timestep::converged_gyroscopic);
     one("passive", timestep::passive_gyroscopic);
@@ -49,12 +49,12 @@ inline plane::Ground ground(double rolling, plane::Arms arms = plane::Arms::midd
 // On one end, a twentieth of a radian off upright; the spin halfway between its axis and the plane.
 template <class Inertia>
 plane::Motion thrown(const plane::Capsule<Inertia>& body) {
-    const plane::Attitude q(Eigen::AngleAxisd(0.05, plane::V::UnitX()));
+    const plane::Orientation q(Eigen::AngleAxisd(0.05, plane::V::UnitX()));
     const plane::V axis = q * plane::V::UnitZ();
     return placed(body, q, spin * (axis + plane::V::UnitY()).normalized());
 }
 
-// Any attitude, any axis of spin, from half a metre up.
+// Any orientation, any axis of spin, from half a metre up.
 template <class Inertia>
 plane::Motion random_throw(const plane::Capsule<Inertia>& body, std::mt19937& random) {
     // Directions from a cube, with the corners thrown away: the same numbers with every compiler.
@@ -66,7 +66,7 @@ plane::Motion random_throw(const plane::Capsule<Inertia>& body, std::mt19937& ra
     };
     const Eigen::Vector4d q = direction(Eigen::Vector4d());
     const plane::V axis = direction(plane::V());
-    return placed(body, plane::Attitude(q), spin * axis, 0.5);
+    return placed(body, plane::Orientation(q), spin * axis, 0.5);
 }
 
 }  // namespace scene

@@ -7,10 +7,10 @@
 
 namespace timestep {
 
-/// I(ω₂ − ω₁) + h m × Im = 0 with m = ½(ω₁ + ω₂), and the attitude turned by m.
+/// I(ω₂ − ω₁) + h m × Im = 0 with m = ½(ω₁ + ω₂), and the orientation turned by m.
 ///
 /// Order two, for any step. The torque is at right angles to m and to Im: with 2m = ω₁ + ω₂ the
-/// first says that the energies are equal, the second that |L| is. The attitude turns by the very
+/// first says that the energies are equal, the second that |L| is. The orientation turns by the very
 /// Cayley transform that the equation holds for L, so L stays in the world, too. Its price is the
 /// equation: several Newton steps.
 struct MidpointSpin {

@@ -6,8 +6,8 @@
 
 namespace timestep {
 
-/// A solver for ω, and the attitude turned by the NEW ω for the whole step, as every engine of the
-/// appendix does it (semi-implicit Euler). The attitude has order one, whatever the solver.
+/// A solver for ω, and the orientation turned by the NEW ω for the whole step, as every engine of the
+/// appendix does it (semi-implicit Euler). The orientation has order one, whatever the solver.
 template <class Solver>
 struct NewSpin {
     static constexpr const char* name = Solver::name;         ///< for tables and keys

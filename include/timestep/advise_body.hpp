@@ -92,9 +92,9 @@ void judge(BodyAdvice& advice, const Tumble<Solver>&, const PrincipalInertia<dou
     advice.worst_spin = one.worst_spin;
 }
 
-inline void judge(BodyAdvice& advice, const OldInertiaSpin&, const PrincipalInertia<double>& inertia, double spin,
+inline void judge(BodyAdvice& advice, const LaggedInertiaSpin&, const PrincipalInertia<double>& inertia, double spin,
                   double h, bool even) {
-    judge(advice, Tumble<OldInertia>{}, inertia, spin, h, even);
+    judge(advice, Tumble<LaggedInertia>{}, inertia, spin, h, even);
     if (advice.adds == AddsEnergy::never) return;
     advice.bound = moment_ratio(inertia);
     advice.reason = "every step may add; |L| stays, so at most I_max/I_min = " + number(advice.bound) + " times the first";

@@ -158,7 +158,7 @@ inline SpinAdvice advise_spin(const ExplicitGyroscopic& solver, const PrincipalI
     return advice;
 }
 
-inline SpinAdvice advise_spin(const OldInertia& solver, const PrincipalInertia<double>& inertia,
+inline SpinAdvice advise_spin(const LaggedInertia& solver, const PrincipalInertia<double>& inertia,
                               double spin, double h) {
     SpinAdvice advice = spin_advice(solver.name, h, 1);
     if (no_torque(inertia)) return advice.reason = "equal moments: no gyroscopic torque", advice;

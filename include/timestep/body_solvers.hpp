@@ -16,14 +16,14 @@
 
 namespace timestep {
 
-/// OldInertia as a step of the whole body.
-struct OldInertiaSpin {
-    static constexpr const char* name = OldInertia::name;    ///< for tables and keys
-    static constexpr int order = OldInertia::order;          ///< of the error after a whole run
+/// LaggedInertia as a step of the whole body.
+struct LaggedInertiaSpin {
+    static constexpr const char* name = LaggedInertia::name;    ///< for tables and keys
+    static constexpr int order = LaggedInertia::order;          ///< of the error after a whole run
     /// One step of `h` seconds.
     template <class Inertia, class Real>
     SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s, Real h) const {
-        return in_body(turn(old_inertia, inertia, in_world(s), h));
+        return in_body(turn(lagged_inertia, inertia, in_world(s), h));
     }
 };
 
@@ -61,7 +61,7 @@ template <class Visit>
 void for_each_body_solver(const Visit& visit) {
     visit(tumble<ExplicitGyroscopic>, BodyPrice{1, 0, 0});
     visit(tumble<NoGyroscopic>, BodyPrice{});
-    visit(OldInertiaSpin{}, BodyPrice{1, 0, 0});
+    visit(LaggedInertiaSpin{}, BodyPrice{1, 0, 0});
     visit(tumble<ImplicitGyroscopic>, BodyPrice{1, 1, 0});
     visit(tumble<ConvergedGyroscopic>, BodyPrice{0, 0, 0, false});
     visit(tumble<PassiveGyroscopic>, BodyPrice{1, 1, 0});

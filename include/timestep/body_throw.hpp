@@ -36,7 +36,7 @@ private:
 };
 
 /// From so many radians on an orientation is lost: nobody would call it right.
-inline constexpr double lost_attitude = 0.5;
+inline constexpr double lost_orientation = 0.5;
 
 /// What a throw came to. Infinite, or no number, where it blew up.
 struct Thrown {
@@ -46,7 +46,7 @@ struct Thrown {
     double spin_left = 1;    ///< the spin about the axis of the body it was thrown about, at the end
     double off = 0;          ///< the orientation's largest error in the first two seconds: 2 sin(α/2) of an angle α;
                              ///< no number where the spin is so fast that the exact one is not known
-    bool lost = false;       ///< was that more than lost_attitude?
+    bool lost = false;       ///< was that more than lost_orientation?
 };
 
 /// \cond
@@ -86,14 +86,14 @@ inline Vector3<double> as_thrown(const Vector3<double>& omega) {
 template <class Rule>
 Thrown throw_body(const Rule& rule, const PrincipalInertia<double>& inertia, const Vector3<double>& omega,
                   Frames frames, double seconds = 10, long most_steps = 60'000) {
-    const double attitude_seconds = 2, spin = omega.norm();
+    const double orientation_seconds = 2, spin = omega.norm();
     PrincipalInertia<double> body = inertia;
     body.moments = body.unit;  // moments of any size: no energy overflows
     const SpinState<double> start{0, Quaternion<double>::Identity(), omega};
     const ExactFreeBody<double> exact(body, in_world(start));
     const auto mine = detail::prepared(rule, body);
-    const double energy = kinetic_energy(body, omega), between = attitude_seconds / 30;
-    const bool known = detail::exact_is_known(inertia, spin * std::max(attitude_seconds, frames.longest()));
+    const double energy = kinetic_energy(body, omega), between = orientation_seconds / 30;
+    const bool known = detail::exact_is_known(inertia, spin * std::max(orientation_seconds, frames.longest()));
     Thrown thrown;
     if (!known) thrown.off = std::numeric_limits<double>::quiet_NaN();
     SpinState<double> s = start;
@@ -105,19 +105,19 @@ Thrown throw_body(const Rule& rule, const PrincipalInertia<double>& inertia, con
         thrown.energy = kinetic_energy(body, s.omega) / energy;
         if (!(thrown.energy < 1e300) || !is_finite(s)) {
             thrown.energy = thrown.most_energy = std::numeric_limits<double>::infinity();
-            thrown.lost = s.t < attitude_seconds;
+            thrown.lost = s.t < orientation_seconds;
             if (thrown.lost) thrown.off = 2;
             break;
         }
         thrown.most_energy = std::max(thrown.most_energy, thrown.energy);
-        if (known && (n == 0 || (s.t >= look && s.t <= attitude_seconds + h / 2))) {
+        if (known && (n == 0 || (s.t >= look && s.t <= orientation_seconds + h / 2))) {
             thrown.off = std::max(thrown.off, apart(s.q, exact(s.t).q));
             while (look <= s.t) look += between;
         }
     }
     thrown.seconds = s.t;
     thrown.spin_left = s.omega.dot(omega) / spin / spin;
-    thrown.lost = thrown.lost || thrown.off > lost_attitude;
+    thrown.lost = thrown.lost || thrown.off > lost_orientation;
     return thrown;
 }
 

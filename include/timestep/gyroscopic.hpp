@@ -8,7 +8,7 @@
 #include <timestep/gyroscopic/explicit_gyroscopic.hpp>
 #include <timestep/gyroscopic/implicit_gyroscopic.hpp>
 #include <timestep/gyroscopic/no_gyroscopic.hpp>
-#include <timestep/gyroscopic/old_inertia.hpp>
+#include <timestep/gyroscopic/lagged_inertia.hpp>
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
 
 namespace timestep {
@@ -17,7 +17,7 @@ namespace timestep {
 template <class Visit>
 void for_each_gyroscopic(const Visit& visit) {
     std::apply([&](const auto&... solver) { (visit(solver), ...); },
-               std::tuple{explicit_gyroscopic, no_gyroscopic, old_inertia, implicit_gyroscopic,
+               std::tuple{explicit_gyroscopic, no_gyroscopic, lagged_inertia, implicit_gyroscopic,
                           converged_gyroscopic, passive_gyroscopic});
 }
 

@@ -1,4 +1,4 @@
-// The claims of chapter 1, one row of the talk ledger after the other.
+// The claims of chapter 1, one claim of the talks after the other.
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

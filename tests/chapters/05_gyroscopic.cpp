@@ -154,7 +154,7 @@ TEST_CASE("dropped: a thrown staff's axis goes round at |ω| instead of |L|/I", 
 
 TEST_CASE("lagged inertia: the momentum stays, the energy does not", "[N45][ch5]") {
     const auto pill = capsule(1.0, 0.15, 0.6);
-    const Spin start = spinning(5, 0, 20), end = after(old_inertia, pill, start, h, 600);
+    const Spin start = spinning(5, 0, 20), end = after(lagged_inertia, pill, start, h, 600);
     CHECK((angular_momentum(pill, end) - angular_momentum(pill, start)).norm() <
           1e-10 * momentum(pill, start));
     CHECK(kinetic_energy(pill, end) > 1.5 * kinetic_energy(pill, start));

@@ -153,7 +153,7 @@ TEST_CASE("the explicit torque blows the capsule up on the plane too", "[N43][ch
 
 TEST_CASE("the lagged inertia makes the capsule on the plane spin faster", "[N45][ch5]") {
     const auto body = scene::capsule();
-    const auto end = run(old_inertia, body, scene::ground(0.1, Arms::start), scene::thrown(body),
+    const auto end = run(lagged_inertia, body, scene::ground(0.1, Arms::start), scene::thrown(body),
                            20 * 60, to_the_end);
     CHECK(end.turning.omega.norm() > scene::spin);
 }

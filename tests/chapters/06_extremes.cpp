@@ -14,9 +14,9 @@ void check_all(const std::vector<Cell>& cells) {
     for (const Cell& cell : cells) {
         INFO(cell.real << ", " << cell.scene << ", " << cell.method << ": " << cell.note);
         CHECK(std::string(words(cell.found)) == words(cell.expected));
-        CHECK(cell.expected != Word::wrong);
-        if (cell.found == Word::refused) CHECK(cell.note.find(": must be ") != std::string::npos);
-        if (cell.found == Word::reported) CHECK(cell.note.rfind("at step ", 0) == 0);
+        CHECK(cell.expected != Outcome::wrong);
+        if (cell.found == Outcome::refused) CHECK(cell.note.find(": must be ") != std::string::npos);
+        if (cell.found == Outcome::reported) CHECK(cell.note.rfind("at step ", 0) == 0);
     }
 }
 
@@ -36,40 +36,40 @@ TEST_CASE("every gyroscopic solver ends every extreme scene as theory says", "[N
 
 // The judge's words are not given away: each needs its own proof.
 TEST_CASE("a cell that ends otherwise than theory says is wrong", "[ch6]") {
-    CHECK(judge({Word::bounded, 2}, 1, 1.5, 1, 0) == Word::bounded);
-    CHECK(judge({Word::bounded, 2}, 1, 2.5, 1, 0) == Word::wrong);
-    CHECK(judge({Word::bounded, 2}, 1, 1.5, 1, 7) == Word::wrong);
-    CHECK(judge({Word::exact, 0}, 1, 0, 0, 0) == Word::exact);
-    CHECK(judge({Word::exact, 0}, 1, 0, 1e-300, 0) == Word::wrong);
-    CHECK(judge({Word::exact, 0}, 1, 0, std::nan(""), 0) == Word::wrong);
-    CHECK(judge({Word::grows, 0, 10}, 1, 0, std::exp(10.0), 0) == Word::grows);
-    CHECK(judge({Word::grows, 0, 10}, 1, 0, std::exp(7.0), 0) == Word::wrong);
-    CHECK(judge({Word::grows, 0, 10}, 1, 0, 1, 0) == Word::wrong);
-    CHECK(judge({Word::reported, 0, 0, 5}, 1, 0, 0, 5) == Word::reported);
-    CHECK(judge({Word::reported, 0, 0, 5}, 1, 0, 0, 6) == Word::wrong);
-    CHECK(judge({Word::reported, 0, 0, 5}, 1, 0, 1, 0) == Word::wrong);
-    Theory theory{Word::bounded, 2};
+    CHECK(judge({Outcome::bounded, 2}, 1, 1.5, 1, 0) == Outcome::bounded);
+    CHECK(judge({Outcome::bounded, 2}, 1, 2.5, 1, 0) == Outcome::wrong);
+    CHECK(judge({Outcome::bounded, 2}, 1, 1.5, 1, 7) == Outcome::wrong);
+    CHECK(judge({Outcome::exact, 0}, 1, 0, 0, 0) == Outcome::exact);
+    CHECK(judge({Outcome::exact, 0}, 1, 0, 1e-300, 0) == Outcome::wrong);
+    CHECK(judge({Outcome::exact, 0}, 1, 0, std::nan(""), 0) == Outcome::wrong);
+    CHECK(judge({Outcome::grows, 0, 10}, 1, 0, std::exp(10.0), 0) == Outcome::grows);
+    CHECK(judge({Outcome::grows, 0, 10}, 1, 0, std::exp(7.0), 0) == Outcome::wrong);
+    CHECK(judge({Outcome::grows, 0, 10}, 1, 0, 1, 0) == Outcome::wrong);
+    CHECK(judge({Outcome::reported, 0, 0, 5}, 1, 0, 0, 5) == Outcome::reported);
+    CHECK(judge({Outcome::reported, 0, 0, 5}, 1, 0, 0, 6) == Outcome::wrong);
+    CHECK(judge({Outcome::reported, 0, 0, 5}, 1, 0, 1, 0) == Outcome::wrong);
+    Theory theory{Outcome::bounded, 2};
     theory.last_size = 0.5;
-    CHECK(judge(theory, 1, 1.5, 0.4, 0) == Word::bounded);
-    CHECK(judge(theory, 1, 1.5, 0.6, 0) == Word::wrong);
-    theory = {Word::reported, 0, 0, 5};
+    CHECK(judge(theory, 1, 1.5, 0.4, 0) == Outcome::bounded);
+    CHECK(judge(theory, 1, 1.5, 0.6, 0) == Outcome::wrong);
+    theory = {Outcome::reported, 0, 0, 5};
     theory.earliest = 3;
-    CHECK(judge(theory, 1, 0, 0, 3) == Word::reported);
-    CHECK(judge(theory, 1, 0, 0, 2) == Word::wrong);
-    CHECK(judge({Word::refused}, 1, 0, 0, 0) == Word::wrong);  // a run that was let in
+    CHECK(judge(theory, 1, 0, 0, 3) == Outcome::reported);
+    CHECK(judge(theory, 1, 0, 0, 2) == Outcome::wrong);
+    CHECK(judge({Outcome::refused}, 1, 0, 0, 0) == Outcome::wrong);  // a run that was let in
 }
 
 TEST_CASE("a size that is no number is below no bound, though it be one at the end", "[ch6]") {
     const auto word = [](double from, double to) {
         return cell<Spring<double>>(
                    "", implicit_euler, [] { return Spring<double>(6); }, State<double>{0, 1, 0},
-                   1.0 / 64, 100, {Word::bounded, 2},
+                   1.0 / 64, 100, {Outcome::bounded, 2},
                    [=](const State<double>& s) {
                        return s.t < from || s.t > to ? 1 : std::nan("");
                    })
             .found;
     };
-    CHECK(word(0, 2) == Word::wrong);
-    CHECK(word(0.5, 0.6) == Word::wrong);
-    CHECK(word(5, 6) == Word::bounded);
+    CHECK(word(0, 2) == Outcome::wrong);
+    CHECK(word(0.5, 0.6) == Outcome::wrong);
+    CHECK(word(5, 6) == Outcome::bounded);
 }

@@ -150,13 +150,13 @@ TEST_CASE("ODE solves the passive step's equation, and turns the body as we do",
                 else
                     dWorldStep(run.world, h);
                 const RigidState<double> s2 = run.state();
-                // (I − h[L]) ω₂ = Iω₁ = L in world coordinates, at the old attitude. Two inverses and
+                // (I − h[L]) ω₂ = Iω₁ = L in world coordinates, at the old orientation. Two inverses and
                 // five products of 3×3, some 100 roundings, times the ratio of the moments.
                 const RigidState<double> mixed{0, s1.q, s2.omega};
                 const Vector3<double> left =
                     angular_momentum(inertia, mixed) - h * L.cross(s2.omega);
                 CHECK((left - L).norm() < 100 * epsilon * ratio * L.norm());
-                // Ours, from the same state; the attitude too unless it is told to be finite: then
+                // Ours, from the same state; the orientation too unless it is told to be finite: then
                 // a step turns by h|ω| instead of 2 atan(h|ω|/2), and ω is the same.
                 const RigidState<double> ours = turn(passive_gyroscopic, inertia, s1, h);
                 CHECK((ours.omega - s2.omega).norm() < 100 * epsilon * ratio * omega.norm());

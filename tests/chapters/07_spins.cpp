@@ -135,7 +135,7 @@ TEST_CASE("Runge-Kutta 4 at 15 Hz is nearer to the free body than the talk's sol
 TEST_CASE("the capsule on ice: the reference is where short steps of any method lead", "[N36][ch7]") {
     const Scene scene = capsule_on_plane();
     const SlidingCapsule::Body body{capsule(1.0, 0.15, 0.6), 1.0, 0.15, 0.3};
-    const plane::Attitude leaning(Eigen::AngleAxisd(0.2, V::UnitX()));
+    const plane::Orientation leaning(Eigen::AngleAxisd(0.2, V::UnitX()));
     const auto start = plane::placed(body, leaning, V(1, 0, 6), 0.3);
     const SlidingCapsule exact(body, 9.81, start, 1000), finer(body, 9.81, start, 2000);
     double off = std::fabs(exact.lies() - finer.lies());
@@ -177,7 +177,7 @@ TEST_CASE("the capsule on ice: the reference is where short steps of any method 
 
 TEST_CASE("with friction and rolling resistance shorter steps do not settle the throw", "[N36][ch7]") {
     const plane::Capsule<SymmetricInertia<double>> body{capsule(1.0, 0.15, 0.6), 1.0, 0.15, 0.3};
-    const plane::Attitude leaning(Eigen::AngleAxisd(0.2, V::UnitX()));
+    const plane::Orientation leaning(Eigen::AngleAxisd(0.2, V::UnitX()));
     const auto after = [&](long steps) {
         const plane::Ground rough{9.81, 0.5, 0.1, plane::Arms::middle};
         plane::Motion m = plane::placed(body, leaning, V(1, 0, 6), 0.3);

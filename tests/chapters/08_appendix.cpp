@@ -68,16 +68,16 @@ TEST_CASE("each method of the appendix has its order in the spin and in the orie
             INFO(method.name << ", I = " << I.moments.transpose());
             const Spin start = spinning({2, 1, 2});
             const Spin exact = in_body(ExactFreeBody<double>(I, in_world(start))(2));
-            std::vector<double> steps, spins, attitudes;
+            std::vector<double> steps, spins, orientations;
             const long least = method.order == 4 ? 32 : 256;
             for (long n = least; n <= 8 * least; n *= 2) {
                 const Spin s = method.after(I, start, 2.0 / double(n), n);
                 steps.push_back(2.0 / double(n));
                 spins.push_back((s.omega - exact.omega).norm());
-                attitudes.push_back((s.q.conjugate() * exact.q).vec().norm());
+                orientations.push_back((s.q.conjugate() * exact.q).vec().norm());
             }
             CHECK(std::fabs(measured_order(steps, spins) - method.order) < 0.2);
-            CHECK(std::fabs(measured_order(steps, attitudes) - method.order) < 0.2);
+            CHECK(std::fabs(measured_order(steps, orientations) - method.order) < 0.2);
         }
 }
 
@@ -110,7 +110,7 @@ TEST_CASE("the appendix's methods solve the equations that they say", "[ch8]") {
         const V m = (after(midpoint_spin, I, spinning(w), 0.5).omega + w) / 2;
         const V torque = m.cross(I.momentum(m));
         CHECK((2 * I.momentum(m - w) + 0.5 * torque).norm() < 64 * epsilon * L.norm());
-        // Moser-Veselov: h/2 L of the turn that the attitude made.
+        // Moser-Veselov: h/2 L of the turn that the orientation made.
         const Quaternion<double> rho = after(moser_veselov_2, I, spinning(w), 0.5).q;
         const V e = rho.vec(), pairs(e.y() * e.z(), e.z() * e.x(), e.x() * e.y());
         const V left = rho.w() * I.momentum(e) + I.momentum(I.ratio.cwiseProduct(pairs));

@@ -38,7 +38,7 @@ Spin after(const Method& method, const Body& inertia, Spin s, double step, long 
     return s;
 }
 
-// The largest error of the attitude in two seconds, looked at thirty times: 2 sin of half the
+// The largest error of the orientation in two seconds, looked at thirty times: 2 sin of half the
 // angle.
 template <class Method>
 double worst(const Method& method, const Body& inertia, const V& omega, long rate) {
@@ -63,7 +63,7 @@ struct RungeKutta {
         FreeBody<Body>::Y y;
         y << s.q.coeffs(), s.omega;
         const FirstOrder<FreeBody<Body>::Y> now{s.t, y};
-        const auto next = attitude_scaled(runge_kutta_4.step(FreeBody<Body>(inertia), now, step));
+        const auto next = orientation_scaled(runge_kutta_4.step(FreeBody<Body>(inertia), now, step));
         return in_body(unstacked(next));
     }
 };

@@ -166,13 +166,13 @@ Vector3<L> some_spin() {
             made<L>([] { return 5 * normal(); })};
 }
 template <class L>
-Quaternion<L> some_attitude() {
+Quaternion<L> some_orientation() {
     Quaternion<L> q;
     for (int k = 0; k < 4; ++k) q.coeffs()[k] = made<L>([] { return normal(); });
     return over_its_length(q);
 }
 
-// The same vector or attitude, to `allowed`, as lane `i` has.
+// The same vector or orientation, to `allowed`, as lane `i` has.
 template <class L, class Real, int Size>
 void same_lane(const char* name, const Eigen::Matrix<L, Size, 1>& pack, int i,
                const Eigen::Matrix<Real, Size, 1>& alone, double allowed) {
@@ -191,7 +191,7 @@ void same_lane(const char* name, const Eigen::Matrix<L, Size, 1>& pack, int i,
 // products two at a time, in another order than a pack does: either is off by 3 roundings of the
 // sum of the sizes, at most √3 |ω| in a row of a rotation. A change of coordinates, a solver with
 // two or three such sums over a number near one, and the way back: 8 sums at the most, 48 roundings
-// or 24 ε. The attitude is a sum of five products, over its length: 8 ε.
+// or 24 ε. The orientation is a sum of five products, over its length: 8 ε.
 TEMPLATE_TEST_CASE("a pack of bodies turns as each does alone", "[library][ch8]",
                    TIMESTEP_BOTH_REALS) {
     using L = TestType;
@@ -209,10 +209,10 @@ TEMPLATE_TEST_CASE("a pack of bodies turns as each does alone", "[library][ch8]"
             same_lane(solver.name, after, i, alone, allowed * double(one.norm()));
         }
     };
-    // From world coordinates and back, and with the attitude: that is the same for each of them.
+    // From world coordinates and back, and with the orientation: that is the same for each of them.
     const auto compare_whole = [&](const auto& packed, const auto& one_of) {
         const Vector3<L> omega = some_spin<L>();
-        const Quaternion<L> q = some_attitude<L>();
+        const Quaternion<L> q = some_orientation<L>();
         const Vector3<L> after =
             after_gyroscopic_torque(passive_gyroscopic, packed, q, omega, L(h));
         const Quaternion<L> q2 = turned(q, omega, L(h));
@@ -247,7 +247,7 @@ TEMPLATE_TEST_CASE("a pack of bodies turns as each does alone", "[library][ch8]"
     }
 }
 
-// As above; a splitting has ten such sums for ω and its attitude five products, one after the
+// As above; a splitting has ten such sums for ω and its orientation five products, one after the
 // other.
 TEMPLATE_TEST_CASE("a pack of bodies takes whole-body steps as each does alone", "[library][ch8]",
                    TIMESTEP_BOTH_REALS) {
@@ -256,7 +256,7 @@ TEMPLATE_TEST_CASE("a pack of bodies takes whole-body steps as each does alone",
     const Real h = Real(1) / 60;
     const double allowed = 40 * double(std::numeric_limits<Real>::epsilon());
     const auto compare = [&](const auto& method, const auto& packed, const auto& one_of) {
-        const SpinState<L> s1{0, some_attitude<L>(), some_spin<L>()};
+        const SpinState<L> s1{0, some_orientation<L>(), some_spin<L>()};
         const SpinState<L> s2 = method.step(packed, s1, L(h));
         for (int i = 0; i < L::lanes; ++i) {
             const SpinState<Real> one{0, Quaternion<Real>(lane(s1.q.coeffs(), i)),

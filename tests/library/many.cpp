@@ -24,7 +24,7 @@
 #include <timestep/methods/velocity_verlet.hpp>
 #include <timestep/rigid/many_bodies.hpp>
 #include <timestep/rigid/shapes.hpp>
-#include <timestep/share_out.hpp>
+#include <timestep/parallel_for.hpp>
 #include <timestep/springs.hpp>
 
 using namespace timestep;
@@ -184,7 +184,7 @@ void turn_as_alone(const Solver& solver, int count) {
 
 }  // namespace
 
-// In `float` to the last bit but for the attitude, whose product Eigen adds in an order of its own:
+// In `float` to the last bit but for the orientation, whose product Eigen adds in an order of its own:
 // 8 ε a step (lanes.cpp), a bit more than that in the angular velocity that is turned into the body
 // and back, and after a few steps both: 20 steps, 16 ε each, of sizes near one and |ω| < 10.
 TEMPLATE_TEST_CASE("bodies in packs turn as each does alone, kind by kind", "[library][ch8]", float,
@@ -282,7 +282,7 @@ TEST_CASE("shares for threads are every part once, whatever does not divide", "[
     for (const std::size_t count : {0, 1, 2, 7, 1000})
         for (const unsigned threads : {0u, 1u, 2u, 3u, 8u}) {
             std::vector<int> seen(count, 0);  // no two shares overlap, so no two threads meet here
-            share_out(count, threads, [&](std::size_t first, std::size_t last) {
+            parallel_for(count, threads, [&](std::size_t first, std::size_t last) {
                 for (std::size_t i = first; i < last; ++i) ++seen[i];
             });
             for (const int times : seen) REQUIRE(times == 1);
@@ -291,7 +291,7 @@ TEST_CASE("shares for threads are every part once, whatever does not divide", "[
 
 TEST_CASE("there are no more shares than there is work, and none is empty", "[library][ch8]") {
     std::atomic<int> calls = 0, empty = 0;
-    share_out(3, 8, [&](std::size_t first, std::size_t last) { ++calls, empty += first == last; });
+    parallel_for(3, 8, [&](std::size_t first, std::size_t last) { ++calls, empty += first == last; });
     CHECK(calls == 3);
     CHECK(empty == 0);
 }
@@ -311,7 +311,7 @@ TEST_CASE("where no thread can be started, the caller does its share", "[library
         started = false;
     }
     std::vector<int> seen(100, 0);
-    share_out(seen.size(), 4, [&](std::size_t first, std::size_t last) {
+    parallel_for(seen.size(), 4, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) ++seen[i];
     });
     REQUIRE(pthread_setattr_default_np(&before) == 0);

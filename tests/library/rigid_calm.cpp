@@ -225,7 +225,7 @@ TEST_CASE("in float the calm half-step keeps energy and |L| for an hour", "[libr
         }
 }
 
-// As engines have it: ω in the world, the attitude turned by the new ω, steps that vary.
+// As engines have it: ω in the world, the orientation turned by the new ω, steps that vary.
 TEMPLATE_TEST_CASE("with an orientation, and ω in the world, energy and |L| stay as well", "[library][ch8]", float,
                    double) {
     using Real = TestType;

@@ -116,7 +116,7 @@ TEST_CASE("a symmetric body neither gains nor loses by the passive step", "[libr
     CHECK(worst < 8 * std::numeric_limits<double>::epsilon());
 }
 
-// The rounded attitude is no exact rotation. If every step took the whole of ω into the body and
+// The rounded orientation is no exact rotation. If every step took the whole of ω into the body and
 // back, some boxes would gain several percent of their energy in the hour.
 TEST_CASE("in float the passive step of bodies in the world gains nothing in an hour",
           "[library][N51]") {

@@ -23,7 +23,7 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 const Quaternion<double> identity = Quaternion<double>::Identity();
 
-// The independent reference: attitude and spin in long double by Gauss-Legendre of order six, three
+// The independent reference: orientation and spin in long double by Gauss-Legendre of order six, three
 // stages solved by iteration. It sums few terms, so that its own rounding stays near 1e-19 a step.
 struct Reference {
     Vector3<Long> I, w;
@@ -58,7 +58,7 @@ struct Reference {
 };
 
 struct Off {
-    double spin, attitude;
+    double spin, orientation;
 };
 
 // How far the formulas are off the reference, at worst over `seconds`.
@@ -74,7 +74,7 @@ Off against_reference(const PrincipalInertia<double>& I, const V& omega, double 
         const V w = s.q.conjugate() * s.omega;
         worst.spin = std::max(worst.spin, double((w.cast<Long>() - reference.w).norm() / reference.w.norm()));
         const auto a = s.q.coeffs().cast<Long>().eval(), b = reference.q;
-        worst.attitude = std::max(worst.attitude, double(std::min((a - b).norm(), (a + b).norm())));
+        worst.orientation = std::max(worst.orientation, double(std::min((a - b).norm(), (a + b).norm())));
     }
     return worst;
 }
@@ -163,7 +163,7 @@ TEST_CASE("the exact motion agrees with an independent integration to 1e-11", "[
             INFO(I.moments.transpose() << " spun at " << omega.transpose());
             const Off off = against_reference(I, omega, 10);
             CHECK(off.spin < 1e-11);
-            CHECK(off.attitude < 1e-11);
+            CHECK(off.orientation < 1e-11);
         }
     } while (std::next_permutation(order, order + 3));
 }
@@ -178,7 +178,7 @@ TEST_CASE("two or three equal moments, and spins about one axis", "[library][N40
             }
             const Off off = against_reference(I, omega, 6, 2000);
             CHECK(off.spin < 1e-11);
-            CHECK(off.attitude < 1e-11);
+            CHECK(off.orientation < 1e-11);
         }
 }
 
@@ -218,16 +218,16 @@ TEST_CASE("the separatrix is as exact as the rest", "[library][N40]") {
     for (const double side : {1.0, -1.0}) {
         const Off off = against_reference(I, V(std::sqrt(3.0), 0.2 * side, 1), 4);
         CHECK(off.spin < 1e-11);
-        CHECK(off.attitude < 1e-11);
+        CHECK(off.orientation < 1e-11);
     }
     const Off near = against_reference(PrincipalInertia<double>(2, 3, 4), V(std::sqrt(2.0), 0, 1), 4);
     CHECK(near.spin < 1e-11);
-    CHECK(near.attitude < 1e-11);
+    CHECK(near.orientation < 1e-11);
     // I = (3, 4, 6): 3·1 ω₁² = 6·2 ω₃² at ω₁ = 2 ω₃, without rounding: m₁ = 0.
     const ExactFreeBody<double> once(PrincipalInertia<double>(3, 4, 6), {0, identity, {2, 0.25, 1}});
     const Off off = against_reference(PrincipalInertia<double>(3, 4, 6), V(2, 0.25, 1), 4);
     CHECK(off.spin < 1e-11);
-    CHECK(off.attitude < 1e-11);
+    CHECK(off.orientation < 1e-11);
     // For ever about the middle axis, in the end.
     for (const double t : {100.0, 2000.0, -2000.0}) {
         const V late = once(t).q.conjugate() * once(t).omega;

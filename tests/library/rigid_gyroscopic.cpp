@@ -31,20 +31,20 @@ FullInertia<double> turned_inertia(const M& R, const PrincipalInertia<double>& I
 
 // |ω − exact| at the end of a second, over |ω|.
 template <class Solver>
-double error(const Solver& solver, const PrincipalInertia<double>& I, const V& omega, long steps, bool attitude) {
+double error(const Solver& solver, const PrincipalInertia<double>& I, const V& omega, long steps, bool orientation) {
     const RigidState<double> start{0, Quaternion<double>::Identity(), omega};
     const RigidState<double> exact = ExactFreeBody<double>(I, start)(1);
     RigidState<double> s = start;
     for (long n = 0; n < steps; ++n) s = turn(solver, I, s, 1.0 / double(steps));
-    if (attitude) return (s.q.conjugate() * exact.q).vec().norm();
+    if (orientation) return (s.q.conjugate() * exact.q).vec().norm();
     return (s.q.conjugate() * s.omega - exact.q.conjugate() * exact.omega).norm() / omega.norm();
 }
 
 template <class Solver>
-double order(const Solver& solver, const PrincipalInertia<double>& I, const V& omega, bool attitude) {
+double order(const Solver& solver, const PrincipalInertia<double>& I, const V& omega, bool orientation) {
     std::vector<double> h, errors;
     for (long steps = 256; steps <= 4096; steps *= 2)
-        h.push_back(1.0 / double(steps)), errors.push_back(error(solver, I, omega, steps, attitude));
+        h.push_back(1.0 / double(steps)), errors.push_back(error(solver, I, omega, steps, orientation));
     return measured_order(h, errors);
 }
 

@@ -1,4 +1,4 @@
-// Inertia as a type: what it refuses, what shapes it knows, and how attitudes turn.
+// Inertia as a type: what it refuses, what shapes it knows, and how orientations turn.
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>

@@ -44,7 +44,7 @@ plane::Motion run(const Solver& solver, const plane::Capsule<Inertia>& body,
 // From half a metre up, turning about any axis.
 plane::Motion any_throw(RandomInertia& random) {
     const V axis = random.direction<double>();
-    const plane::Attitude q(Eigen::AngleAxisd(1 + axis.x(), random.direction<double>()));
+    const plane::Orientation q(Eigen::AngleAxisd(1 + axis.x(), random.direction<double>()));
     return plane::placed(pill, q, 40 * axis, 0.5);
 }
 const auto to_the_end = [](const auto&...) { return true; };

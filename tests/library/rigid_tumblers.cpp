@@ -43,17 +43,17 @@ void for_each_splitting(const Visit& visit) {
     visit(strang), visit(symmetric_remainder_2), visit(symmetric_remainder_4);
 }
 
-// The error in ω, or in the attitude, falls with this power of the step.
+// The error in ω, or in the orientation, falls with this power of the step.
 template <class Method>
 double order(const Method& method, const PrincipalInertia<double>& I, const V& omega,
-             bool attitude) {
+             bool orientation) {
     const Spin exact = in_body(ExactFreeBody<double>(I, in_world(spinning(omega)))(2));
     std::vector<double> h, errors;
     const long least = Method::order == 4 ? 16 : 128;
     for (long steps = least; steps <= 8 * least; steps *= 2) {
         const Spin s = after(method, I, spinning(omega), 2.0 / double(steps), steps);
         h.push_back(2.0 / double(steps));
-        errors.push_back(attitude ? apart(s.q, exact.q) : (s.omega - exact.omega).norm());
+        errors.push_back(orientation ? apart(s.q, exact.q) : (s.omega - exact.omega).norm());
     }
     return measured_order(h, errors);
 }

@@ -72,11 +72,11 @@ endforeach()
 file(WRITE "${room}/about.json" "{ \"title\": ")
 must_fail("a torn about.json" "chapters/01_small/about.json: is not JSON")
 
-# A row of the talks is one chapter's.
+# A claim of the talks is one chapter's.
 file(COPY "${room}/" DESTINATION "${stage}/chapters/02_more")
 file(RENAME "${stage}/chapters/02_more/small.cpp" "${stage}/chapters/02_more/more.cpp")
 file(COPY_FILE "${stage}/tests/chapters/01_small.cpp" "${stage}/tests/chapters/02_more.cpp")
-must_fail("a row claimed twice" "chapters/02_more/about.json: rows names N01, which chapters/01_small claims")
+must_fail("a row claimed twice" "chapters/02_more/about.json: claims names N01, which chapters/01_small claims")
 file(REMOVE_RECURSE "${stage}/chapters/02_more")
 
 foreach(name small 1_small 01-small 01_Small)

@@ -72,8 +72,8 @@ string(JSON name GET "${json}" chapters 1 chapter)
 string(JSON title GET "${json}" chapters 1 title)
 string(JSON program GET "${json}" chapters 1 program)
 string(JSON figure GET "${json}" chapters 1 figures 0)
-string(JSON rows GET "${json}" chapters 0 rows)
-message("${count} ${name}, ${title}, ${program}, ${figure} ${rows}")
+string(JSON claims GET "${json}" chapters 0 claims)
+message("${count} ${name}, ${title}, ${program}, ${figure} ${claims}")
 END
     is "$("$real_cmake" -P look.cmake 2>&1)" \
         '2 03_swing, A spring swings, swing, swing.svg [ "N01", "N02" ]'
@@ -115,7 +115,7 @@ END
     cmp -s build_says build/course.log || fail 'course.log is not what the build said'
     says calls "--build $folder/build"
     says calls docs
-    is "$(cat out)" "chapter   title            seconds  figures  rows of the talks
+    is "$(cat out)" "chapter   title            seconds  figures  claims of the talks
 01_fall   A body falls        1.23        1                  2
 03_swing  A spring swings     1.23        1                  1
 04_angle  Angle φ             1.23        1                  0

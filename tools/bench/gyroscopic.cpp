@@ -44,7 +44,7 @@ struct Body {
     Vector3<Real> omega, change;
 };
 
-// Random size, attitude and spin, the same for everyone.
+// Random size, orientation and spin, the same for everyone.
 template <class Inertia, class Make>
 std::vector<Body<Inertia>> make_bodies(const Make& make) {
     using Real = typename Inertia::Scalar;

@@ -14,7 +14,7 @@
 #endif
 
 #include <timestep/methods/semi_implicit_euler.hpp>
-#include <timestep/share_out.hpp>
+#include <timestep/parallel_for.hpp>
 #include <timestep/springs.hpp>
 
 using namespace timestep;
@@ -83,7 +83,7 @@ struct Contest {
                            const auto share = [&](std::size_t first, std::size_t last) {
                                two_threads.step(semi_implicit_euler, h, several, first, last);
                            };
-                           share_out(two_threads.packs(), threads, share);
+                           parallel_for(two_threads.packs(), threads, share);
                        },
                        many_times});
         return all;

@@ -1,6 +1,6 @@
 # A chapter is a folder chapters/NN_name with
 #   chapter.md  the page          name.cpp    THE program: one short file
-#   figures.gp  its picture       about.json  title, question, ledger rows, figures
+#   figures.gp  its picture       about.json  title, question, claims, figures
 #   study/      what measures the rest: study.cpp and more, with a figures.gp of its own
 # and the test tests/chapters/NN_name.cpp. One that lacks any of them is a configure error. A study may have
 # a folder does_not_compile: what the compiler says of the sources there, the page can show.
@@ -62,7 +62,7 @@ function(timestep_chapter chapter)
   if(error)
     message(FATAL_ERROR "chapters/${chapter}/about.json: is not JSON (${error})")
   endif()
-  foreach(key title question needs builds_on rows figures picture)
+  foreach(key title question needs builds_on claims figures picture)
     string(JSON type ERROR_VARIABLE error TYPE "${about}" ${key})
     if(error)
       message(FATAL_ERROR "chapters/${chapter}/about.json: ${key} is missing")
@@ -95,10 +95,10 @@ function(timestep_chapter chapter)
       message(FATAL_ERROR "chapters/${chapter}/about.json: needs names ${need}, and knows eigen, peers, contest and extremes only")
     endif()
   endforeach()
-  foreach(row IN LISTS rows)
+  foreach(row IN LISTS claims)
     get_property(claimed GLOBAL PROPERTY TIMESTEP_CLAIMED_${row})
     if(claimed)
-      message(FATAL_ERROR "chapters/${chapter}/about.json: rows names ${row}, which chapters/${claimed} claims")
+      message(FATAL_ERROR "chapters/${chapter}/about.json: claims names ${row}, which chapters/${claimed} claims")
     endif()
     set_property(GLOBAL PROPERTY TIMESTEP_CLAIMED_${row} ${chapter})
   endforeach()

@@ -31,7 +31,7 @@ Json as_json(const Thrown& thrown) {
             {"energy", finite(thrown.energy)},
             {"most_energy", finite(thrown.most_energy)},
             {"spin_left", finite(thrown.spin_left)},
-            {"attitude_off", finite(thrown.off)},
+            {"orientation_off", finite(thrown.off)},
             {"lost", thrown.lost}};
 }
 

@@ -36,7 +36,7 @@ Chapter read_chapter(const fs::path& folder) {
                 json.at("question"),
                 json.at("picture"),
                 json.at("figures"),
-                json.at("rows")};
+                json.at("claims")};
     } catch (const nlohmann::json::exception& error) {
         throw Stop(Status::bad_use, about.string() + ": " + error.what());
     }

@@ -15,7 +15,7 @@ struct Chapter {
     std::string question;
     std::string picture;  ///< what the program draws, one of the figures
     std::vector<std::string> figures;
-    std::vector<std::string> rows;
+    std::vector<std::string> claims;
 
     /// 3
     int number() const;

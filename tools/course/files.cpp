@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 std::string contents(const fs::path& file) {
     const std::size_t most = 1 << 20;
     const auto refuse = [&](const std::string& why) {
-        throw Stop(Status::bad_use, (file.empty() ? "''" : harmless_line(file.string())) +
+        throw Stop(Status::bad_use, (file.empty() ? "''" : sanitized_line(file.string())) +
                                         ": cannot be read (" + why + ")");
     };
     std::error_code error;
@@ -56,7 +56,7 @@ std::string shown(const fs::path& file) {
     std::error_code ignored;
     const std::string whole = file.string();
     const std::string here = fs::relative(file, fs::current_path(ignored), ignored).string();
-    return harmless_line(here.empty() || here.size() > whole.size() ? whole : here);
+    return sanitized_line(here.empty() || here.size() > whole.size() ? whole : here);
 }
 
 namespace {

@@ -20,7 +20,7 @@
 #include "submissions.hpp"
 #include "tell.hpp"
 #include "terminal.hpp"
-#include "workshop.hpp"
+#include "temporary.hpp"
 
 namespace course {
 
@@ -136,8 +136,8 @@ Grade check_one(const Submission& submission, const Exercise& exercise, const st
                 std::uint64_t seed, const Sandbox* sandbox, int patience) {
     Grade grade{submission.name, exercise.name, "course_error", "", seed, 0, true};
     try {
-        const Workshop workshop;
-        const fs::path copy = workshop.folder() / (exercise.name + ".cpp");
+        const TemporaryFolder temporary;
+        const fs::path copy = temporary.folder() / (exercise.name + ".cpp");
         write_whole(copy, answer);
         const Verdict verdict = check_file(exercise, copy, seed, sandbox, Watch::nobody, patience);
         grade.verdict = verdict.kind;

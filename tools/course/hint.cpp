@@ -27,7 +27,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 // The code without the task above it and without the marks round the answer.
 std::vector<std::string> code_of(const fs::path& file) {
     std::vector<std::string> code;
-    for (const std::string& line : lines_of(harmless(contents(file))))
+    for (const std::string& line : lines_of(sanitized(contents(file))))
         if (line.find("// [answer]") == std::string::npos) code.push_back(line);
     const auto begin = std::find_if(code.begin(), code.end(), [](const std::string& line) {
         return !line.empty() && !line.starts_with("//") && !line.starts_with("#");

@@ -150,7 +150,7 @@ void write_kit(const Unfinished& kit) {
 // The folder that is meant, from the root and without links. Throws where it cannot become a kit.
 fs::path wanted(const std::string& name) {
     const auto refuse = [&](const std::string& why) {
-        std::string shown = harmless(name);
+        std::string shown = sanitized(name);
         std::replace(shown.begin(), shown.end(), '\n', '?');
         std::replace(shown.begin(), shown.end(), '\t', '?');
         throw Stop(Status::bad_use, "kit: '" + shown + "' " + why);

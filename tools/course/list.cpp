@@ -21,7 +21,7 @@ void list(bool json) {
                                 {"question", chapter.question},
                                 {"program", chapter.program},
                                 {"figures", chapter.figures},
-                                {"rows", chapter.rows}});
+                                {"claims", chapter.claims}});
         nlohmann::ordered_json exercises = nlohmann::ordered_json::array();
         for (const auto& exercise : read_exercises())
             exercises.push_back({{"exercise", exercise.name},

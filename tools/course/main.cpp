@@ -11,11 +11,11 @@ int main(int argc, char** argv) {
     try {
         return exit_with(course::obey(argc, argv));
     } catch (const course::Stop& stop) {
-        const std::string line = course::harmless(stop.what());
+        const std::string line = course::sanitized(stop.what());
         if (!line.empty()) std::fprintf(stderr, "course: %s\n", line.c_str());
         return exit_with(stop.status());
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "course: %s\n", course::harmless(error.what()).c_str());
+        std::fprintf(stderr, "course: %s\n", course::sanitized(error.what()).c_str());
         return exit_with(course::Status::wrong);
     }
 }

@@ -114,7 +114,7 @@ const std::vector<std::string> taken_words{
 
 // A name that a file, a target of CMake and a function of C++ can have.
 void check_name(const std::string& name) {
-    const std::string said = "'" + shortened(harmless_line(name), 60) + "'";
+    const std::string said = "'" + shortened(sanitized_line(name), 60) + "'";
     const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
     });
@@ -177,7 +177,7 @@ void new_chapter(const std::string& name) {
                       {"NEW_DIGITS", digits}, {"NEW_CHAPTER", folder}};
     const std::string room = "chapters/" + folder + "/";
     const std::vector<Part> parts{
-        {"chapter/about.json", room + "about.json", "title, question, rows of the talks, figures"},
+        {"chapter/about.json", room + "about.json", "title, question, claims of the talks, figures"},
         {"chapter/chapter.md", room + "chapter.md", "the page"},
         {"chapter/program.cpp", room + name + ".cpp", "the program: one short file, its numbers to play with at the top"},
         {"chapter/figures.gp", room + "figures.gp", "its picture"},

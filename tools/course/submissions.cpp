@@ -150,7 +150,7 @@ std::string in_one_line(const std::string& name) {
             std::snprintf(code, sizeof code, "\\x%02x", static_cast<unsigned char>(c));
         line += code;
     }
-    return harmless(line);
+    return sanitized(line);
 }
 
 namespace {

@@ -60,7 +60,7 @@ std::string line_of(const fs::path& file, int number) {
     std::string line;
     for (int i = 0; i < number; ++i)
         if (!std::getline(lines, line)) return {};
-    return shortened(harmless(line), 200);
+    return shortened(sanitized(line), 200);
 }
 
 std::string call(const Exercise& exercise, const Verdict& verdict) {

@@ -69,7 +69,7 @@ std::size_t width_of(const std::string& text) {
            static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues_character));
 }
 
-std::string harmless(const std::string& text) {
+std::string sanitized(const std::string& text) {
     std::string safe;
     for (std::size_t i = 0; i < text.size();) {
         const std::size_t size = character_at(text, i);
@@ -85,8 +85,8 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
         text.replace(at, what.size(), by);
 }
 
-std::string harmless_line(const std::string& text) {
-    std::string line = harmless(text);
+std::string sanitized_line(const std::string& text) {
+    std::string line = sanitized(text);
     std::replace_if(line.begin(), line.end(), [](char c) { return c == '\n' || c == '\t'; }, '?');
     return line;
 }

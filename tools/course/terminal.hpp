@@ -24,10 +24,10 @@ std::string wrapped(const std::string& text, std::size_t indent);
 
 /// `text` with "?" in place of what a terminal would obey: control characters but newline and tab,
 /// signs that turn the direction of writing, and what is no UTF-8.
-std::string harmless(const std::string& text);
+std::string sanitized(const std::string& text);
 
 /// The same in one line.
-std::string harmless_line(const std::string& text);
+std::string sanitized_line(const std::string& text);
 
 /// `text`, with "…" for what follows after `most` characters.
 std::string shortened(const std::string& text, std::size_t most);

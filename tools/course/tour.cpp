@@ -45,16 +45,16 @@ void print_table(const std::vector<Chapter>& chapters) {
                     padded(title, title_width).c_str(), seconds, figures, rows);
     };
     std::printf("%s\n", bold(padded("chapter", name_width) + "  " + padded("title", title_width) +
-                             "  seconds  figures  rows of the talks")
+                             "  seconds  figures  claims of the talks")
                             .c_str());
     double seconds = 0;
     std::size_t figures = 0, rows = 0;
     for (const auto& chapter : chapters) {
         print_row(chapter.folder, chapter.title, seconds_of(chapter), chapter.figures.size(),
-                  chapter.rows.size());
+                  chapter.claims.size());
         seconds += seconds_of(chapter);
         figures += chapter.figures.size();
-        rows += chapter.rows.size();
+        rows += chapter.claims.size();
     }
     print_row("all", "", seconds, figures, rows);
 }

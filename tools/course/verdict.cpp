@@ -16,7 +16,7 @@
 #include "process.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
-#include "workshop.hpp"
+#include "temporary.hpp"
 
 namespace course {
 
@@ -87,13 +87,13 @@ std::string ended_by(const Outcome& outcome) {
 constexpr double idle_seconds = 5;
 
 // Runs the compiler; false where it refuses, or has not come to an end.
-bool succeeds(const Words& command, const Workshop& workshop, Verdict& verdict, int patience) {
+bool succeeds(const Words& command, const TemporaryFolder& temporary, Verdict& verdict, int patience) {
     const int seconds = places().compiler_seconds * patience;
     const Outcome outcome = run_within(
-        command, {10. * seconds, 4096, 64, 64, workshop.folder().string(), seconds, idle_seconds});
+        command, {10. * seconds, 4096, 64, 64, temporary.folder().string(), seconds, idle_seconds});
     // The words may be the answer's own: so the disk is asked, too.
     if (outcome.status != 0 && outcome.said.find("No space left on device") != std::string::npos)
-        stop_if_full(workshop.folder());
+        stop_if_full(temporary.folder());
     const std::string signal = ended_by(outcome);
     const bool too_much_work = signal == strsignal(SIGXCPU);
     // Killed it is where the machine has no memory left, or for bombs.
@@ -192,14 +192,14 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     const auto begin = std::chrono::steady_clock::now();
     const std::string answer = answer_in(exercise, given);  // or one clear line
     const Commands commands = read_commands(exercise);
-    const Workshop workshop;
+    const TemporaryFolder temporary;
     fs::path file = fs::canonical(given);
     if (sandbox != nullptr) {  // which sees no place of the submission
-        file = workshop.folder() / (exercise.name + ".cpp");
+        file = temporary.folder() / (exercise.name + ".cpp");
         write_whole(file, answer);
     }
-    const fs::path object = workshop.folder() / "answer.o", worker = workshop.folder() / "worker",
-                   printed = workshop.folder() / "printed.txt";
+    const fs::path object = temporary.folder() / "answer.o", worker = temporary.folder() / "worker",
+                   printed = temporary.folder() / "printed.txt";
 
     Verdict verdict;
     verdict.seed = seed;
@@ -207,7 +207,7 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
         verdict.kind = kind;
         replace_all(verdict.compiler, file.string(), shown(given));
         for (auto text : {&verdict.compiler, &verdict.printed, &verdict.detail})
-            *text = harmless(*text);
+            *text = sanitized(*text);
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         verdict.seconds = taken.count();
         return verdict;
@@ -235,9 +235,9 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     }
     Words around;
     if (sandbox != nullptr)
-        around = sandbox->before_compiler(compile, workshop.folder(), {exercise.declared()});
+        around = sandbox->before_compiler(compile, temporary.folder(), {exercise.declared()});
     put_before(compile, around);
-    const bool compiles = succeeds(compile, workshop, verdict, patience);
+    const bool compiles = succeeds(compile, temporary, verdict, patience);
     if (!compiles) stop_if_broken(around, verdict.compiler);
     const std::string not_own =
         not_ones_own(files_in({object.string() + ".d", object.string() + ".incbin.d"}), file);
@@ -246,8 +246,8 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     for (const std::string& word : {object.string(), commands.worker_object,
                                     commands.worker_library, std::string("-o"), worker.string()})
         link.push_back(word);
-    if (sandbox != nullptr) put_before(link, sandbox->before_compiler(link, workshop.folder(), {}));
-    if (!succeeds(link, workshop, verdict, patience)) return ended("does_not_compile");
+    if (sandbox != nullptr) put_before(link, sandbox->before_compiler(link, temporary.folder(), {}));
+    if (!succeeds(link, temporary, verdict, patience)) return ended("does_not_compile");
 
     // The learner's code is not to reach our files through /proc: what we print is the verdict.
     prctl(PR_SET_DUMPABLE, 0);

@@ -51,7 +51,7 @@ faint  = "lc rgb '#8a8a8a' lw 1.5 dt (4,4)"
 # Ways to treat the gyroscopic torque.
 explicit_gyroscopic  = "lc rgb '#d55e00' lw 2.5 dt 1"
 no_gyroscopic        = "lc rgb '#b15a98' lw 2.5 dt (14,5)"
-old_inertia          = "lc rgb '#e69f00' lw 2.5 dt (6,4)"
+lagged_inertia          = "lc rgb '#e69f00' lw 2.5 dt (6,4)"
 implicit_gyroscopic  = "lc rgb '#0072b2' lw 2.5 dt (10,4,3,4)"
 converged_gyroscopic = "lc rgb '#56b4e9' lw 2.5 dt (3,4)"
 passive_gyroscopic   = "lc rgb '#009e73' lw 2.5 dt 1"

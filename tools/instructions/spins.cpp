@@ -15,7 +15,7 @@ namespace {
 
 using namespace timestep;
 
-// The attitude stays, as only the solver is counted.
+// The orientation stays, as only the solver is counted.
 template <class Solver, class Inertia>
 [[gnu::noinline]] Vector3<double> spin(const Solver& solver, const Inertia& inertia,
                                        const Matrix3<double>& R, Vector3<double> omega, long n) {

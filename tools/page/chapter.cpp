@@ -76,11 +76,11 @@ std::vector<Chapter> load_chapters(const std::filesystem::path& root) {
         chapter.question = one(about, "question", file);
         chapter.picture = one(about, "picture", file);
         chapter.builds_on = list(about, "builds_on");
-        chapter.rows = list(about, "rows");
+        chapter.claims = list(about, "claims");
         chapter.figures = list(about, "figures");
-        for (const std::string& row : chapter.rows) {
+        for (const std::string& row : chapter.claims) {
             if (!is_row(row)) {
-                throw Error{file, 1, "\"" + row + "\" is no ledger row (N or I and two digits)"};
+                throw Error{file, 1, "\"" + row + "\" is no claim (N or I and two digits)"};
             }
         }
         chapters.push_back(chapter);

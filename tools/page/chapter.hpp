@@ -13,7 +13,7 @@ struct Chapter {
     std::string title;     ///< `Three ways to take a step`
     std::string question;  ///< in a game programmer's words
     std::string picture;  ///< one of the figures: what its program draws
-    std::vector<std::string> builds_on, rows, figures;
+    std::vector<std::string> builds_on, claims, figures;
 
     /// The page's id and the stem of its file: `chapter_03`.
     std::string id() const;

@@ -11,12 +11,12 @@
 
 namespace page {
 
-/// Where a ledger row is taught or drawn: one line of a page's index file.
+/// Where a claim is taught or drawn: one line of a page's index file.
 struct IndexEntry {
     std::string row, kind, page, anchor, title;  ///< kind: "section" or "figure"
 };
 
-/// What the talks show in one row of the ledger, in our words.
+/// What the talks show in one claim, in our words.
 struct TalkRow {
     std::string talk, text, erratum;  ///< the erratum is empty when there is none
     int line;                         ///< in docs/talks.tsv

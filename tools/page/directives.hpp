@@ -39,7 +39,7 @@ std::string run_markdown(Context& context, const Directive& directive);
 std::string said_markdown(Context& context, const Directive& directive);
 /// `{{table file.tsv}}`; cells are filled by the caller, for they may hold formulas.
 std::string table_markdown(Context& context, const Directive& directive);
-/// `{{rows N22 N24}}` below `heading`
+/// `{{claims N22 N24}}` below `heading`
 std::string rows_markdown(Context& context, const Directive& directive, const Heading& heading);
 /// `{{program: its first words}}`: the part of the chapter's program that begins with these words.
 std::string part_markdown(const Context& context, const Part& part);

@@ -64,8 +64,8 @@ std::string figure_markdown(Context& context, const Directive& directive,
         const std::string& row = directive.arguments[i];
         const Chapter* chapter = context.chapter();
         if (chapter == nullptr ||
-            std::count(chapter->rows.begin(), chapter->rows.end(), row) == 0) {
-            throw std::out_of_range{"\"" + row + "\" is none of this chapter's ledger rows"};
+            std::count(chapter->claims.begin(), chapter->claims.end(), row) == 0) {
+            throw std::out_of_range{"\"" + row + "\" is none of this chapter's claims"};
         }
         context.index.push_back({row, "figure", chapter->id() + ".html", anchor,
                                  replace_all(name, "_", " ") + (moves ? ", film" : "")});

@@ -184,11 +184,11 @@ private:
         const Directive directive = parse_directive(piece.text);
         const std::string& name = directive.name;
         const bool below_heading = below_heading_;
-        below_heading_ = below_heading_ && name == "rows";
+        below_heading_ = below_heading_ && name == "claims";
         if (name == "check") {
             return check_markdown(context_, directive);
         }
-        static const std::set<std::string> blocks{"figure", "code",     "run",  "table",    "rows",
+        static const std::set<std::string> blocks{"figure", "code",     "run",  "table",    "claims",
                                                   "talks",  "chapters", "said", "exercises", "which", "program"};
         if (blocks.count(name) == 0) {
             if (!directive.arguments.empty() || !directive.text.empty()) {
@@ -229,7 +229,7 @@ private:
         if (name == "which") {
             return fill_generated(which_markdown(context_, directive), piece);
         }
-        if (name == "rows") {
+        if (name == "claims") {
             return rows_markdown(context_, directive, below_heading ? heading_ : Heading{});
         }
         return fill_generated(
@@ -276,14 +276,14 @@ void check_complete(const Context& context) {
             throw Error{chapter.about(), 1, "the page does not show " + figure};
         }
     }
-    for (const std::string& row : chapter.rows) {
+    for (const std::string& row : chapter.claims) {
         const auto teaches = [&](const IndexEntry& entry) {
             return entry.row == row && entry.kind == "section";
         };
         if (std::none_of(context.index.begin(), context.index.end(), teaches)) {
             throw Error{
                 chapter.about(), 1,
-                row + " is claimed, but no section of the page teaches it ({{rows " + row + "}})"};
+                row + " is claimed, but no section of the page teaches it ({{claims " + row + "}})"};
         }
     }
 }

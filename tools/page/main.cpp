@@ -8,7 +8,7 @@
 #include "error.hpp"
 #include "fill.hpp"
 #include "image.hpp"
-#include "ledger.hpp"
+#include "claims.hpp"
 #include "options.hpp"
 #include "text.hpp"
 
@@ -25,7 +25,7 @@ constexpr const char* usage =
     "usage: page --source ROOT --runs DIR --input FILE --output FILE\n"
     "            [--chapter NN_name] [--index FILE] [--figures DIR] [--depfile FILE]\n"
     "            [--indexes DIR] [--draft yes]\n"
-    "Fills a page's source from the runs below DIR. --index writes where ledger rows are taught,\n"
+    "Fills a page's source from the runs below DIR. --index writes where claims are taught,\n"
     "--figures copies what the page shows, --depfile lists what it quotes; --indexes is what\n"
     "{{talks}} is made of, with the tests below ROOT/tests. A draft has gaps where\n"
     "something comes from a run that is still to be made.\n";

@@ -7,7 +7,7 @@
 
 namespace page {
 
-/// Where a Catch2 test stands that is tagged with a row of the talks.
+/// Where a Catch2 test stands that is tagged with a claim of the talks.
 struct TestPlace {
     std::string row, name, file;  ///< the file as seen from the root of the course
     int line;

@@ -2,7 +2,7 @@
 
 #include "directives.hpp"
 #include "error.hpp"
-#include "ledger.hpp"
+#include "claims.hpp"
 #include "tagged_tests.hpp"
 #include "text.hpp"
 
@@ -73,7 +73,7 @@ std::string row_markdown(const Sources& sources, const std::string& row, const C
     const auto found = sources.talks.find(row);
     claim(found != sources.talks.end(), "docs/talks.tsv does not say what the talks show");
     const std::string sections = index_links(sources, row, "section");
-    claim(!sections.empty(), "no section teaches it ({{rows " + row + "}})");
+    claim(!sections.empty(), "no section teaches it ({{claims " + row + "}})");
     const std::string tests = test_links(sources, row);
     claim(!tests.empty(), "no test is tagged [" + row + "]");
     const std::string figures = index_links(sources, row, "figure");
@@ -104,13 +104,13 @@ std::string talks_markdown(Context& context) {
     }
     std::string tables;
     for (const Chapter& chapter : context.chapters()) {
-        if (chapter.rows.empty()) {
+        if (chapter.claims.empty()) {
             continue;
         }
         tables += "\n## " + chapter.heading() + " {#talks_" + chapter.id() + "}\n\n" +
                   "<table class=\"talks\">\n<tr><th>Row</th><th>What the talks show</th>"
                   "<th>Taught in</th><th>Drawn in</th><th>Tested by</th></tr>\n";
-        for (const std::string& row : chapter.rows) {
+        for (const std::string& row : chapter.claims) {
             tables += row_markdown(sources, row, chapter);
         }
         tables += "</table>\n";

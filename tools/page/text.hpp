@@ -39,7 +39,7 @@ std::string escape_markdown(std::string_view text);
 /// only what would end the value, or a table's cell, is replaced.
 std::string attribute(std::string_view text);
 
-/// A ledger row's id: N or I and two digits.
+/// A claim's id: N or I and two digits.
 bool is_row(std::string_view word);
 
 }  // namespace page

@@ -73,7 +73,7 @@ void free_capsule(const Settings& settings, lab::Findings& out) {
                       "without the term ω stands still in the world, to roundoff");
             out.check("capsule_dropped_momentum", off > 30,
                       "without the term the angular momentum swings by more than 30 degrees");
-        } else if (solver.key == "old_inertia") {
+        } else if (solver.key == "lagged_inertia") {
             // L is rotated there and back each step: some ε of it a step.
             out.check("capsule_old_momentum", off < 1e-6,
                       "with the lagged inertia the angular momentum stays");

@@ -58,7 +58,7 @@ RigidState<double> reference(long steps) {
     return {seconds, end, end * w};
 }
 
-// The angle between two attitudes, rad.
+// The angle between two orientations, rad.
 double angle(const Quaternion<double>& a, const Quaternion<double>& b) {
     return a.angularDistance(b);
 }
@@ -77,7 +77,7 @@ void driven_body(const Settings&, lab::Findings& out) {
     double of_passive = 0, of_dropped = 0, of_explicit = 0, least = 1e9;
     for (const Solver& solver : solvers()) {
         const std::string &key = solver.key, &name = solver.name;
-        auto& table = out.table("driven_" + key + ".tsv", {"h", "attitude", "spin"});
+        auto& table = out.table("driven_" + key + ".tsv", {"h", "orientation", "spin"});
         std::vector<double> steps, errors;
         for (long rate = 60; rate <= 1920; rate *= 2) {
             const double h = 1.0 / static_cast<double>(rate);

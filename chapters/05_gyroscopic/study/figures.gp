@@ -11,8 +11,8 @@ set key top right
 plot "torque.tsv" using 1:2 with lines @first title "box 1 x 2 x 3 m", \
      "" using 1:3 with lines @second title "cube"
 
-# The attitude's error.
-call figure "attitude.svg" 640 440
+# The orientation's error.
+call figure "orientation.svg" 640 440
 set autoscale
 set xtics autofreq
 set logscale xy
@@ -21,7 +21,7 @@ set xlabel "step h (s)"
 set ylabel "orientation after a second, off by (rad)"
 set xrange [2e-4:2e-2]
 set key bottom right reverse Left
-plot "attitude.tsv" using 1:2 with linespoints @explicit_gyroscopic pt 7 ps 0.6 title "explicit", \
+plot "orientation.tsv" using 1:2 with linespoints @explicit_gyroscopic pt 7 ps 0.6 title "explicit", \
      "" using 1:3 with linespoints @implicit_gyroscopic pt 7 ps 0.6 title "implicit, one iteration", \
      "" using 1:4 with linespoints @passive_gyroscopic pt 7 ps 0.6 title "passive"
 
@@ -55,7 +55,7 @@ unset key
 plot 1 with lines @exact, \
      "capsule_explicit.tsv" using 1:2 with lines @explicit_gyroscopic, \
      "capsule_dropped.tsv" using 1:2 with lines @no_gyroscopic, \
-     "capsule_old_inertia.tsv" using 1:2 with lines @old_inertia, \
+     "capsule_lagged_inertia.tsv" using 1:2 with lines @lagged_inertia, \
      "capsule_implicit.tsv" using 1:2 with lines @implicit_gyroscopic, \
      "capsule_passive.tsv" using 1:2 with lines @passive_gyroscopic
 unset logscale
@@ -69,7 +69,7 @@ set key at screen 0.55,0.075 center horizontal maxcols 3 reverse Left width 1
 plot 0 with lines @exact title "exact", \
      "capsule_explicit.tsv" using 1:4 with lines @explicit_gyroscopic title "explicit", \
      "capsule_dropped.tsv" using 1:4 with lines @no_gyroscopic title "dropped", \
-     "capsule_old_inertia.tsv" using 1:4 with lines @old_inertia title "lagged inertia", \
+     "capsule_lagged_inertia.tsv" using 1:4 with lines @lagged_inertia title "lagged inertia", \
      "capsule_implicit.tsv" using 1:4 with lines @implicit_gyroscopic title "implicit", \
      "capsule_passive.tsv" using 1:4 with lines @passive_gyroscopic title "passive"
 unset multiplot
@@ -126,7 +126,7 @@ unset key
 plot 1 with lines @exact, \
      "tumble_explicit.tsv" using 1:5 with lines @explicit_gyroscopic, \
      "tumble_dropped.tsv" using 1:5 with lines @no_gyroscopic, \
-     "tumble_old_inertia.tsv" using 1:5 with lines @old_inertia, \
+     "tumble_lagged_inertia.tsv" using 1:5 with lines @lagged_inertia, \
      "tumble_implicit.tsv" using 1:5 with lines @implicit_gyroscopic, \
      "tumble_converged.tsv" using 1:5 with lines @converged_gyroscopic, \
      "tumble_passive.tsv" using 1:5 with lines @passive_gyroscopic
@@ -139,7 +139,7 @@ set key at screen 0.55,0.09 center horizontal maxcols 3 reverse Left width 1
 plot 1 with lines @exact title "exact", \
      "tumble_explicit.tsv" using 1:6 with lines @explicit_gyroscopic title "explicit", \
      "tumble_dropped.tsv" using 1:6 with lines @no_gyroscopic title "dropped", \
-     "tumble_old_inertia.tsv" using 1:6 with lines @old_inertia title "lagged inertia", \
+     "tumble_lagged_inertia.tsv" using 1:6 with lines @lagged_inertia title "lagged inertia", \
      "tumble_implicit.tsv" using 1:6 with lines @implicit_gyroscopic title "implicit", \
      "tumble_converged.tsv" using 1:6 with lines @converged_gyroscopic title "converged", \
      "tumble_passive.tsv" using 1:6 with lines @passive_gyroscopic title "passive"

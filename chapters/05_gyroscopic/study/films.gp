@@ -14,7 +14,7 @@ unset xlabel
 unset key
 plot "plane_free_explicit.tsv" using 1:2 with lines @explicit_gyroscopic, \
      "plane_free_dropped.tsv" using 1:2 with lines @no_gyroscopic, \
-     "plane_free_old_inertia.tsv" using 1:2 with lines @old_inertia, \
+     "plane_free_lagged_inertia.tsv" using 1:2 with lines @lagged_inertia, \
      "plane_free_implicit.tsv" using 1:2 with lines @implicit_gyroscopic, \
      "plane_free_passive.tsv" using 1:2 with lines @passive_gyroscopic
 set title "with rolling resistance" offset 0,-0.6
@@ -22,7 +22,7 @@ set xlabel "time t (s)"
 set key at screen 0.55,0.075 center horizontal maxcols 3 reverse Left width 1
 plot "plane_rolling_explicit.tsv" using 1:2 with lines @explicit_gyroscopic title "explicit", \
      "plane_rolling_dropped.tsv" using 1:2 with lines @no_gyroscopic title "dropped", \
-     "plane_rolling_old_inertia.tsv" using 1:2 with lines @old_inertia title "lagged inertia", \
+     "plane_rolling_lagged_inertia.tsv" using 1:2 with lines @lagged_inertia title "lagged inertia", \
      "plane_rolling_implicit.tsv" using 1:2 with lines @implicit_gyroscopic title "implicit", \
      "plane_rolling_passive.tsv" using 1:2 with lines @passive_gyroscopic title "passive"
 unset multiplot
@@ -41,7 +41,7 @@ unset key
 plot "throws_middle_fine.tsv" using 1:2 with lines @exact, \
      "throws_start_explicit.tsv" using 1:2 with lines @explicit_gyroscopic, \
      "throws_start_dropped.tsv" using 1:2 with lines @no_gyroscopic, \
-     "throws_start_old_inertia.tsv" using 1:2 with lines @old_inertia, \
+     "throws_start_lagged_inertia.tsv" using 1:2 with lines @lagged_inertia, \
      "throws_start_implicit.tsv" using 1:2 with lines @implicit_gyroscopic, \
      "throws_start_passive.tsv" using 1:2 with lines @passive_gyroscopic
 set title "lever arms from its middle" offset 0,-0.6
@@ -50,13 +50,13 @@ set key at screen 0.55,0.075 center horizontal maxcols 3 reverse Left width 1
 plot "throws_middle_fine.tsv" using 1:2 with lines @exact title "short steps", \
      "throws_middle_explicit.tsv" using 1:2 with lines @explicit_gyroscopic title "explicit", \
      "throws_middle_dropped.tsv" using 1:2 with lines @no_gyroscopic title "dropped", \
-     "throws_middle_old_inertia.tsv" using 1:2 with lines @old_inertia title "lagged inertia", \
+     "throws_middle_lagged_inertia.tsv" using 1:2 with lines @lagged_inertia title "lagged inertia", \
      "throws_middle_implicit.tsv" using 1:2 with lines @implicit_gyroscopic title "implicit", \
      "throws_middle_passive.tsv" using 1:2 with lines @passive_gyroscopic title "passive"
 unset multiplot
 unset title
 
-# A box with a motor: the error of its attitude against the step.
+# A box with a motor: the error of its orientation against the step.
 call figure "driven.svg" 640 520
 @reset_axes
 set logscale xy
@@ -67,7 +67,7 @@ set xrange [4e-4:2e-2]
 set key outside bottom center horizontal reverse Left width 2
 plot "driven_dropped.tsv" using 1:2 with lines @no_gyroscopic title "dropped", \
      "driven_explicit.tsv" using 1:2 with lines @explicit_gyroscopic title "explicit", \
-     "driven_old_inertia.tsv" using 1:2 with lines @old_inertia title "lagged inertia", \
+     "driven_lagged_inertia.tsv" using 1:2 with lines @lagged_inertia title "lagged inertia", \
      "driven_implicit.tsv" using 1:2 with lines @implicit_gyroscopic title "implicit", \
      "driven_converged.tsv" using 1:2 with lines @converged_gyroscopic title "converged", \
      "driven_passive.tsv" using 1:2 with lines @passive_gyroscopic title "passive"

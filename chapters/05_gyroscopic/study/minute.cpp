@@ -53,7 +53,7 @@ void minute(const Settings& settings, lab::Findings& out) {
                 out.check(id + "_momentum", L < 0.9,
                           solver.name + (": after a minute " + of) +
                               " has lost more than a tenth of its angular momentum");
-            if (k == "old_inertia")
+            if (k == "lagged_inertia")
                 out.check(id + "_momentum", std::fabs(L - 1) < 1e-9,
                           "lagged inertia: the angular momentum of " + of + " stays");
         }

@@ -16,7 +16,7 @@
 namespace picture {
 
 using V = timestep::Vector3<double>;
-using Attitude = timestep::Quaternion<double>;
+using Orientation = timestep::Quaternion<double>;
 
 // The paints of the palette in films.gp. Of polygons that overlap, gnuplot puts the one with the
 // lower number in front: bodies before their shadow before the floor.
@@ -59,7 +59,7 @@ public:
     }
 
     // A body at `x`, drawn where `origin` is the middle of its panel.
-    void body(const std::vector<Face>& faces, const Attitude& q, const V& x, const V& origin,
+    void body(const std::vector<Face>& faces, const Orientation& q, const V& x, const V& origin,
               double shift) {
         const V light = V(-0.5, -0.6, 0.8).normalized();
         for (const Face& face : faces) {

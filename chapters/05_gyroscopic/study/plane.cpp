@@ -187,7 +187,7 @@ void ball(const Settings& settings, lab::Findings& out) {
     const plane::Motion start = scene::thrown(body);
     std::vector<Outcome> outcomes;
     for (const scene::PlaneSolver& solver : scene::plane_solvers()) {
-        if (solver.key == "old_inertia")
+        if (solver.key == "lagged_inertia")
             continue;  // L = Iω turns back and forth, and picks up roundoff
         outcomes.push_back(watch(solver, body, scene::ground(0.1), start, settings.step));
     }

@@ -47,7 +47,7 @@ struct Solver {
 };
 const std::vector<Solver>& solvers();  // all, in the order in which the course meets them
 const Solver& solver(
-    const std::string& key);  // explicit, dropped, old_inertia, implicit, converged, passive
+    const std::string& key);  // explicit, dropped, lagged_inertia, implicit, converged, passive
 
 // Compiled there, too.
 extern template class timestep::ExactFreeBody<double>;
@@ -73,7 +73,7 @@ void spin_on(const Solver& solver, const Inertia& inertia, timestep::RigidState<
 }
 
 void torque(const Settings&, lab::Findings&);            // torque.cpp
-void attitude(const Settings&, lab::Findings&);          // torque.cpp
+void orientation(const Settings&, lab::Findings&);          // torque.cpp
 void newton(const Settings&, lab::Findings&);            // newton.cpp
 void free_capsule(const Settings&, lab::Findings&);      // capsule.cpp
 void uneven_capsule(const Settings&, lab::Findings&);    // capsule.cpp

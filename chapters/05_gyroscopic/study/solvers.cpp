@@ -39,7 +39,7 @@ template <class Make>
 auto all(const Make& make) {
     return std::vector{
         make("explicit", explicit_gyroscopic),   make("dropped", no_gyroscopic),
-        make("old_inertia", old_inertia),        make("implicit", implicit_gyroscopic),
+        make("lagged_inertia", lagged_inertia),        make("implicit", implicit_gyroscopic),
         make("converged", converged_gyroscopic), make("passive", passive_gyroscopic)};
 }
 

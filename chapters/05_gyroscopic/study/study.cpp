@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
     program.option("--tilt", settings.tilt, tilt, "its spin about the other two, rad/s");
     return program.run(argc, argv, [&](lab::Findings& out) {
         torque(settings, out);
-        attitude(settings, out);
+        orientation(settings, out);
         newton(settings, out);
         free_capsule(settings, out);
         uneven_capsule(settings, out);

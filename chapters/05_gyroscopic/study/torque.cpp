@@ -1,4 +1,4 @@
-// The gyroscopic torque of a box, a cube and a ball; and the attitude that follows from a spin.
+// The gyroscopic torque of a box, a cube and a ball; and the orientation that follows from a spin.
 
 #include <cmath>
 #include <cstdio>
@@ -17,7 +17,7 @@ double degrees_between(const V& a, const V& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / pi;
 }
 
-// The angle between two attitudes, rad.
+// The angle between two orientations, rad.
 double angle_between(const Quaternion<double>& a, const Quaternion<double>& b) {
     return 2 * std::asin(std::min(1.0, (a.conjugate() * b).vec().norm()));
 }
@@ -85,12 +85,12 @@ void torque(const Settings&, lab::Findings& out) {
     out.check("exact_solves", worst < 1e-12, "the exact motion obeys Euler's equations");
 }
 
-void attitude(const Settings&, lab::Findings& out) {
+void orientation(const Settings&, lab::Findings& out) {
     out.section("From the spin to the orientation");
     const auto brick = box(12.0, 1.0, 2.0, 3.0);
     const auto start = spinning(1, 2, 2);
     const ExactFreeBody<double> exact(brick, start);
-    auto& table = out.table("attitude.tsv", {"step", "explicit", "implicit", "passive"});
+    auto& table = out.table("orientation.tsv", {"step", "explicit", "implicit", "passive"});
     std::vector<double> h, error;
     double norm_off = 0, price = 0;
     for (long steps = 64; steps <= 4096; steps *= 2) {
@@ -112,11 +112,11 @@ void attitude(const Settings&, lab::Findings& out) {
     }
     const double order = measured_order(h, error);
     std::printf("  after a second the orientation is off with order %.2f in the step\n", order);
-    out.number("attitude_price", price, "", "error of the passive step over that of one iteration",
+    out.number("orientation_price", price, "", "error of the passive step over that of one iteration",
                2);
-    out.number("attitude_order", order, "", "measured order of the orientation");
-    out.check("attitude_order", std::fabs(order - 1) < 0.1, "the orientation is of order one");
+    out.number("orientation_order", order, "", "measured order of the orientation");
+    out.check("orientation_order", std::fabs(order - 1) < 0.1, "the orientation is of order one");
     // Scaling rounds four squares, a sum, a root and a quotient: a few ε.
-    out.check("attitude_norm", norm_off < 8 * 2.3e-16,
+    out.check("orientation_norm", norm_off < 8 * 2.3e-16,
               "the quaternion's length stays one, to roundoff");
 }

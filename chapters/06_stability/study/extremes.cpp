@@ -10,10 +10,10 @@ using namespace extremes;
 
 namespace {
 
-const Word all_words[] = {Word::refused, Word::exact,    Word::bounded,
-                          Word::grows,   Word::reported, Word::does_not_compile};
+const Outcome all_words[] = {Outcome::refused, Outcome::exact,    Outcome::bounded,
+                          Outcome::grows,   Outcome::reported, Outcome::does_not_compile};
 
-long count(const std::vector<Cell>& cells, Word word) {
+long count(const std::vector<Cell>& cells, Outcome word) {
     return std::count_if(cells.begin(), cells.end(),
                          [=](const Cell& cell) { return cell.found == word; });
 }
@@ -30,13 +30,13 @@ void outcomes(const std::vector<Cell>& methods, const std::vector<Cell>& bodies,
               lab::Findings& out) {
     auto& table =
         out.table("outcomes.tsv", {"what happens", "methods and forces", "solvers and bodies"});
-    for (const Word word : all_words) {
+    for (const Outcome word : all_words) {
         const long m = count(methods, word), b = count(bodies, word);
         table.row({words(word), double(m), double(b)});
         std::printf("  %-22s %5ld %5ld\n", words(word), m, b);
     }
     const long cells = long(methods.size() + bodies.size());
-    const long wrong = count(methods, Word::wrong) + count(bodies, Word::wrong);
+    const long wrong = count(methods, Outcome::wrong) + count(bodies, Outcome::wrong);
     out.number("extreme_cells", double(cells), "", "extreme inputs that were tried");
     std::printf("  of %ld cells, %ld are not what theory expects\n", cells, wrong);
     long unlike = 0;
@@ -90,12 +90,12 @@ void rows(const std::vector<Cell>& cells, lab::Findings& out) {
     const bool implicit_alone =
         all_of({"ω stiff", "masses 1 : 1e−30", "drag 1e30"}, [](const Cell& cell) {
             const std::string& m = cell.method;
-            return (cell.found == Word::bounded) ==
+            return (cell.found == Outcome::bounded) ==
                    (m == "implicit Euler" || m == "implicit midpoint" || m == "BDF2");
         });
     const bool harmless =
         all_of({"step tiny", "ω tiny", "ω = 0", "t + h = t", "lengths × 2ⁿ", "lengths ÷ 2ⁿ"},
-               [](const Cell& cell) { return cell.found == Word::exact; });
+               [](const Cell& cell) { return cell.found == Outcome::exact; });
     out.check("stiff_implicit_alone", implicit_alone,
               "on stiff springs and drag the implicit methods alone stay bounded");
     out.check("scales_harmless", harmless,
@@ -111,7 +111,7 @@ void grid(const std::vector<Cell>& cells, lab::Findings& out) {
     for (const Cell& cell : cells) {
         if (cell.real != "double") continue;
         columns.try_emplace(cell.method, int(columns.size()));
-        const bool shown = cell.found != Word::refused && cell.found != Word::does_not_compile &&
+        const bool shown = cell.found != Outcome::refused && cell.found != Outcome::does_not_compile &&
                            cell.scene.find("decay") == std::string::npos &&
                            cell.scene.find(" start huge") == std::string::npos;
         if (shown && std::find(scenes.begin(), scenes.end(), cell.scene) == scenes.end())

@@ -207,7 +207,7 @@ Kept rk4_keeps(double h_omega, int directions, int steps) {
         double now = 1;
         for (int step = 0; step < steps; ++step) {
             s = timestep::unstacked(
-                attitude_scaled(timestep::runge_kutta_4.step(body, stacked(s), h_omega)));
+                orientation_scaled(timestep::runge_kutta_4.step(body, stacked(s), h_omega)));
             now = kinetic_energy(inertia, s) / before;
             if (step == 0 && now > 1) kept.share += 1.0 / directions;
             kept.most = std::fmax(kept.most, now - 1);

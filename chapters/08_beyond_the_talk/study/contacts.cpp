@@ -47,7 +47,7 @@ Outcome thrown(const Step& step, double spin, double h) {
     for (int n = 0; n < throws_of_each; ++n) {
         const Vector axis = random.direction();
         const Vector tilt = random.direction();
-        const plane::Attitude q(Eigen::AngleAxisd(2, tilt));
+        const plane::Orientation q(Eigen::AngleAxisd(2, tilt));
         plane::Motion m = placed(body, q, spin * axis, 0.5);
         const double start = energy(body, ground, m);
         plane::Contacts contacts;

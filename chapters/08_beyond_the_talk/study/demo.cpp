@@ -43,7 +43,7 @@ Cost frame_after_frame(const Step& step) {
     return {all[frames / 2], all.back()};
 }
 
-Quaternion<float> any_attitude(std::mt19937& random) {
+Quaternion<float> any_orientation(std::mt19937& random) {
     std::normal_distribution<float> normal;
     Quaternion<float> q;
     for (int k = 0; k < 4; ++k) q.coeffs()[k] = normal(random);
@@ -60,7 +60,7 @@ void ten_thousand(lab::Findings& out) {
     std::uniform_real_distribution<float> side(0.5f, 2), spin(-6, 6);
     const auto add = [&](auto& group, const auto& inertia) {
         const Vector3<float> omega(spin(random), spin(random), spin(random));
-        group.push_back({inertia, {0, any_attitude(random), omega}});
+        group.push_back({inertia, {0, any_orientation(random), omega}});
         packed.add(inertia, group.back().state.q, group.back().state.omega);
     };
     for (int i = 0; i < of_a_kind; ++i) {
@@ -98,7 +98,7 @@ void ten_thousand(lab::Findings& out) {
         const auto& alike = packed.state<SymmetricInertia>(i).omega;
         off = std::max(off, double((alike - needles[i].state.omega).norm()));
     }
-    // Each of 300 steps rounds ω of up to 10 rad/s some ten times, and the attitude that it is
+    // Each of 300 steps rounds ω of up to 10 rad/s some ten times, and the orientation that it is
     // turned by: 300 × 20 × 6e-8 × 10 if all were off to the same side.
     out.check("demo_same", off < 4e-3, "after five seconds needles spin in lanes as one by one");
     out.check("demo_energy", std::fabs(energy() / at_start - 1) < 1e-2,
@@ -116,7 +116,7 @@ void some(lab::Findings& out) {
     const auto ball = sphere(1.0f, 0.4f);
     for (int i = 0; i < rows * columns / 4; ++i) {
         const auto small = [&] { return 0.15f * spin(random); };
-        const Quaternion<float> q = any_attitude(random);
+        const Quaternion<float> q = any_orientation(random);
         const float turn = 5 + 1.5f * spin(random);
         // About the middle axis: these turn over.
         bodies.add(plank, q, Vector3<float>(q * Vector3<float>(small(), turn, small())));

@@ -33,21 +33,21 @@ std::string plain(double value) {
     return rounded(std::round(value / unit) * unit, "%g");
 }
 
-// The orders of ω and of the attitude, after two seconds of a box with sides 1:2:3.
+// The orders of ω and of the orientation, after two seconds of a box with sides 1:2:3.
 std::pair<double, double> orders(const Method& method) {
     const Body I = box(12.0, 1.0, 2.0, 3.0);
     const Spin start = spin_of(2, 1, 2);
     const Spin exact = Exact(I, start)(2);
     const Steps take = method.made(I);
-    std::vector<double> h, spins, attitudes;
+    std::vector<double> h, spins, orientations;
     const long least = method.order == 4 ? 32 : 256;
     for (long steps = least; steps <= 8 * least; steps *= 2) {
         const Spin s = take(start, 2.0 / double(steps), steps);
         h.push_back(2.0 / double(steps));
         spins.push_back((s.omega - exact.omega).norm());
-        attitudes.push_back((s.q.conjugate() * exact.q).vec().norm());
+        orientations.push_back((s.q.conjugate() * exact.q).vec().norm());
     }
-    return {measured_order(h, spins), measured_order(h, attitudes)};
+    return {measured_order(h, spins), measured_order(h, orientations)};
 }
 
 // What a minute at 60 Hz leaves.
@@ -150,10 +150,10 @@ void a_minute(const Body& brick, const std::map<std::string, double>& ns, lab::F
                 "  after a minute at 60 Hz; the methods from books keep it to a thousandth:\n");
     for (const Method& method : others()) {
         const std::string& key = method.key;
-        const auto [spin, attitude] = orders(method);
+        const auto [spin, orientation] = orders(method);
         const bool converges = method.order > 0, prints = printed.count(key) > 0;
         std::vector<lab::Cell> cells{method.name, converges ? rounded(spin, "%.1f") : "none",
-                                     converges ? rounded(attitude, "%.1f") : "none",
+                                     converges ? rounded(orientation, "%.1f") : "none",
                                      plain(ns.at(key))};
         if (prints) std::printf("  %-15s", method.name.c_str());
         for (const Throw& thrown : throws) {
@@ -181,7 +181,7 @@ void a_minute(const Body& brick, const std::map<std::string, double>& ns, lab::F
         if (converges)
             out.check(
                 "engines_order_" + key,
-                std::fabs(spin - method.order) < 0.2 && std::fabs(attitude - method.order) < 0.2,
+                std::fabs(spin - method.order) < 0.2 && std::fabs(orientation - method.order) < 0.2,
                 method.name + ": the measured orders are those it claims");
     }
     claims(left_of, out);
@@ -226,7 +226,7 @@ void burst_moment(const Body& brick, lab::Findings& out) {
               "second; so does the same start with its spin in the world's axes");
 }
 
-// The attitude's largest error in two seconds: 2 sin(α/2) for an angle α.
+// The orientation's largest error in two seconds: 2 sin(α/2) for an angle α.
 double error(const Method& method, const Body& I, const Spin& start) {
     const Exact exact(I, start);
     const Steps take = method.made(I);

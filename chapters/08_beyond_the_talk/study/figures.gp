@@ -1,7 +1,7 @@
 load style
 colour_of(style) = style[1:strstrt(style, " lw") - 1]
 
-# Orders: the attitude.
+# Orders: the orientation.
 call figure "orders.svg" 640 600
 set autoscale
 set logscale xy

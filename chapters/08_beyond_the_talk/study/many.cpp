@@ -14,7 +14,7 @@
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
 #include <timestep/methods/semi_implicit_euler.hpp>
 #include <timestep/rigid/many_bodies.hpp>
-#include <timestep/share_out.hpp>
+#include <timestep/parallel_for.hpp>
 #include <timestep/springs.hpp>
 
 #include "random_body.hpp"
@@ -70,7 +70,7 @@ std::size_t measure_all(std::vector<Way>& ways, lab::Table& table) {
     return from;
 }
 
-// Two hundred throws at 10 rad/s and 60 Hz, turned by the new ω as in a pack: the worst attitude in
+// Two hundred throws at 10 rad/s and 60 Hz, turned by the new ω as in a pack: the worst orientation in
 // two seconds, or the share that is lost.
 using Turn = std::function<RigidState<double>(const Body&, const RigidState<double>&, double h)>;
 std::string error_in_a_pack(const Turn& turn, const Body& inertia) {
@@ -204,7 +204,7 @@ void many_bodies(lab::Findings& out) {
               "boxes: one by one and in lanes agree, but for the last roundings");
 
     ways.push_back({"threads", [&](std::size_t count) {
-                        share_out((count + lanes - 1) / lanes, threads,
+                        parallel_for((count + lanes - 1) / lanes, threads,
                                   [&](std::size_t a, std::size_t b) { some(packs, a, b); });
                     }});
     auto& table = out.table("many_bodies.tsv", {"count", "one_by_one", "lanes", "balls",
@@ -218,7 +218,7 @@ void many_bodies(lab::Findings& out) {
     std::vector<double> starts;  // ns, to start and join threads that do nothing
     for (int i = 0; i < 101; ++i)
         starts.push_back(1e9 * lab::seconds_of(
-                                   [&] { share_out(threads, threads, [](std::size_t, std::size_t) {}); }));
+                                   [&] { parallel_for(threads, threads, [](std::size_t, std::size_t) {}); }));
     std::sort(starts.begin(), starts.end());
     const auto in_lanes = [&](const auto& solver) {
         return [&, solver](std::size_t count) {

@@ -32,7 +32,7 @@ const std::vector<Method>& others();           // the appendix: first those from
 const std::vector<Method>& engines();          // then the rules of engines: these
 const Method& method(const std::string& key);  // any of them
 
-// What a step takes, attitude and all, in ns, by the method's key; measured once.
+// What a step takes, orientation and all, in ns, by the method's key; measured once.
 const std::map<std::string, double>& step_times();  // step_times.cpp
 
 // The exact motion, in body coordinates.

@@ -1,4 +1,4 @@
-// The order of every method, in the spin and in the attitude.
+// The order of every method, in the spin and in the orientation.
 
 #include <cmath>
 #include <cstdio>
@@ -12,9 +12,9 @@ using namespace timestep;
 
 namespace {
 
-// Errors of ω and of the attitude after two seconds; step(s, h, n) takes n steps of any rule.
+// Errors of ω and of the orientation after two seconds; step(s, h, n) takes n steps of any rule.
 struct Measured {
-    std::vector<double> h, spin, attitude;
+    std::vector<double> h, spin, orientation;
 };
 Measured measured(const Body& inertia, const Spin& start, int order, const Steps& step) {
     const Spin truth = Exact(inertia, start)(2);
@@ -25,7 +25,7 @@ Measured measured(const Body& inertia, const Spin& start, int order, const Steps
         const Spin s = step(start, h, steps);
         m.h.push_back(h);
         m.spin.push_back((s.omega - truth.omega).norm() / start.omega.norm());
-        m.attitude.push_back(apart(s.q, truth.q));
+        m.orientation.push_back(apart(s.q, truth.q));
     }
     return m;
 }
@@ -43,27 +43,27 @@ void orders(const Settings&, lab::Findings& out) {
     const Body brick = box(12.0, 1.0, 2.0, 3.0);
     const Spin start = spinning(Vector(1, 2, 2));
     auto& table = out.table("orders.tsv", {"method", "order in ω", "order in the orientation"});
-    auto& points = out.table("order_points.tsv", {"method", "h", "spin", "attitude"});
+    auto& points = out.table("order_points.tsv", {"method", "h", "spin", "orientation"});
     bool as_declared = true;
     const auto write = [&](const std::string& name, const std::string& id, const Measured& m) {
         const double spin = measured_order(m.h, m.spin);
-        const double attitude = measured_order(m.h, m.attitude);
+        const double orientation = measured_order(m.h, m.orientation);
         std::printf("  %-30s order %.2f in omega, %.2f in the orientation\n", name.c_str(), spin,
-                    attitude);
-        table.row({name, rounded(spin), rounded(attitude)});
+                    orientation);
+        table.row({name, rounded(spin), rounded(orientation)});
         for (std::size_t i = 0; i < m.h.size(); ++i)
-            points.row({id, m.h[i], m.spin[i], m.attitude[i]});
+            points.row({id, m.h[i], m.spin[i], m.orientation[i]});
         points.gap();
-        return std::pair(spin, attitude);
+        return std::pair(spin, orientation);
     };
     for (const Method& method : methods()) {
-        const auto [spin, attitude] = write(
+        const auto [spin, orientation] = write(
             method.name, method.key, measured(brick, start, method.order, method.made(brick)));
         as_declared = as_declared && std::fabs(spin - method.order) < 0.2 &&
-                      std::fabs(attitude - method.order) < 0.2;
+                      std::fabs(orientation - method.order) < 0.2;
     }
-    // The same solver, the attitude by the new ω instead of the mean.
-    const auto [spin, attitude] =
+    // The same solver, the orientation by the new ω instead of the mean.
+    const auto [spin, orientation] =
         write("half-step Jacobian, new omega", "half_step_new",
               measured(brick, start, 2, [&](Spin s, double h, long steps) {
                   for (long n = 0; n < steps; ++n) {
@@ -72,9 +72,9 @@ void orders(const Settings&, lab::Findings& out) {
                   }
                   return s;
               }));
-    out.number("order_new", attitude, "", "order of the orientation by the new omega");
+    out.number("order_new", orientation, "", "order of the orientation by the new omega");
     out.check("orders", as_declared,
               "every method has the order it declares, in ω and in the orientation");
-    out.check("order_new", std::fabs(spin - 2) < 0.1 && std::fabs(attitude - 1) < 0.15,
+    out.check("order_new", std::fabs(spin - 2) < 0.1 && std::fabs(orientation - 1) < 0.15,
               "with the new ω instead of the mean the orientation has order one");
 }

@@ -16,7 +16,7 @@ inline constexpr long marks = 30;     // a run is looked at so often: every step
 struct Entry {
     std::string name, id;
     bool ours = true;                         // of the chapter's line, not of the appendix
-    std::function<double(long steps)> error;  // the largest of the attitude at any mark
+    std::function<double(long steps)> error;  // the largest of the orientation at any mark
     std::function<double(long steps)> run;    // watched by nobody: this one is timed
 };
 

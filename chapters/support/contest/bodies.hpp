@@ -12,7 +12,7 @@
 
 namespace contest {
 
-// A rotation matrix: nine numbers. Two attitudes with an angle α between them are 2√2 sin(α/2) apart;
+// A rotation matrix: nine numbers. Two orientations with an angle α between them are 2√2 sin(α/2) apart;
 // with √2 as the size of the scene the error is 2 sin(α/2), the angle in radians while it is small, and
 // never more than 2.
 inline constexpr double radian = 1.4142135623730951;
@@ -77,13 +77,13 @@ void count(Work& work, const Solver& solver, const Inertia& inertia,
         solver.step(inertia, in_body, h, [&] { ++work.evaluations, ++work.solves; });
     } else {
         const bool has_torque =
-            !std::is_same_v<Solver, NoGyroscopic> && !std::is_same_v<Solver, OldInertia>;
+            !std::is_same_v<Solver, NoGyroscopic> && !std::is_same_v<Solver, LaggedInertia>;
         work.evaluations += has_torque;
         work.solves += has_torque && !std::is_same_v<Solver, ExplicitGyroscopic>;
     }
 }
 
-// Any gyroscopic solver of the course, with its update of the attitude.
+// Any gyroscopic solver of the course, with its update of the orientation.
 template <class Solver, class Inertia>
 struct Turning {
     using Real = typename Inertia::Scalar;
@@ -98,7 +98,7 @@ struct Turning {
     Real number() const { return s.q.w(); }
 };
 
-// Runge-Kutta 4 on attitude and ω in one array. It leaves the rotations by its error, and is brought
+// Runge-Kutta 4 on orientation and ω in one array. It leaves the rotations by its error, and is brought
 // back once a step.
 template <class Inertia>
 struct TurningByRungeKutta {
@@ -108,7 +108,7 @@ struct TurningByRungeKutta {
 
     void restart() { s = timestep::stacked(start); }
     void step(double h) {
-        s = timestep::attitude_scaled(timestep::runge_kutta_4.step(model, s, h));
+        s = timestep::orientation_scaled(timestep::runge_kutta_4.step(model, s, h));
     }
     void count(Work& work, double h) const {
         const auto counted = [&](double t, const auto& y) { return ++work.evaluations, model(t, y); };

@@ -20,7 +20,7 @@ enum class Update {
     derivative    // q + h/2 ω q, scaled back: ours. There it is behind QUATERNION_DERIVATIVE
 };
 
-// Bullet keeps the attitude as a matrix, and makes a quaternion of it twice a step.
+// Bullet keeps the orientation as a matrix, and makes a quaternion of it twice a step.
 struct BulletBody {
     std::shared_ptr<btRigidBody> body;
     btVector3 omega;

@@ -22,7 +22,7 @@ namespace {
 
 using Body = SlidingCapsule::Body;
 
-// The attitude, and the centre of mass: a metre counts as a radian.
+// The orientation, and the centre of mass: a metre counts as a radian.
 Place place_of(const plane::Motion& m) {
     Place all = place<double>(m.turning.q.toRotationMatrix());
     for (const double coordinate : m.x) all.push_back(radian * coordinate);
@@ -57,7 +57,7 @@ struct RungeKuttaInTheAir : OnPlane<PassiveGyroscopic> {
         if (contacts.at[0].normal > 0 || contacts.at[1].normal > 0) return;
         const auto turning = runge_kutta_4.step(free, stacked(before.turning), h);
         const plane::V fall = h * ground.gravity * plane::V::UnitZ();
-        m = {unstacked(attitude_scaled(turning)), before.x + h * (before.v - fall / 2), before.v - fall};
+        m = {unstacked(orientation_scaled(turning)), before.x + h * (before.v - fall / 2), before.v - fall};
     }
     void count(Work& work, double h) const {
         OnPlane::count(work, h);
@@ -72,7 +72,7 @@ Scene capsule_on_plane() {
     scene.patience = 10;
     const Body body{capsule(1.0, 0.15, 0.6), 1.0, 0.15, 0.3};  // 90 cm long, 30 cm thick, 1 kg
     const plane::Ground ice{9.81, 0.0, 0.0, plane::Arms::middle};
-    const plane::Attitude leaning(Eigen::AngleAxisd(0.2, plane::V::UnitX()));
+    const plane::Orientation leaning(Eigen::AngleAxisd(0.2, plane::V::UnitX()));
     const plane::Motion start = plane::placed(body, leaning, {1, 0, 6}, 0.3);
 
     const SlidingCapsule exact(body, ice.gravity, start, 1000);

@@ -88,7 +88,7 @@ private:
         auto s = timestep::stacked(landed_);
         const double h = (t - lands_) / double(slices_);
         for (long i = 0; i < slices_; ++i)
-            s = attitude_scaled(timestep::runge_kutta_4.step(pressed, s, h));
+            s = orientation_scaled(timestep::runge_kutta_4.step(pressed, s, h));
         return timestep::unstacked(s);
     }
     double axis_up(const Turning& s) const { return -end(s).z(); }

@@ -47,7 +47,7 @@ void enter_others(Scene& scene, double I1, double I2, double I3, const RigidStat
 
 // At the marks, in `long double`: of the formulas' roundoff nothing is left in `double`.
 template <class Exact>
-Track attitudes(const Exact& exact) {
+Track orientations(const Exact& exact) {
     Track track;
     for (int mark = 1; mark <= marks; ++mark) {
         const auto q = exact((long double)(duration)*mark / marks);
@@ -66,7 +66,7 @@ Scene dzhanibekov() {
     const RigidState<double> start = spun<double>(0.25, 10, 0.25);
     const ExactFreeBody<long double> exact(box(12.0L, 1.0L, 2.0L, 3.0L),
                                            spun<long double>(0.25, 10, 0.25));
-    scene.reference = attitudes([&](long double t) { return exact(t).q; });
+    scene.reference = orientations([&](long double t) { return exact(t).q; });
     scene.reference_error = 1e-12;  // so well an integration, which the tumble disturbs, confirms it
     enter_solvers(scene, inertia, start);
     const auto& I = inertia.moments;
@@ -80,7 +80,7 @@ Scene symmetric_top() {
     Scene scene{"symmetric_top", "a capsule in the air", radian};
     const SymmetricInertia<double> inertia = capsule(1.0, 0.15, 0.6);
     const RigidState<double> start = spun<double>(2, 0, 6);
-    scene.reference = attitudes([&](long double t) {
+    scene.reference = orientations([&](long double t) {
         using Turn = Eigen::AngleAxis<long double>;
         const SymmetricInertia<long double> exactly(inertia.across, inertia.along);
         const Vector3<long double> omega = start.omega.cast<long double>();

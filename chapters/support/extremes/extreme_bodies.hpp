@@ -25,7 +25,7 @@ Real energy_of(const AnyInertia<Real>& any, const Vector3<Real>& omega) {
     return std::visit([&](const auto& inertia) { return kinetic_energy(inertia, omega); }, any);
 }
 
-// Any solver and the attitude's step, as a method that run() takes; the inertia is the model. The solver is
+// Any solver and the orientation's step, as a method that run() takes; the inertia is the model. The solver is
 // a plain function, so that scenes and their runs are compiled once and not for each of thirty pairs.
 template <class Real>
 struct AnySolver {
@@ -151,14 +151,14 @@ private:
     // The energy that the solver lets a body reach, over that at the start. The passive and the
     // converged solver add none; the talk's adds none to a symmetric body, nor to any in steps as
     // short as ours. Dropped, ω stays in the world, and so in the body, which turns about it: the
-    // energy stays. With the old inertia |L| stays, and the energy is at most that about the axis of
+    // energy stays. With the lagged inertia |L| stays, and the energy is at most that about the axis of
     // the least moment, 2.5 times that about the axis of the largest.
     void spins(const Solver& solver, const std::string& kind) {
         const Inertia inertia = inertia_of<Real>(kind, 1);
         const bool gyroscopic = is_gyroscopic(inertia);
         const bool blows_up = solver.is(ExplicitGyroscopic::name) && gyroscopic;
         const auto bound = [&](long steps) {
-            return (solver.is(OldInertia::name) ? 2.5 : 1) * (1 + steps * 64 * eps<Real>);
+            return (solver.is(LaggedInertia::name) ? 2.5 : 1) * (1 + steps * 64 * eps<Real>);
         };
         const auto energy = [&](Real spin) {  // in units of spin², as squares would overflow
             const double first = energy_of(inertia, scaled_to_one(spinning(spin, kind), spin));
@@ -169,20 +169,20 @@ private:
 
         // Nothing happens: h ω is below the last digit of everything it is added to.
         const S slow = spinning(tiny<Real>, kind);
-        add("spin tiny", solver, kind, inertia, slow, h, 100, {Word::exact, 100 * 100 * eps<Real>},
+        add("spin tiny", solver, kind, inertia, slow, h, 100, {Outcome::exact, 100 * 100 * eps<Real>},
             [=](const S& s) {
                 return double(((s.omega - slow.omega) / tiny<Real>).cwiseAbs().maxCoeff());
             });
         // Explicitly the energy grows by h² times that of the torque, in every step: by 1 % at least.
         if (blows_up) {
             const auto size = energy(1);
-            add("spin 1", solver, kind, inertia, spinning(1, kind), h, 1000, {Word::exact, 0.5},
+            add("spin 1", solver, kind, inertia, spinning(1, kind), h, 1000, {Outcome::exact, 0.5},
                 [=](const S& s) { return s.t > 0 && size(s) <= 1.01 ? 1.0 : 0.0; });
             Cell& gain = cells_.back();  // that is no law of growth for judge(); if it holds, it grows
-            gain.expected = Word::grows;
-            if (gain.found == Word::exact) gain.found = Word::grows;
+            gain.expected = Outcome::grows;
+            if (gain.found == Outcome::exact) gain.found = Outcome::grows;
         } else {
-            add("spin 1", solver, kind, inertia, spinning(1, kind), h, 1000, {Word::bounded, bound(1000)},
+            add("spin 1", solver, kind, inertia, spinning(1, kind), h, 1000, {Outcome::bounded, bound(1000)},
                 energy(1));
         }
         // The explicit step multiplies the spin across the axis by 1e7 or more, or squares it. The
@@ -192,20 +192,20 @@ private:
             !solver.is(ImplicitGyroscopic::name) || !gyroscopic || kind == "symmetric";
         if (promises)
             add("spin 1e10", solver, kind, inertia, spinning(Real(1e10), kind), h, 100,
-                blows_up ? Theory{Word::reported, 0, 0, 50} : Theory{Word::bounded, bound(100)},
+                blows_up ? Theory{Outcome::reported, 0, 0, 50} : Theory{Outcome::bounded, bound(100)},
                 energy(Real(1e10)));
-        // The same in steps of 100 s. In float the attitude's step, which squares hω/2, leaves the
+        // The same in steps of 100 s. In float the orientation's step, which squares hω/2, leaves the
         // numbers; whatever the solver, the run comes to its end.
         if (promises)
             add("hω = 1e20", solver, kind, inertia, spinning(Real(1e18), kind), 100, 10,
-                is_float<Real> ? Theory{Word::reported, 0, 0, 1}
-                : blows_up     ? Theory{Word::reported, 0, 0, 10}
-                               : Theory{Word::bounded, bound(10)},
+                is_float<Real> ? Theory{Outcome::reported, 0, 0, 1}
+                : blows_up     ? Theory{Outcome::reported, 0, 0, 10}
+                               : Theory{Outcome::bounded, bound(10)},
                 energy(Real(1e18)));
-        // The attitude's step squares hω/2.
+        // The orientation's step squares hω/2.
         add("spin huge", solver, kind, inertia,
             spinning(is_float<Real> ? Real(1e24) : Real(1e200), kind), h, 10,
-            {Word::reported, 0, 0, 1}, [](const S&) { return 0.0; });
+            {Outcome::reported, 0, 0, 1}, [](const S&) { return 0.0; });
     }
 
     // An energy over that at the start, for a bound above. Dropped, it must not fall either.
@@ -221,7 +221,7 @@ private:
     void scaled(const char* scene, const Solver& solver, const std::string& kind, Real unit) {
         const S right = run(solver, inertia_of<Real>(kind, 1), spinning(1, kind), h, 1000);
         add(scene, solver, kind, inertia_of(kind, unit), spinning(1, kind), h, 1000,
-            {Word::exact, 1000 * 100 * eps<Real>}, [=](const S& s) {
+            {Outcome::exact, 1000 * 100 * eps<Real>}, [=](const S& s) {
                 return double((s.omega - right.omega).norm() +
                               (s.q.coeffs() - right.q.coeffs()).norm());
             });
@@ -230,7 +230,7 @@ private:
     // A needle 1e30 times as easily turned about itself. Old inertia divides roundoff by that
     // moment, and nobody can say what comes of it.
     void needles(const Solver& solver) {
-        if (solver.is(OldInertia::name)) return;
+        if (solver.is(LaggedInertia::name)) return;
         const auto needle = [&](const std::string& kind, const Inertia& inertia) {
             const S start = spinning(1, kind);
             const double first = energy_of(inertia, scaled_to_one(start, 1));
@@ -238,9 +238,9 @@ private:
                 return risen(solver, double(energy_of(inertia, scaled_to_one(s, 1))) / first);
             };
             // Explicitly the spin across grows by √(1 + θ²) a step, θ = h ω_z.
-            Theory theory{Word::bounded, 1 + 1000 * 64 * eps<Real>};
+            Theory theory{Outcome::bounded, 1 + 1000 * 64 * eps<Real>};
             if (solver.is(ExplicitGyroscopic::name))
-                theory = {Word::grows, 0, 1000 * std::log1p(0.64 * 0.64 / 64)};
+                theory = {Outcome::grows, 0, 1000 * std::log1p(0.64 * 0.64 / 64)};
             add("moments 1, 1, 1e−30", solver, kind, inertia, start, Real(1) / 8, 1000, theory,
                 size);
         };

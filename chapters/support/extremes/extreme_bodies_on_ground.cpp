@@ -79,7 +79,7 @@ void on_ground(std::vector<Cell>& cells) {
     // Too fast for friction to be felt: v stays, and friction turns the ball, by 5/2 μ g t/r.
     const OnGround<Real> ground{on(BodyScene(Weight<Real>(g), Ground<Real>(Real(0.5))))};
     add("ball's speed 1e150", ground, 1, r, from(fast, 0, r), 100,
-        {Word::exact, 100 * 8 * eps<Real>}, [=](const S& s) {
+        {Outcome::exact, 100 * 8 * eps<Real>}, [=](const S& s) {
             const double right = 2.5 * 0.5 * g * double(s.t) / r;
             const double spin = double(s.motion.turning.omega.y());
             return std::fabs(double(s.motion.v.x() / fast - 1)) +
@@ -95,9 +95,9 @@ void on_ground(std::vector<Cell>& cells) {
         };
     };
     add("ball's speed 1e150, friction huge", rough, 1, r, from(fast, 0, r), 100,
-        {Word::exact, 100 * 16 * eps<Real>}, rolls(5 * fast / 7));
+        {Outcome::exact, 100 * 16 * eps<Real>}, rolls(5 * fast / 7));
     add("ball's spin 1e150, friction huge", rough, 1, r, from(0, fast, r), 100,
-        {Word::exact, 100 * 16 * eps<Real>}, rolls(2 * r * fast / 7));
+        {Outcome::exact, 100 * 16 * eps<Real>}, rolls(2 * r * fast / 7));
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ private:
             cells_.push_back(cell(scene, stepped, make, start, step, steps, theory, size));
         else
             cells_.push_back({is_float<Real> ? "float" : "double", scene, method.name,
-                              Word::does_not_compile, Word::does_not_compile, ""});
+                              Outcome::does_not_compile, Outcome::does_not_compile, ""});
     }
 
     // What models and runs refuse, whatever the method.
@@ -99,8 +99,8 @@ private:
         }
         add(scene, method, of<Spring<Real>>(omega), start, step, steps, theory, size);
         Cell& cell = cells_.back();
-        if (cell.found == Word::bounded && !dies && !(lowest < -start.x / 2))
-            cell.found = Word::wrong;
+        if (cell.found == Outcome::bounded && !dies && !(lowest < -start.x / 2))
+            cell.found = Outcome::wrong;
     }
 
     // A damper so hard that nothing moves any more: v = −(ω/2ζ) x. The implicit midpoint method
@@ -115,7 +115,7 @@ private:
                 const long step = std::lround(double(s.t / h));
                 const double expected = jumps ? (step % 2 == 1 ? 2 : 0) : 1;
                 const bool right = step < 10 || std::fabs(v - expected) < 1e-3;
-                return theory.expected != Word::bounded || right ? std::fabs(double(s.x)) : 1e300;
+                return theory.expected != Outcome::bounded || right ? std::fabs(double(s.x)) : 1e300;
             });
     }
 
@@ -131,7 +131,7 @@ private:
 
         // The force itself is too large for a number: no method can know what comes next.
         add("start huge", method, of<Spring<Real>>(6), S{0, far, 0}, h, 100,
-            {Word::reported, 0, 0, 1}, [](const S&) { return 0.0; });
+            {Outcome::reported, 0, 0, 1}, [](const S&) { return 0.0; });
     }
 
     // Answers that are known exactly, most of them from another run.
@@ -142,17 +142,17 @@ private:
         // digit.
         const auto stands = [](const S& s) { return s.x == 1 ? std::fabs(double(s.v)) : 2; };
         add("step tiny", method, spring, from(0, 1, 0), tiny<Real>, 1000,
-            {Word::exact, 40e3 * tiny<Real>}, stands);
+            {Outcome::exact, 40e3 * tiny<Real>}, stands);
         add("ω tiny", method, of<Spring<Real>>(tiny<Real>), from(0, 1, 0), h, 1000,
-            {Word::exact, 0}, stands);
+            {Outcome::exact, 0}, stands);
         // A straight line, each step rounded a few times.
         add("ω = 0", method, of<Spring<Real>>(0), from(0, 1, 1), h, 640,
-            {Word::exact, 640 * 8 * 11 * eps<Real>}, [](const S& s) {
+            {Outcome::exact, 640 * 8 * 11 * eps<Real>}, [](const S& s) {
                 return std::fabs(double(s.x) - (1 + double(s.t))) + std::fabs(double(s.v) - 1);
             });
         // The force does not know the time, and does not care that it stands still: the same bits.
         const S reference = run(method.template on<Spring<Real>, S>(), spring(), from(0, 1, 0), h, 100);
-        add("t + h = t", method, spring, from(huge<Real>, 1, 0), h, 100, {Word::exact, 0},
+        add("t + h = t", method, spring, from(huge<Real>, 1, 0), h, 100, {Outcome::exact, 0},
             [&](const S& s) {
                 return s.t == huge<Real> && s.x == reference.x && s.v == reference.v ? 0.0 : 1.0;
             });
@@ -161,7 +161,7 @@ private:
         for (const auto& [scene, power] : {std::pair{"lengths × 2ⁿ", is_float<Real> ? 100 : 990},
                                            {"lengths ÷ 2ⁿ", is_float<Real> ? -70 : -900}}) {
             const Real unit = std::ldexp(Real(1), power);
-            add(scene, method, spring, from(0, unit, 0), h, 100, {Word::exact, 0}, [&](const S& s) {
+            add(scene, method, spring, from(0, unit, 0), h, 100, {Outcome::exact, 0}, [&](const S& s) {
                 return s.x == unit * reference.x && s.v == unit * reference.v ? 0.0 : 1.0;
             });
         }
@@ -169,7 +169,7 @@ private:
         // difference of positions that are 64 times as far from zero as a step is long.
         const Real g = -huge<Real> / 4;
         add("gravity huge", method, of<Projectile<Real>>(g), from(0, 0, 0), h, 64,
-            {Word::exact, 64 * 64 * 8 * eps<Real>},
+            {Outcome::exact, 64 * 64 * 8 * eps<Real>},
             [&](const S& s) { return std::fabs(double(s.v / g) - double(s.t)); });
     }
 
@@ -203,11 +203,11 @@ private:
         // no more of its equation open than there was at the start, h ω² again.
         const Real omega = 1e10;
         add("pendulum stiff", method, of<Pendulum<Real>>(omega), S{0, 3, 0}, h, n,
-            {Word::bounded, 2.1 * n * double(h) * omega * omega},
+            {Outcome::bounded, 2.1 * n * double(h) * omega * omega},
             [](const S& s) { return std::fabs(double(s.v)); });
         // A spin that gravity cannot even be felt by: v stays, and x is v t.
         add("pendulum's spin huge", method, of<Pendulum<Real>>(1), S{0, 0, huge<Real> / 128}, h,
-            100, {Word::exact, 100 * 100 * eps<Real>}, [](const S& s) {
+            100, {Outcome::exact, 100 * 100 * eps<Real>}, [](const S& s) {
                 const double v = double(huge<Real>) / 128;
                 return std::fabs(s.v / v - 1) + (s.t > 0 ? std::fabs(s.x / v / s.t - 1) : 0);
             });
@@ -217,8 +217,8 @@ private:
         // middle, and goes on as far again: v turns, and is no larger.
         const bool turns = method.is_midpoint;
         add("drag 1e30", method, of<Drag<Real>>(Real(1e30)), S{0, 0, 1}, h, 100,
-            method.is_implicit ? Theory{Word::bounded, 1 + 8 * eps<Real>}
-                                : Theory{Word::reported, 0, 0, 6},
+            method.is_implicit ? Theory{Outcome::bounded, 1 + 8 * eps<Real>}
+                                : Theory{Outcome::reported, 0, 0, 6},
             [turns](const S& s) {
                 const double v = std::fabs(double(s.v));
                 const long step = std::lround(double(s.t / h));
@@ -230,11 +230,11 @@ private:
         // Forces that are too large for a number, and one that is not: far off, x stays there.
         const auto none = [](const auto&) { return 0.0; };
         add("drag 1e30, start huge", method, of<Drag<Real>>(Real(1e30)), S{0, 0, far}, h, 100,
-            {Word::reported, 0, 0, 1}, none);
+            {Outcome::reported, 0, 0, 1}, none);
         add("drag, start huge", method, of<Drag<Real>>(1), S{0, 0, far}, h, 100,
-            {Word::reported, 0, 0, 1}, none);
+            {Outcome::reported, 0, 0, 1}, none);
         add("pendulum's start huge", method, of<Pendulum<Real>>(6), S{0, far, 0}, h, 100,
-            {Word::exact, 100 * 8 * eps<Real>}, [&](const S& s) {
+            {Outcome::exact, 100 * 8 * eps<Real>}, [&](const S& s) {
                 const double most = 36 * double(s.t) * 1.01;  // |sin| is 1 or less
                 return std::fabs(double(s.v)) <= most ? std::fabs(double(s.x / far - 1)) : 1;
             });
@@ -244,10 +244,10 @@ private:
         // and none can be found.)
         using V = Eigen::Matrix<Real, 2, 1>;
         add("tether, start huge", method, of<Tether<Real>>(6, 1),
-            State<V>{0, V(far, far), V(0, 0)}, h, 100, {Word::reported, 0, 0, 1}, none);
+            State<V>{0, V(far, far), V(0, 0)}, h, 100, {Outcome::reported, 0, 0, 1}, none);
         add("tether's length subnormal", method, of<Tether<Real>>(6, 1),
             State<V>{0, V(std::numeric_limits<Real>::min() / 128, 0), V(1, 0)}, Real(1) / 600, 10,
-            {Word::exact, 0.03}, [](const State<V>& s) {
+            {Outcome::exact, 0.03}, [](const State<V>& s) {
                 const double angle = 6 * double(s.t),
                              right = 1 - std::cos(angle) + std::sin(angle) / 6;
                 return s.t > 0 ? std::fabs(double(s.x.x()) / right - 1) : 0;
@@ -258,7 +258,7 @@ private:
         const Real g = Real(1e20);
         Theory theory = spring_theory<Real>(method, 64, 0, h, 100);
         theory.size *= 2 * double(g) / (64 * 64);
-        if (theory.expected == Word::grows)
+        if (theory.expected == Outcome::grows)
             theory.log_growth += std::log(double(g) / (64 * 64));  // from a size of 1
         add("weight 1e20 on a spring", method, of<Weight>(Spring<Real>(64), Projectile<Real>(-g)),
             S{0, 1, 0}, h, 100, theory,
@@ -271,18 +271,18 @@ private:
         using Y = FirstOrder<Real>;
         const auto size = [](const Y& s) { return std::fabs(double(s.y)); };
         add("decay 1e30", method, of<Decay<Real>>(Real(-1e30)), Y{0, 1}, h, 100,
-            method.is_implicit ? Theory{Word::bounded, 1 + 100 * 8 * eps<Real>}
-                               : Theory{Word::reported, 0, 0, 12},
+            method.is_implicit ? Theory{Outcome::bounded, 1 + 100 * 8 * eps<Real>}
+                               : Theory{Outcome::reported, 0, 0, 12},
             size);
         add("decay 1e30, start huge", method, of<Decay<Real>>(Real(-1e30)), Y{0, far}, h, 100,
-            {Word::reported, 0, 0, 1}, size);
+            {Outcome::reported, 0, 0, 1}, size);
         // It grows by R(0.95) a step, whatever a method makes of that.
         const double log_step = std::log(std::abs(method.factor(0.95)));
         const double log_largest = std::log(double(std::numeric_limits<Real>::max()));
-        Theory growth{Word::reported, 0, 0, log_largest * 1.01 / log_step + 3};
+        Theory growth{Outcome::reported, 0, 0, log_largest * 1.01 / log_step + 3};
         growth.earliest = log_largest * 0.99 / log_step - 3;
         add("decay upwards", method, of<Decay<Real>>(Real(0.95)), Y{0, 1}, 1, 2000, growth, size);
-        add("decay 0", method, of<Decay<Real>>(0), Y{0, 1}, h, 100, {Word::exact, 0},
+        add("decay 0", method, of<Decay<Real>>(0), Y{0, 1}, h, 100, {Outcome::exact, 0},
             [](const Y& s) { return std::fabs(double(s.y) - 1); });
         add("decay NaN", method, of<Decay<Real>>(nan), Y{0, 1}, h, 100, refused("lambda"), size);
         add("decay's start NaN", method, of<Decay<Real>>(-1), Y{0, nan}, h, 100, refused("start"),

@@ -91,15 +91,15 @@ struct ExtremeMethod : Known {
 template <class Real>
 Theory spring_theory(const Known& method, double omega, double zeta, double h, long steps) {
     const double s = omega * h;
-    if (s <= method.limit(zeta)) return {Word::bounded, 8};
+    if (s <= method.limit(zeta)) return {Outcome::bounded, 8};
     const double log_step = static_cast<double>(std::log(method.growth(zeta, s)));
     const double log_largest = std::log(static_cast<double>(std::numeric_limits<Real>::max()));
     const double log_last = log_step * steps;
     if (log_last + std::log(8 * std::max(1.0, omega)) < log_largest)
-        return {Word::grows, 0, log_last};
+        return {Outcome::grows, 0, log_last};
     if (log_last < log_largest * 1.01 + 3 * log_step)
         throw std::logic_error("extremes: take more steps");
-    Theory theory{Word::reported, 0, 0, log_largest * 1.01 / log_step + 3};
+    Theory theory{Outcome::reported, 0, 0, log_largest * 1.01 / log_step + 3};
     theory.earliest = (log_largest - std::log(8 * std::max(1.0, omega))) * 0.99 / log_step - 3;
     return theory;
 }

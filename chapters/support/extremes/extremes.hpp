@@ -16,7 +16,7 @@ namespace extremes {
 
 using namespace timestep;
 
-enum class Word {
+enum class Outcome {
     refused,           // std::invalid_argument, with one line that says why
     does_not_compile,  // the method has nothing to hand to such a force
     exact,             // the exact answer, but for roundoff
@@ -26,7 +26,7 @@ enum class Word {
     wrong              // none of these
 };
 
-inline const char* words(Word word) {
+inline const char* words(Outcome word) {
     const char* all[] = {"refused", "does not compile",     "exact", "bounded",
                          "grows",   "not finite, reported", "wrong"};
     return all[static_cast<int>(word)];
@@ -34,7 +34,7 @@ inline const char* words(Word word) {
 
 struct Cell {
     std::string real, scene, method;
-    Word expected, found;
+    Outcome expected, found;
     std::string note;  // the message, or the step at which the run blew up
 };
 
@@ -53,7 +53,7 @@ inline constexpr double eps = std::numeric_limits<Real>::epsilon();
 
 // What theory says of a run.
 struct Theory {
-    Word expected;
+    Outcome expected;
     double size = 1;        // bounded: never larger. exact: no farther from it
     double log_growth = 0;  // grows: by e to this
     double latest = 0;      // reported: at this step or before
@@ -62,29 +62,29 @@ struct Theory {
     double earliest = 1;                                         // reported: not before this step
 };
 
-inline Theory refused(const char* named) { return {Word::refused, 1, 0, 0, named}; }
+inline Theory refused(const char* named) { return {Outcome::refused, 1, 0, 0, named}; }
 
 // The larger of the two; a NaN is larger than any number, for there must be none.
 inline double larger(double a, double b) { return a < b || std::isnan(b) ? b : a; }
 
 // The word for a run that came to an end with `size`, from `first` on; `largest` on the way.
-inline Word judge(const Theory& theory, double first, double largest, double last,
+inline Outcome judge(const Theory& theory, double first, double largest, double last,
                   long blew_up_at) {
     if (blew_up_at > 0)
-        return theory.expected == Word::reported && blew_up_at >= theory.earliest &&
+        return theory.expected == Outcome::reported && blew_up_at >= theory.earliest &&
                        blew_up_at <= theory.latest
-                   ? Word::reported
-                   : Word::wrong;
-    if (theory.expected == Word::bounded)
-        return largest <= theory.size && last <= theory.last_size ? Word::bounded : Word::wrong;
-    if (theory.expected == Word::exact) return last <= theory.size ? Word::exact : Word::wrong;
+                   ? Outcome::reported
+                   : Outcome::wrong;
+    if (theory.expected == Outcome::bounded)
+        return largest <= theory.size && last <= theory.last_size ? Outcome::bounded : Outcome::wrong;
+    if (theory.expected == Outcome::exact) return last <= theory.size ? Outcome::exact : Outcome::wrong;
     // What is no eigenvector makes up to a factor 8 of difference once, and roundoff 1 % of the
     // exponent.
     const double off = std::log(last) - std::log(first) - theory.log_growth;
-    return theory.expected == Word::grows && theory.log_growth > 4 &&
+    return theory.expected == Outcome::grows && theory.log_growth > 4 &&
                    std::fabs(off) < std::log(8) + 0.01 * theory.log_growth
-               ? Word::grows
-               : Word::wrong;
+               ? Outcome::grows
+               : Outcome::wrong;
 }
 
 template <class Model>
@@ -108,7 +108,7 @@ Cell cell(const char* scene, const Method& method, const Make<Model>& make, cons
               scene,
               method.name,
               theory.expected,
-              Word::wrong,
+              Outcome::wrong,
               ""};
     try {
         const Model model = make();
@@ -127,7 +127,7 @@ Cell cell(const char* scene, const Method& method, const Make<Model>& make, cons
     } catch (const std::invalid_argument& refusal) {
         cell.note = refusal.what();
         const bool one_line = cell.note.find('\n') == std::string::npos;
-        cell.found = one_line && names(cell.note, theory.named) ? Word::refused : Word::wrong;
+        cell.found = one_line && names(cell.note, theory.named) ? Outcome::refused : Outcome::wrong;
     }
     return cell;
 }

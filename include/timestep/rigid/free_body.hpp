@@ -11,7 +11,7 @@ namespace timestep {
 /// it, x, y, z, w, and ω in body coordinates, where the inertia does not change.
 ///
 /// For such a method q is four numbers like any others, and their length is off 1 by its error. Who
-/// wants a rotation scales it back: `attitude_scaled` after each step.
+/// wants a rotation scales it back: `orientation_scaled` after each step.
 template <class Inertia>
 struct FreeBody {
     using Real = typename Inertia::Scalar;   ///< the real number type
@@ -54,7 +54,7 @@ RigidState<Real> unstacked(const FirstOrder<Eigen::Matrix<Real, 7, 1>>& s) {
 
 /// The same array with its quaternion scaled back to length one.
 template <class Real>
-FirstOrder<Eigen::Matrix<Real, 7, 1>> attitude_scaled(
+FirstOrder<Eigen::Matrix<Real, 7, 1>> orientation_scaled(
     const FirstOrder<Eigen::Matrix<Real, 7, 1>>& s) {
     FirstOrder<Eigen::Matrix<Real, 7, 1>> scaled = s;
     scaled.y.template head<4>().normalize();

@@ -92,7 +92,7 @@ public:
             throw std::invalid_argument("body: its state must be finite, its orientation not zero");
         const Real speed = std::hypot(omega.x(), omega.y(), omega.z());
         if (!is_finite(speed * speed)) refuse("speed", speed, "so low that its square is a number");
-        const Quaternion<Real> attitude = as_rotation(q);
+        const Quaternion<Real> orientation = as_rotation(q);
         auto& [size, packs] = group<Kind>();
         const int lane = int(size % Pack::lanes);
         if (lane == 0)
@@ -100,7 +100,7 @@ public:
                              Vector3<Pack>::Zero()});
         for (int i = lane; i < Pack::lanes; ++i) {
             detail::set_lane(packs.back().inertia, i, inertia);
-            detail::set_lane(packs.back().q.coeffs(), i, attitude.coeffs());
+            detail::set_lane(packs.back().q.coeffs(), i, orientation.coeffs());
             detail::set_lane(packs.back().omega, i, omega);
         }
         ++size;

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include <timestep/gyroscopic/old_inertia.hpp>
+#include <timestep/gyroscopic/lagged_inertia.hpp>
 #include <timestep/rigid/body.hpp>
 #include <timestep/rigid/body_scene.hpp>
 
@@ -17,7 +17,7 @@ namespace timestep::plane {
 
 using V = Vector3<double>;                ///< a vector, world coordinates
 using M = Matrix3<double>;                ///< a matrix, world coordinates
-using Attitude = Quaternion<double>;      ///< from body to world coordinates
+using Orientation = Quaternion<double>;      ///< from body to world coordinates
 using Turning = RigidState<double>;       ///< time, orientation and angular velocity
 using Motion = timestep::Motion<double>;  ///< and the centre of mass with its velocity
 using Flat = Eigen::Vector2d;             ///< the part of a vector along the plane
@@ -48,7 +48,7 @@ struct Capsule {
     /// How many half balls may touch the plane.
     int ends() const { return half_length > 0 ? 2 : 1; }
     /// From the centre of mass to the centre of the half ball `i`.
-    V end(const Attitude& q, int i) const {
+    V end(const Orientation& q, int i) const {
         return q * V(0, 0, i == 0 ? half_length : -half_length);
     }
 };
@@ -78,7 +78,7 @@ double energy(const Capsule<Inertia>& body, const Ground& ground, const Motion& 
 
 /// The body at rest but for its spin `omega`, put on the plane or `height` above it.
 template <class Inertia>
-Motion placed(const Capsule<Inertia>& body, const Attitude& q, const V& omega, double height = 0) {
+Motion placed(const Capsule<Inertia>& body, const Orientation& q, const V& omega, double height = 0) {
     return {{0, q, omega},
             {0, 0, height + body.radius + std::fabs(body.end(q, 0).z())},
             V::Zero()};
@@ -93,7 +93,7 @@ V spun(const Gyroscopic& solver, const Inertia& inertia, const Turning& s, doubl
     return after_gyroscopic_torque(solver, inertia, s.q, s.omega, h);
 }
 template <class Inertia>
-V spun(const OldInertia&, const Inertia&, const Turning& s, double) {
+V spun(const LaggedInertia&, const Inertia&, const Turning& s, double) {
     return s.omega;
 }
 template <class Gyroscopic, class Inertia>
@@ -101,7 +101,7 @@ Turning moved(const Gyroscopic&, const Inertia&, const Turning& s, double h) {
     return {s.t + h, turned(s.q, s.omega, h), s.omega};
 }
 template <class Inertia>
-Turning moved(const OldInertia& solver, const Inertia& inertia, const Turning& s, double h) {
+Turning moved(const LaggedInertia& solver, const Inertia& inertia, const Turning& s, double h) {
     return turn(solver, inertia, s, h);
 }
 
@@ -183,7 +183,7 @@ void touch(const Capsule<Inertia>& body, const Ground& ground, const Motion& m1,
     const V v1 = v, omega1 = omega;
     const int passes = ground.arms == Arms::start ? 1 : 4;
     for (int pass = 0; pass < passes; ++pass) {
-        const Attitude q2 = turned(m1.turning.q, omega, h);
+        const Orientation q2 = turned(m1.turning.q, omega, h);
         contacts = {};
         contacts.count = body.ends();
         /// [arms]

@@ -72,14 +72,14 @@ Quaternion<Real> over_its_length(const Quaternion<Real>& q) {
 /// 2 atan(h|ω|/2) instead of h|ω|, short of half a turn whatever the spin, as long as the square of
 /// h|ω|/2 is a number: to 3e19 in `float`, 1e154 in `double`. Beyond, the quaternion is zero, which
 /// `is_finite` of a state refuses.
-/// [attitude]
+/// [orientation]
 template <class Real>
 Quaternion<Real> turned(const Quaternion<Real>& q1, const Vector3<Real>& omega, Real h) {
     const Vector3<Real> half = h / 2 * omega;
     const Quaternion<Real> rate = Quaternion<Real>(0, half.x(), half.y(), half.z()) * q1;
     return over_its_length(Quaternion<Real>(q1.coeffs() + rate.coeffs()));
 }
-/// [attitude]
+/// [orientation]
 
 // q̇ = ½ q ω with ω in the body. A constant ω turns the body about ω by h|ω|. The quaternion
 // 1 + h/2 ω, scaled to length one, turns it about the same axis by 2 atan(h|ω|/2), which is

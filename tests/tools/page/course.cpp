@@ -23,7 +23,7 @@ It grows to {{amplitude}}.
 ## The mathematics {#ch3_mathematics}
 
 ### Steps {#ch3_steps}
-{{rows N22}}
+{{claims N22}}
 
 ## The code {#ch3_code}
 
@@ -68,7 +68,7 @@ Course::Course() {
     folder_ = fs::temp_directory_path() / ("page_test_" + std::to_string(random()));
     write("chapters/03_springs/about.json",
           R"({"title": "Springs", "question": "Why?", "needs": [], "builds_on": [],
-              "rows": ["N22"], "picture": "spiral.svg", "figures": ["spiral.svg", "sweep.gif"]})");
+              "claims": ["N22"], "picture": "spiral.svg", "figures": ["spiral.svg", "sweep.gif"]})");
     write("chapters/03_springs/chapter.md", page_source);
     write("chapters/03_springs/springs.cpp", "// Springs\nint x;\n\nint main() {}\n");
     write("include/step.hpp",

@@ -155,7 +155,7 @@ TEST_CASE("what is measured beside the chapters is quoted by its folder") {
 TEST_CASE("chapters know their neighbours") {
     const Course course;
     course.write("chapters/04_more/about.json",
-                 R"({"title": "More", "question": "?", "rows": [], "picture": "a.svg", "figures": ["a.svg"]})");
+                 R"({"title": "More", "question": "?", "claims": [], "picture": "a.svg", "figures": ["a.svg"]})");
     const std::string page = course.fill();
     CHECK_THAT(page,
                ContainsSubstring("<span class=\"next\">\\ref chapter_04 \"4 · More\"</span>"));
@@ -247,10 +247,10 @@ TEST_CASE("a directive in the wrong form is an error") {
           "chapter.md:5: a figure is {{figure file.svg N22: caption}}");
     CHECK(course.paragraph_error("{{code include/step.hpp}}") ==
           "chapter.md:5: a quotation is {{code file tag}}");
-    CHECK(course.paragraph_error("text\n\n{{rows N22}}") ==
-          "chapter.md:7: {{rows N22 N24}} stands directly below a heading that has an id");
-    CHECK(course.paragraph_error("{{rows N23}}") ==
-          "chapter.md:5: \"N23\" is none of this chapter's ledger rows");
+    CHECK(course.paragraph_error("text\n\n{{claims N22}}") ==
+          "chapter.md:7: {{claims N22 N24}} stands directly below a heading that has an id");
+    CHECK(course.paragraph_error("{{claims N23}}") ==
+          "chapter.md:5: \"N23\" is none of this chapter's claims");
     CHECK(course.paragraph_error("### The $x$ {#ch3_x}") ==
           "chapter.md:5: a heading stands in the tree and in the search as plain text: no formula "
           "and "
@@ -281,11 +281,11 @@ TEST_CASE("a chapter shows all its figures and teaches all its rows") {
     course.replace(file, "{{figure sweep.gif: A sweep.}}", "");
     CHECK(course.fill_error() ==
           "chapters/03_springs/about.json:1: the page does not show sweep.gif");
-    course.replace(file, "{{rows N22}}", "");
+    course.replace(file, "{{claims N22}}", "");
     course.replace("chapters/03_springs/about.json", ", \"sweep.gif\"", "");
     CHECK(course.fill_error() ==
           "chapters/03_springs/about.json:1: N22 is claimed, but no section of "
-          "the page teaches it ({{rows N22}})");
+          "the page teaches it ({{claims N22}})");
 }
 
 TEST_CASE("words that a run left stand on the page as they are") {

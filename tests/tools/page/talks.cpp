@@ -3,7 +3,7 @@
 #include "course.hpp"
 #include "error.hpp"
 #include "fill.hpp"
-#include "ledger.hpp"
+#include "claims.hpp"
 #include "tagged_tests.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -120,6 +120,6 @@ TEST_CASE("faulty texts of the talks are refused, at their line") {
                ContainsSubstring(":2: N01 stands here twice"));
     CHECK_THAT(message("N01\tN\t\t\n"), ContainsSubstring(":1: N01 has no text"));
     CHECK_THAT(message("N01\tN\ta\n"),
-               ContainsSubstring(":1: must be a ledger row and 3 more fields"));
-    CHECK_THAT(message("N1\tN\ta\t\n"), ContainsSubstring(":1: must be a ledger row"));
+               ContainsSubstring(":1: must be a claim and 3 more fields"));
+    CHECK_THAT(message("N1\tN\ta\t\n"), ContainsSubstring(":1: must be a claim"));
 }

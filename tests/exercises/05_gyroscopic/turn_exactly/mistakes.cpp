@@ -242,11 +242,11 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 
 // Says: Without spin this returns the orientation of a body that has never been turned.
 // Hint: A body that does not spin stays as it is. What is its orientation?
-namespace attitude_lost {
+namespace orientation_lost {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
     if (omega.norm() == 0) return Quaterniond::Identity();
     return q * Eigen::AngleAxisd(h * omega.norm(), omega.normalized());
 }
 
-}  // namespace attitude_lost
+}  // namespace orientation_lost

@@ -1,4 +1,4 @@
-#include "workshop.hpp"
+#include "temporary.hpp"
 
 #include <cstdlib>
 
@@ -14,9 +14,9 @@ namespace {
 const char* const lock = "lock";
 
 // What a check has left behind that was killed.
-void sweep(const fs::path& workshops) {
+void sweep(const fs::path& temporaries) {
     std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(workshops, ignored)) {
+    for (const auto& entry : fs::directory_iterator(temporaries, ignored)) {
         const fs::path folder = entry.path();
         if (folder.filename().string().starts_with("check_") && entry.is_directory(ignored) &&
             !Lock::is_held(folder / lock))
@@ -26,18 +26,18 @@ void sweep(const fs::path& workshops) {
 
 }  // namespace
 
-Workshop::Workshop() {
-    const fs::path workshops = places().build / "exercises";
-    const Lock no_sweep(workshops / "workshops.lock");  // before ours has its lock
-    sweep(workshops);
-    std::string name = (workshops / "check_XXXXXX").string();
+TemporaryFolder::TemporaryFolder() {
+    const fs::path temporaries = places().build / "exercises";
+    const Lock no_sweep(temporaries / "temporaries.lock");  // before ours has its lock
+    sweep(temporaries);
+    std::string name = (temporaries / "check_XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)
-        throw Stop(Status::bad_use, workshops.string() + ": cannot be written");
+        throw Stop(Status::bad_use, temporaries.string() + ": cannot be written");
     folder_ = name;
     in_use_.emplace(folder_ / lock);
 }
 
-Workshop::~Workshop() {
+TemporaryFolder::~TemporaryFolder() {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
 }

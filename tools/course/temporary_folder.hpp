@@ -12,12 +12,12 @@ namespace course {
 
 /// A folder for one check, gone with it, by Ctrl-C, too. Throws Stop(bad_use) where there can be
 /// none.
-class Workshop {
+class TemporaryFolder {
 public:
-    Workshop();
-    ~Workshop();
-    Workshop(const Workshop&) = delete;
-    Workshop& operator=(const Workshop&) = delete;
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     const std::filesystem::path& folder() const { return folder_; }
 

@@ -1,4 +1,4 @@
-#include "ledger.hpp"
+#include "claims.hpp"
 
 #include "error.hpp"
 #include "text.hpp"
@@ -17,7 +17,7 @@ void for_each_record(const std::filesystem::path& file, std::size_t fields, Take
         const std::vector<std::string> record = split(line, '\t');
         if (record.size() != fields || !is_row(record.front())) {
             throw Error{file.string(), number,
-                        "must be a ledger row and " + std::to_string(fields - 1) +
+                        "must be a claim and " + std::to_string(fields - 1) +
                             " more fields with tabs between"};
         }
         take(record, number);

@@ -28,7 +28,7 @@
 
 #include "exercise_eigen.hpp"
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     // [answer]
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {

@@ -4,7 +4,7 @@
 // Hint: At the start of the gap the body still had the old spin. Both ends of the gap should count alike.
 namespace new_spin {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = spins[i];
@@ -20,7 +20,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 // Hint: At the end of the gap the body already has the new spin, and the recording knows it.
 namespace old_spin {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = spins[i - 1];
@@ -36,7 +36,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 // Hint: In a product of quaternions the right one acts first, on vectors in the body's axes.
 namespace other_side {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
@@ -52,7 +52,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 // Hint: A 1 with something behind it is longer than 1. What does normalized() do?
 namespace not_scaled {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d half = (times[i] - times[i - 1]) / 4 * (spins[i - 1] + spins[i]);
@@ -69,7 +69,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 //       part is the sine of 10 degrees?
 namespace twice {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = spins[i - 1] + spins[i];
@@ -86,7 +86,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 //       takes the whole angle and halves it itself.
 namespace half {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
@@ -102,7 +102,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 // Hint: The frames come at uneven times. Each gap has its own length: the difference of two times.
 namespace even_frames {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     const double gaps = double(times.size()) - 1;
     const double gap = gaps == 0 ? 0 : (times.back() - times[0]) / gaps;
@@ -120,7 +120,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 // Hint: The second gap is times[2] - times[1]. What is the one that ends at frame i?
 namespace first_gap {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     const double gap = times.size() < 2 ? 0 : times[1] - times[0];
     for (std::size_t i = 1; i < times.size(); ++i) {
@@ -137,7 +137,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 // Hint: Nobody says that the clock begins at zero with the replay. A gap is a difference of two times.
 namespace clock_for_gap {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
@@ -153,7 +153,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 // Hint: Of n frames there are n - 1 gaps. At which frame does the last one end?
 namespace last_gap_lost {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     for (std::size_t i = 1; i + 1 < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
@@ -170,7 +170,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 //       first?
 namespace backwards {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
@@ -186,7 +186,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 // Hint: What would you return where no time goes by?
 namespace only_the_turn {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = Quaterniond::Identity();
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
@@ -203,7 +203,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 // Hint: Turns do not commute: go from frame to frame, and multiply.
 namespace mean_of_all {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Vector3d mean = Vector3d::Zero();
     for (const Vector3d& spin : spins) mean += spin / double(spins.size());
     const Vector3d turn = (times.back() - times[0]) * mean;
@@ -217,7 +217,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 //       write a turn that needs no axis.
 namespace zero_divides {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
@@ -235,7 +235,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 //       the mean of two spins is divided by no gap.
 namespace short_pause {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
         if (times[i] == times[i - 1]) ++i;
@@ -254,7 +254,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 // Hint: Is there a float in your answer, or a number of few digits?
 namespace single_precision {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Eigen::Quaternionf now = q.cast<float>();
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d half = (times[i] - times[i - 1]) / 4 * (spins[i - 1] + spins[i]);

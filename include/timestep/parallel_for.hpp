@@ -17,7 +17,7 @@ namespace timestep {
 /// more than `count`, and where the system gives no thread, the caller does that share, too. `work`
 /// must not throw.
 template <class Work>
-void share_out(std::size_t count, unsigned threads, const Work& work) {
+void parallel_for(std::size_t count, unsigned threads, const Work& work) {
     if (threads > count) threads = unsigned(count);  // no share is empty
     threads = std::max(threads, 1u);
     const auto share = [&](unsigned i) { work(count * i / threads, count * (i + 1) / threads); };

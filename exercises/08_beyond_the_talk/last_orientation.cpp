@@ -28,6 +28,6 @@
 
 #include "exercise_eigen.hpp"
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     return not_started;  // your answer
 }

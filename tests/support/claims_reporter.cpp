@@ -1,6 +1,6 @@
-// Lists the tests by the rows of the talk ledger that they are tagged with:
+// Lists the tests by the claims of the talks that they are tagged with:
 //
-//     timestep_tests --list-tests --reporter ledger
+//     timestep_tests --list-tests --reporter claims
 //
 // prints, for every such tag, a line  row<TAB>test<TAB>file<TAB>line.  The site's page of the talks
 // is made from it. It says nothing of a run's results: for those use any other reporter.
@@ -16,12 +16,12 @@
 
 namespace {
 
-class LedgerReporter : public Catch::StreamingReporterBase {
+class ClaimsReporter : public Catch::StreamingReporterBase {
 public:
     using StreamingReporterBase::StreamingReporterBase;
 
     static std::string getDescription() {
-        return "Lists tests by ledger row: row, test, file, line (with --list-tests)";
+        return "Lists tests by claim: row, test, file, line (with --list-tests)";
     }
 
     void listTests(const std::vector<Catch::TestCaseHandle>& tests) override {
@@ -50,4 +50,4 @@ private:
 
 }  // namespace
 
-CATCH_REGISTER_REPORTER("ledger", LedgerReporter)
+CATCH_REGISTER_REPORTER("claims", ClaimsReporter)

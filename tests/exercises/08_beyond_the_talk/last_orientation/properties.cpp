@@ -1,12 +1,12 @@
-#include "last_attitude.hpp"
+#include "last_orientation.hpp"
 
 #include "property_eigen.hpp"
 
-EXERCISE(last_attitude);
+EXERCISE(last_orientation);
 
 namespace {
 
-// q and -q are the same attitude.
+// q and -q are the same orientation.
 double apart(const Quaterniond& a, const Quaterniond& b) {
     return std::min((a.coeffs() - b.coeffs()).norm(), (a.coeffs() + b.coeffs()).norm());
 }

@@ -2,7 +2,7 @@
 
 namespace by_angle_axis {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond turn = Quaterniond::Identity();
     for (std::size_t i = 0; i + 1 < times.size(); ++i) {
         const Vector3d angle = (times[i + 1] - times[i]) * (0.5 * spins[i] + 0.5 * spins[i + 1]);
@@ -15,7 +15,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 
 namespace in_the_world {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = now * Vector3d((spins[i - 1] + spins[i]) / 2);
@@ -31,7 +31,7 @@ Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<
 
 namespace two_halves {
 
-Quaterniond last_attitude(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     // Half of each gap with the spin of either end.
     const auto turn = [](const Vector3d& angle) {
         const double half = angle.norm() / 2, sinc = half < 1e-4 ? 1 : std::sin(half) / half;
