@@ -25,7 +25,7 @@ hand_in dan submissions/an_endless_loop.cpp
 run() {
     echo "\$ $*"
     [ "$1" != ./course ] || { shift; set -- "$course" "$@"; }
-    STAGE_SOURCE=$source STAGE_BUILD=$build STAGE_CMAKE=true STAGE_CTEST=false "$@" 2>&1 || true
+    FIXTURE_SOURCE=$source FIXTURE_BUILD=$build FIXTURE_CMAKE=true FIXTURE_CTEST=false "$@" 2>&1 || true
     echo
 }
 run ls class

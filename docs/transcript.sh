@@ -19,7 +19,7 @@ file=exercises/01_derivatives/velocity_now.cpp
 
 run() {
     echo "\$ ./course $*"
-    STAGE_SOURCE=$folder STAGE_BUILD=$build STAGE_CMAKE=true STAGE_CTEST=false "$course" "$@" 2>&1 || true
+    FIXTURE_SOURCE=$folder FIXTURE_BUILD=$build FIXTURE_CMAKE=true FIXTURE_CTEST=false "$course" "$@" 2>&1 || true
     echo
 }
 # answer LINE: what the learner writes in place of the line before

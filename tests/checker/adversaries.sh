@@ -4,7 +4,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../tools/expect.sh"
 
 course() {
-    STAGE_SOURCE=${checkout:-$source} STAGE_BUILD=$real_build STAGE_CMAKE=true STAGE_CTEST=false \
+    FIXTURE_SOURCE=${checkout:-$source} FIXTURE_BUILD=$real_build FIXTURE_CMAKE=true FIXTURE_CTEST=false \
         "$program" "$@"
 }
 

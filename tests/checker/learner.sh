@@ -2,7 +2,7 @@
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../tools/expect.sh"
-. "$here/stage.sh"
+. "$here/fixture.sh"
 
 test_from_stub_to_pass() {
     is "$(state velocity_now)" 'not started'
@@ -160,7 +160,7 @@ test_a_torn_progress_file_is_named_and_left_alone() {
 }
 
 test_watch_checks_whenever_the_file_is_saved() {
-    STAGE_SOURCE=$folder/source STAGE_BUILD=$folder/build STAGE_CMAKE=true STAGE_CTEST=false \
+    FIXTURE_SOURCE=$folder/source FIXTURE_BUILD=$folder/build FIXTURE_CMAKE=true FIXTURE_CTEST=false \
         "$program" watch velocity_now >watched 2>&1 &
     watching=$!
     wait_for() {
@@ -183,5 +183,5 @@ test_watch_checks_whenever_the_file_is_saved() {
 
 program=$4 real_build=$5
 begin "$@"
-new_stage
+new_fixture
 "$function"

@@ -2,18 +2,18 @@
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../tools/expect.sh"
-. "$here/stage.sh"
+. "$here/fixture.sh"
 
 # builds NUMBER COMMAND…: the command runs CMake so often.
 builds() {
     number=$1
     shift
     : >calls
-    expect 1 env STAGE_SOURCE="$folder/source" STAGE_BUILD="$folder/build" STAGE_CMAKE="$folder/cmake" STAGE_CTEST=false "$@"
+    expect 1 env FIXTURE_SOURCE="$folder/source" FIXTURE_BUILD="$folder/build" FIXTURE_CMAKE="$folder/cmake" FIXTURE_CTEST=false "$@"
     is "$* $(lines calls)" "$* $number"
 }
 
-# A build folder of this stage's own, and what a check is made of.
+# A build folder of this fixture's own, and what a check is made of.
 new_build() {
     own_build
     for part in ready hidden; do ln -s "$real_build/exercises/$part" build/exercises; done
@@ -62,5 +62,5 @@ test_what_the_front_door_has_built_is_not_built_again() {
 
 program=$4 real_build=$5
 begin "$@"
-new_stage
+new_fixture
 "$function"

@@ -4,7 +4,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../tools/expect.sh"
 
 course() {
-    STAGE_SOURCE=$source STAGE_BUILD=$real_build STAGE_CMAKE=true STAGE_CTEST=false "$program" "$@"
+    FIXTURE_SOURCE=$source FIXTURE_BUILD=$real_build FIXTURE_CMAKE=true FIXTURE_CTEST=false "$program" "$@"
 }
 
 # answer.cpp with these lines in the function; `say_pids` prints its own and its parent's.

@@ -3,7 +3,7 @@
 file=$1 course=$2 source=$3 build=$4
 read -r _ exercise verdict words <"$file"
 verdict=${verdict%:}
-export STAGE_SOURCE="$source" STAGE_BUILD="$build" STAGE_CMAKE=true STAGE_CTEST=false
+export FIXTURE_SOURCE="$source" FIXTURE_BUILD="$build" FIXTURE_CMAKE=true FIXTURE_CTEST=false
 fail() { echo "$1, but it says:"; echo "$said"; exit 1; }
 
 [ -n "$words" ] && json= || json=--json

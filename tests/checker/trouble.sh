@@ -2,7 +2,7 @@
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../tools/expect.sh"
-. "$here/stage.sh"
+. "$here/fixture.sh"
 
 test_a_deleted_file_comes_back_by_reset() {
     rm $file
@@ -159,7 +159,7 @@ test_watch_notices_what_is_saved_during_a_check() {
 
 test_a_compiler_that_does_not_end_is_told_first() {
     own_build 'echo "$TMPDIR $LC_ALL" >surroundings; : >"$TMPDIR/cc.s"; seq 9000; '"$works_a_little"
-    export STAGE_COMPILER_SECONDS=1  # instead of 9
+    export FIXTURE_COMPILER_SECONDS=1  # instead of 9
     expect 1 course check velocity_now
     is "$(sed -n 3p out)" '  The compiler had not come to an end after 10 s.'
     read -r temporary locale <surroundings
@@ -205,11 +205,11 @@ works_a_little='while :; do seq 300000 >/dev/null; sleep 0.3; done'
 
 # What `timeout sh -c` needs in front of the words for the course.
 declared() {
-    echo "STAGE_SOURCE='$folder/source' STAGE_BUILD='$folder/build' STAGE_CMAKE=true" \
-        "STAGE_CTEST=false exec '$program'"
+    echo "FIXTURE_SOURCE='$folder/source' FIXTURE_BUILD='$folder/build' FIXTURE_CMAKE=true" \
+        "FIXTURE_CTEST=false exec '$program'"
 }
 
 program=$4 real_build=$5
 begin "$@"
-new_stage
+new_fixture
 "$function"

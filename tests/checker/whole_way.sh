@@ -6,7 +6,7 @@
 exercise=$1 course=$2 source=$3 build=$4
 room=$(echo "$source"/tests/exercises/*/"$exercise")
 chapter=$(basename "$(dirname "$room")")
-export STAGE_SOURCE="$source" STAGE_BUILD="$build" STAGE_CMAKE=true STAGE_CTEST=false
+export FIXTURE_SOURCE="$source" FIXTURE_BUILD="$build" FIXTURE_CMAKE=true FIXTURE_CTEST=false
 failures=0
 
 # must FILE STATUS VERDICT MISCONCEPTION

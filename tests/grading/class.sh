@@ -1,8 +1,8 @@
-# A class: submissions of velocity_now, graded on a stage of its own.
+# A class: submissions of velocity_now, graded on a fixture of its own.
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../tools/expect.sh"
-. "$here/../checker/stage.sh"
+. "$here/../checker/fixture.sh"
 
 # hand_in NAME FILE: a submission that is a folder.
 hand_in() {

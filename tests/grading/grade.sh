@@ -108,7 +108,7 @@ test_every_adversary_gets_its_verdict() {
     done | sort >expected
     rm -r class/alice class/bob class/carol
     folder_now=$folder
-    STAGE_SOURCE=$source STAGE_BUILD=$real_build STAGE_CMAKE=true STAGE_CTEST=false \
+    FIXTURE_SOURCE=$source FIXTURE_BUILD=$real_build FIXTURE_CMAKE=true FIXTURE_CTEST=false \
         expect 1 "$program" grade class
     folder=$folder_now
     sed -n 's/.*"submission": "\(.*\)",/\1/p;s/.*"verdict": "\(.*\)",/\1/p' class.grades/grades.json |
@@ -177,7 +177,7 @@ test_a_slow_machine_is_nobodys_fault() {
     sh "$source/tests/split.sh" "$source/tests/checker/submissions" submissions
     cp submissions/compiles_without_end_by_templates.cpp bomb.cpp
     hand_in bomb bomb.cpp
-    export STAGE_COMPILER_SECONDS=1
+    export FIXTURE_COMPILER_SECONDS=1
     expect 1 course grade class --jobs 2
     says err ' not done in time; once more, one at a time'
     is "$(verdict_of bomb)" does_not_compile
@@ -208,12 +208,12 @@ test_without_bubblewrap_it_refuses() {
 
 # For `env`: the course by its words.
 words() {
-    echo "STAGE_SOURCE=$folder/source STAGE_BUILD=$folder/build STAGE_CMAKE=$(command -v true)" \
-        "STAGE_CTEST=false $program"
+    echo "FIXTURE_SOURCE=$folder/source FIXTURE_BUILD=$folder/build FIXTURE_CMAKE=$(command -v true)" \
+        "FIXTURE_CTEST=false $program"
 }
 
 program=$4 real_build=$5
 begin "$@"
-new_stage
+new_fixture
 new_class
 "$function"

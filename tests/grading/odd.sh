@@ -190,12 +190,12 @@ test_a_full_disk_costs_nothing() {
 }
 
 words() {
-    echo "env STAGE_SOURCE=$folder/source STAGE_BUILD=$folder/build STAGE_CMAKE=$(command -v true)" \
-        "STAGE_CTEST=false $program"
+    echo "env FIXTURE_SOURCE=$folder/source FIXTURE_BUILD=$folder/build FIXTURE_CMAKE=$(command -v true)" \
+        "FIXTURE_CTEST=false $program"
 }
 
 program=$4 real_build=$5
 begin "$@"
-new_stage
+new_fixture
 new_class
 "$function"

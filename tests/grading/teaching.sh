@@ -1,4 +1,4 @@
-# What teachers copy from docs/teaching: with a kit whose `course` is the course program on a stage.
+# What teachers copy from docs/teaching: with a kit whose `course` is the course program on a fixture.
 
 . "$(dirname "$0")/class.sh"
 
@@ -9,7 +9,7 @@ kit() {
 #!/bin/sh
 [ "\$1" != setup ] || exit 0
 for word; do shift; [ "\$word" = --yes ] || set -- "\$@" "\$word"; done
-export STAGE_SOURCE='$folder/source' STAGE_BUILD='$folder/build' STAGE_CMAKE=true STAGE_CTEST=false
+export FIXTURE_SOURCE='$folder/source' FIXTURE_BUILD='$folder/build' FIXTURE_CMAKE=true FIXTURE_CTEST=false
 exec '$program' "\$@"
 END
     chmod +x "$1/kit/course"
@@ -59,5 +59,5 @@ test_classroom_passes_and_fails() {
 
 program=$4 real_build=$5
 begin "$@"
-new_stage
+new_fixture
 "$function"

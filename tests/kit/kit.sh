@@ -4,7 +4,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../tools/expect.sh"
 
 make_kit() {
-    STAGE_SOURCE=$checkout STAGE_BUILD=$real_build STAGE_CMAKE=true STAGE_CTEST=false \
+    FIXTURE_SOURCE=$checkout FIXTURE_BUILD=$real_build FIXTURE_CMAKE=true FIXTURE_CTEST=false \
         "$program" kit "$@"
 }
 
@@ -52,8 +52,8 @@ test_a_new_file_is_in_the_next_one() {
 works() {
     cmake -S . -B build >said 2>&1 || { cat said; fail 'it cannot be configured'; }
     course() {
-        STAGE_SOURCE=$PWD STAGE_BUILD=$PWD/build STAGE_CMAKE=cmake STAGE_CTEST=ctest \
-            ../course_on_stage "$@"
+        FIXTURE_SOURCE=$PWD FIXTURE_BUILD=$PWD/build FIXTURE_CMAKE=cmake FIXTURE_CTEST=ctest \
+            ../course_with_fakes "$@"
     }
     file=exercises/01_derivatives/velocity_now.cpp
     expect 1 course check velocity_now
@@ -95,7 +95,7 @@ test_it_works_elsewhere_without_the_checkout() {
     expect 0 make_kit kit
     mkdir "some folder" "some folder/answers"
     mv kit "some folder/a kit of ours"
-    cp "$program" "some folder/course_on_stage"
+    cp "$program" "some folder/course_with_fakes"
     answers="some folder/answers"
     cp "$source/solutions/01_derivatives/velocity_now.cpp" "$answers/solution.cpp"
     cp "$source/solutions/05_gyroscopic/world_acceleration.cpp" "$answers/eigen.cpp"
@@ -197,8 +197,8 @@ test_odd_names() {
 
 test_a_full_disk_leaves_nothing() {
     mkdir disk
-    expect 2 bwrap --dev-bind / / --size 2000000 --tmpfs "$folder/disk" env STAGE_SOURCE="$checkout" \
-        STAGE_BUILD="$real_build" STAGE_CMAKE=true STAGE_CTEST=false \
+    expect 2 bwrap --dev-bind / / --size 2000000 --tmpfs "$folder/disk" env FIXTURE_SOURCE="$checkout" \
+        FIXTURE_BUILD="$real_build" FIXTURE_CMAKE=true FIXTURE_CTEST=false \
         sh -c '"$1" kit disk/kit; status=$?; ls -A disk; exit $status' kit "$program"
     is "$(grep -v '^Building' err | grep -c 'cannot be written (.*is the disk full')" 1
     is "$(cat out)" ''
@@ -207,7 +207,7 @@ test_a_full_disk_leaves_nothing() {
 test_an_interrupt_leaves_nothing() {
     default_signals=
     ! env --default-signal=INT true 2>/dev/null || default_signals=--default-signal=INT
-    STAGE_SOURCE=$checkout STAGE_BUILD=$real_build STAGE_CMAKE=true STAGE_CTEST=false \
+    FIXTURE_SOURCE=$checkout FIXTURE_BUILD=$real_build FIXTURE_CMAKE=true FIXTURE_CTEST=false \
         env $default_signals "$program" kit kit >out 2>err &
     running=$!
     while kill -0 $running 2>/dev/null; do

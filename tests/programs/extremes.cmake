@@ -1,6 +1,6 @@
 # The largest and smallest numbers that an option's rule lets through: the program comes to an end,
 # and either finds something or refuses with one line. It never crashes and never loops for ever.
-# Its account stays readable: what grows without bound is not written out with all of its digits.
+# Its output stays readable: what grows without bound is not written out with all of its digits.
 include("${CMAKE_CURRENT_LIST_DIR}/program.cmake")
 
 read_options()

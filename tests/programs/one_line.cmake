@@ -1,5 +1,5 @@
 # A chapter's program is small, stands alone and does what its first lines say: compiled and run by the line that
-# stands there, word for word but for the compiler's name, it prints its account and leaves one file of data. Where
+# stands there, word for word but for the compiler's name, it prints its output and leaves one file of data. Where
 # it cannot write, it says so in one line, with exit status 2. Called with ROOT, CHAPTER, NAME, COMPILER, EIGEN, WORK.
 cmake_minimum_required(VERSION 3.25)
 

@@ -28,9 +28,9 @@ macro(run_program)
 endmacro()
 
 # The same under `limits`, words of the shell that stand before the program's name, and with its
-# account sent to `account`.
-macro(run_limited limits account)
-  execute_process(COMMAND sh -c "${a_minute} ${limits} exec \"$@\" >${account}" sh "${PROGRAM}" ${ARGN}
+# printed sent to `printed`.
+macro(run_limited limits printed)
+  execute_process(COMMAND sh -c "${a_minute} ${limits} exec \"$@\" >${printed}" sh "${PROGRAM}" ${ARGN}
     WORKING_DIRECTORY "${WORK}" TIMEOUT ${patience}
     RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
 endmacro()

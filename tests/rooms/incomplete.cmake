@@ -1,9 +1,9 @@
 # Takes one thing after another out of a chapter: the configuration must fail, and say what is
 # missing where.
-include("${CMAKE_CURRENT_LIST_DIR}/stage.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/fixture.cmake")
 
-set_stage()
-set(room "${stage}/chapters/01_small")
+set_fixture()
+set(room "${fixture}/chapters/01_small")
 set(about "{\"title\": \"Small\", \"question\": \"Why?\", \"needs\": [], \"builds_on\": [],
  \"rows\": [\"N01\"], \"picture\": \"one.svg\", \"figures\": [\"one.svg\"]}\n")
 
@@ -15,7 +15,7 @@ function(furnish)
   file(WRITE "${room}/figures.gp" "load style\n")
   file(WRITE "${room}/study/study.cpp" "int main() {}\n")
   file(WRITE "${room}/study/figures.gp" "load style\n")
-  file(WRITE "${stage}/tests/chapters/01_small.cpp" "TEST_CASE(\"small\", \"[N01]\") {}\n")
+  file(WRITE "${fixture}/tests/chapters/01_small.cpp" "TEST_CASE(\"small\", \"[N01]\") {}\n")
 endfunction()
 
 macro(must_fail what words)
@@ -38,11 +38,11 @@ endif()
 foreach(file chapters/01_small/about.json chapters/01_small/chapter.md chapters/01_small/small.cpp
              chapters/01_small/figures.gp chapters/01_small/study/study.cpp
              chapters/01_small/study/figures.gp tests/chapters/01_small.cpp)
-  file(REMOVE "${stage}/${file}")
+  file(REMOVE "${fixture}/${file}")
   must_fail("without ${file}" "chapter 01_small: ${file} is missing")
 endforeach()
 
-file(WRITE "${stage}/tests/chapters/01_small.cpp" "int nothing;\n")
+file(WRITE "${fixture}/tests/chapters/01_small.cpp" "int nothing;\n")
 must_fail("a test file without a test" "tests/chapters/01_small.cpp holds no TEST_CASE")
 
 foreach(key title question needs builds_on rows picture figures)
@@ -73,14 +73,14 @@ file(WRITE "${room}/about.json" "{ \"title\": ")
 must_fail("a torn about.json" "chapters/01_small/about.json: is not JSON")
 
 # A claim of the talks is one chapter's.
-file(COPY "${room}/" DESTINATION "${stage}/chapters/02_more")
-file(RENAME "${stage}/chapters/02_more/small.cpp" "${stage}/chapters/02_more/more.cpp")
-file(COPY_FILE "${stage}/tests/chapters/01_small.cpp" "${stage}/tests/chapters/02_more.cpp")
+file(COPY "${room}/" DESTINATION "${fixture}/chapters/02_more")
+file(RENAME "${fixture}/chapters/02_more/small.cpp" "${fixture}/chapters/02_more/more.cpp")
+file(COPY_FILE "${fixture}/tests/chapters/01_small.cpp" "${fixture}/tests/chapters/02_more.cpp")
 must_fail("a row claimed twice" "chapters/02_more/about.json: claims names N01, which chapters/01_small claims")
-file(REMOVE_RECURSE "${stage}/chapters/02_more")
+file(REMOVE_RECURSE "${fixture}/chapters/02_more")
 
 foreach(name small 1_small 01-small 01_Small)
-  file(MAKE_DIRECTORY "${stage}/chapters/${name}")
+  file(MAKE_DIRECTORY "${fixture}/chapters/${name}")
   must_fail("a folder ${name}" "chapters/${name}: a chapter's folder is named NN_name")
-  file(REMOVE_RECURSE "${stage}/chapters/${name}")
+  file(REMOVE_RECURSE "${fixture}/chapters/${name}")
 endforeach()

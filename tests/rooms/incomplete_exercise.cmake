@@ -2,23 +2,23 @@
 # where. Expects ROOT, WORK, GENERATOR and MAKE.
 cmake_minimum_required(VERSION 3.25)
 
-set(stage "${WORK}/course")
+set(fixture "${WORK}/course")
 set(room tests/exercises/01_derivatives/velocity_now)
 set(solution solutions/01_derivatives/velocity_now.cpp)
 
 # The exercise, whole, in a project that reads nothing else.
 function(furnish)
-  file(REMOVE_RECURSE "${stage}")
-  file(COPY "${ROOT}/${room}" DESTINATION "${stage}/tests/exercises/01_derivatives")
-  file(COPY "${ROOT}/${solution}" DESTINATION "${stage}/solutions/01_derivatives")
-  file(WRITE "${stage}/CMakeLists.txt" "cmake_minimum_required(VERSION 3.25)\nproject(stage LANGUAGES NONE)
+  file(REMOVE_RECURSE "${fixture}")
+  file(COPY "${ROOT}/${room}" DESTINATION "${fixture}/tests/exercises/01_derivatives")
+  file(COPY "${ROOT}/${solution}" DESTINATION "${fixture}/solutions/01_derivatives")
+  file(WRITE "${fixture}/CMakeLists.txt" "cmake_minimum_required(VERSION 3.25)\nproject(fixture LANGUAGES NONE)
 include(\"${ROOT}/tools/cmake/exercise.cmake\")
 timestep_read_exercise(01_derivatives velocity_now \"\${PROJECT_BINARY_DIR}/generated\")\n")
 endfunction()
 
 macro(configure)
   execute_process(
-    COMMAND "${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${stage}" -B "${WORK}/build"
+    COMMAND "${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${fixture}" -B "${WORK}/build"
             "-DCMAKE_MAKE_PROGRAM=${MAKE}"
     RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   string(REGEX REPLACE "[ \n]+" " " output "${output}")
@@ -47,20 +47,20 @@ if(NOT made MATCHES "h\\) {\n    return not_started;  // your answer\n}\n$")
 endif()
 
 foreach(file ${solution} ${room}/about.json ${room}/properties.cpp ${room}/correct.cpp ${room}/mistakes.cpp)
-  file(REMOVE "${stage}/${file}")
+  file(REMOVE "${fixture}/${file}")
   must_fail("without ${file}" "exercise velocity_now: ${file} is missing")
 endforeach()
-file(WRITE "${stage}/${room}/properties.cpp" "int nothing;\n")
+file(WRITE "${fixture}/${room}/properties.cpp" "int nothing;\n")
 must_fail("no property" "${room}/properties.cpp holds no PROPERTY")
 
 # edit(FILE FROM TO): in a file of the exercise; what is to be replaced must be there.
 function(edit file from to)
-  file(READ "${stage}/${room}/${file}" text)
+  file(READ "${fixture}/${room}/${file}" text)
   string(REPLACE "${from}" "${to}" changed "${text}")
   if(changed STREQUAL text)
     message(SEND_ERROR "${file} holds no ${from}")
   endif()
-  file(WRITE "${stage}/${room}/${file}" "${changed}")
+  file(WRITE "${fixture}/${room}/${file}" "${changed}")
 endfunction()
 edit(correct.cpp "namespace weights {" "namespace {")
 must_fail("one correct variant" "${room}/correct.cpp: needs two answers")
@@ -79,7 +79,7 @@ must_fail("two mistakes with one hint" "what middle Hint is said of another mist
 file(READ "${ROOT}/${room}/about.json" about)
 foreach(key number title level practises declaration eigen hints learned)
   string(JSON without REMOVE "${about}" ${key})
-  file(WRITE "${stage}/${room}/about.json" "${without}")
+  file(WRITE "${fixture}/${room}/about.json" "${without}")
   must_fail("about.json without ${key}" "${room}/about.json: ${key}")
 endforeach()
 foreach(mistake
@@ -92,16 +92,16 @@ foreach(mistake
   list(GET mistake 2 value)
   list(GET mistake 3 words)
   string(JSON wrong SET "${about}" ${key} "${value}")
-  file(WRITE "${stage}/${room}/about.json" "${wrong}")
+  file(WRITE "${fixture}/${room}/about.json" "${wrong}")
   must_fail("${what}" "${words}")
 endforeach()
-file(WRITE "${stage}/${room}/about.json" "{ \"title\": ")
+file(WRITE "${fixture}/${room}/about.json" "{ \"title\": ")
 must_fail("a torn about.json" "${room}/about.json: is not JSON")
 
 file(READ "${ROOT}/${solution}" text)
 string(REPLACE "// [answer]" "" unmarked "${text}")
-file(WRITE "${stage}/${solution}" "${unmarked}")
+file(WRITE "${fixture}/${solution}" "${unmarked}")
 must_fail("an unmarked answer" "needs two lines // [answer]")
 string(REPLACE "double h)" "double step)" renamed "${text}")
-file(WRITE "${stage}/${solution}" "${renamed}")
+file(WRITE "${fixture}/${solution}" "${renamed}")
 must_fail("another signature" "as about.json declares it")

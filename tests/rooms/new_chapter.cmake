@@ -1,11 +1,11 @@
 # A newcomer adds a chapter and an exercise by the commands in README.md, word for word. What they write is whole: it
 # is configured, built and run, it draws its figure, its tests pass, its page is filled, and the tests of the exercise
-# tell right from wrong. Called as incomplete.cmake is, and with COURSE (the course program on a stage), GNUPLOT, PAGE
+# tell right from wrong. Called as incomplete.cmake is, and with COURSE (the course program on a fixture), GNUPLOT, PAGE
 # (the page tool), CATCH2 or CATCH2_SOURCE.
-include("${CMAKE_CURRENT_LIST_DIR}/stage.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/fixture.cmake")
 
 function(step what)
-  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${stage}" RESULT_VARIABLE status
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${fixture}" RESULT_VARIABLE status
     OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "${what}: exits with ${status}\n${output}")
@@ -13,15 +13,15 @@ function(step what)
 endfunction()
 
 # The course with its smallest chapter alone, to be quick.
-set_stage()
-file(COPY "${ROOT}/docs" "${ROOT}/README.md" DESTINATION "${stage}")
-file(COPY "${ROOT}/chapters/01_derivatives" DESTINATION "${stage}/chapters")
-file(COPY "${ROOT}/tests/CMakeLists.txt" "${ROOT}/tests/support" DESTINATION "${stage}/tests")
-file(COPY "${ROOT}/tests/chapters/01_derivatives.cpp" DESTINATION "${stage}/tests/chapters")
-file(COPY "${ROOT}/tests/exercises" DESTINATION "${stage}/tests" FILES_MATCHING PATTERN "*.txt" PATTERN "*.cmake")
-file(WRITE "${stage}/course" "#!/bin/sh\nexport 'STAGE_SOURCE=${stage}' 'STAGE_BUILD=${WORK}/build' \
-'STAGE_CMAKE=${CMAKE_COMMAND}' STAGE_CTEST=false\nexec '${COURSE}' \"$@\"\n")
-file(CHMOD "${stage}/course" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+set_fixture()
+file(COPY "${ROOT}/docs" "${ROOT}/README.md" DESTINATION "${fixture}")
+file(COPY "${ROOT}/chapters/01_derivatives" DESTINATION "${fixture}/chapters")
+file(COPY "${ROOT}/tests/CMakeLists.txt" "${ROOT}/tests/support" DESTINATION "${fixture}/tests")
+file(COPY "${ROOT}/tests/chapters/01_derivatives.cpp" DESTINATION "${fixture}/tests/chapters")
+file(COPY "${ROOT}/tests/exercises" DESTINATION "${fixture}/tests" FILES_MATCHING PATTERN "*.txt" PATTERN "*.cmake")
+file(WRITE "${fixture}/course" "#!/bin/sh\nexport 'FIXTURE_SOURCE=${fixture}' 'FIXTURE_BUILD=${WORK}/build' \
+'FIXTURE_CMAKE=${CMAKE_COMMAND}' FIXTURE_CTEST=false\nexec '${COURSE}' \"$@\"\n")
+file(CHMOD "${fixture}/course" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
 
 if(CATCH2)
   set(catch2 "-DCatch2_DIR=${CATCH2}")
@@ -45,11 +45,11 @@ step("build and run" "${CMAKE_COMMAND}" --build "${WORK}/build" --parallel 2
   --target run_my_topic timestep_tests self_test)
 step("the chapter's tests" "${WORK}/build/tests/timestep_tests" "my_topic: *")
 foreach(script one_line bad_options full_disk extremes)
-  step("${script}" "${CMAKE_COMMAND}" "-DROOT=${stage}" -DCHAPTER=${chapter} -DNAME=my_topic "-DCOMPILER=${COMPILER}"
-    "-DPROGRAM=${study}" "-DROOM=${stage}/chapters/${chapter}/study" -DEVERY_WAY=ON "-DWORK=${WORK}/${script}"
+  step("${script}" "${CMAKE_COMMAND}" "-DROOT=${fixture}" -DCHAPTER=${chapter} -DNAME=my_topic "-DCOMPILER=${COMPILER}"
+    "-DPROGRAM=${study}" "-DROOM=${fixture}/chapters/${chapter}/study" -DEVERY_WAY=ON "-DWORK=${WORK}/${script}"
     -P "${ROOT}/tests/programs/${script}.cmake")
 endforeach()
-step("page" "${PAGE}" --source "${stage}" --runs "${WORK}/build/chapters" --chapter ${chapter}
+step("page" "${PAGE}" --source "${fixture}" --runs "${WORK}/build/chapters" --chapter ${chapter}
   --figures "${WORK}/figures" --input chapters/${chapter}/chapter.md --output "${WORK}/page.md"
   --index "${WORK}/index.tsv")
 foreach(result page.md index.tsv build/chapters/${chapter}/run/done build/chapters/${chapter}/run/fall.svg)
@@ -64,6 +64,6 @@ endif()
 
 step("the tests of the exercise's tests" "${WORK}/build/exercises/self_test" my_function 200)
 foreach(script files handed_out)
-  step("${script}" "${CMAKE_COMMAND}" "-DROOT=${stage}" "-DGENERATED=${WORK}/build/exercises/generated"
+  step("${script}" "${CMAKE_COMMAND}" "-DROOT=${fixture}" "-DGENERATED=${WORK}/build/exercises/generated"
     -P "${ROOT}/tests/exercises/${script}.cmake")
 endforeach()

@@ -2,7 +2,7 @@
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/expect.sh"
-. "$here/stage.sh"
+. "$here/fixture.sh"
 
 refuses() {
     what=$1
@@ -333,5 +333,5 @@ test_the_words_are_those_of_what_they_mean() {
 }
 
 begin "$@"
-new_stage "$4" "$5"
+new_fixture "$4" "$5"
 "$function"

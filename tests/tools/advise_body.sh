@@ -2,7 +2,7 @@
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/expect.sh"
-. "$here/stage.sh"
+. "$here/fixture.sh"
 
 plank='--inertia 0.758,0.787,0.0313 --spin 0,0,20'
 box='--inertia 13,10,5 --spin 1,10,0.1'
@@ -117,5 +117,5 @@ test_people_are_told_one_line_to_take_and_last() {
 }
 
 begin "$@"
-new_stage "$4" "$5"
+new_fixture "$4" "$5"
 "$function"

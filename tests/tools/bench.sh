@@ -3,7 +3,7 @@
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/expect.sh"
-. "$here/stage.sh"
+. "$here/fixture.sh"
 
 refuses() {
     what=$1
@@ -91,7 +91,7 @@ END
 # Killed when the first of two scenes is there, it goes on with the second.
 test_bench_goes_on_where_it_was_killed() {
     no_gnuplot
-    ( export STAGE_SOURCE="$folder/source" STAGE_BUILD="$folder/build" STAGE_CMAKE="$folder/bin/stage_cmake"
+    ( export FIXTURE_SOURCE="$folder/source" FIXTURE_BUILD="$folder/build" FIXTURE_CMAKE="$folder/bin/fixture_cmake"
       PATH=$folder/bin:$PATH exec "$program" bench --quick --scene spring --scene damped_spring --out there ) \
         >out 2>err </dev/null &
     killed=$!
@@ -198,7 +198,7 @@ draws_badly() { printf '#!/bin/sh\necho no\nexit 1\n' >bin/gnuplot; chmod +x bin
 
 ctest=$6 missing=$8
 begin "$@"
-new_stage "$4" "$5"
+new_fixture "$4" "$5"
 mkdir -p build/tools/bench
 ln -s "$7" build/tools/bench/bench
 "$function"

@@ -2,7 +2,7 @@
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/expect.sh"
-. "$here/stage.sh"
+. "$here/fixture.sh"
 
 test_bad_use_is_one_line_and_status_2() {
     for words in '' turo '--json' 'list --jsn' 'list 3' 'run' 'run 3 4' 'run 3 --out' 'tour -- --step' 'hint' 'solution' 'reset' 'check --sed 3' 'check 1.1 1.2' \
@@ -137,7 +137,7 @@ test_on_a_terminal_tour_shows_that_it_goes_on() {
     printf '[1/2] Building CXX object a.cpp.o\n[2/2] Running chapter 03_swing\n' >build_says
     : >build_pauses
     cat >on_terminal.sh <<END
-. '$here/stage.sh'
+. '$here/fixture.sh'
 folder=$folder program=$program ctest=$ctest
 course tour
 END
@@ -181,19 +181,19 @@ test_tour_does_not_invent_a_time() {
 test_site_gives_an_address_that_a_browser_takes() {
     mv build 'the build'
     ln -s 'the build' build
-    expect 0 env STAGE_SOURCE="$folder/source" STAGE_BUILD="$folder/the build" \
-        STAGE_CMAKE="$folder/bin/stage_cmake" "$program" site
+    expect 0 env FIXTURE_SOURCE="$folder/source" FIXTURE_BUILD="$folder/the build" \
+        FIXTURE_CMAKE="$folder/bin/fixture_cmake" "$program" site
     is "$(cat out)" "file://$folder/the%20build/site/html/index.html"
     says calls docs
 }
 
 test_site_opens_where_it_is_asked_to() {
-    stand_in_browser 0
+    fake_browser 0
     expect 0 course site
     [ ! -e opened ] || fail 'opened without being asked'
     expect 0 course site --open
     is "$(cat opened)" "file://$folder/build/site/html/index.html"
-    stand_in_browser 1
+    fake_browser 1
     expect 3 course site --open
     says err 'course: xdg-open found no browser; open the address above in one'
 }
@@ -204,7 +204,7 @@ test_an_interrupt_reaches_what_runs_and_ends_the_command() {
     chmod +x bin/xdg-open
     cat >interrupted.sh <<END
 trap : INT
-. '$here/stage.sh'
+. '$here/fixture.sh'
 folder=$folder program=$program ctest=$ctest
 course site --open
 echo "status \$?" >status
@@ -213,7 +213,7 @@ END
     is "$(cat status)" 'status 130'
 }
 
-stand_in_browser() {
+fake_browser() {
     printf '#!/bin/sh\necho "$1" >"%s/opened"\nexit %s\n' "$folder" "$1" >bin/xdg-open
     chmod +x bin/xdg-open
 }
@@ -221,5 +221,5 @@ stand_in_browser() {
 source_of_door=$3/course
 ctest=$6
 begin "$@"
-new_stage "$4" "$5"
+new_fixture "$4" "$5"
 "$function"

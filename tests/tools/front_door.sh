@@ -1,4 +1,4 @@
-# Tests of ./course on a machine of stand-ins: what it understands, builds, hands over and says.
+# Tests of ./course on a machine of fakes: what it understands, builds, hands over and says.
 
 here=$(dirname "$0")
 . "$here/expect.sh"
@@ -64,7 +64,7 @@ test_with_nothing_new_it_hands_over_and_asks_nobody() {
     make_sources
     expect 7 course list
     for tool in cat sed grep dirname apt-cache cmake tr env flock; do
-        stand_in $tool "echo $tool >>'$folder/calls'; exit 1"
+        fake $tool "echo $tool >>'$folder/calls'; exit 1"
     done
     : >calls
     for command in tour list run where check watch hint solution reset new advise bench site kit test; do

@@ -1,8 +1,8 @@
-# A machine of stand-ins: $folder/bin is all there is on PATH, $folder/usr all there is of headers.
+# A machine of fakes: $folder/bin is all there is on PATH, $folder/usr all there is of headers.
 # What is asked of apt-get, sudo and cmake is kept in $folder/calls.
 
 # What stands there is a link to the real one: it must go first.
-stand_in() { rm -f "bin/$1"; printf '#!/bin/sh\n%s\n' "$2" >"bin/$1"; chmod +x "bin/$1"; }
+fake() { rm -f "bin/$1"; printf '#!/bin/sh\n%s\n' "$2" >"bin/$1"; chmod +x "bin/$1"; }
 
 # new_machine USER_ID: with apt-get, apt-cache and nothing that the course needs.
 new_machine() {
@@ -13,16 +13,16 @@ new_machine() {
         ln -s "$(command -v $tool)" bin/$tool
     done
     : >calls
-    stand_in id "echo $1"
+    fake id "echo $1"
     # apt-get install NAME leaves $folder/apt/NAME's files in place.
-    stand_in apt-get "echo \"apt-get \$*\" >>'$folder/calls'
+    fake apt-get "echo \"apt-get \$*\" >>'$folder/calls'
 [ ! -e '$folder/apt_fails' ] || { echo 'E: Unable to fetch some archives'; exit 100; }
 for word; do last=\$word; case \$word in
     install) installing=yes ;; update) installing= ;; -*) ;;
     *) [ -z \"\$installing\" ] || [ ! -e '$folder/apt/'\$word ] || {
         echo \"Setting up \$word (1.0) ...\"; . '$folder/apt/'\$word; } ;;
 esac; done"
-    stand_in apt-cache "case \$1 in
+    fake apt-cache "case \$1 in
 policy) case \$2 in
     catch2) echo '  Candidate: '\$(cat '$folder/catch2_version') ;;
     *) echo '  Candidate: 6.4.1+dfsg1-3' ;;
@@ -89,7 +89,7 @@ END
 
 # sudo that lets everything through (yes) or nothing (no).
 have_sudo() {
-    stand_in sudo "echo \"sudo \$*\" >>'$folder/calls'
+    fake sudo "echo \"sudo \$*\" >>'$folder/calls'
 [ $1 = yes ] || exit 1
 case \$1 in -v) exit ;; -n) shift ;; esac
 \"\$@\""

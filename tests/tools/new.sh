@@ -2,10 +2,10 @@
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/expect.sh"
-. "$here/stage.sh"
+. "$here/fixture.sh"
 
 # A checkout that CMake can configure: chapters are targets, exercises are read as in earnest.
-stage_for_new() {
+fixture_for_new() {
     mkdir -p source/tests/chapters source/tests/exercises/03_swing source/solutions/03_swing source/exercises/03_swing
     cp -r "$source/tools/new" source/tools
     printf '| [1 A](chapters/01_fall) | Why? |\n| [3 B](chapters/03_swing) | Why? |\n\nAnd so on.\n' >source/README.md
@@ -14,7 +14,7 @@ stage_for_new() {
     cp "$source/exercises/01_derivatives/velocity_now.cpp" source/exercises/03_swing
     cat >source/CMakeLists.txt <<'END'
 cmake_minimum_required(VERSION 3.25)
-project(stage LANGUAGES NONE)
+project(fixture LANGUAGES NONE)
 include(tools/cmake/exercise.cmake)
 file(GLOB chapters RELATIVE "${PROJECT_SOURCE_DIR}/chapters" chapters/*)
 foreach(chapter IN LISTS chapters ITEMS 00_docs)
@@ -161,6 +161,6 @@ test_the_learners_edition_makes_none() {
 
 ctest=$6
 begin "$@"
-new_stage "$4" "$5"
-stage_for_new
+new_fixture "$4" "$5"
+fixture_for_new
 "$function"

@@ -2,7 +2,7 @@
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/expect.sh"
-. "$here/stage.sh"
+. "$here/fixture.sh"
 
 test_run_is_the_short_program_and_its_picture() {
     expect 0 course run 3 --out made/for/me
@@ -18,9 +18,9 @@ test_run_is_the_short_program_and_its_picture() {
     says err './course run 3 --study -- --step'
 }
 
-test_study_leaves_everything_and_shows_the_account() {
+test_study_leaves_everything_and_shows_the_output() {
     expect 0 course run 3 --study --out made/for/me
-    says out 'The account, with'
+    says out 'The output, with'
     says out "Data, numbers and figures: $folder/made/for/me"
     is "$(cd made/for/me && echo *)" \
         'motion.dat motion.tsv numbers.tsv program.txt run.txt seconds.txt swing.svg'
@@ -64,7 +64,7 @@ test_a_chapter_has_four_names() {
 
 test_options_reach_the_chapters_program_as_they_are() {
     expect 0 course run 3 --study -- --step 0.1 'two words' 'a;b' --all
-    says out 'The account, with <--step> <0.1> <two words> <a;b> <--all>'
+    says out 'The output, with <--step> <0.1> <two words> <a;b> <--all>'
     expect 2 course run 3 --study -- --step ''
     is "$(cat err)" "course: '': there is an empty word after the --"
 }
@@ -139,7 +139,7 @@ test_a_file_that_cannot_be_written_has_the_readers_name() {
     expect 2 course run 3 --study --out new -- --full
     is "$(cat err)" "course: swing: $folder/new/motion.tsv: cannot be written"
     [ ! -e new ] || fail 'something was left'
-    # Here CMake itself cannot write the account.
+    # Here CMake itself cannot write the output.
     expect 2 course run 3 --study --out new -- --blocked
     says err "$folder/new/run.txt"
     silent_on err 'CMake Error'
@@ -164,7 +164,7 @@ test_an_interrupted_run_leaves_nothing() {
     command -v setsid >/dev/null || exit 77
     cat >interrupted.sh <<END
 trap : INT
-. '$here/stage.sh'
+. '$here/fixture.sh'
 folder=$folder program=$program ctest=$ctest
 course run 3 --study --out new -- --interrupt
 echo "status \$?" >status
@@ -176,5 +176,5 @@ END
 
 ctest=$6
 begin "$@"
-new_stage "$4" "$5"
+new_fixture "$4" "$5"
 "$function"

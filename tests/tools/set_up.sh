@@ -1,4 +1,4 @@
-# Tests of ./course on a machine of stand-ins: what it looks for, asks and installs.
+# Tests of ./course on a machine of fakes: what it looks for, asks and installs.
 
 here=$(dirname "$0")
 . "$here/expect.sh"
@@ -44,7 +44,7 @@ test_tools_from_elsewhere_count() {
     new_machine 0
     have_all
     rm bin/g++ usr/include/eigen3/Eigen/Core
-    stand_in clang++ ''
+    fake clang++ ''
     mkdir -p "own/include/eigen3/Eigen"
     : >own/include/eigen3/Eigen/Core
     expect 7 env CMAKE_PREFIX_PATH="$folder/nothing:$folder/own" PATH="$folder/bin" \

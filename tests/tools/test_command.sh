@@ -2,7 +2,7 @@
 
 here=$(dirname "$0")
 . "$here/expect.sh"
-. "$here/stage.sh"
+. "$here/fixture.sh"
 
 # tests NAME=STATUS…: what ctest finds in the build folder; 77 is a skip.
 tests() {
@@ -83,5 +83,5 @@ test_a_build_that_fails_runs_no_test() {
 
 ctest=$6
 begin "$@"
-new_stage "$4" "$5"
+new_fixture "$4" "$5"
 "$function"

@@ -2,7 +2,7 @@
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/expect.sh"
-. "$here/stage.sh"
+. "$here/fixture.sh"
 
 # A run of chapter 3, and what shows it.
 new_run() {
@@ -110,5 +110,5 @@ test_without_a_run_the_command_that_makes_it_is_told() {
 
 ctest=$6
 begin "$@"
-new_stage "$4" "$5"
+new_fixture "$4" "$5"
 "$function"

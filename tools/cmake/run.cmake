@@ -2,8 +2,8 @@
 #   cmake -DPROGRAM=… [-DSTUDY=…] -DOUT=… -DROOM=chapters/NN_name -DSTYLE=style.gp -DGNUPLOT=…
 #         [-DQUIET=ON] [-DARGUMENTS=--omega;2] [-DCOMPLAINT=file]
 #         [-DMISUSES=chapters/…/x.cpp;… -DROOT=… -DCOMPILER=c++] -P run.cmake
-# Leaves in OUT: the program's data (*.dat), its account (program.txt), how long it took (seconds.txt) and its
-# picture; of the study data (*.tsv), numbers.tsv, checks.tsv, the account (run.txt) and all other figures. All
+# Leaves in OUT: the program's data (*.dat), its output (program.txt), how long it took (seconds.txt) and its
+# picture; of the study data (*.tsv), numbers.tsv, checks.tsv, the output (run.txt) and all other figures. All
 # of it is made in a folder of its own and moved in, file by file, when it is whole: a full disk changes
 # nothing, a kill during the moves can leave old files beside new ones. ARGUMENTS are the study's.
 # MISUSES are sources that must not compile: what the compiler says of x.cpp becomes x.txt.
@@ -63,15 +63,15 @@ string(RANDOM LENGTH 12 word)
 set(work "${OUT}/.unfinished_run_${word}")
 file(MAKE_DIRECTORY "${work}")
 
-# Runs a program in `work` and sets `account` to what it prints. `options` names the list of its options, in which
+# Runs a program in `work` and sets `printed` to what it prints. `options` names the list of its options, in which
 # a semicolon may be part of one.
-function(account_of program options)
+function(output_of program options)
   set(out "")
   if(program STREQUAL STUDY)
     set(out --out "${work}")
   endif()
   execute_process(COMMAND "${program}" ${out} ${${options}} WORKING_DIRECTORY "${work}"
-    OUTPUT_VARIABLE account ERROR_VARIABLE complaint RESULT_VARIABLE status)
+    OUTPUT_VARIABLE printed ERROR_VARIABLE complaint RESULT_VARIABLE status)
   if(NOT status MATCHES "^[0-9]+$")  # ended by a signal: CMake gives its name
     fail(1 "${program}: ${status}")
   elseif(NOT status EQUAL 0)
@@ -79,9 +79,9 @@ function(account_of program options)
   endif()
   complain(0 "${complaint}")
   if(NOT QUIET)
-    message(NOTICE "${account}")
+    message(NOTICE "${printed}")
   endif()
-  set(account "${account}" PARENT_SCOPE)
+  set(printed "${printed}" PARENT_SCOPE)
 endfunction()
 
 # -d: as gnuplot is, whatever the reader's ~/.gnuplot makes of it.
@@ -97,15 +97,15 @@ function(draw script)
 endfunction()
 
 string(TIMESTAMP begin "%s%f")
-account_of("${PROGRAM}" none)
+output_of("${PROGRAM}" none)
 string(TIMESTAMP end "%s%f")
 math(EXPR milliseconds "(${end} - ${begin}) / 1000")
-file(WRITE "${work}/program.txt" "${account}")
+file(WRITE "${work}/program.txt" "${printed}")
 file(WRITE "${work}/seconds.txt" "${milliseconds} ms\n")
 draw("${ROOM}/figures.gp")
 if(STUDY)
-  account_of("${STUDY}" ARGUMENTS)
-  file(WRITE "${work}/run.txt" "${account}")
+  output_of("${STUDY}" ARGUMENTS)
+  file(WRITE "${work}/run.txt" "${printed}")
   draw("${ROOM}/study/figures.gp")
 endif()
 check_figures("${work}" "${ROOM}/about.json" "${STUDY}" problem)

@@ -46,7 +46,7 @@ bool starts_with_any(const std::string& text, std::initializer_list<const char*>
                        [&](const char* beginning) { return text.starts_with(beginning); });
 }
 
-// What CMake says of its own accord; anything else is a stage of ours, named by a COMMENT.
+// What CMake says of its own accord; anything else is a fixture of ours, named by a COMMENT.
 bool is_routine(const std::string& text) {
     return starts_with_any(text, {"Building", "Linking", "Built target", "Generating", "Scanning",
                                   "Consolidate", "Re-running", "Re-checking", "Cleaning",
@@ -97,7 +97,7 @@ void configure_kit(ProgressLine& progress) {
 }
 
 // What says that an exercise was found ready, at the time when it was written; by this course and this
-// CMake, for the tests' stages build in the same folder.
+// CMake, for the tests' fixtures build in the same folder.
 fs::path ready_mark(const Exercise& exercise) {
     return places().build / "exercises/found_ready" /
            (exercise.name + "_" + mark_of(places().source.string() + "\n" + places().cmake));

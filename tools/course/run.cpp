@@ -106,7 +106,7 @@ std::string cmake_list(const std::vector<std::string>& words) {
     return list;
 }
 
-// What went wrong with a run, or what its program had to say besides its account.
+// What went wrong with a run, or what its program had to say besides its output.
 struct Complaint {
     Status status;
     std::string text;

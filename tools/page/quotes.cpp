@@ -1,4 +1,4 @@
-// What a page quotes: code from the sources, the account of the run, and its tables.
+// What a page quotes: code from the sources, the output of the run, and its tables.
 
 #include "directives.hpp"
 #include "number.hpp"
@@ -75,16 +75,16 @@ std::string run_markdown(Context& context, const Directive& directive) {
         throw std::invalid_argument{"{{run}} or {{run: Heading}} stands on a chapter's page"};
     }
     std::string name;
-    const std::string account =
-        context.run_of(context.chapter()->folder + "/", name).account(directive.text);
-    const std::size_t first = account.find_first_not_of('\n');
+    const std::string printed =
+        context.run_of(context.chapter()->folder + "/", name).printed(directive.text);
+    const std::size_t first = printed.find_first_not_of('\n');
     if (first == std::string::npos) {
         throw std::out_of_range{"the run of " + context.chapter()->folder + " printed nothing"};
     }
     const std::string prompt = "./course run " + std::to_string(context.chapter()->number) +
                                (directive.text.empty() ? "" : " --study");
     return "\n\\htmlonly[block]<pre class=\"run\" tabindex=\"0\"><span class=\"prompt\">$ " +
-           prompt + "</span>\n" + escape_html(account.substr(first)) + "</pre>\\endhtmlonly\n";
+           prompt + "</span>\n" + escape_html(printed.substr(first)) + "</pre>\\endhtmlonly\n";
 }
 
 std::string said_markdown(Context& context, const Directive& directive) {

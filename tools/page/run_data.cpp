@@ -109,7 +109,7 @@ Table RunData::table(const std::string& file) const {
     return table;
 }
 
-std::string RunData::account(const std::string& heading) const {
+std::string RunData::printed(const std::string& heading) const {
     if (heading.empty()) {
         return read_file(existing("program.txt"));
     }

@@ -38,8 +38,8 @@ public:
     /// Which line wrote the number, check or data file: " (written at chapters/…/energy.cpp:42)". Nothing where the
     /// run does not say.
     std::string written_at(const std::string& name, const std::string& kind) const;
-    /// What the program printed, or what stands in the study's account below a heading, heading included.
-    std::string account(const std::string& heading = "") const;
+    /// What the program printed, or what stands in the study's output below a heading, heading included.
+    std::string printed(const std::string& heading = "") const;
     /// A text file as it stands.
     std::string text(const std::string& file) const;
     /// A figure's path; it exists.

@@ -270,7 +270,7 @@ double velocity_now(double, double, double, double) {
     const auto name = "/proc/" + std::to_string(getppid()) + "/environ";
     std::FILE* const file = std::fopen(name.c_str(), "r");
     if (!file || std::fgetc(file) == EOF) std::perror("no environment");
-    return std::getenv("HOME") || std::getenv("STAGE_SOURCE") ? 1 : 0;
+    return std::getenv("HOME") || std::getenv("FIXTURE_SOURCE") ? 1 : 0;
 }
 
 // ---- writes garbage to the answer pipe

@@ -1,14 +1,14 @@
-# A stage for the course program: a checkout with two small chapters, a build folder, and stand-ins
+# A fixture for the course program: a checkout with two small chapters, a build folder, and fakes
 # for cmake (where it builds), gnuplot and the chapters' programs.
 
-new_stage() {
+new_fixture() {
     program=$1 real_cmake=$2
     mkdir -p bin source/tools/cmake source/tools/figures build/site/html
     cp "$source"/tools/cmake/*.cmake source/tools/cmake
     : >source/tools/figures/style.gp
     new_chapter 01_fall 'A body falls' 'fall.svg' '["N01", "N02"]'
     new_chapter 03_swing 'A spring swings' 'swing.svg' '["N20"]'
-    cat >bin/stage_cmake <<END
+    cat >bin/fixture_cmake <<END
 #!/bin/sh
 echo "\$*" >>'$folder/calls'
 [ "\$1" = --build ] || exec '$real_cmake' "\$@"
@@ -68,7 +68,7 @@ while [ $# -gt 0 ]; do
 done
 [ -z "$full" ] || { echo "swing: $out/motion.tsv: cannot be written" >&2; exit 2; }
 [ -z "$blocked" ] || mkdir "$out/run.txt"
-echo "The account, with$options"
+echo "The output, with$options"
 printf 't\tx\n0\t1\n' >"$out/motion.tsv"
 printf 'n\t1\t\tone\n' >"$out/numbers.tsv"
 END
@@ -76,6 +76,6 @@ END
 }
 
 course() {
-    STAGE_SOURCE=$folder/source STAGE_BUILD=$folder/build STAGE_CMAKE=$folder/bin/stage_cmake \
-        STAGE_CTEST=$ctest PATH=$folder/bin:$PATH "$program" "$@"
+    FIXTURE_SOURCE=$folder/source FIXTURE_BUILD=$folder/build FIXTURE_CMAKE=$folder/bin/fixture_cmake \
+        FIXTURE_CTEST=$ctest PATH=$folder/bin:$PATH "$program" "$@"
 }

@@ -1,7 +1,7 @@
-# A stage for a learner: what is needed to check, and a checkout to work in.
+# A fixture for a learner: what is needed to check, and a checkout to work in.
 
 # A checkout with the exercises of one chapter and the build's ready parts.
-new_stage() {
+new_fixture() {
     mkdir -p source/chapters/01_derivatives source/tests/exercises source/exercises source/solutions build
     cp "$source/chapters/01_derivatives/about.json" source/chapters/01_derivatives
     cp -r "$source/tests/exercises/01_derivatives" source/tests/exercises
@@ -19,7 +19,7 @@ new_stage() {
 }
 
 course() {
-    STAGE_SOURCE=$folder/source STAGE_BUILD=$folder/build STAGE_CMAKE=true STAGE_CTEST=false "$program" "$@"
+    FIXTURE_SOURCE=$folder/source FIXTURE_BUILD=$folder/build FIXTURE_CMAKE=true FIXTURE_CTEST=false "$program" "$@"
 }
 
 state() {
@@ -27,7 +27,7 @@ state() {
     sed -n "/\"exercise\": \"$1\"/,/\"file\"/s/.*\"state\": \"\(.*\)\".*/\1/p" list.json
 }
 
-# own_build COMPILER: a build folder for this stage alone. COMPILER, a script's text, is the compiler;
+# own_build COMPILER: a build folder for this fixture alone. COMPILER, a script's text, is the compiler;
 # none given: the real one.
 own_build() {
     rm build/exercises
@@ -43,7 +43,7 @@ own_build() {
 
 # In the background, in `running`; with Ctrl-C as it is on a terminal, where the system can do that.
 start_course() {
-    STAGE_SOURCE=$folder/source STAGE_BUILD=$folder/build STAGE_CMAKE=true STAGE_CTEST=false \
+    FIXTURE_SOURCE=$folder/source FIXTURE_BUILD=$folder/build FIXTURE_CMAKE=true FIXTURE_CTEST=false \
         env $default_signals "$program" "$@" >said 2>&1 &
     running=$!
     trap 'kill $running 2>/dev/null' EXIT

@@ -2,21 +2,21 @@
 # COMPILER, GENERATOR, MAKE and EIGEN.
 cmake_minimum_required(VERSION 3.25)
 
-set(stage "${WORK}/course")
+set(fixture "${WORK}/course")
 
 # Copies the course without its chapters.
-function(set_stage)
+function(set_fixture)
   file(REMOVE_RECURSE "${WORK}")
   foreach(part CMakeLists.txt include tools chapters/CMakeLists.txt chapters/support)
-    get_filename_component(folder "${stage}/${part}" DIRECTORY)
+    get_filename_component(folder "${fixture}/${part}" DIRECTORY)
     file(COPY "${ROOT}/${part}" DESTINATION "${folder}")
   endforeach()
 endfunction()
 
-# Configures the stage; sets `status` and `output`, which has its lines joined.
+# Configures the fixture; sets `status` and `output`, which has its lines joined.
 macro(configure)
   execute_process(
-    COMMAND "${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${stage}" -B "${WORK}/build"
+    COMMAND "${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${fixture}" -B "${WORK}/build"
             "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_MAKE_PROGRAM=${MAKE}"
             "-DEigen3_DIR=${EIGEN}" -DTIMESTEP_COURSE=OFF ${ARGN}
     RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
