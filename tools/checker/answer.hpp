@@ -45,7 +45,12 @@ struct Spoken {
     std::string (*arguments)(const Numbers&);
     std::string (*result)(const Numbers&);
     bool (*is_result)(const Numbers&);  ///< has it as many numbers as its type demands?
+    bool or_minus;                      ///< is the negative of a result the same, as of a rotation's quaternion?
 };
+
+/// A type of which a value and its negative stand for the same.
+template <class T>
+inline constexpr bool minus_is_the_same = false;
 
 template <class Signature>
 struct SpokenOf;
@@ -75,7 +80,7 @@ struct SpokenOf<R(Args...)> {
             return false;
         }
     }
-    static constexpr Spoken spoken{arguments, result, is_result};
+    static constexpr Spoken spoken{arguments, result, is_result, minus_is_the_same<std::decay_t<R>>};
 };
 
 /// A function of numbers as an ordinary typed function: `Typed<double(double, double)> f(g); f(1,

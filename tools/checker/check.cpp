@@ -87,5 +87,6 @@ int main(int argc, char** argv) {
     say("trace", verdict.trace);
     say("arguments", verdict.arguments);
     say("result", verdict.result);
+    say("right", verdict.right);
     return verdict.kind == Kind::pass ? 0 : 1;
 }

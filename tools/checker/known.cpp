@@ -13,12 +13,38 @@ std::map<std::string, std::vector<Mistake>>& mistakes() {
     return known;
 }
 
+std::map<std::string, Truth>& truths() {
+    static std::map<std::string, Truth> known;
+    return known;
+}
+
+std::map<std::string, double>& tolerances() {
+    static std::map<std::string, double> known;
+    return known;
+}
+
 std::map<std::string, Variants>& variants() {
     static std::map<std::string, Variants> known;
     return known;
 }
 
 }  // namespace
+
+bool know_truth(const std::string& exercise, Truth truth) {
+    return truths().emplace(exercise, std::move(truth)).second;
+}
+
+const Truth& truth_of_exercise(const std::string& exercise) {
+    return truths()[exercise];
+}
+
+bool know_within(const std::string& exercise, double relative) {
+    return tolerances().emplace(exercise, relative).second;
+}
+
+double within(const std::string& exercise) {
+    return tolerances()[exercise];
+}
 
 bool know(const std::string& exercise, std::vector<Mistake> list) {
     return mistakes().emplace(exercise, std::move(list)).second;

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "numbers.hpp"
+#include "truth.hpp"
 
 namespace checker {
 
@@ -47,6 +48,24 @@ struct Wire<Eigen::Quaternion<T>> {
         for (const char* const name : {"{x ", ", y ", ", z ", ", w "})
             parts += name + Wire<T>::show(reader);
         return parts + "}";
+    }
+};
+
+template <class T>
+inline constexpr bool minus_is_the_same<Eigen::Quaternion<T>> = true;
+
+template <class T, int rows, int columns, int... rest>
+struct Nudge<Eigen::Matrix<T, rows, columns, rest...>> {
+    template <class Next>
+    static void by(Eigen::Matrix<T, rows, columns, rest...>& values, const Next& next) {
+        for (auto& value : values.reshaped()) Nudge<T>::by(value, next);
+    }
+};
+template <class T>
+struct Nudge<Eigen::Quaternion<T>> {
+    template <class Next>
+    static void by(Eigen::Quaternion<T>& q, const Next& next) {
+        Nudge<Eigen::Matrix<T, 4, 1>>::by(q.coeffs(), next);
     }
 };
 

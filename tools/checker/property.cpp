@@ -25,21 +25,47 @@ Draw::Draw() : state_(session().seed()) {
     }
 }
 
+double Draw::share() {
+    return static_cast<double>(next(state_) >> 11) * 0x1p-53;
+}
+
 double Draw::real(double low, double high) {
-    const double unit = static_cast<double>(next(state_) >> 11) * 0x1p-53;
-    return low + unit * (high - low);
+    const double drawn = low + share() * (high - low);
+    if (simple_-- <= 0) return drawn;
+    // A tenth of the range or somewhat less: 1, 2 or 5 and zeros.
+    const double tenth = (high - low) / 10, power = std::pow(10, std::floor(std::log10(tenth)));
+    const double step = tenth >= 5 * power ? 5 * power : tenth >= 2 * power ? 2 * power : power;
+    const double count = std::round(drawn / step);
+    const double round = power < 1 ? count / std::round(1 / step) : count * step;  // 3/10, not 3·0.1
+    return round >= low && round < high ? round : drawn;
 }
 
 double Draw::log(double low, double high) {
-    return std::exp(real(std::log(low), std::log(high)));
+    const double drawn = std::exp(std::log(low) + share() * (std::log(high) - std::log(low)));
+    if (simple_-- <= 0) return drawn;
+    const double power = std::pow(10, std::floor(std::log10(drawn)));
+    const double count = std::round(drawn / power);
+    const double round = power < 1 ? count / std::round(1 / power) : count * power;
+    return round >= low && round < high ? round : drawn;
+}
+
+double Draw::any_of(double low, double high, std::initializer_list<double> special) {
+    if (special.size() > 0 && share() < 0.25)
+        return special.begin()[static_cast<std::size_t>(share() * static_cast<double>(special.size()))];
+    if (share() < 0.5) return real(low, high);
+    const double most = std::max(std::fabs(low), std::fabs(high)), least = low > 0 ? low : 1e-12 * most;
+    for (;;) {
+        const double size = log(least, most), drawn = low < 0 && share() < 0.5 ? -size : size;
+        if (drawn >= low && drawn <= high) return drawn;
+    }
 }
 
 int Draw::integer(int low, int high) {
-    return low + static_cast<int>(real(0, 1) * (high - low + 1));
+    return low + static_cast<int>(share() * (high - low + 1));
 }
 
 bool close(double a, double b, double relative, double absolute) {
-    return std::fabs(a - b) <= std::max(relative * std::max(std::fabs(a), std::fabs(b)), absolute);
+    return std::isfinite(a - b) && std::fabs(a - b) <= std::max(relative * std::max(std::fabs(a), std::fabs(b)), absolute);
 }
 
 double order(double error, double error_of_half) {

@@ -15,6 +15,7 @@
 /// `learner` is the learner's function, typed as the exercise declares it.
 
 #include <cstdint>
+#include <initializer_list>
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -23,8 +24,13 @@
 
 /// Says which exercise the properties below it belong to; its declaration stands in the header of
 /// the same name, which is included before.
-#define EXERCISE(name)                                                         \
+#define EXERCISE(name) EXERCISE_WITHIN(name, 2e-12)
+
+/// The same, where the learner's answers must be the course's to what a change of the arguments by `relative` makes
+/// of them; `checker::many_are_right` where they need not be.
+#define EXERCISE_WITHIN(name, relative)                                        \
     static constexpr const char* exercise_tag = "[" #name "]";                 \
+    static const bool is_within = checker::know_within(#name, relative);       \
     static const checker::Typed<decltype(::name)> learner(                     \
         [](const checker::Numbers& arguments, const checker::Spoken& spoken) { \
             return checker::session().call(arguments, spoken);                 \
@@ -44,13 +50,17 @@ public:
     double real(double low, double high);
     /// Uniform in its logarithm: for steps, masses, stiffnesses.
     double log(double low, double high);
+    /// Whatever a range holds, `special` among it: now and then one of those, else as often small as large.
+    double any_of(double low, double high, std::initializer_list<double> special = {});
     /// −1 or 1.
-    double sign() { return real(0, 1) < 0.5 ? -1 : 1; }
+    double sign() { return share() < 0.5 ? -1 : 1; }
     /// low, …, high.
     int integer(int low, int high);
 
 private:
+    double share();  // of one, uniform
     std::uint64_t state_;
+    int simple_ = 48;  // the first numbers are round ones: what fails early can be worked out by hand
 };
 
 /// Do two numbers agree to `relative` of the larger, or to `absolute`?

@@ -33,23 +33,6 @@ bool is_finite(const Numbers& numbers) {
     return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
 }
 
-// How far one answer lies from another, relative to the larger. Where both are NaN, or infinite
-// alike, they agree.
-double apart(const Numbers& a, const Numbers& b) {
-    if (a.size() != b.size()) return HUGE_VAL;
-    double difference = 0, size = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        if (a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i]))) {
-            size = std::isfinite(a[i]) ? std::max(size, std::fabs(a[i])) : size;
-            continue;
-        }
-        if (!std::isfinite(a[i]) || !std::isfinite(b[i])) return HUGE_VAL;
-        difference = std::max(difference, std::fabs(a[i] - b[i]));
-        size = std::max({size, std::fabs(a[i]), std::fabs(b[i])});
-    }
-    return difference == 0 ? 0 : difference / size;
-}
-
 }  // namespace
 
 Verdict Session::check(const std::string& exercise, const Answer& answer, std::uint64_t seed) {
@@ -57,6 +40,10 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
     seed_ = seed;
     calls_.clear();
     kept_ = 0;
+    truth_ = truth_of_exercise(exercise);
+    relative_ = within(exercise);
+    first_wrong_.reset();
+    shown_.reset();
     ended_.reset();
     verdict_ = {};
     last_ = {};
@@ -78,15 +65,14 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
         verdict_.trace = ended_->trace;
         if (ended_->kind == Kind::wrong) calls_.clear();  // which were not what is wrong
     }
-    if (verdict_.kind == Kind::wrong || verdict_.kind == Kind::not_finite)
-        verdict_.misconception = diagnose(exercise, false);
-    // Answers that are not finite came after what is told, and are another fault.
-    if (verdict_.kind == Kind::wrong && verdict_.misconception.empty())
-        verdict_.misconception = diagnose(exercise, true);
-    if (spoken_) {
-        verdict_.arguments = spoken_->arguments(last_.arguments);
-        if (!last_.result.empty()) verdict_.result = spoken_->result(last_.result);
+    if (verdict_.kind == Kind::pass && first_wrong_) {
+        shown_ = first_wrong_;
+        verdict_.kind = Kind::wrong;
+        verdict_.property = "the answer is the right one wherever the task allows the arguments, to roundoff";
     }
+    if (verdict_.kind == Kind::wrong || verdict_.kind == Kind::not_finite)
+        verdict_.misconception = diagnose(exercise, truth_, calls_);
+    tell_call();
     return verdict_;
 }
 
@@ -108,9 +94,15 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
     }
     if (!spoken.is_result(result))
         end(Ended(Kind::left_early, "The answer was not made as its type demands"));
+    const Call made{arguments, result,
+                    is_finite(result) && is_right(truth_, arguments, result, relative_, spoken.or_minus)};
     kept_ += arguments.size() + result.size();
-    if (calls_.size() < 100'000 && kept_ < 4'000'000) calls_.push_back({arguments, result});
-    if (verdict_.kind == Kind::pass) last_ = {arguments, result};
+    if (calls_.size() < 100'000 && kept_ < 4'000'000) calls_.push_back(made);
+    if (verdict_.kind == Kind::pass) {
+        last_ = made;
+        if (!made.right && !first_wrong_) first_wrong_ = made;
+        if (!made.right && !shown_) shown_ = made;
+    }
     if (!is_finite(result)) {
         if (!ended_ && verdict_.kind == Kind::pass) ended_ = Ended(Kind::not_finite, "");
         throw Ended(Kind::not_finite, "");
@@ -121,29 +113,22 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
 // The properties after the first that breaks are looked at all the same: their calls help to tell
 // one mistake from another.
 void Session::looked_at(const std::string& property, bool holds) {
-    if (holds || verdict_.kind != Kind::pass) return;
+    if (verdict_.kind != Kind::pass) return;
+    if (holds) {
+        shown_.reset();
+        return;
+    }
     verdict_.kind = Kind::wrong;
     verdict_.property = property;
 }
 
-// The known mistake that would have answered every call just so, or every one with a finite answer. What roundoff does to two ways of
-// writing the same mistake, single precision included, is far below 1e-4.
-std::string Session::diagnose(const std::string& exercise, bool of_finite_answers) const {
-    std::string nearest;
-    double least = 1e-4;
-    for (const Mistake& mistake : mistakes_of(exercise)) {
-        double worst = 0;
-        for (const Call& call : calls_) {
-            if (of_finite_answers && !is_finite(call.result)) continue;
-            worst = std::max(worst, apart(call.result, mistake.answer(call.arguments)));
-            if (worst >= least) break;
-        }
-        if (worst < least) {
-            least = worst;
-            nearest = mistake.name;
-        }
-    }
-    return nearest;
+// The call that the learner is shown, and what it must return.
+void Session::tell_call() {
+    if (!spoken_) return;
+    const Call& call = verdict_.kind == Kind::wrong && shown_ ? *shown_ : last_;
+    verdict_.arguments = spoken_->arguments(call.arguments);
+    if (!call.result.empty()) verdict_.result = spoken_->result(call.result);
+    if (verdict_.kind == Kind::wrong && shown_) verdict_.right = spoken_->result(truth_.answer(call.arguments));
 }
 
 }  // namespace checker

@@ -9,12 +9,14 @@
 
 #include "answer.hpp"
 #include "ended.hpp"
+#include "truth.hpp"
 
 namespace checker {
 
-/// One call of the learner's function: its arguments and what it returned.
+/// One call of the learner's function: its arguments, what it returned, and was that the right answer?
 struct Call {
     Numbers arguments, result;
+    bool right = true;
 };
 
 /// A mistake that the course knows, and what it would have answered.
@@ -32,6 +34,7 @@ struct Verdict {
     std::string trace;          ///< of a crash: the addresses that lead to it
     std::string arguments;      ///< of the call that it was noticed after: "(1, 2)"
     std::string result;         ///< what it returned, if it did
+    std::string right;          ///< what it must return, where that was something else
 };
 
 /// The check that is going on. There is one at a time, because Catch2's tests are global.
@@ -48,21 +51,32 @@ public:
     std::uint64_t seed() const { return seed_; }
 
 private:
-    std::string diagnose(const std::string& exercise, bool of_finite_answers) const;
+    void tell_call();
 
     Answer answer_;
     std::uint64_t seed_ = 0;
     std::vector<Call> calls_;
     std::size_t kept_ = 0;  // numbers, in them
     const Spoken* spoken_ = nullptr;
+    Truth truth_;
+    double relative_ = many_are_right;
     Call last_;                   // before the first property broke
+    std::optional<Call> first_wrong_, shown_;  // the first wrong answer of all, and of the property in hand
     std::optional<Ended> ended_;  // no use in calling again
     Verdict verdict_;
 };
 
 Session& session();
 
-/// The mistakes known of an exercise: filled before main.
+/// The mistake, by its name, that answers as the learner does wherever that is wrong; nothing where none does, or
+/// where two that differ do. (diagnose.cpp)
+std::string diagnose(const std::string& exercise, const Truth& truth, const std::vector<Call>& calls);
+
+/// What is known of an exercise, filled before main: the right answer, how near to it an answer must be, and mistakes.
+bool know_truth(const std::string& exercise, Truth truth);
+const Truth& truth_of_exercise(const std::string& exercise);
+bool know_within(const std::string& exercise, double relative);
+double within(const std::string& exercise);
 bool know(const std::string& exercise, std::vector<Mistake> mistakes);
 const std::vector<Mistake>& mistakes_of(const std::string& exercise);
 

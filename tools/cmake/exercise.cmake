@@ -196,8 +196,11 @@ namespace {
 namespace mistakes {
 #include \"@source@/@room@/mistakes.cpp\"
 }
+namespace solution {
+#include \"@source@/@solution@\"
+}
 const bool known = checker::know(\"@name@\", {
-@list@});
+@list@}) && checker::know_truth(\"@name@\", checker::truth_of(&solution::@name@));
 }
 
 #include \"@source@/@room@/properties.cpp\"

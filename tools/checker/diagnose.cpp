@@ -1,0 +1,115 @@
+// Which of the known mistakes is it?
+
+#include <algorithm>
+#include <cmath>
+
+#include "session.hpp"
+
+namespace checker {
+
+namespace {
+
+constexpr std::size_t enough = 2000;  // calls are looked at
+
+// How far one answer lies from another. What is not finite agrees with its like.
+double apart(const Numbers& a, const Numbers& b) {
+    if (a.size() != b.size()) return HUGE_VAL;
+    double difference = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a[i] == b[i] || (!std::isfinite(a[i]) && !std::isfinite(b[i]))) continue;
+        const double one = std::fabs(a[i] - b[i]);
+        difference = std::isfinite(one) ? std::max(difference, one) : HUGE_VAL;
+    }
+    return difference;
+}
+
+// Calls whose answers were wrong, what was right there, and calls whose answers were right.
+struct Shown {
+    std::vector<const Call*> wrong, right;
+    std::vector<Numbers> truth;  // of each of the wrong ones
+};
+
+// The share of calls in which the mistake does as the learner does.
+struct Fit {
+    double where_wrong = 0, where_right = 0;
+    bool good() const { return where_wrong >= 0.9 && where_right >= 0.75; }
+};
+
+Fit fit_of(const Mistake& mistake, const Shown& shown) {
+    Fit fit;
+    for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
+        const Call& call = *shown.wrong[i];
+        const double gap = apart(call.result, shown.truth[i]), miss = apart(call.result, mistake.answer(call.arguments));
+        // A thousandth of what is wrong: what another way to write the same mistake makes of it is far less.
+        fit.where_wrong += gap < HUGE_VAL ? miss <= 1e-3 * gap : miss == 0;
+    }
+    for (const Call* call : shown.right) {
+        const Numbers answer = mistake.answer(call->arguments);
+        double size = 0;
+        for (const double number : call->result) size = std::max(size, std::fabs(number));
+        fit.where_right += apart(call->result, answer) <= 1e-9 * size;
+    }
+    fit.where_wrong /= double(shown.wrong.size());
+    fit.where_right = shown.right.empty() ? 1 : fit.where_right / double(shown.right.size());
+    return fit;
+}
+
+// Mistakes of a kind that every exercise knows: by what is the answer off?
+std::string family_of(const Shown& shown) {
+    struct Family {
+        const char* name;
+        double (*makes)(double right);
+    };
+    static constexpr Family families[] = {
+        {"minus", [](double x) { return -x; }},
+        {"twice", [](double x) { return 2 * x; }},
+        {"half", [](double x) { return x / 2; }},
+        {"degrees", [](double x) { return x * 57.29577951308232; }},
+        {"radians", [](double x) { return x / 57.29577951308232; }},
+        {"squared", [](double x) { return x * x; }},
+        {"root", [](double x) { return std::sqrt(x); }},
+        {"inverse", [](double x) { return 1 / x; }},
+    };
+    if (shown.wrong.size() < 8 || shown.wrong.size() < 3 * shown.right.size()) return {};
+    for (const Family& family : families) {
+        std::size_t fits = 0;
+        for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
+            Numbers made = shown.truth[i];
+            for (double& number : made) number = family.makes(number);
+            const double gap = apart(shown.wrong[i]->result, shown.truth[i]);
+            fits += apart(shown.wrong[i]->result, made) <= 1e-9 * gap;
+        }
+        if (fits == shown.wrong.size()) return family.name;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string diagnose(const std::string& exercise, const Truth& truth, const std::vector<Call>& calls) {
+    Shown shown;
+    for (const Call& call : calls) {
+        const Numbers right = truth.answer(call.arguments);
+        // Where any answer may be right, one that is not the course's says most.
+        const bool differs = !call.right || apart(call.result, right) > 1e-6 * std::max(1.0, std::fabs(right.empty() ? 0 : right[0]));
+        if (differs && shown.wrong.size() < enough) {
+            shown.wrong.push_back(&call);
+            shown.truth.push_back(right);
+        } else if (!differs && shown.right.size() < enough) {
+            shown.right.push_back(&call);
+        }
+    }
+    if (shown.wrong.empty()) return {};
+    std::string best;
+    double most = 0;
+    for (const Mistake& mistake : mistakes_of(exercise)) {
+        const Fit fit = fit_of(mistake, shown);
+        if (fit.good() && fit.where_wrong + fit.where_right > most) {
+            most = fit.where_wrong + fit.where_right;
+            best = mistake.name;
+        }
+    }
+    return best.empty() ? family_of(shown) : best;
+}
+
+}  // namespace checker

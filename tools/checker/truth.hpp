@@ -1,0 +1,71 @@
+#pragma once
+/// \file
+/// The course's own answer, beside the learner's in every call: where the two are not the same to roundoff, one
+/// of them is wrong.
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <tuple>
+
+#include "answer.hpp"
+
+namespace checker {
+
+/// Changes the real numbers in a value by a few units of roundoff each, as `next`, a number from -1 to 1, says.
+template <class T>
+struct Nudge {
+    template <class Next>
+    static void by(T& value, const Next& next) {
+        if constexpr (std::floating_point<T>)
+            value *= 1 + 4 * std::numeric_limits<T>::epsilon() * T(next());
+        else if constexpr (requires { value.begin(), value.end(); })
+            for (auto& one : value) Nudge<std::decay_t<decltype(one)>>::by(one, next);
+    }
+};
+template <class X>
+struct Nudge<timestep::State<X>> {
+    template <class Next>
+    static void by(timestep::State<X>& state, const Next& next) {
+        Nudge<timestep::real_of<X>>::by(state.t, next);
+        Nudge<X>::by(state.x, next), Nudge<X>::by(state.v, next);
+    }
+};
+
+/// The right answer, and what becomes of it where its arguments are off by roundoff: as far as those lie apart,
+/// another way to write it may be off, too.
+struct Truth {
+    Answer answer;
+    std::function<Numbers(const Numbers& arguments, unsigned variation)> nudged;
+};
+
+template <class R, class... Args>
+Truth truth_of(R (*function)(Args...)) {
+    return {answer_of(function), [function](const Numbers& numbers, unsigned variation) {
+                Reader reader(numbers);
+                std::tuple<std::decay_t<Args>...> arguments{Wire<std::decay_t<Args>>::take(reader)...};
+                std::uint64_t state = variation;
+                const auto next = [&state] {  // -1, …, 1 in steps of a fourth
+                    state = state * 6364136223846793005 + 1442695040888963407;
+                    return static_cast<double>(state >> 33) * 0x1p-30 - 1;
+                };
+                std::apply(
+                    [&](auto&... values) {
+                        (Nudge<std::decay_t<decltype(values)>>::by(values, next), ...);
+                    },
+                    arguments);
+                Numbers result;
+                Wire<std::decay_t<R>>::put(result, std::apply(function, arguments));
+                return result;
+            }};
+}
+
+/// Is `found` the right answer to this call, but for roundoff? What a change of the arguments by `relative` does to
+/// it is allowed. `or_minus`: the negative is right as well.
+bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found, double relative, bool or_minus);
+
+/// As `relative`: there are many right answers, and the course's is but one of them.
+inline constexpr double many_are_right = std::numeric_limits<double>::infinity();
+
+}  // namespace checker
