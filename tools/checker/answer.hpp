@@ -46,11 +46,15 @@ struct Spoken {
     std::string (*result)(const Numbers&);
     bool (*is_result)(const Numbers&);  ///< has it as many numbers as its type demands?
     bool or_minus;                      ///< is the negative of a result the same, as of a rotation's quaternion?
+    bool one_size;                      ///< are its numbers of one unit, as a vector's: is roundoff that of the largest?
 };
 
 /// A type of which a value and its negative stand for the same.
 template <class T>
 inline constexpr bool minus_is_the_same = false;
+/// A type whose numbers are of one unit.
+template <class T>
+inline constexpr bool of_one_unit = false;
 
 template <class Signature>
 struct SpokenOf;
@@ -80,7 +84,8 @@ struct SpokenOf<R(Args...)> {
             return false;
         }
     }
-    static constexpr Spoken spoken{arguments, result, is_result, minus_is_the_same<std::decay_t<R>>};
+    static constexpr Spoken spoken{arguments, result, is_result, minus_is_the_same<std::decay_t<R>>,
+                                   of_one_unit<std::decay_t<R>>};
 };
 
 /// A function of numbers as an ordinary typed function: `Typed<double(double, double)> f(g); f(1,

@@ -53,6 +53,10 @@ struct Wire<Eigen::Quaternion<T>> {
 
 template <class T>
 inline constexpr bool minus_is_the_same<Eigen::Quaternion<T>> = true;
+template <class T>
+inline constexpr bool of_one_unit<Eigen::Quaternion<T>> = true;
+template <class T, int rows, int columns, int... rest>
+inline constexpr bool of_one_unit<Eigen::Matrix<T, rows, columns, rest...>> = true;
 
 template <class T, int rows, int columns, int... rest>
 struct Nudge<Eigen::Matrix<T, rows, columns, rest...>> {

@@ -95,7 +95,7 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
     if (!spoken.is_result(result))
         end(Ended(Kind::left_early, "The answer was not made as its type demands"));
     const Call made{arguments, result,
-                    is_finite(result) && is_right(truth_, arguments, result, relative_, spoken.or_minus)};
+                    is_finite(result) && is_right(truth_, arguments, result, relative_, spoken)};
     kept_ += arguments.size() + result.size();
     if (calls_.size() < 100'000 && kept_ < 4'000'000) calls_.push_back(made);
     if (verdict_.kind == Kind::pass) {

@@ -17,7 +17,7 @@ bool agree(const Numbers& found, const Numbers& right, const Numbers& allowed) {
 
 }  // namespace
 
-bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found, double relative, bool or_minus) {
+bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found, double relative, const Spoken& spoken) {
     if (relative == many_are_right) return true;
     const Numbers right = truth.answer(arguments);
     if (found == right) return true;
@@ -33,10 +33,12 @@ bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found
         }
     }
     if (found.size() != right.size()) return false;
+    double largest = 0;
+    for (const double number : right) largest = std::max(largest, std::fabs(number));
     for (std::size_t i = 0; i < right.size(); ++i)
-        allowed[i] = std::max(allowed[i], relative * std::fabs(right[i]));
+        allowed[i] = std::max(allowed[i], relative * (spoken.one_size ? largest : std::fabs(right[i])));
     if (agree(found, right, allowed)) return true;
-    if (!or_minus) return false;
+    if (!spoken.or_minus) return false;
     Numbers minus = found;
     for (double& number : minus) number = -number;
     return agree(minus, right, allowed);

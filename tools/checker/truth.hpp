@@ -62,8 +62,8 @@ Truth truth_of(R (*function)(Args...)) {
 }
 
 /// Is `found` the right answer to this call, but for roundoff? What a change of the arguments by `relative` does to
-/// it is allowed. `or_minus`: the negative is right as well.
-bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found, double relative, bool or_minus);
+/// it is allowed.
+bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found, double relative, const Spoken& spoken);
 
 /// As `relative`: there are many right answers, and the course's is but one of them.
 inline constexpr double many_are_right = std::numeric_limits<double>::infinity();
