@@ -44,8 +44,9 @@ TEST_CASE("ball and remainder are exact for a symmetric body", "[library][ch8]")
 }
 
 TEST_CASE("ball and remainder take a symmetric body as such", "[library][ch8]") {
-    const SymmetricInertia<double> pill(1, 0.3);
-    const PrincipalInertia<double> same(1, 1, 0.3);
+    const volatile double along = 0.3;  // not known when this is compiled: g++ rounds its own cube root otherwise
+    const SymmetricInertia<double> pill(1, along);
+    const PrincipalInertia<double> same(1, 1, along);
     const Spin s = spinning(V(1, 2, -2));
     CHECK(symmetric_remainder_2.step(pill, s, 0.1).omega ==
           symmetric_remainder_2.step(same, s, 0.1).omega);

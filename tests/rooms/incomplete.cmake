@@ -5,7 +5,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/fixture.cmake")
 set_fixture()
 set(room "${fixture}/chapters/01_small")
 set(about "{\"title\": \"Small\", \"question\": \"Why?\", \"needs\": [], \"builds_on\": [],
- \"rows\": [\"N01\"], \"picture\": \"one.svg\", \"figures\": [\"one.svg\"]}\n")
+ \"claims\": [\"N01\"], \"picture\": \"one.svg\", \"figures\": [\"one.svg\"]}\n")
 
 # The chapter, whole. The configuration looks at the names of its files, not into them.
 function(furnish)
@@ -45,7 +45,7 @@ endforeach()
 file(WRITE "${fixture}/tests/chapters/01_small.cpp" "int nothing;\n")
 must_fail("a test file without a test" "tests/chapters/01_small.cpp holds no TEST_CASE")
 
-foreach(key title question needs builds_on rows picture figures)
+foreach(key title question needs builds_on claims picture figures)
   string(JSON without REMOVE "${about}" ${key})
   file(WRITE "${room}/about.json" "${without}")
   must_fail("about.json without ${key}" "chapters/01_small/about.json: ${key} is missing")
@@ -76,7 +76,7 @@ must_fail("a torn about.json" "chapters/01_small/about.json: is not JSON")
 file(COPY "${room}/" DESTINATION "${fixture}/chapters/02_more")
 file(RENAME "${fixture}/chapters/02_more/small.cpp" "${fixture}/chapters/02_more/more.cpp")
 file(COPY_FILE "${fixture}/tests/chapters/01_small.cpp" "${fixture}/tests/chapters/02_more.cpp")
-must_fail("a row claimed twice" "chapters/02_more/about.json: claims names N01, which chapters/01_small claims")
+must_fail("a claim of two chapters" "chapters/02_more/about.json: claims names N01, which chapters/01_small claims")
 file(REMOVE_RECURSE "${fixture}/chapters/02_more")
 
 foreach(name small 1_small 01-small 01_Small)
