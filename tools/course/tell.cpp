@@ -1,6 +1,7 @@
 #include "tell.hpp"
 
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -73,15 +74,36 @@ std::string when(const Exercise& exercise, const Verdict& verdict) {
                                      : "in the call " + call(exercise, verdict);
 }
 
+// What the answer is of the right one, where that is the same in every call (tools/checker/diagnose.cpp).
+const std::map<std::string, std::string>& families() {
+    static const std::map<std::string, std::string> words{
+        {"minus", "the negative of the right one: a sign is lost."},
+        {"twice", "twice the right one."},
+        {"half", "half of the right one."},
+        {"degrees", "180/π times the right one: degrees instead of radians?"},
+        {"radians", "π/180 times the right one: radians instead of degrees?"},
+        {"squared", "the square of the right one: a root is missing."},
+        {"root", "the root of the right one."},
+        {"inverse", "one over the right one."}};
+    return words;
+}
+
 std::string wrong(const Exercise& exercise, const Verdict& verdict) {
     std::string text = "  This must hold, and does not:\n" + wrapped(verdict.property, 6) + "\n";
-    if (!verdict.result.empty())
+    if (!verdict.right.empty())
+        text += "  For example\n" +
+                wrapped(call(exercise, verdict) + " returned " + verdict.result + "; right is " + verdict.right, 6) +
+                "\n";
+    else if (!verdict.result.empty())
         text += "  It was noticed after the call\n" +
                 wrapped(call(exercise, verdict) + ", which returned " + verdict.result, 6) + "\n";
     const auto known = exercise.mistakes();
     const auto mistake = known.find(verdict.misconception);
+    const auto family = families().find(verdict.misconception);
     if (mistake != known.end())
         text += wrapped(mistake->second.says, 2) + wrapped("Hint: " + mistake->second.hint, 2);
+    else if (family != families().end())
+        text += wrapped("Wherever your answer is wrong, it is " + family->second, 2);
     else
         text += wrapped(
             "This is none of the usual mistakes. Work the property out by hand for the numbers "

@@ -269,6 +269,7 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     verdict.detail = said["detail"];
     verdict.arguments = said["arguments"];
     verdict.result = said["result"];
+    verdict.right = said["right"];
     if (meddled_with(outcome, said["verdict"])) {
         verdict.detail = "The program ended the checker, or wrote in its place";
         verdict.arguments = "(…)";

@@ -21,6 +21,7 @@ struct Verdict {
     std::string detail;         ///< of a crash and the like
     std::string arguments;      ///< of the last call: "(1, 2)"
     std::string result;         ///< and what it returned
+    std::string right;          ///< what it must return, where that was something else
     std::string compiler;       ///< what the compiler said, warnings included
     std::string printed;        ///< what the learner's code printed
     std::string remark;         ///< on the check itself
