@@ -70,7 +70,7 @@ std::string family_of(const Shown& shown) {
         {"root", [](double x) { return std::sqrt(x); }},
         {"inverse", [](double x) { return 1 / x; }},
     };
-    if (shown.wrong.size() < 8) return {};
+    if (shown.wrong.size() < 3) return {};  // a property that breaks calls no more
     for (const Family& family : families) {
         const auto made_of = [&](Numbers right) {
             for (double& number : right) number = family.makes(number);

@@ -37,7 +37,7 @@ double Draw::real(double low, double high) {
     const double step = tenth >= 5 * power ? 5 * power : tenth >= 2 * power ? 2 * power : power;
     const double count = std::round(drawn / step);
     const double round = power < 1 ? count / std::round(1 / step) : count * step;  // 3/10, not 3·0.1
-    return round >= low && round < high ? round : drawn;
+    return round >= low && round < high ? round + 0.0 : drawn;  // no -0
 }
 
 double Draw::log(double low, double high) {
@@ -46,7 +46,7 @@ double Draw::log(double low, double high) {
     const double power = std::pow(10, std::floor(std::log10(drawn)));
     const double count = std::round(drawn / power);
     const double round = power < 1 ? count / std::round(1 / power) : count * power;
-    return round >= low && round < high ? round : drawn;
+    return round >= low && round < high ? round + 0.0 : drawn;  // no -0
 }
 
 double Draw::any_of(double low, double high, std::initializer_list<double> special) {
