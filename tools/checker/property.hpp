@@ -14,11 +14,10 @@
 ///
 /// `learner` is the learner's function, typed as the exercise declares it.
 
-#include <cstdint>
-
 #include <catch2/catch_test_macros.hpp>
 
 #include "answer.hpp"
+#include "keyed.hpp"
 #include "session.hpp"
 
 /// Says which exercise the properties below it belong to; its declaration stands in the header of
@@ -50,10 +49,10 @@ public:
     int integer(int low, int high);
 
 private:
-    std::uint64_t state_;
+    Keyed stream_;
 };
 
-/// Do two numbers agree to `relative` of the larger, or to `absolute`?
+/// Do two numbers agree to `relative` of the larger, or to `absolute`? An infinite one agrees with none.
 bool close(double a, double b, double relative, double absolute = 0);
 
 /// The order that two errors tell, the second of half the step: log₂(error/half).

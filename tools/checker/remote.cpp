@@ -6,7 +6,9 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <random>
+#include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -14,6 +16,7 @@
 #include <sys/personality.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/sysinfo.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -113,8 +116,9 @@ void open_rules() {
                  "--log-fd=" + std::to_string(failed + 1),
                  "--track-origins=yes",
                  program};
+        stay_alone(Files::are_written_too);
     } else if (launcher.empty()) {
-        stay_alone();
+        stay_alone(Files::are_read);
         // Some sanitizers do not find their places where these are drawn by lot.
         if (limits.watch == Watch::sanitizers) personality(ADDR_NO_RANDOMIZE);
         words.push_back("worker");
@@ -159,6 +163,7 @@ Remote::Remote(const std::string& program, const std::string& printed,
                const std::vector<std::string>& launcher, const Limits& limits)
     : limits_(limits),
       launched_(!launcher.empty()),
+      most_bytes_(1 << 16),
       begin_(now()),
       call_begin_(begin_),
       next_look_(begin_ + turn) {
@@ -170,18 +175,23 @@ Remote::Remote(const std::string& program, const std::string& printed,
     if (pipe2(calls, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0 ||
         pipe2(failed, O_CLOEXEC) != 0)
         throw Ended(Kind::course_error, "no pipe to be had from the system");
-    if (limits.watch == Watch::memcheck && !(found_ = std::tmpfile()))
-        throw Ended(Kind::course_error, "no temporary file to be had from the system");
+    int log[2] = {-1, -1};
+    if (limits.watch == Watch::memcheck &&
+        (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, log) != 0 || shutdown(log[1], SHUT_RD) != 0))
+        throw Ended(Kind::course_error, "no socket to be had from the system");
+    log_ = log[0];
+    prctl(PR_SET_CHILD_SUBREAPER, 1);  // what a child leaves behind becomes ours: see end()
     const pid_t parent = getpid();
     process_ = fork();
     if (process_ < 0) throw Ended(Kind::course_error, "no process to be had from the system");
     if (process_ == 0)
-        become(program, launcher, parent, calls[0], answers[1], file, failed[1],
-               found_ ? fileno(found_) : -1, limits);
+        become(program, launcher, parent, calls[0], answers[1], file, failed[1], log[1],
+               limits);
     close(calls[0]);
     close(answers[1]);
     close(failed[1]);
     close(file);
+    if (log[1] >= 0) close(log[1]);
     calls_ = calls[1];
     fcntl(calls_, F_SETFL, O_NONBLOCK);
     answers_ = answers[0];
@@ -196,19 +206,29 @@ Remote::~Remote() {
     end();
     close(calls_);
     close(answers_);
-    if (found_) std::fclose(found_);
+    if (log_ >= 0) close(log_);
 }
 
 void Remote::close_down() {
     end();
-    if (!found_) return;
-    std::rewind(found_);
-    std::string log;
-    for (int c; (c = std::fgetc(found_)) != EOF;) log += static_cast<char>(c);
-    look_through(log);
+    overhear();
+    look_through(found_);
 }
 
-// The whole group, and at once: what does not listen to anything else must end, too.
+// Reads what memcheck has written by now. The first that it finds is what is told; the rest is dropped.
+void Remote::overhear() {
+    char piece[4096];
+    while (log_ >= 0) {
+        const ssize_t got = recv(log_, piece, sizeof piece, MSG_DONTWAIT);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return;
+        if (got == 0) close(std::exchange(log_, -1));
+        if (got > 0 && found_.size() < (1 << 20)) found_.append(piece, static_cast<std::size_t>(got));
+    }
+}
+
+// The whole group, and at once: what does not listen to anything else must end, too. So must what has left
+// the group, or what a launcher has begun; the verdict comes when all of it is gone.
 void Remote::end() {
     if (process_ < 0) return;
     kill(-process_, SIGKILL);
@@ -216,6 +236,12 @@ void Remote::end() {
     while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
     }
     process_ = -1;
+    for (;;) {
+        std::ifstream children("/proc/self/task/" + std::to_string(getpid()) + "/children");
+        if (!children) return;
+        for (pid_t child; children >> child;) kill(child, SIGKILL);
+        if (waitpid(-1, nullptr, 0) < 0 && errno == ECHILD) return;
+    }
 }
 
 void Remote::await() {
@@ -229,6 +255,8 @@ void Remote::await() {
 Numbers Remote::operator()(const Numbers& arguments) {
     const Head call{++number_, Reply::answer,
                     static_cast<std::uint32_t>(arguments.size() * sizeof(double))};
+    // For each argument some numbers: no test looks for long through an answer of that length.
+    most_bytes_ = (10'000 + 4 * arguments.size()) * sizeof(double);
     begin_call();
     // Who does not listen has perhaps said why, and that comes first: `hear` knows.
     if (send(&call, sizeof call)) send(arguments.data(), call.bytes);
@@ -271,8 +299,11 @@ void Remote::look(bool in_call) {
 // much.
 void Remote::wait_for(int pipe, short event) {
     for (;;) {
-        pollfd waiting{pipe, event, 0};
-        if (poll(&waiting, 1, static_cast<int>(turn * 1000)) > 0) return;
+        pollfd waiting[] = {{pipe, event, 0}, {log_, POLLIN, 0}};
+        if (poll(waiting, 2, static_cast<int>(turn * 1000)) > 0) {
+            overhear();
+            if (waiting[0].revents != 0) return;
+        }
         if (now() >= next_look_) look(true);
     }
 }
@@ -296,7 +327,7 @@ std::string Remote::hear(Reply expected) {
     receive(&head, sizeof head);
     if (head.number != number_ || head.reply > Reply::crashed)
         throw Ended(Kind::left_early, "The program wrote to the pipe that its answers go through");
-    if (head.bytes > (8u << 20))
+    if (head.bytes > most_bytes_)
         throw Ended(Kind::left_early, "The answer was too long, " +
                                           std::to_string(head.bytes / sizeof(double)) + " numbers");
     std::string bytes(head.bytes, '\0');
@@ -338,6 +369,7 @@ void Remote::gone() {
     for (int asleep = 0; asleep < 2 && now() < deadline; usleep(500)) {
         waitid(P_PID, static_cast<id_t>(process_), &how, WEXITED | WNOHANG | WNOWAIT);
         if (how.si_pid != 0) break;
+        overhear();
         if (now() < looked + turn) continue;
         const processes::Look seen = processes::look_at(process_, launched_);
         looked = now();

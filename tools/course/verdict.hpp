@@ -34,6 +34,9 @@ struct Verdict {
 /// builds in; valgrind's memcheck.
 enum class Watch { nobody, sanitizers, memcheck };
 
+/// 64 random bits.
+std::uint64_t new_seed();
+
 /// The program that holds the hidden tests of the exercise.
 std::filesystem::path hidden_tests_of(const Exercise& exercise);
 
