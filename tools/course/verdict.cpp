@@ -285,11 +285,15 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
         verdict.arguments = "(…)";
         return ended("left_early");
     }
+    // They have worked for a minute on what they were given, where a second is long. That is the answer's doing.
+    if (outcome.status == 128 + SIGXCPU) {
+        verdict.detail = too_much_work_for_the_tests;
+        verdict.in_time = false;
+        return ended("too_slow");
+    }
     if (outcome.status > 1 || said["verdict"].empty()) {
         verdict.detail =
-            outcome.too_slow || outcome.status == 128 + SIGXCPU
-                ? "the hidden tests did not come to an end"
-                : outcome.said;
+            outcome.too_slow ? "the hidden tests did not come to an end" : outcome.said;
         return ended("course_error");
     }
     verdict.line = line_of_crash(said["trace"], around, worker, file);

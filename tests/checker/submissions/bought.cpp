@@ -3,7 +3,6 @@
 
 // ---- a lease and a lock on the learners file
 // velocity_now wrong: lease: Operation not permitted lock: Operation not permitted record: Operation not permitted
-// graded: wrong
 #include "exercise.hpp"
 
 #include <cstdio>
