@@ -1,5 +1,5 @@
-// Where the inputs of a check come from: the hash is the one whose strength is known, and each seed and property has
-// numbers of its own.
+// Where the inputs of a check come from: the hash is the one whose strength is known, and each seed
+// and property has numbers of its own.
 
 #include "keyed.hpp"
 

@@ -91,9 +91,9 @@ constexpr Rule of_opening[] = {
 
 constexpr Rule by_argument[] = {
     {SYS_clone, 0, Rule::not_one_of_the_bits, CLONE_THREAD},
-    {SYS_prlimit64, 0, Rule::not_equal, 0},         // of this process: getrlimit does that
-    {SYS_prctl, 0, Rule::equal, PR_SET_PDEATHSIG},  // no way out of dying with the checker
-    {SYS_prctl, 0, Rule::equal, PR_SET_THP_DISABLE},  // no huge pages: see remote.cpp
+    {SYS_prlimit64, 0, Rule::not_equal, 0},           // of this process: getrlimit does that
+    {SYS_prctl, 0, Rule::equal, PR_SET_PDEATHSIG},    // no way out of dying with the checker
+    {SYS_prctl, 0, Rule::equal, PR_SET_THP_DISABLE},  // no huge pages: see become_worker.cpp
     {SYS_fcntl, 1, Rule::equal, F_SETPIPE_SZ},
     // Leases and locks: an editor that saves the file would wait for them.
     {SYS_fcntl, 1, Rule::equal, F_SETLEASE},

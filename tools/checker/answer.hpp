@@ -27,7 +27,8 @@ Answer answer_of(R (*function)(Args...)) {
         Numbers result;
         Wire<std::decay_t<R>>::put(result, std::apply(function, arguments));
         Numbers after;
-        after.reserve(numbers.size());  // so that none is copied: the learner may have an own memmove
+        // So that none is copied once more: the learner may have an own memmove.
+        after.reserve(numbers.size());
         const auto add = [&after](const auto& value) {
             Wire<std::decay_t<decltype(value)>>::put(after, value);
         };

@@ -2,11 +2,12 @@
 //
 //     check EXERCISE WORKER [PRINTED [sanitizers | memcheck | LAUNCHER…]]
 //
-// with inputs drawn from the seed on the standard input, for a command line can be read by all; what
-// the learner's code prints left in the file PRINTED; the worker watched by the sanitizers that it is
-// compiled with or by valgrind's memcheck, or started by the words LAUNCHER. It prints lines  key<TAB>value, which ./course check puts into
-// words; in a value, control characters are \n, \t and \xNN, and a backslash is \\. Exit status 0
-// when the answer is right, 1 when it is not, 2 for wrong use.
+// with inputs drawn from the seed on the standard input, for a command line can be read by all;
+// what the learner's code prints left in the file PRINTED; the worker watched by the sanitizers
+// that it is compiled with or by valgrind's memcheck, or started by the words LAUNCHER. It prints
+// lines  key<TAB>value, which ./course check puts into words; in a value, control characters are
+// \n, \t and \xNN, and a backslash is \\. Exit status 0 when the answer is right, 1 when it is not,
+// 2 for wrong use.
 
 #include <algorithm>
 #include <charconv>

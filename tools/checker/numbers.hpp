@@ -26,7 +26,8 @@ struct Malformed : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Are they alike bit by bit? For NaN is not equal to itself. Not by memcmp, of which a learner's file may have its own.
+/// Are they alike bit by bit? For NaN is not equal to itself. Not by memcmp, of which a learner's
+/// file may have its own.
 inline bool same_bits(const Numbers& a, const Numbers& b) {
     std::uint64_t different = a.size() ^ b.size();
     for (std::size_t i = 0; different == 0 && i < a.size(); ++i)

@@ -52,7 +52,8 @@ private:
     Keyed stream_;
 };
 
-/// Do two numbers agree to `relative` of the larger, or to `absolute`? An infinite one agrees with none.
+/// Do two numbers agree to `relative` of the larger, or to `absolute`? An infinite one agrees with
+/// none.
 bool close(double a, double b, double relative, double absolute = 0);
 
 /// The order that two errors tell, the second of half the step: log₂(error/half).

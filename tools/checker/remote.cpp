@@ -69,7 +69,8 @@ Remote::Remote(const std::string& program, const std::string& printed,
         throw Ended(Kind::course_error, "no pipe to be had from the system");
     int log[2] = {-1, -1};
     if (limits.watch == Watch::memcheck &&
-        (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, log) != 0 || shutdown(log[1], SHUT_RD) != 0))
+        (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, log) != 0 ||
+         shutdown(log[1], SHUT_RD) != 0))
         throw Ended(Kind::course_error, "no socket to be had from the system");
     log_ = log[0];
     prctl(PR_SET_CHILD_SUBREAPER, 1);  // what a child leaves behind becomes ours: see end()
@@ -78,7 +79,7 @@ Remote::Remote(const std::string& program, const std::string& printed,
     if (process_ < 0) throw Ended(Kind::course_error, "no process to be had from the system");
     if (process_ == 0)
         become_worker(program, launcher, parent, calls[0], answers[1], file, failed[1], log[1],
-               limits);
+                      limits);
     close(calls[0]);
     close(answers[1]);
     close(failed[1]);
@@ -107,7 +108,8 @@ void Remote::close_down() {
     look_through(found_);
 }
 
-// Reads what memcheck has written by now. The first that it finds is what is told; the rest is dropped.
+// Reads what memcheck has written by now. The first that it finds is what is told; the rest is
+// dropped.
 void Remote::overhear() {
     char piece[4096];
     while (log_ >= 0) {
@@ -115,12 +117,13 @@ void Remote::overhear() {
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) return;
         if (got == 0) close(std::exchange(log_, -1));
-        if (got > 0 && found_.size() < (1 << 20)) found_.append(piece, static_cast<std::size_t>(got));
+        if (got > 0 && found_.size() < (1 << 20))
+            found_.append(piece, static_cast<std::size_t>(got));
     }
 }
 
-// The whole group, and at once: what does not listen to anything else must end, too. So must what has left
-// the group, or what a launcher has begun; the verdict comes when all of it is gone.
+// The whole group, and at once: what does not listen to anything else must end, too. So must what
+// has left the group, or what a launcher has begun; the verdict comes when all of it is gone.
 void Remote::end() {
     if (process_ < 0) return;
     kill(-process_, SIGKILL);

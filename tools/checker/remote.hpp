@@ -68,8 +68,8 @@ private:
     int calls_ = -1, answers_ = -1;
     int log_ = -1;       // memcheck's: a socket, which nobody can open once more, and empty or cut
     std::string found_;  // what memcheck has written there
-    std::uint64_t number_ = 0;  // of the last call
-    std::size_t most_bytes_;    // of its answer
+    std::uint64_t number_ = 0;               // of the last call
+    std::size_t most_bytes_;                 // of its answer
     double begin_, call_begin_, next_look_;  // by the clock
     double call_used_ = -1;                  // processor time before this call; -1: not known yet
     int asleep_ = 0, all_asleep_ = 0;        // looks that found it so: in this call, in all

@@ -120,8 +120,8 @@ void catch_crashes() {
 }
 
 // Rounds to nearest, flushes nothing to zero, and with the x87 cuts nothing off: as every process
-// begins, and as every caller expects it after a call. The processor is asked itself, since a learner's
-// file may have a fegetenv of its own.
+// begins, and as every caller expects it after a call. The processor is asked itself, since a
+// learner's file may have a fegetenv of its own.
 bool calculates_as_usual() {
 #if defined(__x86_64__)
     std::uint32_t sse = 0;

@@ -296,7 +296,8 @@ void grade(const Grading& grading) {
         return grade.could_not_be_checked();
     });
     if (failed)
-        throw Stop(Status::missing, "some could not be checked; the same command tries them again, three times in "
+        throw Stop(Status::missing,
+                   "some could not be checked; the same command tries them again, three times in "
                    "all, and --again once more");
     if (static_cast<std::size_t>(passed) < grades.size() || grades.empty())
         throw Stop(Status::wrong, "");

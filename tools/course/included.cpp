@@ -16,8 +16,8 @@ bool is_blank(char c) {
     return c == ' ' || c == '\t';
 }
 
-// A name as it is, which make's lists quote: a backslash before a blank or a tab, and the backslashes
-// before it twice; before # one backslash; $ twice.
+// A name as it is, which make's lists quote: a backslash before a blank or a tab, and the
+// backslashes before it twice; before # one backslash; $ twice.
 std::string unquoted(std::string_view raw) {
     std::string name;
     for (std::size_t i = 0; i < raw.size(); ++i) {
@@ -35,9 +35,10 @@ std::string unquoted(std::string_view raw) {
     return name;
 }
 
-// All that the words of a list for make may mean. It does not tell a name that ends in a backslash from one that
-// goes on with a blank, nor a line's end from a name's: there both are taken for names, and all from one such place
-// to another. A blank without a backslash before it is none of a name's.
+// All that the words of a list for make may mean. It does not tell a name that ends in a backslash
+// from one that goes on with a blank, nor a line's end from a name's: there both are taken for
+// names, and all from one such place to another. A blank without a backslash before it is none of a
+// name's.
 std::vector<std::string> names_in(std::string_view list) {
     const std::size_t longest = 10'000;  // of a name, quoted
     std::vector<std::string> names;
@@ -48,7 +49,8 @@ std::vector<std::string> names_in(std::string_view list) {
         if (!is_blank(c) && c != '\n') continue;
         begins.push_back(begin);
         for (const std::size_t from : begins)
-            if (from < i && i - from < longest) names.push_back(unquoted(list.substr(from, i - from)));
+            if (from < i && i - from < longest)
+                names.push_back(unquoted(list.substr(from, i - from)));
         if (is_blank(c) && (i == 0 || list[i - 1] != '\\')) begins.clear();
         begin = i + 1;
     }
@@ -81,8 +83,8 @@ std::string not_ones_own(const std::vector<fs::path>& files, const fs::path& ans
         if (none || real == answer || is_for_answers(real)) continue;
         for (const auto& hidden :
              {places().source / "solutions", places().source / "include", places().source / "tests",
-              places().build / "tests",
-              places().build / "exercises/hidden", places().build / "exercises/check", places().build / "exercises/self_test",
+              places().build / "tests", places().build / "exercises/hidden",
+              places().build / "exercises/check", places().build / "exercises/self_test",
               places().source / "kit"}) {
             const fs::path below = real.lexically_relative(fs::canonical(hidden, none));
             if (!below.empty() && *below.begin() != "..")
