@@ -136,6 +136,30 @@ test_the_solution_by_other_ways() {
     done
 }
 
+# No list for make tells where these names end. What it seems to say is there, too, and harmless.
+test_names_that_no_list_can_hold() {
+    solution=$source/solutions/01_derivatives/velocity_now.cpp
+    for name in 'ends in\' 'ends in two\\' 'ends\ in\ a\' '\'; do
+        ln -s "$solution" "$name"
+        : >"${name%\\} "
+        printf '#include "%s"\n' "$name" >answer.cpp
+        must_be does_not_compile 'The file includes solutions/01_derivatives/velocity_now.cpp.'
+    done
+    rm '\'
+    newline='
+'
+    : >new
+    for name in "new${newline}line" "and${newline} blanks\\" "back\\$newline" "all\\ \\$newline of"; do
+        mkdir "$name"
+        ln -s "$solution" "$name/name.hpp"
+        echo '#include "name.hpp"' >"$name/answer.cpp"
+        course check velocity_now --file "$name/answer.cpp" >out 2>err && fail 'it passes'
+        says out 'The file includes solutions/01_derivatives/velocity_now.cpp.'
+        cp "$solution" "$name/answer.cpp"
+        expect 0 course check velocity_now --file "$name/answer.cpp"
+    done
+}
+
 test_bytes_of_the_course() {
     grep -q incbin "$real_build/exercises/commands.json" || exit 77
     for name in "$source/solutions/01_derivatives/velocity_now.cpp" "$real_build/exercises/hidden/velocity_now" \

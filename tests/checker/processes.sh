@@ -70,6 +70,39 @@ test_who_gets_no_processor_is_not_too_slow() {
     says out ': right'
 }
 
+# Neither on the checker's command line nor on that of who has begun it.
+test_the_seed_is_on_no_command_line() {
+    answer <<'CODE'
+    for (int pid = getppid(), next = 0; first && pid > 1; pid = next, next = 0) {
+        char name[64], words[4096] = "";
+        std::snprintf(name, sizeof name, "/proc/%d/cmdline", pid);
+        std::FILE* file = std::fopen(name, "r");
+        const size_t size = file ? std::fread(words, 1, sizeof words, file) : 0;
+        for (size_t i = 0; i < size; ++i) std::putchar(words[i] == 0 ? ' ' : words[i]);
+        std::puts("");
+        std::snprintf(name, sizeof name, "/proc/%d/stat", pid);
+        file = std::fopen(name, "r");
+        if (!file || std::fscanf(file, "%*d %*s %*c %d", &next) != 1) break;
+    }
+CODE
+    for seed in '--seed 123454321' --seed=123454321; do
+        # shellcheck disable=SC2086  # a word or two
+        expect 0 course check velocity_now --file answer.cpp $seed
+        says out 'check velocity_now'
+        silent_on out 123454321
+    done
+}
+
+# Seeds below a million can all be tried within a call.
+test_seeds_are_of_64_bits() {
+    for _ in 1 2 3 4; do
+        expect 1 course check velocity_now --file "$real_build/exercises/generated/velocity_now_stub.cpp" --json
+        sed 's/.*"seed":\([0-9]*\).*/\1/' out
+    done >seeds
+    is "$(sort -u seeds | grep -c '')" 4
+    [ "$(sort -n seeds | tail -n 1 | wc -c)" -gt 17 ] || fail "all are small: $(cat seeds)"
+}
+
 test_threads_may_be_started_and_processes_not() {
     answer <<'CODE'
     if (first) std::thread([] { std::puts("a thread"); }).join();

@@ -128,7 +128,6 @@ test_a_killed_grading_goes_on_and_loses_nothing() {
     printf '{"submission": "ali' >>class.grades/journal.jsonl  # and the line it was writing
     expect 1 course grade class
     says err " $(grep -c submission killed) were graded before"
-    says out 'seed 7'
     cmp -s whole/grades.csv class.grades/grades.csv || fail 'other grades than without being killed'
     hand_in bob $solved
     expect 1 course grade class
@@ -137,6 +136,76 @@ test_a_killed_grading_goes_on_and_loses_nothing() {
     expect 1 course grade class --again --seed 8
     silent_on err 'graded before'
     says out 'seed 8'
+}
+
+# Who has seen the seed of a grade knows nothing of the next.
+test_a_regrade_draws_anew() {
+    needs_isolation
+    expect 1 course grade class --seed 7
+    is "$(seeds)" 7
+    for again in 1 2; do
+        expect 1 course grade class --again
+        seeds >>all
+    done
+    is "$(sort -u all | grep -c '')" 2
+    [ "$(sort -n all | tail -n 1 | wc -c)" -gt 15 ] || fail "small seeds: $(cat all)"
+    before=$(seeds)
+    hand_in bob $solved  # handed in anew, and drawn anew
+    expect 1 course grade class
+    says err ' 2 were graded before'
+    is "$(seeds | grep -c '')" 2
+    seeds | grep -qx "$before" || fail 'who was graded before has another seed'
+    expect 1 course grade class --seed 7
+    silent_on err 'graded before'
+    expect 1 course grade class --seed 7
+    says err ' 3 were graded before'
+}
+
+# The seeds of all grades, each once.
+seeds() { sed -n 's/.*"seed": \([0-9]*\).*/\1/p' class.grades/grades.json | sort -u; }
+
+# The hidden tests of velocity_now are this script.
+hidden_tests_are() {
+    own_build
+    printf '#!/bin/sh\n%s\n' "$1" >hidden
+    chmod +x hidden
+    sed -i "s|\"velocity_now\": \"[^\"]*/hidden/velocity_now\"|\"velocity_now\": \"$folder/hidden\"|" \
+        build/exercises/commands.json
+}
+
+# What the kernel does to a program that has worked for longer than it may.
+test_tests_that_work_too_long_count_against_the_answer() {
+    needs_isolation
+    hidden_tests_are 'echo x >>'"$folder"'/runs; kill -XCPU $$'
+    expect 1 course grade class/alice --out results
+    says out 'velocity_now: too slow'
+    says out 'The hidden tests have worked for a minute on what your function returned'
+    is "$(lines runs)" 2
+    expect 1 course grade class/alice --out results
+    says err ' 1 were graded before'
+    is "$(lines runs)" 2
+}
+
+test_a_course_error_does_not_repeat_for_ever() {
+    needs_isolation
+    hidden_tests_are 'echo x >>'"$folder"'/runs; exit 77'
+    for runs in 1 2 3 3 3; do
+        expect 3 course grade class/alice --out results
+        says err 'some could not be checked'
+        says out 'velocity_now: could not be checked'
+        is "$(lines runs)" $runs
+    done
+    says results/grades.csv '"alice",0,1,course_error'
+    expect 3 course grade class/alice --out results --again
+    is "$(lines runs)" 4
+}
+
+# A check that ends without a word is somebody's all the same.
+test_a_check_that_is_killed_keeps_its_names() {
+    needs_isolation
+    hidden_tests_are 'kill -KILL $(ps -o ppid= -p $$)'
+    expect 3 course grade class/alice --out results
+    says results/grades.csv '"alice",0,1,course_error'
 }
 
 test_an_interrupt_ends_it_and_leaves_nothing() {

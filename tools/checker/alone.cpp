@@ -45,7 +45,23 @@ constexpr unsigned refused[] = {
     SYS_rt_tgsigqueueinfo, SYS_setpriority, SYS_ioprio_set, SYS_sched_setaffinity,
     SYS_sched_setattr, SYS_sched_setparam, SYS_sched_setscheduler, SYS_migrate_pages,
     SYS_move_pages,
-// Making, changing and removing files.
+    // Other roots and other namespaces, in which one may be another user.
+    SYS_unshare, SYS_setns, SYS_chroot, SYS_pivot_root, SYS_mount, SYS_umount2, SYS_open_tree,
+    SYS_move_mount, SYS_fsopen, SYS_fsconfig, SYS_fsmount, SYS_fspick,
+    // The network, and an end of what goes to those who watch.
+    SYS_socket, SYS_socketpair, SYS_shutdown,
+    // Locks: others wait for them.
+    SYS_flock,
+    // Memory that outlives the process or is not counted as its own.
+    SYS_shmget, SYS_shmat, SYS_shmctl, SYS_msgget, SYS_msgctl, SYS_semget, SYS_semctl, SYS_mq_open,
+    SYS_mq_unlink, SYS_memfd_create, SYS_add_key, SYS_request_key, SYS_keyctl,
+    // A pipe keeps what is moved into it so, whole huge pages for one byte.
+    SYS_vmsplice, SYS_splice, SYS_tee,
+    // What is for those who look into kernels.
+    SYS_bpf, SYS_perf_event_open, SYS_userfaultfd};
+
+// Making, changing and removing files: by these, and by opening them so.
+constexpr unsigned of_files[] = {
 #ifdef SYS_creat
     SYS_creat, SYS_unlink, SYS_rmdir, SYS_rename, SYS_link, SYS_symlink, SYS_mkdir, SYS_mknod,
     SYS_chmod, SYS_chown, SYS_lchown, SYS_utime, SYS_utimes, SYS_futimesat,
@@ -56,19 +72,7 @@ constexpr unsigned refused[] = {
     SYS_unlinkat, SYS_renameat2, SYS_linkat, SYS_symlinkat, SYS_mkdirat, SYS_mknodat, SYS_fchmod,
     SYS_fchmodat, SYS_fchown, SYS_fchownat, SYS_utimensat, SYS_truncate, SYS_setxattr,
     SYS_lsetxattr, SYS_fsetxattr, SYS_removexattr, SYS_lremovexattr, SYS_fremovexattr,
-    SYS_open_by_handle_at,
-    // Other roots and other namespaces, in which one may be another user.
-    SYS_unshare, SYS_setns, SYS_chroot, SYS_pivot_root, SYS_mount, SYS_umount2, SYS_open_tree,
-    SYS_move_mount, SYS_fsopen, SYS_fsconfig, SYS_fsmount, SYS_fspick,
-    // The network.
-    SYS_socket, SYS_socketpair,
-    // Memory that outlives the process or is not counted as its own.
-    SYS_shmget, SYS_shmat, SYS_shmctl, SYS_msgget, SYS_msgctl, SYS_semget, SYS_semctl, SYS_mq_open,
-    SYS_mq_unlink, SYS_memfd_create, SYS_add_key, SYS_request_key, SYS_keyctl,
-    // A pipe keeps what is moved into it so, whole huge pages for one byte.
-    SYS_vmsplice, SYS_splice, SYS_tee,
-    // What is for those who look into kernels.
-    SYS_bpf, SYS_perf_event_open, SYS_userfaultfd};
+    SYS_open_by_handle_at};
 
 // A call that depends on one argument.
 struct Rule {
@@ -79,16 +83,24 @@ struct Rule {
 
 constexpr unsigned writing = O_WRONLY | O_RDWR | O_CREAT | O_TRUNC;
 
-constexpr Rule by_argument[] = {
-    {SYS_clone, 0, Rule::not_one_of_the_bits, CLONE_THREAD},
+constexpr Rule of_opening[] = {
 #ifdef SYS_open
     {SYS_open, 1, Rule::one_of_the_bits, writing},
 #endif
-    {SYS_openat, 2, Rule::one_of_the_bits, writing},
-    {SYS_prlimit64, 0, Rule::not_equal, 0},         // of this process: getrlimit does that
-    {SYS_prctl, 0, Rule::equal, PR_SET_PDEATHSIG},  // no way out of dying with the checker
-    {SYS_prctl, 0, Rule::equal, PR_SET_THP_DISABLE},  // no huge pages: see remote.cpp
+    {SYS_openat, 2, Rule::one_of_the_bits, writing}};
+
+constexpr Rule by_argument[] = {
+    {SYS_clone, 0, Rule::not_one_of_the_bits, CLONE_THREAD},
+    {SYS_prlimit64, 0, Rule::not_equal, 0},           // of this process: getrlimit does that
+    {SYS_prctl, 0, Rule::equal, PR_SET_PDEATHSIG},    // no way out of dying with the checker
+    {SYS_prctl, 0, Rule::equal, PR_SET_THP_DISABLE},  // no huge pages: see become_worker.cpp
     {SYS_fcntl, 1, Rule::equal, F_SETPIPE_SZ},
+    // Leases and locks: an editor that saves the file would wait for them.
+    {SYS_fcntl, 1, Rule::equal, F_SETLEASE},
+    {SYS_fcntl, 1, Rule::equal, F_SETLK},
+    {SYS_fcntl, 1, Rule::equal, F_SETLKW},
+    {SYS_fcntl, 1, Rule::equal, F_OFD_SETLK},
+    {SYS_fcntl, 1, Rule::equal, F_OFD_SETLKW},
     // Signals to others when a file can be read.
     {SYS_fcntl, 1, Rule::equal, F_SETOWN},
     {SYS_fcntl, 1, Rule::equal, F_SETOWN_EX}};
@@ -129,7 +141,7 @@ public:
 
 }  // namespace
 
-std::vector<sock_filter> rules(pid_t self) {
+std::vector<sock_filter> rules(pid_t self, Files files) {
     if (processor == 0) return {};
     Program program;
     program.load(offsetof(seccomp_data, arch));  // 32-bit code has other numbers
@@ -142,13 +154,19 @@ std::vector<sock_filter> rules(pid_t self) {
         program.only_if(BPF_JEQ, call);
         program.fail(ENOSYS);
     }
-    for (const unsigned call : refused) {
-        program.only_if(BPF_JEQ, call);
-        program.fail(EPERM);
-    }
+    const auto refuse = [&](const auto& calls) {
+        for (const unsigned call : calls) {
+            program.only_if(BPF_JEQ, call);
+            program.fail(EPERM);
+        }
+    };
+    refuse(refused);
+    if (files == Files::are_read) refuse(of_files);
     program.only_if(BPF_JEQ, SYS_ioctl);  // by which files are changed, and terminals typed into
     program.fail(ENOTTY);
     for (const Rule& rule : by_argument) program.refuse(rule);
+    if (files == Files::are_read)
+        for (const Rule& rule : of_opening) program.refuse(rule);
     if (self != 0)  // abort() sends itself a signal
         for (const unsigned call : {SYS_kill, SYS_tkill, SYS_tgkill})
             program.refuse({call, 0, Rule::not_equal, static_cast<unsigned>(self)});
@@ -156,7 +174,7 @@ std::vector<sock_filter> rules(pid_t self) {
     return program.steps;
 }
 
-void stay_alone() {
+void stay_alone(Files files) {
     // By these root reaches into any process and raises its limits. It may still read.
     for (unsigned right = 0; right <= CAP_LAST_CAP; ++right)
         if (right != CAP_DAC_READ_SEARCH) prctl(PR_CAPBSET_DROP, right);
@@ -166,7 +184,7 @@ void stay_alone() {
         for (auto& half : rights) half.inheritable = 0;
         syscall(SYS_capset, &version, rights);
     }
-    std::vector<sock_filter> list = rules(getpid());
+    std::vector<sock_filter> list = rules(getpid(), files);
     const sock_fprog program{static_cast<unsigned short>(list.size()), list.data()};
     if (!list.empty() && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0)
         prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program);

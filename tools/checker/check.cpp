@@ -1,17 +1,18 @@
 // The hidden tests' program: checks a worker with a learner's code.
 //
-//     check EXERCISE WORKER [SEED [PRINTED [sanitizers | memcheck | LAUNCHER…]]]
+//     check EXERCISE WORKER [PRINTED [sanitizers | memcheck | LAUNCHER…]]
 //
-// with inputs drawn from SEED (none given: anew), what the learner's code prints left in the file
-// PRINTED; the worker watched by the sanitizers that it is compiled with or by valgrind's memcheck,
-// or started by the words LAUNCHER. It prints lines  key<TAB>value, which ./course check puts into
-// words; in a value, control characters are \n, \t and \xNN, and a backslash is \\. Exit status 0
-// when the answer is right, 1 when it is not, 2 for wrong use.
+// with inputs drawn from the seed on the standard input, for a command line can be read by all;
+// what the learner's code prints left in the file PRINTED; the worker watched by the sanitizers
+// that it is compiled with or by valgrind's memcheck, or started by the words LAUNCHER. It prints
+// lines  key<TAB>value, which ./course check puts into words; in a value, control characters are
+// \n, \t and \xNN, and a backslash is \\. Exit status 0 when the answer is right, 1 when it is not,
+// 2 for wrong use.
 
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <random>
+#include <cstring>
 #include <string>
 
 #include <sys/prctl.h>
@@ -45,29 +46,28 @@ int main(int argc, char** argv) {
     prctl(PR_SET_DUMPABLE, 0);
     std::uint64_t seed = 0;
     if (argc < 3) {
-        std::fprintf(stderr,
-                     "check: takes EXERCISE WORKER [SEED [PRINTED [WATCH or LAUNCHER...]]]\n");
+        std::fprintf(stderr, "check: takes EXERCISE WORKER [PRINTED [WATCH or LAUNCHER...]]\n");
         return 2;
     }
-    const std::string word = argc > 3 ? argv[3] : std::to_string(std::random_device{}());
-    const char* const end = word.data() + word.size();
-    if (const auto read = std::from_chars(word.data(), end, seed);
+    char word[32] = "";
+    if (!std::fgets(word, sizeof word, stdin)) word[0] = '\0';
+    word[std::strcspn(word, "\n")] = '\0';
+    const char* const end = word + std::strlen(word);
+    if (const auto read = std::from_chars(word, end, seed);
         read.ec != std::errc() || read.ptr != end) {
-        std::fprintf(stderr, "check: the seed '%s' is no whole number from 0\n", word.c_str());
+        std::fprintf(stderr, "check: the seed '%s' is no whole number from 0 to 2^64 - 1\n", word);
         return 2;
     }
-    // Nor to read here what it will be asked.
-    if (argc > 3) std::fill_n(argv[3], word.size(), ' ');
     Verdict verdict;
     try {
         Limits limits;
-        std::vector<std::string> launcher(argv + std::min(argc, 5), argv + argc);
-        if (argc == 6 && (launcher[0] == "sanitizers" || launcher[0] == "memcheck")) {
+        std::vector<std::string> launcher(argv + std::min(argc, 4), argv + argc);
+        if (argc == 5 && (launcher[0] == "sanitizers" || launcher[0] == "memcheck")) {
             limits.watch = launcher[0] == "memcheck" ? Watch::memcheck : Watch::sanitizers;
             limits.call_seconds = limits.total_seconds = 20;
             launcher.clear();
         }
-        Remote remote(argv[2], argc > 4 ? argv[4] : "/dev/null", launcher, limits);
+        Remote remote(argv[2], argc > 3 ? argv[3] : "/dev/null", launcher, limits);
         remote.await();
         verdict = session().check(argv[1], std::ref(remote), seed);
         if (verdict.kind != Kind::crash) remote.close_down();

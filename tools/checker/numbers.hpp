@@ -3,9 +3,12 @@
 /// Values as rows of numbers: all that passes between the tests and a learner's code.
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -22,6 +25,15 @@ using Numbers = std::vector<double>;
 struct Malformed : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+/// Are they alike bit by bit? For NaN is not equal to itself. Not by memcmp, of which a learner's
+/// file may have its own.
+inline bool same_bits(const Numbers& a, const Numbers& b) {
+    std::uint64_t different = a.size() ^ b.size();
+    for (std::size_t i = 0; different == 0 && i < a.size(); ++i)
+        different = std::bit_cast<std::uint64_t>(a[i]) ^ std::bit_cast<std::uint64_t>(b[i]);
+    return different == 0;
+}
 
 /// Reads numbers from front to back.
 class Reader {
@@ -49,7 +61,16 @@ template <class T>
 requires std::integral<T> || std::floating_point<T>
 struct Wire<T> {
     static void put(Numbers& numbers, T value) { numbers.push_back(static_cast<double>(value)); }
-    static T take(Reader& reader) { return static_cast<T>(reader.next()); }
+    static T take(Reader& reader) {
+        const double number = reader.next();
+        if constexpr (std::integral<T>) {  // of a bool's numbers there are two
+            using Limits = std::numeric_limits<T>;
+            if (!(number >= static_cast<double>(Limits::min()) &&
+                  number <= static_cast<double>(Limits::max()) && number == std::trunc(number)))
+                throw Malformed("an answer has a number that its type has not");
+        }
+        return static_cast<T>(number);
+    }
     static std::string show(Reader& reader) {
         char text[32];
         std::snprintf(text, sizeof text, "%.10g", reader.next());
@@ -93,7 +114,7 @@ struct Wire<std::vector<T>> {
     }
     static std::vector<T> take(Reader& reader) {
         const double size = reader.next();
-        if (!(size >= 0 && size <= static_cast<double>(reader.left())))
+        if (!(size >= 0 && size <= static_cast<double>(reader.left()) && size == std::trunc(size)))
             throw Malformed("an answer's length is not the number of its elements");
         // At its full size at once: a sanitizer that marks the room behind the end of a learner's
         // vectors sees only what the learner's code does to them.

@@ -1,32 +1,16 @@
 #include "property.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <catch2/interfaces/catch_interfaces_capture.hpp>
 
 namespace checker {
 
-namespace {
-
-// SplitMix64 (Steele, Lea and Flood 2014): one line, and the same numbers with every compiler.
-std::uint64_t next(std::uint64_t& state) {
-    std::uint64_t z = (state += 0x9e3779b97f4a7c15);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return z ^ (z >> 31);
-}
-
-}  // namespace
-
-Draw::Draw() : state_(session().seed()) {
-    for (const char c : Catch::getResultCapture().getCurrentTestName()) {
-        state_ ^= static_cast<unsigned char>(c);
-        next(state_);
-    }
-}
+Draw::Draw() : stream_(session().seed(), Catch::getResultCapture().getCurrentTestName()) {}
 
 double Draw::share() {
-    return static_cast<double>(next(state_) >> 11) * 0x1p-53;
+    return static_cast<double>(stream_.next() >> 11) * 0x1p-53;
 }
 
 double Draw::real(double low, double high) {
@@ -65,7 +49,9 @@ int Draw::integer(int low, int high) {
 }
 
 bool close(double a, double b, double relative, double absolute) {
-    return std::isfinite(a - b) && std::fabs(a - b) <= std::max(relative * std::max(std::fabs(a), std::fabs(b)), absolute);
+    const double tolerance = std::max(relative * std::max(std::fabs(a), std::fabs(b)), absolute);
+    // What is infinite lies near nothing, though inf <= relative * inf.
+    return std::isfinite(tolerance) && std::fabs(a - b) <= tolerance;
 }
 
 double order(double error, double error_of_half) {

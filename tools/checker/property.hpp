@@ -14,12 +14,12 @@
 ///
 /// `learner` is the learner's function, typed as the exercise declares it.
 
-#include <cstdint>
 #include <initializer_list>
 
 #include <catch2/catch_test_macros.hpp>
 
 #include "answer.hpp"
+#include "keyed.hpp"
 #include "session.hpp"
 
 /// Says which exercise the properties below it belong to; its declaration stands in the header of
@@ -59,11 +59,12 @@ public:
 
 private:
     double share();  // of one, uniform
-    std::uint64_t state_;
+    Keyed stream_;
     int simple_ = 48;  // the first numbers are round ones: what fails early can be worked out by hand
 };
 
-/// Do two numbers agree to `relative` of the larger, or to `absolute`?
+/// Do two numbers agree to `relative` of the larger, or to `absolute`? An infinite one agrees with
+/// none.
 bool close(double a, double b, double relative, double absolute = 0);
 
 /// The order that two errors tell, the second of half the step: log₂(error/half).

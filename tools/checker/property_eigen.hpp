@@ -29,7 +29,7 @@ Eigen::Vector3d draw_moments(Draw& draw, double ratio);
 template <class A, class B>
 bool close(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b, double relative,
            double absolute = 0) {
-    return (a - b).norm() <= std::max(relative * std::max(a.norm(), b.norm()), absolute);
+    return close((a - b).norm(), 0, 0, std::max(relative * std::max(a.norm(), b.norm()), absolute));
 }
 
 }  // namespace checker

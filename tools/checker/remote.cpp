@@ -6,19 +6,18 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <random>
+#include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/mman.h>
-#include <sys/personality.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/sysinfo.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "alone.hpp"
+#include "become_worker.hpp"
 #include "look.hpp"
 #include "memcheck.hpp"
 #include "pipe.hpp"
@@ -33,109 +32,6 @@ double now() {
 }
 
 constexpr double turn = 0.1;  // s, between two looks at a worker that has not answered yet
-
-void limit(int resource, std::size_t amount, std::size_t hard) {
-    const rlimit both{amount, hard};
-    setrlimit(static_cast<__rlimit_resource>(resource), &both);
-}
-
-void limit(int resource, std::size_t amount) {
-    limit(resource, amount, amount);
-}
-
-// The rules, where a launcher reads them.
-constexpr int rules_fd = answers_fd + 2;
-
-void open_rules() {
-    const std::vector<sock_filter> list = rules();
-    const int file = memfd_create("rules", 0);
-    write_all(file, list.data(), list.size() * sizeof list[0]);
-    lseek(file, 0, SEEK_SET);
-    dup2(file, rules_fd);
-    if (file != rules_fd) close(file);
-}
-
-// In the child: the pipes and the file in place of all that was open, limits, and the program with
-// an environment of its own. What keeps it from running is written to `failed`.
-[[noreturn]] void become(const std::string& program, const std::vector<std::string>& launcher,
-                         pid_t parent, int calls, int answers, int printed, int failed, int found,
-                         const Limits& limits) {
-    setsid();  // a group of its own, and no terminal to type into
-    // It ends with its parent, which may have ended before this line.
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(1);
-    // First out of the way of the places they are to have.
-    calls = fcntl(calls, F_DUPFD, 10);
-    answers = fcntl(answers, F_DUPFD, 10);
-    printed = fcntl(printed, F_DUPFD, 10);
-    failed = fcntl(failed, F_DUPFD, 10);
-    found = fcntl(found, F_DUPFD, 10);
-    const int nothing = open("/dev/null", O_RDONLY);
-    dup2(nothing, STDIN_FILENO);
-    dup2(printed, STDOUT_FILENO);
-    dup2(printed, STDERR_FILENO);
-    dup2(calls, calls_fd);
-    dup2(answers, answers_fd);
-    failed = dup3(failed, answers_fd + 1, O_CLOEXEC);
-    const bool memcheck = limits.watch == Watch::memcheck;
-    const int first_closed = memcheck ? dup2(found, failed + 1) + 1 : failed + 1;
-    close_range(static_cast<unsigned>(first_closed), ~0u, 0);
-    for (const int signal : {SIGINT, SIGPIPE, SIGTERM}) std::signal(signal, SIG_DFL);
-    std::signal(SIGXFSZ, SIG_IGN);
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_FSIZE, limits.printed_bytes);
-    if (limits.watch == Watch::nobody) limit(RLIMIT_AS, limits.megabytes << 20);
-    const auto seconds = static_cast<std::size_t>(limits.total_seconds) + 1;
-    limit(RLIMIT_CPU, seconds, seconds + 1);  // first a signal that says why, then the end
-    if (!memcheck) limit(RLIMIT_NOFILE, 64);
-    limit(RLIMIT_MSGQUEUE, 0);
-    limit(RLIMIT_MEMLOCK, 0);
-    // Of a huge page all stays taken when all but 4 kB are given back, and only those 4 kB count.
-    prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0);
-    // It counts all that the user runs, which is less than all that the machine runs.
-    struct sysinfo machine {};
-    if (sysinfo(&machine) == 0) limit(RLIMIT_NPROC, machine.procs + limits.threads);
-    // Memory is handed out and taken back full of bytes that make no sense, so that what was never
-    // written is no lucky zero.
-    const std::string tunables = "glibc.malloc.perturb=1:glibc.malloc.tcache_count=0";
-    // Sanitizers need more room than a limit on addresses leaves, and count memory themselves.
-    const std::string most = std::to_string(limits.megabytes);
-    std::vector<std::string> words = launcher,
-                             surroundings{
-                                 "ASAN_OPTIONS=detect_leaks=0:handle_segv=0:handle_sigbus=0:"
-                                 "handle_sigfpe=0:handle_sigill=0:handle_abort=0:"
-                                 "allocator_may_return_null=0:max_allocation_size_mb=" +
-                                 most + ":soft_rss_limit_mb=" + most};
-    if (memcheck) {
-        words = {"valgrind",
-                 "-q",
-                 "--vgdb=no",
-                 "--log-fd=" + std::to_string(failed + 1),
-                 "--track-origins=yes",
-                 program};
-    } else if (launcher.empty()) {
-        stay_alone();
-        // Some sanitizers do not find their places where these are drawn by lot.
-        if (limits.watch == Watch::sanitizers) personality(ADDR_NO_RANDOMIZE);
-        words.push_back("worker");
-        surroundings.push_back("GLIBC_TUNABLES=" + tunables);
-    } else {  // which keeps the rules for the worker
-        open_rules();
-        words.insert(words.end(), {"--setenv", "GLIBC_TUNABLES", tunables, "--seccomp",
-                                   std::to_string(rules_fd), "--", program});
-    }
-    const auto pointers = [](std::vector<std::string>& list) {
-        std::vector<char*> to;
-        for (std::string& word : list) to.push_back(word.data());
-        to.push_back(nullptr);
-        return to;
-    };
-    execvpe(memcheck || !launcher.empty() ? words[0].c_str() : program.c_str(),
-            pointers(words).data(), pointers(surroundings).data());
-    const int error = errno;
-    write_all(failed, &error, sizeof error);
-    _exit(127);
-}
 
 std::string hexadecimal(const void* address) {
     char text[32];
@@ -159,6 +55,7 @@ Remote::Remote(const std::string& program, const std::string& printed,
                const std::vector<std::string>& launcher, const Limits& limits)
     : limits_(limits),
       launched_(!launcher.empty()),
+      most_bytes_(1 << 16),
       begin_(now()),
       call_begin_(begin_),
       next_look_(begin_ + turn) {
@@ -170,18 +67,24 @@ Remote::Remote(const std::string& program, const std::string& printed,
     if (pipe2(calls, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0 ||
         pipe2(failed, O_CLOEXEC) != 0)
         throw Ended(Kind::course_error, "no pipe to be had from the system");
-    if (limits.watch == Watch::memcheck && !(found_ = std::tmpfile()))
-        throw Ended(Kind::course_error, "no temporary file to be had from the system");
+    int log[2] = {-1, -1};
+    if (limits.watch == Watch::memcheck &&
+        (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, log) != 0 ||
+         shutdown(log[1], SHUT_RD) != 0))
+        throw Ended(Kind::course_error, "no socket to be had from the system");
+    log_ = log[0];
+    prctl(PR_SET_CHILD_SUBREAPER, 1);  // what a child leaves behind becomes ours: see end()
     const pid_t parent = getpid();
     process_ = fork();
     if (process_ < 0) throw Ended(Kind::course_error, "no process to be had from the system");
     if (process_ == 0)
-        become(program, launcher, parent, calls[0], answers[1], file, failed[1],
-               found_ ? fileno(found_) : -1, limits);
+        become_worker(program, launcher, parent, calls[0], answers[1], file, failed[1], log[1],
+                      limits);
     close(calls[0]);
     close(answers[1]);
     close(failed[1]);
     close(file);
+    if (log[1] >= 0) close(log[1]);
     calls_ = calls[1];
     fcntl(calls_, F_SETFL, O_NONBLOCK);
     answers_ = answers[0];
@@ -196,19 +99,31 @@ Remote::~Remote() {
     end();
     close(calls_);
     close(answers_);
-    if (found_) std::fclose(found_);
+    if (log_ >= 0) close(log_);
 }
 
 void Remote::close_down() {
     end();
-    if (!found_) return;
-    std::rewind(found_);
-    std::string log;
-    for (int c; (c = std::fgetc(found_)) != EOF;) log += static_cast<char>(c);
-    look_through(log);
+    overhear();
+    look_through(found_);
 }
 
-// The whole group, and at once: what does not listen to anything else must end, too.
+// Reads what memcheck has written by now. The first that it finds is what is told; the rest is
+// dropped.
+void Remote::overhear() {
+    char piece[4096];
+    while (log_ >= 0) {
+        const ssize_t got = recv(log_, piece, sizeof piece, MSG_DONTWAIT);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return;
+        if (got == 0) close(std::exchange(log_, -1));
+        if (got > 0 && found_.size() < (1 << 20))
+            found_.append(piece, static_cast<std::size_t>(got));
+    }
+}
+
+// The whole group, and at once: what does not listen to anything else must end, too. So must what
+// has left the group, or what a launcher has begun; the verdict comes when all of it is gone.
 void Remote::end() {
     if (process_ < 0) return;
     kill(-process_, SIGKILL);
@@ -216,6 +131,12 @@ void Remote::end() {
     while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
     }
     process_ = -1;
+    for (;;) {
+        std::ifstream children("/proc/self/task/" + std::to_string(getpid()) + "/children");
+        if (!children) return;
+        for (pid_t child; children >> child;) kill(child, SIGKILL);
+        if (waitpid(-1, nullptr, 0) < 0 && errno == ECHILD) return;
+    }
 }
 
 void Remote::await() {
@@ -229,6 +150,8 @@ void Remote::await() {
 Numbers Remote::operator()(const Numbers& arguments) {
     const Head call{++number_, Reply::answer,
                     static_cast<std::uint32_t>(arguments.size() * sizeof(double))};
+    // For each argument some numbers: no test looks for long through an answer of that length.
+    most_bytes_ = (10'000 + 4 * arguments.size()) * sizeof(double);
     begin_call();
     // Who does not listen has perhaps said why, and that comes first: `hear` knows.
     if (send(&call, sizeof call)) send(arguments.data(), call.bytes);
@@ -271,8 +194,11 @@ void Remote::look(bool in_call) {
 // much.
 void Remote::wait_for(int pipe, short event) {
     for (;;) {
-        pollfd waiting{pipe, event, 0};
-        if (poll(&waiting, 1, static_cast<int>(turn * 1000)) > 0) return;
+        pollfd waiting[] = {{pipe, event, 0}, {log_, POLLIN, 0}};
+        if (poll(waiting, 2, static_cast<int>(turn * 1000)) > 0) {
+            overhear();
+            if (waiting[0].revents != 0) return;
+        }
         if (now() >= next_look_) look(true);
     }
 }
@@ -296,7 +222,7 @@ std::string Remote::hear(Reply expected) {
     receive(&head, sizeof head);
     if (head.number != number_ || head.reply > Reply::crashed)
         throw Ended(Kind::left_early, "The program wrote to the pipe that its answers go through");
-    if (head.bytes > (8u << 20))
+    if (head.bytes > most_bytes_)
         throw Ended(Kind::left_early, "The answer was too long, " +
                                           std::to_string(head.bytes / sizeof(double)) + " numbers");
     std::string bytes(head.bytes, '\0');
@@ -338,6 +264,7 @@ void Remote::gone() {
     for (int asleep = 0; asleep < 2 && now() < deadline; usleep(500)) {
         waitid(P_PID, static_cast<id_t>(process_), &how, WEXITED | WNOHANG | WNOWAIT);
         if (how.si_pid != 0) break;
+        overhear();
         if (now() < looked + turn) continue;
         const processes::Look seen = processes::look_at(process_, launched_);
         looked = now();

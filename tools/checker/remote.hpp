@@ -3,7 +3,6 @@
 /// The tests' end of the pipes.
 
 #include <cstdint>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -16,7 +15,7 @@
 namespace checker {
 
 /// Who looks over the worker's shoulder: nobody, the sanitizers it is compiled with, or valgrind's
-/// memcheck, which needs files of its own: there the worker does without the rules of alone.hpp.
+/// memcheck, which needs files of its own: there the worker may write files, too.
 enum class Watch { nobody, sanitizers, memcheck };
 
 /// How much a worker may take. Seconds are those of a processor: on a busy machine the clock goes
@@ -60,14 +59,17 @@ private:
     std::string hear(Reply expected);
     void receive(void* to, std::size_t size);
     [[noreturn]] void gone();
+    void overhear();
     void end();
 
     Limits limits_;
     bool launched_;
     pid_t process_ = -1;
     int calls_ = -1, answers_ = -1;
-    std::FILE* found_ = nullptr;  // by memcheck; without a name, out of the learner's reach
-    std::uint64_t number_ = 0;    // of the last call
+    int log_ = -1;       // memcheck's: a socket, which nobody can open once more, and empty or cut
+    std::string found_;  // what memcheck has written there
+    std::uint64_t number_ = 0;               // of the last call
+    std::size_t most_bytes_;                 // of its answer
     double begin_, call_begin_, next_look_;  // by the clock
     double call_used_ = -1;                  // processor time before this call; -1: not known yet
     int asleep_ = 0, all_asleep_ = 0;        // looks that found it so: in this call, in all

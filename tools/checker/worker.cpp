@@ -2,6 +2,7 @@
 
 #include <cfenv>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -119,18 +120,21 @@ void catch_crashes() {
 }
 
 // Rounds to nearest, flushes nothing to zero, and with the x87 cuts nothing off: as every process
-// begins, and as every caller expects it after a call.
+// begins, and as every caller expects it after a call. The processor is asked itself, since a
+// learner's file may have a fegetenv of its own.
 bool calculates_as_usual() {
-    std::fenv_t now;
-    std::fegetenv(&now);
 #if defined(__x86_64__)
+    std::uint32_t sse = 0;
+    std::uint16_t x87 = 0;
+    asm volatile("stmxcsr %0\n\tfnstcw %1" : "=m"(sse), "=m"(x87));
     const unsigned rounding = 3u << 13, flush = 1u << 15, denormals_are_zero = 1u << 6;
     const unsigned x87_mode = 0xf00, x87_usual = 0x300;
-    return (now.__mxcsr & (rounding | flush | denormals_are_zero)) == 0 &&
-           (now.__control_word & x87_mode) == x87_usual;
+    return (sse & (rounding | flush | denormals_are_zero)) == 0 && (x87 & x87_mode) == x87_usual;
 #elif defined(__aarch64__)
+    std::uint64_t now = 0;
+    asm volatile("mrs %0, fpcr" : "=r"(now));
     const unsigned rounding = 3u << 22, flush = 1u << 24;
-    return (now.__fpcr & (rounding | flush)) == 0;
+    return (now & (rounding | flush)) == 0;
 #else
     return std::fegetround() == FE_TONEAREST;
 #endif

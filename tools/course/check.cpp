@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <random>
 #include <thread>
 
 #include <nlohmann/json.hpp>
@@ -21,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::uint64_t seed_or_new(const std::optional<std::uint64_t>& seed) {
-    return seed ? *seed : std::random_device{}() % 1'000'000;
+    return seed ? *seed : new_seed();
 }
 
 void bring_up_to_date(const std::vector<Exercise>& exercises) {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -240,6 +242,17 @@ std::optional<std::uint64_t> seed_from(const std::optional<std::string>& given) 
     return seed;
 }
 
+// Those who are checked can read it.
+void blank_seed(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        if (word == "--seed" && i + 1 < argc)
+            std::fill_n(argv[i + 1], std::strlen(argv[i + 1]), ' ');
+        else if (word.starts_with("--seed="))
+            std::fill(argv[i] + 7, argv[i] + word.size(), ' ');
+    }
+}
+
 void bench_or_table(const CLI::App& bench, Asked& asked) {
     const auto others = bench.get_subcommands();
     if (others.empty()) {
@@ -284,6 +297,7 @@ Status obey(int argc, char** argv) {
         throw Stop(Status::bad_use, error.what() + std::string(number ? ": it takes numbers" : "") + see_help(app));
     }
 
+    blank_seed(static_cast<int>(end - argv), argv);
     if (!app.got_subcommand("run") && !asked.chapter_options.empty())
         throw Stop(Status::bad_use, "only run takes options for a chapter's program after --");
     if (app.got_subcommand("tour")) tour();

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <fstream>
 #include <optional>
-#include <random>
 #include <set>
 #include <thread>
 
@@ -210,7 +209,8 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
             continue;
         }
         const Grade* const known = journal.find(grades[i].submission, name, texts[i]);
-        if (known != nullptr && !grading.again) {
+        const bool other_numbers = known != nullptr && grading.seed && known->seed != *grading.seed;
+        if (known != nullptr && !grading.again && !other_numbers) {
             grades[i] = *known;
             ++taken_over;
         } else {
@@ -227,9 +227,10 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
         };
     };
     const auto keep = [&](std::size_t i, const Grade& grade) {
-        grades[i] = grade;
-        // What the machine is to blame for is graded again the next time.
-        if (grade.verdict != "course_error") journal.keep(grade, texts[i]);
+        grades[i] = grade;  // of a check that ended without a word it has no names
+        grades[i].submission = pile.submission(i).name;
+        grades[i].exercise = pile.exercise(i).name;
+        journal.keep(grades[i], texts[i]);
     };
     const int jobs = grading.jobs > 0
                          ? grading.jobs
@@ -266,10 +267,9 @@ void grade(const Grading& grading) {
     }
     const fs::path journal_file = desk / "journal.jsonl";
     const std::string mark = edition(pile.exercises) + (grading.trust ? "_trusted" : "");
-    const std::uint64_t seed =
-        grading.seed ? *grading.seed
-                     : Journal::seed_in(journal_file, mark, std::random_device{}() % 1'000'000);
-    Journal journal(journal_file, mark, seed);
+    // Drawn anew, so that nobody who knows what was asked before knows what will be.
+    const std::uint64_t seed = grading.seed ? *grading.seed : new_seed();
+    Journal journal(journal_file, mark);
     const auto begin = std::chrono::steady_clock::now();
     const std::vector<Grade> grades =
         grade_all(pile, grading, journal, seed, sandbox ? &*sandbox : nullptr);
@@ -293,10 +293,12 @@ void grade(const Grading& grading) {
         in_one_line(shown(desk.folder())).c_str(), single ? ", results.json" : "");
     flush();
     const bool failed = std::any_of(grades.begin(), grades.end(), [](const Grade& grade) {
-        return grade.verdict == "course_error";
+        return grade.could_not_be_checked();
     });
     if (failed)
-        throw Stop(Status::missing, "some could not be checked; the same command tries them again");
+        throw Stop(Status::missing,
+                   "some could not be checked; the same command tries them again, three times in "
+                   "all, and --again once more");
     if (static_cast<std::size_t>(passed) < grades.size() || grades.empty())
         throw Stop(Status::wrong, "");
 }

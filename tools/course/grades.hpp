@@ -22,30 +22,32 @@ struct Grade {
     bool in_time = true;  ///< false where compiler or answer had not come to an end
 
     bool passed() const { return verdict == "pass"; }
+    bool could_not_be_checked() const { return verdict == "course_error"; }
 };
 
 /// The grades of a run, kept in a file as they come, so that a run that was stopped goes on where it
-/// was. Everything in it belongs to one edition of the course and one seed; another empties it.
+/// was. Everything in it belongs to one edition of the course; another empties it.
 class Journal {
 public:
     /// Throws Stop(bad_use) where the file cannot be read or written.
-    Journal(const std::filesystem::path& file, const std::string& edition, std::uint64_t seed);
+    Journal(const std::filesystem::path& file, const std::string& edition);
     ~Journal();
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    /// The seed of the run that is gone on with, if there is one; else `seed`.
-    static std::uint64_t seed_in(const std::filesystem::path& file, const std::string& edition,
-                                 std::uint64_t seed);
-    /// The grade of this answer, if it was given before. `answer` is the text of the file.
+    /// The grade of this answer, if it was given before. `answer` is the text of the file. One that could
+    /// not be checked is none until that has happened `most_failures` times: an answer that breaks the checker
+    /// is not to do so for ever.
     const Grade* find(const std::string& submission, const std::string& exercise,
                       const std::string& answer) const;
     /// Throws Stop(bad_use) where it cannot be kept.
     void keep(const Grade& grade, const std::string& answer);
 
 private:
+    static constexpr int most_failures = 3;
     std::filesystem::path file_;
     std::map<std::string, Grade> known_;  // by submission, exercise and text
+    std::map<std::string, int> failures_;
     int out_ = -1;
 };
 

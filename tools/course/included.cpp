@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 #include "places.hpp"
 
@@ -11,26 +12,49 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The words of a list for make, as its writers quote them: a backslash before a blank or a tab of a
-// name, and the backslashes before it twice; before # one backslash; $ twice; one at the end of a
-// line is none of a name's.
-std::vector<std::string> words_in(const std::string& list) {
-    std::vector<std::string> words(1);
-    for (std::size_t i = 0; i < list.size(); ++i) {
+bool is_blank(char c) {
+    return c == ' ' || c == '\t';
+}
+
+// A name as it is, which make's lists quote: a backslash before a blank or a tab, and the
+// backslashes before it twice; before # one backslash; $ twice.
+std::string unquoted(std::string_view raw) {
+    std::string name;
+    for (std::size_t i = 0; i < raw.size(); ++i) {
         std::size_t slashes = 0;
-        while (i < list.size() && list[i] == '\\') ++slashes, ++i;
-        const char c = i < list.size() ? list[i] : '\n';
-        const bool blank = c == ' ' || c == '\t', quoted = blank && slashes % 2 == 1;
-        const bool end = (blank && !quoted) || c == '\n';
-        if (slashes > 0 && (c == '#' || c == '\n')) --slashes;
-        words.back() += std::string(quoted ? slashes / 2 : slashes, '\\');
-        if (end)
-            words.emplace_back();
-        else
-            words.back() += c;
-        if (c == '$' && i + 1 < list.size() && list[i + 1] == '$') ++i;
+        while (i < raw.size() && raw[i] == '\\') ++slashes, ++i;
+        const char c = i < raw.size() ? raw[i] : '\0';
+        if (is_blank(c))
+            slashes /= 2;
+        else if (c == '#' && slashes > 0)
+            --slashes;
+        name += std::string(slashes, '\\');
+        if (i < raw.size()) name += c;
+        if (c == '$' && i + 1 < raw.size() && raw[i + 1] == '$') ++i;
     }
-    return words;
+    return name;
+}
+
+// All that the words of a list for make may mean. It does not tell a name that ends in a backslash
+// from one that goes on with a blank, nor a line's end from a name's: there both are taken for
+// names, and all from one such place to another. A blank without a backslash before it is none of a
+// name's.
+std::vector<std::string> names_in(std::string_view list) {
+    const std::size_t longest = 10'000;  // of a name, quoted
+    std::vector<std::string> names;
+    std::vector<std::size_t> begins;  // of what may be names, since the last place that is sure
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= list.size(); ++i) {
+        const char c = i < list.size() ? list[i] : '\n';
+        if (!is_blank(c) && c != '\n') continue;
+        begins.push_back(begin);
+        for (const std::size_t from : begins)
+            if (from < i && i - from < longest)
+                names.push_back(unquoted(list.substr(from, i - from)));
+        if (is_blank(c) && (i == 0 || list[i - 1] != '\\')) begins.clear();
+        begin = i + 1;
+    }
+    return names;
 }
 
 // What exercise.hpp itself includes of the library. The rest of it holds what exercises ask for.
@@ -47,8 +71,7 @@ std::vector<fs::path> files_in(const std::vector<fs::path>& lists) {
     for (const auto& list : lists) {
         std::ifstream in(list);
         const std::string text{std::istreambuf_iterator<char>(in), {}};
-        for (const auto& word : words_in(text))
-            if (!word.empty()) files.emplace_back(word);
+        for (const auto& name : names_in(text)) files.emplace_back(name);
     }
     return files;
 }
@@ -60,8 +83,8 @@ std::string not_ones_own(const std::vector<fs::path>& files, const fs::path& ans
         if (none || real == answer || is_for_answers(real)) continue;
         for (const auto& hidden :
              {places().source / "solutions", places().source / "include", places().source / "tests",
-              places().build / "tests",
-              places().build / "exercises/hidden", places().build / "exercises/check", places().build / "exercises/self_test",
+              places().build / "tests", places().build / "exercises/hidden",
+              places().build / "exercises/check", places().build / "exercises/self_test",
               places().source / "kit"}) {
             const fs::path below = real.lexically_relative(fs::canonical(hidden, none));
             if (!below.empty() && *below.begin() != "..")

@@ -8,7 +8,8 @@
 
 namespace course {
 
-/// The files in the lists that a compiler or an assembler has written for make.
+/// The files in the lists that a compiler or an assembler has written for make, and where a list
+/// may be read in two ways those of both, of which some are nowhere.
 std::vector<std::filesystem::path> files_in(const std::vector<std::filesystem::path>& lists);
 
 /// One clear line where an answer has made use of the course's answers or tests: what of them is

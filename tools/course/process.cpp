@@ -209,10 +209,24 @@ int listen(const std::vector<std::string>& command,
     return WEXITSTATUS(status);
 }
 
-Outcome run_within(const std::vector<std::string>& command, const Allowance& allowance) {
+Outcome run_within(const std::vector<std::string>& command, const Allowance& allowance,
+                   const std::string& input) {
     const std::size_t most = 1'000'000;
     const double turn = 0.1;  // between two looks at the clock and for an interrupt
-    const Running running = start(command, [&] { confine(allowance); });
+    int read_end = -1;
+    if (!input.empty()) {  // a pipe has room for it
+        int ends[2];
+        const auto size = static_cast<ssize_t>(input.size());
+        if (pipe2(ends, O_CLOEXEC) != 0 || write(ends[1], input.data(), input.size()) != size)
+            throw Stop(Status::missing, "no pipe to be had from the system");
+        close(ends[1]);
+        read_end = ends[0];
+    }
+    const Running running = start(command, [&] {
+        confine(allowance);
+        if (read_end >= 0) dup2(read_end, STDIN_FILENO);
+    });
+    if (read_end >= 0) close(read_end);
     const pid_t group = running.process;
     setpgid(group, group);
     const Guard guard(group);

@@ -43,7 +43,9 @@ struct Outcome {
 /// ends the whole process group. It has no terminal, and what it prints cannot be opened once more to
 /// be read: nothing can wait for what never comes. Throws Stop where it cannot be started, and where there was an
 /// interrupt (see TidyEnd).
-Outcome run_within(const std::vector<std::string>& command, const Allowance& allowance);
+/// `input`, of at most some kilobytes, is what it reads.
+Outcome run_within(const std::vector<std::string>& command, const Allowance& allowance,
+                   const std::string& input = {});
 
 /// Cuts what comes in pieces into whole lines.
 class Lines {

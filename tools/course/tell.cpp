@@ -134,6 +134,9 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
                     "\n";
         return text;
     }
+    if (kind == "too_slow" && verdict.detail == too_much_work_for_the_tests)
+        return wrapped("The hidden tests have worked for a minute on what your function returned, and were not done. "
+                       "Are its answers huge, or such that a loop over them never ends?", 2);
     if (kind == "too_slow") {
         const bool asleep = verdict.detail == "asleep";
         const std::string in_time = "There was no answer in time (2 s " +

@@ -31,9 +31,15 @@ struct Verdict {
     double seconds = 0;  ///< from the file to the verdict
 };
 
+/// The detail of a too_slow where it was not the answer that worked too long.
+inline constexpr const char* too_much_work_for_the_tests = "the hidden tests";
+
 /// Who looks over the shoulder of the learner's code: nobody; the sanitizers that the compiler
 /// builds in; valgrind's memcheck.
 enum class Watch { nobody, sanitizers, memcheck };
+
+/// 64 random bits.
+std::uint64_t new_seed();
 
 /// The program that holds the hidden tests of the exercise.
 std::filesystem::path hidden_tests_of(const Exercise& exercise);
