@@ -20,7 +20,7 @@
 #include "submissions.hpp"
 #include "tell.hpp"
 #include "terminal.hpp"
-#include "temporary.hpp"
+#include "temporary_folder.hpp"
 
 namespace course {
 

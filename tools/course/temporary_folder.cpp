@@ -1,4 +1,4 @@
-#include "temporary.hpp"
+#include "temporary_folder.hpp"
 
 #include <cstdlib>
 

@@ -16,7 +16,7 @@
 #include "process.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
-#include "temporary.hpp"
+#include "temporary_folder.hpp"
 
 namespace course {
 
