@@ -14,6 +14,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
+fs::path told_of_all() {
+    return places().source / (is_kit() ? "kit/about" : "tests/exercises");
+}
+
 Exercise read_exercise(const fs::path& about) {
     const fs::path folder = about.parent_path();
     try {
@@ -46,6 +50,9 @@ fs::path Exercise::file() const {
 fs::path Exercise::stub() const {
     return places().build / "exercises/generated" / (name + "_stub.cpp");
 }
+fs::path Exercise::about() const {
+    return told_of_all() / chapter / name / "about.json";
+}
 fs::path Exercise::told() const {
     return places().build / "exercises/generated" / (name + "_mistakes.json");
 }
@@ -73,7 +80,7 @@ bool is_kit() {
 
 std::vector<Exercise> read_exercises() {
     std::vector<Exercise> exercises;
-    const fs::path all = places().source / (is_kit() ? "kit/about" : "tests/exercises");
+    const fs::path all = told_of_all();
     if (!fs::exists(all)) return exercises;
     for (const auto& chapter : fs::directory_iterator(all)) {
         if (!chapter.is_directory()) continue;

@@ -26,6 +26,8 @@ struct Exercise {
     std::vector<std::string> hints;
     std::string learned;
 
+    /// What is told of it, about.json.
+    std::filesystem::path about() const;
     /// What the build has made of mistakes.cpp, for those who tell the learner.
     std::filesystem::path told() const;
     /// The mistakes that are known, by their names. Throws Stop(bad_use).

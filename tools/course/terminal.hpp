@@ -32,6 +32,9 @@ std::string sanitized_line(const std::string& text);
 /// `text`, with "…" for what follows after `most` characters.
 std::string shortened(const std::string& text, std::size_t most);
 
+/// Is this character of UTF-8 one that people see, and that no terminal and no format takes for more? A blank is.
+bool is_seen(const std::string& character);
+
 /// How many bytes the character has that begins there in `text`; 0 where none does in UTF-8.
 std::size_t character_at(const std::string& text, std::size_t at);
 
