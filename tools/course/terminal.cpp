@@ -145,6 +145,27 @@ void flush() {
         throw Stop(Status::bad_use, "standard output: cannot be written");
 }
 
+namespace {
+bool waits_are_told = false;
+}
+
+TellWaits::TellWaits() {
+    waits_are_told = true;
+}
+TellWaits::~TellWaits() {
+    waits_are_told = false;
+}
+
+void Wait::look() {
+    const auto now = std::chrono::steady_clock::now();
+    if (!waits_are_told || what_.empty() || now < next_) return;
+    next_ = now + std::chrono::seconds(1);
+    if (isatty(STDERR_FILENO) == 1)
+        return line_.now(what_);
+    line_.say(what_);
+    what_.clear();
+}
+
 void ProgressLine::say(const std::string& line) {
     clear();
     std::fprintf(stderr, "%s\n", line.c_str());

@@ -47,6 +47,15 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
 /// Writes out what has been printed. Throws Stop(bad_use) where nobody gets it: a full disk.
 void flush();
 
+/// While it lives, people are told what they wait for (see Wait).
+class TellWaits {
+public:
+    TellWaits();
+    ~TellWaits();
+    TellWaits(const TellWaits&) = delete;
+    TellWaits& operator=(const TellWaits&) = delete;
+};
+
 /// Shows that work goes on, on standard error, so that standard output holds results only.
 class ProgressLine {
 public:
@@ -62,6 +71,21 @@ public:
 private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now(), told_ = begin_;
     std::string line_;  // drawn at this moment, if any
+};
+
+/// Tells what is waited for, once a second has gone by without it, where there is a TellWaits: on a terminal in a line
+/// that goes when the wait is over, elsewhere in one that stays.
+class Wait {
+public:
+    /// "" tells nothing.
+    explicit Wait(std::string what) : what_(std::move(what)) {}
+    /// To be called now and then.
+    void look();
+
+private:
+    std::string what_;
+    std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+    ProgressLine line_;
 };
 
 }  // namespace course
