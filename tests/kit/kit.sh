@@ -62,7 +62,7 @@ test_with_solutions_it_shows_one_after_a_pass() {
     says out './course solution velocity_now'
     expect 0 course solution velocity_now
     says out "The course's"
-    says out 'return (3 * x2'
+    says out 'return newer + (newer - older) / 2;'
     silent_on out '[answer]'
     says out 'A difference that looks only backwards'  # the words why
     # An answer does not get there by including it.
