@@ -58,6 +58,29 @@ test_the_command_that_is_named_does_what_it_says() {
     expect 0 course "$@"
 }
 
+# A class one folder further down than was named would be one submission, too.
+test_a_class_further_down_is_asked_about() {
+    for name in exercises everybody; do
+        mkdir parent
+        mv class "parent/$name"
+        cp -r "parent/$name" class
+        rm class/bob/velocity_now.cpp
+        : >"parent/$name/notes.txt"
+        expect 2 course grade parent
+        is "$(cat err)" "course: parent: '$name' in it may be a class, with 'alice' and 'bob': if it is, \
+./course grade parent/$name; if it is one submission, ./course grade parent --one"
+        rm -r parent
+        cp $solved class/bob/best_gap.cpp  # other exercises than the first's
+    done
+    # Folders of one's own are no class.
+    mkdir -p one/exercises/01_derivatives one/exercises/02_first_order_form two/drafts/first two/drafts/.second
+    cp $solved one/exercises/01_derivatives
+    cp $stub one/exercises/02_first_order_form
+    cp $solved two/drafts/first
+    cp $solved two/drafts/.second
+    for own in one two; do expect 0 course grade $own --trust; done
+}
+
 # What belongs to one submission is nobody else's: a kit of the course, other exercises, hidden files.
 test_one_submission_stays_one() {
     needs_isolation
@@ -74,8 +97,9 @@ test_one_submission_stays_one() {
     silent_on out 'README.md'
     expect 0 course grade one --exercise velocity_now
     : >one/notes.txt
+    mkdir one/.kim
     expect 0 course grade one
-    says out 'Left out: notes.txt'
+    says out 'Left out: .git, .kim, notes.txt'
     mkdir one/kim
     expect 2 course grade one
     says err "'kim' beside it may be another's"

@@ -170,7 +170,8 @@ bool holds_answers(const fs::path& place, const std::vector<Exercise>& exercises
 bool is_of_the_course(const fs::path& entry) {
     static const std::set<std::string> parts{
         "chapters", "docs",  "exercises", "include",        "kit",               "site",    "solutions", "tests",
-        "tools",    "build", "course",    "CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", ".gitignore"};
+        "tools",    "build", "course",    "CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", ".gitignore",
+        ".progress", ".github", ".ci", ".clang-format"};
     std::error_code error;
     const fs::path folder = entry.parent_path();
     return parts.contains(entry.filename().string()) && fs::exists(folder / "include/timestep", error) &&
@@ -186,6 +187,24 @@ bool may_be_anothers(const fs::path& entry) {
     if (type != fs::file_type::regular) return !is_of_the_course(entry);
     static const std::set<std::string> packed{".zip", ".tar", ".gz", ".tgz", ".bz2", ".xz", ".zst", ".7z", ".rar"};
     return packed.contains(entry.extension().string()) || (entry.extension() == ".cpp" && !answers_another(entry));
+}
+
+// The names of its folders that hold answers and are no chapters; none where it holds an answer itself: two are a class.
+std::vector<std::string> learners_in(const fs::path& folder, const std::vector<Exercise>& exercises) {
+    std::vector<std::string> names;
+    std::error_code error;
+    if (!fs::is_directory(fs::symlink_status(folder, error))) return {};
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (name == "exercises" || is_answer(entry->path(), all_exercises())) return {};
+        const bool chapter = std::any_of(all_exercises().begin(), all_exercises().end(),
+                                         [&](const Exercise& exercise) { return exercise.chapter == name; });
+        if (!chapter && !name.starts_with(".") && !is_litter(name) &&
+            (holds_answers(entry->path(), exercises) || holds_answers(entry->path(), all_exercises())))
+            names.push_back(in_one_line(name));
+    }
+    std::sort(names.begin(), names.end());
+    return names;
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -227,14 +246,15 @@ Submissions find_submissions(const fs::path& place, const std::vector<Exercise>&
     std::sort(entries.begin(), entries.end());
 
     Submissions found;
-    std::string mark, anothers;  // of one submission; of somebody beside it
-    std::vector<std::string> beside;
+    std::string mark, anothers;       // of one submission; of somebody beside it
+    std::vector<std::string> beside;  // what is left out where it is one
     for (const fs::path& entry : entries) {
         const std::string name = entry.filename().string(), written = in_one_line(name);
         if (is_litter(name)) {
             if (holds_answers(entry, all_exercises()))
                 refuse("'" + written + "' holds an answer, and a folder of that name is left out: rename it");
             found.left_out.push_back(written);
+            beside.push_back(written);
             continue;
         }
         found.all.push_back({written, entry});
@@ -242,11 +262,17 @@ Submissions find_submissions(const fs::path& place, const std::vector<Exercise>&
             mark = mark.empty() ? written : mark;
         else if (may_be_anothers(entry))
             anothers = anothers.empty() ? written : anothers;
-        else if (!name.starts_with(".") && !is_of_the_course(entry) && !answers_another(entry))
+        else if (!is_of_the_course(entry) && !answers_another(entry))
             beside.push_back(written);
     }
     if (found.all.empty())
         refuse("holds no submission" + (found.left_out.empty() ? ": it is empty" : ", only " + listed(found.left_out)));
+    for (const Submission& inner : found.all)
+        if (const auto learners = learners_in(inner.place, exercises);
+            learners.size() > 1 && (found.all.size() == 1 || inner.name == "exercises"))
+            refuse("'" + inner.name + "' in it may be a class, with '" + learners[0] + "' and '" + learners[1] +
+                   "': if it is, ./course grade " + typed((place / inner.place.filename()).string()) +
+                   "; if it is one submission, ./course grade " + typed(place.string()) + " --one");
     if (mark.empty()) return found;
     if (!anothers.empty())
         refuse("'" + mark + "' in it makes it one submission, and '" + anothers +

@@ -45,8 +45,8 @@ std::vector<HandedIn> answers_in(const Submission& submission,
 /// larger than 1 MB, or cannot be read. No link is followed.
 std::string text_of(const HandedIn& answer);
 
-/// A name from outside in one line, which every format can hold as it is: two that differ stay different, to the
-/// eye, too. A backslash is \\, newline and tab are \n and \t. As \xNN comes each byte of what is obeyed or not seen,
+/// A name from outside in one line, which every format can hold as it is: two that differ stay different.
+/// A backslash is \\, newline and tab are \n and \t. As \xNN comes each byte of what is obeyed or not seen,
 /// of what is no UTF-8, and of a blank at either end.
 std::string in_one_line(const std::string& name);
 
