@@ -37,8 +37,25 @@ test_an_exercise_has_a_name_a_number_and_a_file() {
         says out '"exercise":"velocity_now","verdict":"wrong"'
         is "$(lines out)" 1
     done
-    expect 2 course check velocty_now
-    is "$(cat err)" "course: 'velocty_now' is no exercise; ./course list shows them"
+}
+
+test_a_misspelt_name_gets_the_nearest() {
+    for command in check hint watch solution reset 'check --sanitize' 'grade source --exercise'; do
+        for name in velocty_now velocity_nwo VelocityNow velocity-now exercises/01_derivatives/velocity_no.cpp; do
+            # shellcheck disable=SC2086
+            expect 2 course $command $name
+            is "$command: $(cat err)" \
+                "$command: course: '$name' is no exercise; the nearest is velocity_now (./course list shows them)"
+        done
+    done
+    expect 2 course hint best
+    is "$(cat err)" "course: 'best' is no exercise; the nearest is best_gap (./course list shows them)"
+    # What is near to none gets none, and stays in one line.
+    for name in 9.9 9 nonsense . / '*' "$(printf 'nowhere\nnear')" "$(printf '%05000d' 0)"; do
+        expect 2 course hint "$name"
+        is "$(lines err)" 1
+        says err "is no exercise; ./course list shows them"
+    done
 }
 
 test_json_says_just_what_programs_need() {
@@ -90,13 +107,118 @@ test_without_a_name_all_that_is_begun_is_checked() {
     is "$(head -c 1 out)" '['
 }
 
+# Of the second chapter, beside the first.
+second_chapter() {
+    mkdir -p source/chapters/02_first_order_form source/chapters/03_none source/exercises/02_first_order_form
+    cp "$source/chapters/02_first_order_form/about.json" source/chapters/02_first_order_form
+    cp "$source/chapters/02_first_order_form/about.json" source/chapters/03_none
+    cp -r "$source/tests/exercises/02_first_order_form" source/tests/exercises
+    for solution in "$source"/solutions/02_first_order_form/*.cpp; do
+        name=$(basename "$solution" .cpp)
+        cp "$real_build/exercises/generated/${name}_stub.cpp" "source/exercises/02_first_order_form/$name.cpp"
+    done
+    later=$name
+}
+
+test_a_chapter_is_checked() {
+    second_chapter
+    expect 1 course check 1
+    is "$(head -n 1 out)" 'No exercise of chapter 1 has been begun. ./course list shows them; the first is'
+    says out "$file"
+    expect 1 course check 1 --json
+    is "$(tr -d '\n' <out)" '[]'
+    cp $solved $file
+    echo 'nonsense' >>"source/exercises/02_first_order_form/$later.cpp"
+    for name in 1 01 derivatives 01_derivatives; do
+        expect 0 course check $name
+        says out 'velocity_now                   ✓'
+        silent_on out "$later"
+    done
+    is "$(state velocity_now)" passed
+    for name in 2 02 first_order_form; do
+        expect 1 course check $name
+        says out '✗ does_not_compile'
+        silent_on out velocity_now
+    done
+    expect 1 course check 2 --json --seed 7
+    says out '"verdict":"does_not_compile"'
+    says out '"seed":7'
+    silent_on out velocity_now
+    # All that is begun, not the first of it.
+    cp "$mistake" source/exercises/01_derivatives/best_gap.cpp
+    expect 1 course check 1
+    says out 'velocity_now                   ✓'
+    says out 'best_gap                       ✗ does_not_compile'
+    expect 2 course check 3
+    is "$(cat err)" 'course: chapter 3 has no exercises; ./course list shows them'
+    expect 2 course check 1 --file $solved
+    is "$(cat err)" 'course: check --file needs the exercise that the file answers'
+    expect 2 course check 1 --sanitize
+    is "$(cat err)" 'course: check --sanitize needs the exercise to check'
+    expect 2 course check 4
+    says err "'4' is no exercise"
+}
+
+# Who waits is told for what: another ./course, a build, the compiler, the answer itself.
+test_what_is_waited_for_is_told() {
+    command -v flock >/dev/null || exit 77
+    mkdir source/.progress
+    for lock in source/.progress/lock build/course.lock; do
+        flock --no-fork $lock sleep 1000 &
+        holding=$!
+        wait_until sh -c "! flock --nonblock $lock true"
+        case $lock in *progress*) command=hint ;; *) command=check ;; esac
+        start_course $command velocity_now
+        trap 'kill $running $holding 2>/dev/null' EXIT
+        wait_until grep -q 'Another ./course' said
+        kill $holding
+        wait $running || true
+        says said velocity_now
+    done
+    own_build "echo begun >>compiled; while [ ! -e go ]; do seq 100000 >/dev/null; done; exit 1"
+    for command in check watch; do
+        rm -f go compiled
+        start_course $command velocity_now
+        wait_until [ -e compiled ]
+        wait_until grep -q 'Waiting for the compiler' said
+        : >go
+        wait_until grep -q 'does not compile' said
+        kill $running 2>/dev/null || true
+        wait $running || true
+    done
+    own_build
+    { echo '#include <csignal>'; sed 's/return not_started;.*/raise(SIGSTOP); return h;/' $file; } >stopped.cpp
+    start_course check velocity_now --file stopped.cpp
+    wait_until grep -q 'Waiting for your code' said
+    kill $running
+    wait $running || true
+}
+
+test_a_build_is_told_before_it_is_waited_for() {
+    printf '#!/bin/sh\n[ "$1" = --build ] || exit 0\ncat said err >heard 2>/dev/null\nwhile [ ! -e go ]; do sleep 0.1; done\n' >cmake
+    chmod +x cmake
+    for command in check watch; do
+        rm -f go
+        rm -rf build/exercises/found_ready
+        FIXTURE_SOURCE=$folder/source FIXTURE_BUILD=$folder/build FIXTURE_CMAKE=$folder/cmake FIXTURE_CTEST=false \
+            "$program" $command velocity_now >said 2>&1 &
+        running=$!
+        trap 'kill $running 2>/dev/null' EXIT
+        wait_until grep -q 'Building what a check of velocity_now needs' said
+        : >go
+        wait_until grep -q 'not started' said
+        kill $running 2>/dev/null || true
+        wait $running || true
+    done
+}
+
 test_hints_come_one_by_one_and_are_remembered() {
     expect 0 course hint velocity_now
     is "$(grep -c 'Hint [0-9] of' out)" 1
     expect 0 course hint velocity_now
     is "$(grep -c 'Hint [0-9] of' out)" 2
     for _ in 1 2 3; do expect 0 course hint velocity_now; done
-    says out 'There are no more hints'
+    says out 'There are no more hints. After a pass:  ./course solution velocity_now'
     says source/.progress/exercises.tsv "$(printf 'velocity_now\topen\t3')"
 }
 

@@ -38,6 +38,71 @@ test_it_holds_nothing_of_the_tests_and_the_solutions() {
     is "$(nm kit/kit/check 2>&1 | grep -c ' T ')" 0
 }
 
+# A teacher may pack the solutions. Then nothing else of what is hidden is in it.
+test_with_solutions_it_shows_one_after_a_pass() {
+    expect 0 make_kit kit --with-solutions
+    says out 'kit/solutions'
+    says out 'after a pass'
+    expect 1 "$leaks" "$source" kit
+    is "$(grep -v -e '^kit/kit/solutions/' -e ' lines looked for in ' out)" ''
+    is "$(grep -c '^kit/kit/solutions/' out)" "$(find "$source/solutions" -type f | wc -l)"
+    is "$(find kit/exercises -type f | xargs grep -L 'return not_started;')" ''
+    sh kit/course --help | grep -q 'solution EXERCISE' || fail 'its help lacks solution'
+    cd kit
+    course() {
+        FIXTURE_SOURCE=$PWD FIXTURE_BUILD=$PWD/build FIXTURE_CMAKE=cmake FIXTURE_CTEST=ctest "$program" "$@"
+    }
+    file=exercises/01_derivatives/velocity_now.cpp
+    expect 1 course solution velocity_now
+    is "$(cat err)" 'course: the solution is shown when your own answer has passed:  ./course check velocity_now'
+    is "$(lines out)" 0
+    expect 0 course reset velocity_now
+    cp "$source/solutions/01_derivatives/velocity_now.cpp" $file
+    expect 0 course check velocity_now
+    says out './course solution velocity_now'
+    expect 0 course solution velocity_now
+    says out "The course's"
+    says out 'return newer + (newer - older) / 2;'
+    silent_on out '[answer]'
+    says out 'A difference that looks only backwards'  # the words why
+    # An answer does not get there by including it.
+    echo '#include "../../kit/solutions/01_derivatives/velocity_now.cpp"' >$file
+    expect 1 course check velocity_now
+    says out "An answer is to be one's own"
+}
+
+test_without_them_it_says_so() {
+    expect 0 make_kit kit
+    [ ! -e kit/kit/solutions ] || fail 'it has solutions'
+    sh kit/course --help | grep 'solution EXERCISE' && fail 'its help offers solution'
+    says out 'no solution'
+}
+
+# A kit that is mended, or a newer one in its place: what was graded by the old one is graded again.
+test_a_mended_kit_grades_anew() {
+    bwrap --ro-bind / / --unshare-all true 2>/dev/null || exit 77
+    expect 0 make_kit kit
+    mkdir -p class/ada class/ben
+    cp "$source/solutions/01_derivatives/velocity_now.cpp" class/ada
+    cp kit/exercises/01_derivatives/velocity_now.cpp class/ben
+    grade() {
+        expect 1 env FIXTURE_SOURCE="$folder/kit" FIXTURE_BUILD="$folder/kit/build" FIXTURE_CMAKE=cmake \
+            FIXTURE_CTEST=ctest "$program" grade class
+        says out '1 of 2 right'
+    }
+    grade
+    grade
+    says err ' 2 were graded before'
+    for part in check libtimestep_worker.a workers/velocity_now_worker.o generated/velocity_now_mistakes.json \
+        about/01_derivatives/velocity_now/about.json; do
+        echo >>"kit/kit/$part"
+        grade
+        silent_on err 'graded before'
+        grade
+        says err ' 2 were graded before'
+    done
+}
+
 test_a_new_file_is_in_the_next_one() {
     git -C "$source" ls-files chapters include tools/bench tools/course tools/cmake tools/figures \
         tools/processes >files

@@ -6,7 +6,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 
 test_bad_use_is_one_line_and_status_2() {
     for words in '' turo '--json' 'list --jsn' 'list 3' 'run' 'run 3 4' 'run 3 --out' 'tour -- --step' 'hint' 'solution' 'reset' 'check --sed 3' 'check 1.1 1.2' \
-        advise 'advise --omega nan' 'bench lattency' 'bench --scene' 'bench loops --quick' 'bench latency --rounds 0' 'bench latency --rounds many'; do
+        advise 'advise --omega nan' 'bench lattency' 'bench --scene' 'bench loops --quick' 'bench latency --rounds 0' 'bench latency --rounds many' 'kit' 'kit there --with-solution' '--with-solutions'; do
         # shellcheck disable=SC2086
         expect 2 course $words
         is "$(lines err)" 1
@@ -42,6 +42,15 @@ test_every_command_has_a_help_and_stands_in_the_doors() {
         expect 0 course --help
     done
     is "$(sed -n '/^Subcommands/,$p' out | grep -c '^  [a-z]')" 16
+}
+
+test_the_help_says_what_kit_and_check_take() {
+    expect 0 course kit --help
+    says out '--with-solutions'
+    expect 0 course check --help
+    says out 'a chapter'
+    says "$source_of_door" './course check 5 '
+    says "$source_of_door" '--with-solutions'
 }
 
 test_list_shows_title_and_question_in_order() {

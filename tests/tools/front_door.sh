@@ -108,6 +108,25 @@ test_what_is_new_is_built_first() {
     says calls '--target course'
 }
 
+# Before it begins: a build may take its time.
+test_a_build_is_told_before_it_is_waited_for() {
+    new_machine 0
+    have_all
+    make_sources
+    expect 7 course list
+    touch checkout/tools/course/main.cpp
+    mkdir -p checkout/tests/exercises/01_first/velocity_now
+    echo '{"number": 1,' >checkout/tests/exercises/01_first/velocity_now/about.json
+    cp bin/cmake bin/real_cmake
+    fake cmake "cp '$folder/err' '$folder/told'; exec '$folder/bin/real_cmake' \"\$@\""
+    expect 7 course hint velocity_now
+    is "$(cat told)" 'course: bringing the course program up to date; that may take half a minute'
+    touch checkout/tools/course/main.cpp
+    expect 7 course check velocity_now
+    is "$(cat told)" \
+        'course: bringing the course program and the tests of velocity_now up to date; that may take half a minute'
+}
+
 # builds NUMBER TARGETS WORDS…: with something new, ./course WORDS builds so often, these targets, and tells the course
 # program of those beside itself.
 builds() {

@@ -150,6 +150,22 @@ void mark_ready(const std::vector<fs::path>& marks, fs::file_time_type begin) {
     }
 }
 
+// Tells once what it is that takes more than a second.
+class Late {
+public:
+    Late(ProgressLine& progress, std::string what) : progress_(progress), what_(std::move(what)) {}
+    void look() {
+        if (what_.empty() || std::chrono::steady_clock::now() < end_) return;
+        progress_.say(what_);
+        what_.clear();
+    }
+
+private:
+    ProgressLine& progress_;
+    std::string what_;
+    std::chrono::steady_clock::time_point end_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+};
+
 // Has the front door, or the build that asks, just built this target?
 bool is_built(const std::string& target) {
     const char* const built = std::getenv("COURSE_BUILT");
@@ -159,7 +175,7 @@ bool is_built(const std::string& target) {
 
 }  // namespace
 
-void build(const std::vector<std::string>& targets, ProgressLine& progress) {
+void build(const std::vector<std::string>& targets, ProgressLine& progress, const std::string& what) {
     std::error_code ignored;
     fs::create_directories(places().build, ignored);
     // A build that asks this program for a transcript, say, is not to be waited for.
@@ -181,8 +197,10 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress) {
     const fs::path log_path = places().build / "course.log";
     std::ofstream log(log_path);
     std::vector<std::string> heard;
+    Late late(progress, what);
 
     Lines lines([&](const std::string& line) {
+        late.look();
         heard.push_back(line);
         log << line << std::endl;
         Step step;
@@ -201,7 +219,10 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress) {
         std::to_string(std::max(1u, std::thread::hardware_concurrency())),
         "--target"};
     command.insert(command.end(), targets.begin(), targets.end());
-    const int status = listen(command, std::ref(lines), [&] { progress.tick(); });
+    const int status = listen(command, std::ref(lines), [&] {
+        late.look();
+        progress.tick();
+    });
     if (one_at_a_time) unsetenv("TIMESTEP_BUILDS_IN");
     progress.clear();
     if (status == 0) return;
@@ -229,12 +250,17 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) 
     unsetenv("COURSE_BUILT");  // what changes from now on is new
     if (targets.empty()) return;
     const auto begin = fs::file_time_type::clock::now();
+    const std::string whose =
+        targets.size() == 1 ? targets.front().substr(6) : std::to_string(targets.size()) + " exercises";
+    const std::string what = "Building what a check of " + whose + " needs; at first that takes half a minute";
     // What CMake writes when it configures, the build does not bring back.
     if (std::any_of(exercises.begin(), exercises.end(),
                     [](const auto& exercise) { return !is_configured(exercise); }) &&
-        fs::exists(places().build / "CMakeCache.txt"))
-        listen({places().cmake, places().build.string()}, [](std::string_view) {});
-    build(targets, progress);
+        fs::exists(places().build / "CMakeCache.txt")) {
+        Late late(progress, what);
+        listen({places().cmake, places().build.string()}, [&](std::string_view) { late.look(); }, [&] { late.look(); });
+    }
+    build(targets, progress, what);
     mark_ready(marks, begin);
 }
 

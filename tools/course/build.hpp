@@ -12,8 +12,8 @@ namespace course {
 
 /// Brings the targets up to date and shows how far it is. All that the build prints goes to
 /// course.log in the build folder; where it fails, the lines that say why are shown, and Stop
-/// (wrong) is thrown.
-void build(const std::vector<std::string>& targets, ProgressLine& progress);
+/// (wrong) is thrown. Who waits for it for a second is told `what`, or for another build, if there is one.
+void build(const std::vector<std::string>& targets, ProgressLine& progress, const std::string& what = {});
 
 /// Builds what a check of these exercises needs: their hidden tests.
 void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress);

@@ -63,15 +63,19 @@ std::vector<Chapter> read_chapters() {
     return chapters;
 }
 
-Chapter find_chapter(const std::string& name) {
-    std::string known;
-    for (const auto& chapter : read_chapters()) {
-        const std::string number = std::to_string(chapter.number());
-        for (const auto& meant :
-             {number, chapter.folder.substr(0, 2), chapter.program, chapter.folder})
+std::optional<Chapter> chapter_of(const std::string& name) {
+    for (const auto& chapter : read_chapters())
+        for (const auto& meant : {std::to_string(chapter.number()), chapter.folder.substr(0, 2),
+                                  chapter.program, chapter.folder})
             if (name == meant) return chapter;
-        known += (known.empty() ? "" : ", ") + number + " " + chapter.program;
-    }
+    return {};
+}
+
+Chapter find_chapter(const std::string& name) {
+    if (const auto chapter = chapter_of(name)) return *chapter;
+    std::string known;
+    for (const auto& chapter : read_chapters())
+        known += (known.empty() ? "" : ", ") + std::to_string(chapter.number()) + " " + chapter.program;
     throw Stop(Status::bad_use, "'" + name + "' is no chapter; there are " + known);
 }
 

@@ -3,6 +3,7 @@
 /// The chapters, as their folders say.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,10 @@ struct Chapter {
 /// All chapters, in order. Throws Stop(bad_use) naming an about.json that cannot be used.
 std::vector<Chapter> read_chapters();
 
-/// The chapter meant by `3`, `03`, `euler_variants` or `03_euler_variants`. Throws Stop(bad_use).
+/// The chapter meant by `3`, `03`, `euler_variants` or `03_euler_variants`, if there is one.
+std::optional<Chapter> chapter_of(const std::string& name);
+
+/// The same. Throws Stop(bad_use) where there is none.
 Chapter find_chapter(const std::string& name);
 
 }  // namespace course

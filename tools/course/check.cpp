@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "build.hpp"
+#include "chapters.hpp"
 #include "commands.hpp"
 #include "progress.hpp"
 #include "stop.hpp"
@@ -50,7 +51,7 @@ void remember_pass(const Exercise& exercise) {
 std::string way_on(const Exercise& exercise, const Verdict& verdict) {
     if (verdict.kind == "pass") {
         std::string text = "\n";
-        if (!is_kit())
+        if (exercise.has_solution())
             text +=
                 "  The course's answer beside yours:  ./course solution " + exercise.name + "\n";
         const auto next = next_after(exercise);
@@ -67,14 +68,22 @@ std::string way_on(const Exercise& exercise, const Verdict& verdict) {
            exercise.name + "\n";
 }
 
-// Every exercise that has been begun, in one line each, and the first that is not right in full.
-void check_all(bool json, const std::optional<std::uint64_t>& seed) {
+// Every exercise that has been begun, of all or of one chapter, in one line each, and the first that is not right in
+// full.
+void check_all(const std::optional<Chapter>& chapter, bool json, const std::optional<std::uint64_t>& seed) {
+    std::vector<Exercise> all = read_exercises();
+    const std::string of_chapter = chapter ? " of chapter " + std::to_string(chapter->number()) : "";
+    if (chapter) {
+        std::erase_if(all, [&](const Exercise& exercise) { return exercise.chapter != chapter->folder; });
+        if (all.empty())
+            throw Stop(Status::bad_use, of_chapter.substr(4) + " has no exercises; ./course list shows them");
+    }
     const auto progress = read_progress();
     std::string first_wrong, list;
     int checked = 0;
     bool course_error = false;
     std::vector<Exercise> begun;
-    for (const auto& exercise : read_exercises())
+    for (const auto& exercise : all)
         if (state_of(exercise, progress) != "not started") begun.push_back(exercise);
     if (!begun.empty()) bring_up_to_date(begun);
     for (const auto& exercise : begun) {
@@ -92,8 +101,8 @@ void check_all(bool json, const std::optional<std::uint64_t>& seed) {
     if (json)
         std::printf("[%s]\n", list.c_str());
     else if (checked == 0)
-        std::printf("No exercise has been begun. ./course list shows them; the first is\n  %s\n",
-                    shown(read_exercises().front().file()).c_str());
+        std::printf("No exercise%s has been begun. ./course list shows them; the first is\n  %s\n",
+                    of_chapter.c_str(), shown(all.front().file()).c_str());
     else
         std::printf("\n%s", first_wrong.c_str());
     flush();
@@ -105,13 +114,16 @@ void check_all(bool json, const std::optional<std::uint64_t>& seed) {
 
 void check(const std::string& name, const std::optional<std::string>& file, bool json,
            const std::optional<std::uint64_t>& seed, bool sanitize) {
-    if (name.empty()) {
+    const TellWaits told_what_is_waited_for;
+    const auto one = name.empty() ? std::nullopt : exercise_of(name);
+    const auto chapter = name.empty() || one ? std::nullopt : chapter_of(name);
+    if (name.empty() || chapter) {
         if (file)
             throw Stop(Status::bad_use, "check --file needs the exercise that the file answers");
         if (sanitize) throw Stop(Status::bad_use, "check --sanitize needs the exercise to check");
-        return check_all(json, seed);
+        return check_all(chapter, json, seed);
     }
-    const Exercise exercise = find_exercise(name);
+    const Exercise exercise = one ? *one : find_exercise(name);
     if (file && file->empty()) throw Stop(Status::bad_use, "--file '': must be the name of a file");
     const fs::path answer = file ? fs::path(*file) : exercise.file();
     answer_in(exercise, answer);  // or one clear line, before anything is built
@@ -132,6 +144,7 @@ void check(const std::string& name, const std::optional<std::string>& file, bool
 // Looks at the file ten times a second, which every system and every editor's way of saving can
 // bear.
 void watch(const std::string& name) {
+    const TellWaits told_what_is_waited_for;
     std::optional<Exercise> exercise;
     const auto progress = read_progress();
     if (!name.empty())

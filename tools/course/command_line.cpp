@@ -22,6 +22,7 @@ namespace {
 
 struct Asked {
     bool yes = false, all = false, study = false, json = false, open = false, sanitize = false;
+    bool with_solutions = false;
     std::string chapter, exercise, kit, name;
     int rounds = 11;
     std::string seed, file, out;  // empty is a value, too: whether they were given, CLI11 knows
@@ -159,17 +160,19 @@ void declare(CLI::App& app, Asked& asked) {
     app.add_subcommand("where", "the line that wrote a number, check, data file or figure of a page")
         ->add_option("NAME", asked.name, "as on the page's source, with its chapter: 03/energy_mean")
         ->required();
-    const auto with_exercise = [&](const char* name, const char* words) {
+    const auto with_exercise = [&](const char* name, const char* words,
+                                   const char* which = "name, number (1.1) or file of the exercise") {
         const auto command = app.add_subcommand(name, words);
-        const auto option = command->add_option("EXERCISE", asked.exercise,
-                                                "name, number (1.1) or file of the exercise");
+        const auto option = command->add_option("EXERCISE", asked.exercise, which);
         option->check([](const std::string& word) {
             return word.empty() ? "'' is no exercise; ./course list shows them" : "";
         });
         return std::pair(command, option);
     };
     const auto check =
-        with_exercise("check", "check your answer to an exercise, or to all begun").first;
+        with_exercise("check", "check your answer to an exercise, or to all begun, of a chapter or of the course",
+                      "name, number (1.1) or file of the exercise; or of a chapter: number (1) or name")
+            .first;
     check
         ->add_option("--file", asked.file,
                      "this file's answer instead of yours, and do not count it")
@@ -189,9 +192,9 @@ void declare(CLI::App& app, Asked& asked) {
     declare_grade(app, asked);
     declare_bench(app, asked);
     declare_advise(app, asked);
-    app.add_subcommand("kit", "write the learner's edition: no tests, no solutions")
-        ->add_option("DIR", asked.kit, "a new or empty folder")
-        ->required();
+    const auto kit = app.add_subcommand("kit", "write the learner's edition: no tests, no solutions");
+    kit->add_option("DIR", asked.kit, "a new or empty folder")->required();
+    kit->add_flag("--with-solutions", asked.with_solutions, "with them, as text; ./course solution shows one after a pass");
     app.add_subcommand("site", "bring the site up to date and say where it is")
         ->add_flag("--open", asked.open, "open it in the browser");
 }
@@ -324,7 +327,7 @@ Status obey(int argc, char** argv) {
     }
     if (const auto command = app.get_subcommand("bench"); *command) bench_or_table(*command, asked);
     if (app.got_subcommand("advise")) advise(asked.question, asked.json);
-    if (app.got_subcommand("kit")) kit(asked.kit);
+    if (app.got_subcommand("kit")) kit(asked.kit, asked.with_solutions);
     if (app.got_subcommand("site")) site(asked.open);
     flush();
     return Status::fine;

@@ -28,7 +28,7 @@ void run(const std::string& chapter, bool study, const std::optional<std::string
 void where(const std::string& name);
 
 /// Checks answers: of one exercise (`file` instead of the learner's own, which is then not counted
-/// as done), or of all that have been begun. With `sanitize`, errors count that do not show in the
+/// as done), or of all that have been begun, in a chapter (`5`) or in the course. With `sanitize`, errors count that do not show in the
 /// numbers. Throws Stop(wrong) where one is not right.
 void check(const std::string& exercise, const std::optional<std::string>& file, bool json,
            const std::optional<std::uint64_t>& seed, bool sanitize);
@@ -116,8 +116,9 @@ struct Question {
 /// What every method makes of it: will it blow up, what does it cost, how wrong is it?
 void advise(const Question& question, bool json);
 
-/// Writes the learner's edition of the course into `folder`, which is new or empty.
-void kit(const std::string& folder);
+/// Writes the learner's edition of the course into `folder`, which is new or empty; with the solutions, which it shows
+/// after a pass, if they are asked for.
+void kit(const std::string& folder, bool with_solutions);
 
 /// Brings the site up to date and says where it is; `open` shows it in the browser.
 void site(bool open);

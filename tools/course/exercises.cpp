@@ -5,14 +5,20 @@
 
 #include "json_of.hpp"
 
+#include "nearest.hpp"
 #include "places.hpp"
 #include "stop.hpp"
+#include "terminal.hpp"
 
 namespace course {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+fs::path told_of_all() {
+    return places().source / (is_kit() ? "kit/about" : "tests/exercises");
+}
 
 Exercise read_exercise(const fs::path& about) {
     const fs::path folder = about.parent_path();
@@ -44,7 +50,11 @@ fs::path Exercise::file() const {
     return places().source / "exercises" / chapter / (name + ".cpp");
 }
 fs::path Exercise::stub() const {
-    return places().build / "exercises/generated" / (name + "_stub.cpp");
+    // The learner's edition brings it, whether it has been configured or not.
+    return (is_kit() ? places().source / "kit/generated" : places().build / "exercises/generated") / (name + "_stub.cpp");
+}
+fs::path Exercise::about() const {
+    return told_of_all() / chapter / name / "about.json";
 }
 fs::path Exercise::told() const {
     return places().build / "exercises/generated" / (name + "_mistakes.json");
@@ -64,7 +74,11 @@ fs::path Exercise::declared() const {
     return places().build / "exercises/generated" / (name + "_declared.hpp");
 }
 fs::path Exercise::solution() const {
-    return places().source / "solutions" / chapter / (name + ".cpp");
+    return places().source / (is_kit() ? "kit/solutions" : "solutions") / chapter / (name + ".cpp");
+}
+bool Exercise::has_solution() const {
+    std::error_code ignored;
+    return fs::exists(solution(), ignored);
 }
 
 bool is_kit() {
@@ -73,7 +87,7 @@ bool is_kit() {
 
 std::vector<Exercise> read_exercises() {
     std::vector<Exercise> exercises;
-    const fs::path all = places().source / (is_kit() ? "kit/about" : "tests/exercises");
+    const fs::path all = told_of_all();
     if (!fs::exists(all)) return exercises;
     for (const auto& chapter : fs::directory_iterator(all)) {
         if (!chapter.is_directory()) continue;
@@ -87,14 +101,25 @@ std::vector<Exercise> read_exercises() {
     return exercises;
 }
 
-Exercise find_exercise(const std::string& name) {
+std::optional<Exercise> exercise_of(const std::string& name) {
     std::error_code ignored;
     const fs::path meant = fs::weakly_canonical(name, ignored);
     for (const auto& exercise : read_exercises())
         if (name == exercise.name || name == exercise.place() ||
             meant == fs::weakly_canonical(exercise.file(), ignored))
             return exercise;
-    throw Stop(Status::bad_use, "'" + name + "' is no exercise; ./course list shows them");
+    return {};
+}
+
+Exercise find_exercise(const std::string& name) {
+    if (const auto exercise = exercise_of(name)) return *exercise;
+    std::vector<std::string> names;
+    for (const auto& exercise : read_exercises()) names.push_back(exercise.name);
+    const fs::path file(name);
+    const std::string near = nearest(file.extension() == ".cpp" ? file.stem().string() : name, names);
+    throw Stop(Status::bad_use, "'" + sanitized_line(shortened(name, 100)) + "' is no exercise; " +
+                                    (near.empty() ? "./course list shows them"
+                                                  : "the nearest is " + near + " (./course list shows them)"));
 }
 
 // What cannot be read is the learner's in any case: a link that leads nowhere, say.

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct Exercise {
     std::vector<std::string> hints;
     std::string learned;
 
+    /// What is told of it, about.json.
+    std::filesystem::path about() const;
     /// What the build has made of mistakes.cpp, for those who tell the learner.
     std::filesystem::path told() const;
     /// The mistakes that are known, by their names. Throws Stop(bad_use).
@@ -39,18 +42,22 @@ struct Exercise {
     std::filesystem::path stub() const;
     /// Its declaration, which is read before the learner's file.
     std::filesystem::path declared() const;
-    /// The course's answer.
+    /// The course's answer, which is not in every learner's edition.
     std::filesystem::path solution() const;
+    bool has_solution() const;
 };
 
-/// Is this the learner's edition, which has neither tests nor solutions?
+/// Is this the learner's edition, which has no tests, and solutions only where the teacher has packed them?
 bool is_kit();
 
 /// All exercises, in the order of the course. Throws Stop(bad_use) naming an about.json that cannot
 /// be used.
 std::vector<Exercise> read_exercises();
 
-/// The exercise meant by `velocity_now`, `1.1` or its file. Throws Stop(bad_use).
+/// The exercise meant by `velocity_now`, `1.1` or its file, if there is one.
+std::optional<Exercise> exercise_of(const std::string& name);
+
+/// The same. Throws Stop(bad_use), with the name that is nearest, where there is none.
 Exercise find_exercise(const std::string& name);
 
 /// Is the learner's file as it was before the learner has touched it?

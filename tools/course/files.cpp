@@ -1,6 +1,7 @@
 #include "files.hpp"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 
@@ -84,10 +85,18 @@ std::optional<double> written_at(const fs::path& file) {
 }
 
 // Where a file system knows no locks, we do without.
-Lock::Lock(const fs::path& file) : file_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+Lock::Lock(const fs::path& file, const std::string& waiting)
+    : file_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
     if (file_ < 0)
         throw Stop(Status::bad_use,
                    file.string() + ": cannot be written (" + std::strerror(errno) + ")");
+    const auto is_others = [&] { return flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; };
+    int looks = 0;
+    while (!waiting.empty() && looks < 50 && is_others()) {
+        usleep(20'000);
+        ++looks;
+    }
+    if (looks == 50) std::fprintf(stderr, "%s\n", waiting.c_str());
     while (flock(file_, LOCK_EX) != 0 && errno == EINTR) {
     }
 }

@@ -27,10 +27,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What grades depend on besides the answers: the hidden tests, and how answers are compiled.
+// What grades depend on besides the answers: this program, which makes verdicts and words; the hidden tests; and what
+// answers are compiled and linked with, but for what the compiler has made of the headers, which is large.
 std::string edition(const std::vector<Exercise>& exercises) {
-    std::set<fs::path> parts{places().build / "exercises/commands.json"};
-    for (const auto& exercise : exercises) parts.insert(hidden_tests_of(exercise));
+    std::set<fs::path> parts{"/proc/self/exe", places().build / "exercises/commands.json",
+                             places().source / "include/timestep/state.hpp",
+                             places().source / "include/timestep/real.hpp"};
+    std::error_code ignored;
+    for (const auto& header : fs::directory_iterator(places().source / "tools/checker/learner", ignored))
+        parts.insert(header.path());
+    for (const auto& exercise : exercises) {
+        for (const auto& part : parts_of_check(exercise))
+            if (part.parent_path().filename() != "ready") parts.insert(part);
+        parts.insert({exercise.about(), exercise.declared(), exercise.told()});
+    }
     std::string all;
     for (const auto& part : parts) {
         std::ifstream stream(part, std::ios::binary);
@@ -97,6 +107,7 @@ struct Pile {
     std::vector<Exercise> exercises;
     std::vector<Submission> submissions;
     std::vector<HandedIn> answers;
+    std::vector<std::string> left_out = {};  // of what lies among the submissions, by name
 
     const Submission& submission(std::size_t i) const { return submissions[i / exercises.size()]; }
     const Exercise& exercise(std::size_t i) const { return exercises[i % exercises.size()]; }
@@ -105,14 +116,16 @@ struct Pile {
 // Without the exercises that nobody has handed in, unless they were asked for.
 Pile gather(const Grading& grading) {
     Pile all{asked_for(grading), {}, {}};
-    all.submissions = find_submissions(grading.place, all.exercises, grading.one);
+    Submissions found = find_submissions(grading.place, all.exercises, grading.one);
+    all.submissions = std::move(found.all);
+    all.left_out = std::move(found.left_out);
     for (const Submission& submission : all.submissions)
         for (HandedIn& answer : answers_in(submission, all.exercises))
             all.answers.push_back(std::move(answer));
     if (!grading.exercises.empty()) return all;
 
     const std::size_t width = all.exercises.size();
-    Pile some{{}, all.submissions, {}};
+    Pile some{{}, all.submissions, {}, all.left_out};
     std::vector<bool> is_there(width, false);
     for (std::size_t i = 0; i < all.answers.size(); ++i)
         if (!all.answers[i].file.empty() &&
@@ -156,7 +169,7 @@ void print(const Pile& pile, const std::vector<Grade>& grades) {
     const std::size_t width = pile.exercises.size();
     std::size_t longest = 10;
     for (const Submission& submission : pile.submissions)
-        longest = std::max(longest, width_of(in_one_line(submission.name)));
+        longest = std::max(longest, width_of(submission.name));
     for (std::size_t i = 0; i < grades.size(); ++i) {
         const std::string place = pile.exercise(i).place() + " " + pile.exercise(i).name;
         if (i % width == 0) {
@@ -167,7 +180,7 @@ void print(const Pile& pile, const std::vector<Grade>& grades) {
             const auto missing = std::count_if(
                 begin, end, [](const Grade& grade) { return grade.verdict == "missing"; });
             std::printf("%s  %td of %zu%s\n",
-                        padded(in_one_line(pile.submission(i).name), longest).c_str(), passed,
+                        padded(pile.submission(i).name, longest).c_str(), passed,
                         width,
                         missing > 0 ? (", " + std::to_string(missing) + " missing").c_str() : "");
         }
@@ -241,7 +254,7 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
         else
             keep(i, grade);
         progress.now("[" + std::to_string(++done) + "/" + std::to_string(to_do.size()) + "] " +
-                     in_one_line(grade.submission) + " " + grade.exercise + ": " + grade.verdict);
+                     grade.submission + " " + grade.exercise + ": " + grade.verdict);
     });
     if (!once_more.empty())
         progress.say("  " + std::to_string(once_more.size()) +
@@ -283,6 +296,9 @@ void grade(const Grading& grading) {
         print(pile, grades);
     const auto passed = std::count_if(grades.begin(), grades.end(),
                                       [](const Grade& grade) { return grade.passed(); });
+    for (std::size_t i = 0; i < pile.left_out.size(); ++i)
+        std::printf("%s%s%s", i == 0 ? "\nLeft out: " : ", ", pile.left_out[i].c_str(),
+                    i + 1 == pile.left_out.size() ? "\n" : "");
     if (pile.exercises.empty())
         std::printf("No file has the name of an exercise, like velocity_now.cpp.\n");
     std::printf(

@@ -7,8 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "submissions.hpp"
-
 namespace course {
 
 namespace fs = std::filesystem;
@@ -50,9 +48,10 @@ std::string xml(const std::string& text) {
     return out;
 }
 
-// A spreadsheet takes what begins so for a formula, which it would obey.
+// A spreadsheet takes what begins so for a formula, which it would obey; and what has the quote that we put before
+// those gets another.
 std::string csv(const std::string& text) {
-    std::string out = text.find_first_of("=+-@ ") == 0 ? "\"'" : "\"";
+    std::string out = text.find_first_of("=+-@'") == 0 ? "\"'" : "\"";
     for (const char c : clean(text)) out += c == '"' ? std::string("\"\"") : std::string(1, c);
     return out + "\"";
 }
@@ -80,7 +79,7 @@ std::string as_csv(const std::vector<Exercise>& exercises, const std::vector<Gra
             passed += grades[j].passed() ? 1 : 0;
             row += "," + grades[j].verdict;
         }
-        text += "\n" + csv(in_one_line(grades[i].submission)) + "," + std::to_string(passed) + "," +
+        text += "\n" + csv(grades[i].submission) + "," + std::to_string(passed) + "," +
                 std::to_string(exercises.size()) + row;
     }
     return text + "\n";
@@ -93,7 +92,7 @@ std::string as_junit(const std::vector<Grade>& grades) {
         const bool error = grade.verdict == "course_error";
         errors += error;
         failures += !error && !grade.passed();
-        cases << "    <testcase classname=\"" << xml(in_one_line(grade.submission)) << "\" name=\""
+        cases << "    <testcase classname=\"" << xml(grade.submission) << "\" name=\""
               << grade.exercise << "\" time=\"" << thousandths(grade.seconds) << "\"";
         if (grade.passed()) {
             cases << "/>\n";

@@ -13,9 +13,9 @@ namespace course {
 
 /// One answer of one submission.
 struct Grade {
-    std::string submission;
+    std::string submission;  ///< its name, in one line
     std::string exercise;
-    std::string verdict;  ///< as check's, or `missing` (nothing handed in), or `refused`
+    std::string verdict;     ///< as check's, or `missing` (nothing handed in), or `refused`
     std::string says;     ///< what a learner would be told
     std::uint64_t seed = 0;
     double seconds = 0;

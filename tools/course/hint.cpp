@@ -36,8 +36,9 @@ std::vector<std::string> code_of(const fs::path& file) {
     return code;
 }
 
-// Has somebody who works on the course changed the solution since? (The learner's edition has none.)
+// Has somebody who works on the course changed the solution since?
 bool made_from_an_older_solution(const Exercise& exercise) {
+    if (is_kit()) return false;  // whose stubs come made
     const auto solution = written_at(exercise.solution()), stub = written_at(exercise.stub());
     return solution && (!stub || *stub < *solution);
 }
@@ -83,14 +84,14 @@ void hint(const std::string& name) {
                         wrapped(exercise.hints[static_cast<std::size_t>(i)], 6).c_str());
         if (shown_so_far == known)
             std::printf("\n  There are no more hints.%s\n",
-                        is_kit() ? "" : (" After a pass:  ./course solution " + exercise.name).c_str());
+                        exercise.has_solution() ? (" After a pass:  ./course solution " + exercise.name).c_str() : "");
         flush();  // a hint that nobody gets is not counted
     });
 }
 
 void solution(const std::string& name) {
     const Exercise exercise = find_exercise(name);
-    if (is_kit())
+    if (is_kit() && !exercise.has_solution())
         throw Stop(Status::bad_use,
                    "this is the learner's edition: it has no solutions; what an exercise teaches is told "
                    "when your answer passes:  ./course check " + exercise.name);

@@ -111,12 +111,13 @@ void copy_stripped(const fs::path& from, const fs::path& to, const std::string& 
                                         outcome.said.substr(0, outcome.said.find('\n')) + ")");
 }
 
-void write_exercises(const Unfinished& kit) {
+void write_exercises(const Unfinished& kit, bool with_solutions) {
     const fs::path built = places().build / "exercises";
     for (const auto& exercise : read_exercises()) {
         const fs::path room = fs::path(exercise.chapter) / exercise.name;
         kit.write("kit/about" / room / "about.json", told_of(exercise));
         kit.copy(exercise.stub(), "exercises" / fs::path(room.string() + ".cpp"));
+        if (with_solutions) kit.copy(exercise.solution(), "kit/solutions" / fs::path(room.string() + ".cpp"));
         kit.copy(exercise.stub(), "kit/generated" / exercise.stub().filename());
         kit.copy(exercise.declared(), "kit/generated" / exercise.declared().filename());
         kit.copy(exercise.told(), "kit/generated" / exercise.told().filename());
@@ -132,7 +133,7 @@ void write_exercises(const Unfinished& kit) {
     kit.copy(built / "machine.json", "kit/kit.json");
 }
 
-void write_kit(const Unfinished& kit) {
+void write_kit(const Unfinished& kit, bool with_solutions) {
     const fs::path& source = places().source;
     for (const auto& part : parts)
         for (const fs::path& file : files_in(source / part.folder))
@@ -144,7 +145,7 @@ void write_kit(const Unfinished& kit) {
     kit.copy(source / "tools/kit/README.md", "README.md");
     const fs::path site = places().build / "site_kit/html";
     for (const fs::path& file : files_in(site)) kit.copy(site / file, "site" / file);
-    write_exercises(kit);
+    write_exercises(kit, with_solutions);
 }
 
 // The folder that is meant, from the root and without links. Throws where it cannot become a kit.
@@ -180,7 +181,7 @@ fs::path wanted(const std::string& name) {
 
 }  // namespace
 
-void kit(const std::string& name) {
+void kit(const std::string& name, bool with_solutions) {
     if (is_kit())
         throw Stop(Status::bad_use,
                    "this is the learner's edition: it is itself what ./course kit makes");
@@ -192,7 +193,7 @@ void kit(const std::string& name) {
     }
     try {
         const Unfinished unfinished(folder);
-        write_kit(unfinished);
+        write_kit(unfinished, with_solutions);
         unfinished.keep();
     } catch (const fs::filesystem_error& error) {
         throw Stop(Status::bad_use, "kit: '" + name + "' cannot be written (" +
@@ -200,10 +201,12 @@ void kit(const std::string& name) {
                                         "; is the disk full?); nothing is left of it");
     }
     std::printf(
-        "The learner's edition: %s\nIt holds no test's source and no solution. Hand it out as it "
-        "is, for "
-        "machines of this kind:\nthe same system, processor and compiler.\n",
-        folder.c_str());
+        "The learner's edition: %s\nIt holds no test's source%s. Hand it out as it is, for machines of this kind:\n"
+        "the same system, processor and compiler.\n",
+        folder.c_str(),
+        with_solutions ? ". The solutions are in kit/solutions, as text for whoever looks there;\n"
+                         "./course solution shows one after a pass"
+                       : " and no solution");
 }
 
 }  // namespace course

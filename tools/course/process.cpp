@@ -20,6 +20,7 @@
 #include "interrupt.hpp"
 #include "look.hpp"
 #include "stop.hpp"
+#include "terminal.hpp"
 
 namespace course {
 
@@ -238,7 +239,9 @@ Outcome run_within(const std::vector<std::string>& command, const Allowance& all
     int status = 0;
     bool listening = true, ended = false;
     Idleness idleness(group, allowance.idle_seconds);
+    Wait wait(allowance.waiting_for);
     while (!ended && !interrupted() && now() < deadline && !outcome.waited) {
+        wait.look();
         if (listening) {
             const ssize_t size = hear(running.output, piece, sizeof piece, turn);
             listening = size != 0;

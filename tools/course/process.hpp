@@ -30,6 +30,7 @@ struct Allowance {
     std::string temporary = {};      ///< the folder for its temporary files; empty: the usual one
     int processor_seconds = 0;       ///< of each of its processes
     double idle_seconds = 0;         ///< in which none of them does any work
+    std::string waiting_for = {};    ///< what people are told who wait for it
 };
 
 struct Outcome {

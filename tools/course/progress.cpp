@@ -43,7 +43,8 @@ std::map<std::string, Remembered> read_progress() {
 void change_progress(const std::function<void(std::map<std::string, Remembered>&)>& change) {
     std::error_code error;
     fs::create_directories(file().parent_path(), error);
-    const Lock lock(file().parent_path() / "lock");
+    const Lock lock(file().parent_path() / "lock",
+                    "Another ./course is writing in .progress; this goes on when it has done");
     auto progress = read_progress();
     change(progress);
     std::string text;

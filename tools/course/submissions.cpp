@@ -1,10 +1,12 @@
 #include "submissions.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <map>
+#include <set>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -21,6 +23,15 @@ namespace {
 
 const std::size_t most_entries = 20'000;
 const int deepest = 32;
+
+// What versions, file managers and archives leave beside the submissions, and beside each file of a Mac's.
+bool is_litter(const std::string& name) {
+    static const std::set<std::string> names{
+        ".git",        ".svn",        ".hg",    ".DS_Store", "__MACOSX",        ".Spotlight-V100",
+        ".Trashes",    ".fseventsd",  "@eaDir", "Thumbs.db", "desktop.ini",     ".directory",
+        "$RECYCLE.BIN", "lost+found", "System Volume Information"};
+    return names.contains(name) || name.starts_with("._");
+}
 
 // All that bears an answer's name, at whatever depth.
 struct Search {
@@ -39,6 +50,7 @@ struct Search {
                 return;
             }
             const std::string name = entry->path().filename().string();
+            if (is_litter(name)) continue;
             if (const auto at = wanted.find(name); at != wanted.end())
                 found[at->second].push_back(entry->path());
             else if (!name.starts_with(".") && fs::is_directory(entry->symlink_status(error))) {
@@ -55,25 +67,16 @@ struct Search {
     }
 };
 
-// Is it named after an exercise, of which we know that it is not the one looked for?
-bool answers_another(const fs::path& file) {
+const std::vector<Exercise>& all_exercises() {
     static const std::vector<Exercise> all = read_exercises();
-    return std::any_of(all.begin(), all.end(),
-                       [&](const Exercise& exercise) { return exercise.name == file.stem(); });
+    return all;
 }
 
-// Names are bytes: those that are no UTF-8 as %FF, so that no two names become one.
-std::string name_of(const fs::path& place) {
-    const std::string bytes = place.filename().string();
-    std::string name;
-    for (std::size_t i = 0; i < bytes.size();) {
-        const std::size_t size = character_at(bytes, i);
-        char code[4];
-        std::snprintf(code, sizeof code, "%%%02X", static_cast<unsigned char>(bytes[i]));
-        name += size > 0 ? bytes.substr(i, size) : code;
-        i += std::max<std::size_t>(size, 1);
-    }
-    return name;
+// Is it named after an exercise, of which we know that it is not the one looked for?
+bool answers_another(const fs::path& file) {
+    const auto& all = all_exercises();
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Exercise& exercise) { return exercise.name == file.stem(); });
 }
 
 bool is_at_its_place(const fs::path& file, const Exercise& exercise) {
@@ -92,11 +95,6 @@ HandedIn choose(const std::vector<fs::path>& found, const Exercise& exercise) {
                               ", and not just one of them is exercises/" + exercise.chapter + "/" +
                               name};
     return {files[0], ""};
-}
-
-// What versions, file managers and archives leave beside the submissions.
-bool is_litter(const std::string& name) {
-    return name == ".git" || name == ".DS_Store" || name == "__MACOSX";
 }
 
 bool is_answer(const fs::path& entry, const std::vector<Exercise>& exercises) {
@@ -140,31 +138,94 @@ std::string text_of(const HandedIn& answer) {
 
 std::string in_one_line(const std::string& name) {
     std::string line;
-    for (const char c : name) {
-        char code[8] = {c, '\0'};
-        if (c == '\\')
-            std::snprintf(code, sizeof code, "\\\\");
-        else if (c == '\n' || c == '\t')
-            std::snprintf(code, sizeof code, "\\%c", c == '\n' ? 'n' : 't');
-        else if (static_cast<unsigned char>(c) < ' ' || c == '\x7f')
-            std::snprintf(code, sizeof code, "\\x%02x", static_cast<unsigned char>(c));
-        line += code;
+    for (std::size_t i = 0; i < name.size();) {
+        const std::string character = name.substr(i, std::max<std::size_t>(character_at(name, i), 1));
+        const bool at_an_end = i == 0 || i + 1 == name.size();
+        i += character.size();
+        if (character == "\\" || character == "\n" || character == "\t")
+            line += character == "\\" ? "\\\\" : character == "\n" ? "\\n" : "\\t";
+        else if (is_seen(character) && !(character == " " && at_an_end))
+            line += character;
+        else
+            for (const char byte : character) {
+                char code[8];
+                std::snprintf(code, sizeof code, "\\x%02x", static_cast<unsigned char>(byte));
+                line += code;
+            }
     }
-    return sanitized(line);
+    return line;
 }
 
 namespace {
 
-bool holds_answers(const Submission& submission, const std::vector<Exercise>& exercises) {
-    const auto answers = answers_in(submission, exercises);
+bool holds_answers(const fs::path& place, const std::vector<Exercise>& exercises) {
+    std::error_code error;
+    if (!fs::is_directory(fs::symlink_status(place, error))) return false;
+    const auto answers = answers_in({"", place}, exercises);
     return std::any_of(answers.begin(), answers.end(),
                        [](const HandedIn& answer) { return !answer.file.empty(); });
 }
 
+// A folder that holds the whole course: what it is made of belongs to it.
+bool is_of_the_course(const fs::path& entry) {
+    static const std::set<std::string> parts{
+        "chapters", "docs",  "exercises", "include",        "kit",               "site",    "solutions", "tests",
+        "tools",    "build", "course",    "CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", ".gitignore",
+        ".progress", ".github", ".ci", ".clang-format"};
+    std::error_code error;
+    const fs::path folder = entry.parent_path();
+    return parts.contains(entry.filename().string()) && fs::exists(folder / "include/timestep", error) &&
+           fs::exists(folder / "chapters", error) && fs::is_regular_file(folder / "course", error);
+}
+
+// May it be somebody's, who would be lost where the folder that it is in is taken for one submission?
+bool may_be_anothers(const fs::path& entry) {
+    const std::string name = entry.filename().string();
+    if (name.starts_with(".")) return holds_answers(entry, all_exercises());
+    std::error_code error;
+    const auto type = fs::symlink_status(entry, error).type();
+    if (type != fs::file_type::regular) return !is_of_the_course(entry);
+    static const std::set<std::string> packed{".zip", ".tar", ".gz", ".tgz", ".bz2", ".xz", ".zst", ".7z", ".rar"};
+    return packed.contains(entry.extension().string()) || (entry.extension() == ".cpp" && !answers_another(entry));
+}
+
+// The names of its folders that hold answers and are no chapters; none where it holds an answer itself: two are a class.
+std::vector<std::string> learners_in(const fs::path& folder, const std::vector<Exercise>& exercises) {
+    std::vector<std::string> names;
+    std::error_code error;
+    if (!fs::is_directory(fs::symlink_status(folder, error))) return {};
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (name == "exercises" || is_answer(entry->path(), all_exercises())) return {};
+        const bool chapter = std::any_of(all_exercises().begin(), all_exercises().end(),
+                                         [&](const Exercise& exercise) { return exercise.chapter == name; });
+        if (!chapter && !name.starts_with(".") && !is_litter(name) &&
+            (holds_answers(entry->path(), exercises) || holds_answers(entry->path(), all_exercises())))
+            names.push_back(in_one_line(name));
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string list;
+    for (const auto& name : names) list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
+// As it is to be typed.
+std::string typed(const std::string& word) {
+    const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
+        return std::isalnum(c) || std::strchr("_-./", c) != nullptr;
+    });
+    std::string inside = word;
+    replace_all(inside, "'", "'\\''");
+    return plain && !word.empty() ? word : "'" + inside + "'";
+}
+
 }  // namespace
 
-std::vector<Submission> find_submissions(const fs::path& place,
-                                         const std::vector<Exercise>& exercises, bool one) {
+Submissions find_submissions(const fs::path& place, const std::vector<Exercise>& exercises, bool one) {
     std::error_code error;
     const fs::path whole = fs::canonical(place, error);
     const auto refuse = [&](const std::string& why) {
@@ -174,30 +235,50 @@ std::vector<Submission> find_submissions(const fs::path& place,
     if (error) refuse("cannot be read (" + error.message() + ")");
     if (!fs::is_directory(whole) && !fs::is_regular_file(whole))
         refuse("is neither a folder nor a file");
-    if (one || fs::is_regular_file(whole)) return {{name_of(whole), whole}};
+    const Submission itself{in_one_line(whole.filename().string()), whole};
+    if (one || fs::is_regular_file(whole)) return {{itself}};
 
-    std::vector<Submission> all;
-    bool own = false;  // answers
+    std::vector<fs::path> entries;
     for (fs::directory_iterator entry(whole, error), end; !error && entry != end;
-         entry.increment(error)) {
-        const std::string name = entry->path().filename().string();
-        if (name == "exercises") return {{name_of(whole), whole}};
-        own = own || is_answer(entry->path(), exercises);
-        if (!is_litter(name)) all.push_back({name_of(entry->path()), entry->path()});
-    }
+         entry.increment(error))
+        entries.push_back(entry->path());
     if (error) refuse("cannot be read (" + error.message() + ")");
-    if (all.empty()) refuse("holds no submission: it is empty");
-    std::sort(all.begin(), all.end(),
-              [](const auto& a, const auto& b) { return a.name < b.name; });
-    if (own) {
-        for (const Submission& inner : all)
-            if (fs::is_directory(fs::symlink_status(inner.place, error)) &&
-                holds_answers(inner, exercises))
-                refuse("holds answers itself, and so does '" + in_one_line(inner.name) +
-                       "' in it: --one says that it is one submission");
-        return {{name_of(whole), whole}};
+    std::sort(entries.begin(), entries.end());
+
+    Submissions found;
+    std::string mark, anothers;       // of one submission; of somebody beside it
+    std::vector<std::string> beside;  // what is left out where it is one
+    for (const fs::path& entry : entries) {
+        const std::string name = entry.filename().string(), written = in_one_line(name);
+        if (is_litter(name)) {
+            if (holds_answers(entry, all_exercises()))
+                refuse("'" + written + "' holds an answer, and a folder of that name is left out: rename it");
+            found.left_out.push_back(written);
+            beside.push_back(written);
+            continue;
+        }
+        found.all.push_back({written, entry});
+        if (name == "exercises" || is_answer(entry, exercises))
+            mark = mark.empty() ? written : mark;
+        else if (may_be_anothers(entry))
+            anothers = anothers.empty() ? written : anothers;
+        else if (!is_of_the_course(entry) && !answers_another(entry))
+            beside.push_back(written);
     }
-    return all;
+    if (found.all.empty())
+        refuse("holds no submission" + (found.left_out.empty() ? ": it is empty" : ", only " + listed(found.left_out)));
+    for (const Submission& inner : found.all)
+        if (const auto learners = learners_in(inner.place, exercises);
+            learners.size() > 1 && (found.all.size() == 1 || inner.name == "exercises"))
+            refuse("'" + inner.name + "' in it may be a class, with '" + learners[0] + "' and '" + learners[1] +
+                   "': if it is, ./course grade " + typed((place / inner.place.filename()).string()) +
+                   "; if it is one submission, ./course grade " + typed(place.string()) + " --one");
+    if (mark.empty()) return found;
+    if (!anothers.empty())
+        refuse("'" + mark + "' in it makes it one submission, and '" + anothers +
+               "' beside it may be another's: if it is one, ./course grade " + typed(place.string()) +
+               " --one; if it is a class, take '" + mark + "' out of it");
+    return {{itself}, beside};
 }
 
 std::vector<HandedIn> answers_in(const Submission& submission,

@@ -12,7 +12,7 @@ namespace course {
 
 /// One learner's folder or file. Nothing in it is trusted: not what it is, not what it is called.
 struct Submission {
-    std::string name;
+    std::string name;  ///< as in_one_line writes it
     std::filesystem::path place;
 };
 
@@ -22,10 +22,17 @@ struct HandedIn {
     std::string refused;         ///< one line where the file cannot be taken
 };
 
-/// The submissions in `place`: itself, where it is a file or holds answers, else each file and folder
-/// in it; only itself where it is to be `one`. Throws Stop(bad_use) where there is none.
-std::vector<Submission> find_submissions(const std::filesystem::path& place,
-                                         const std::vector<Exercise>& exercises, bool one);
+/// The submissions in a place, and the names of what there is besides and is none.
+struct Submissions {
+    std::vector<Submission> all;
+    std::vector<std::string> left_out = {};
+};
+
+/// The submissions in `place`: itself, where it is a file, holds answers or a folder `exercises`, else each file
+/// and folder in it; only itself where it is to be `one`. Throws Stop(bad_use) where there is none, and where it may
+/// be one as well as a class.
+Submissions find_submissions(const std::filesystem::path& place,
+                             const std::vector<Exercise>& exercises, bool one);
 
 /// What a submission holds for each of these exercises: the file exercises/CHAPTER/NAME.cpp anywhere
 /// in it, or the only file NAME.cpp, or of one exercise the only .cpp file there is, unless that is named
@@ -38,7 +45,9 @@ std::vector<HandedIn> answers_in(const Submission& submission,
 /// larger than 1 MB, or cannot be read. No link is followed.
 std::string text_of(const HandedIn& answer);
 
-/// A name from outside in one line: control characters as \n, \t, \xNN, a backslash as \\.
+/// A name from outside in one line, which every format can hold as it is: two that differ stay different.
+/// A backslash is \\, newline and tab are \n and \t. As \xNN comes each byte of what is obeyed or not seen,
+/// of what is no UTF-8, and of a blank at either end.
 std::string in_one_line(const std::string& name);
 
 }  // namespace course

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <sstream>
+#include <utility>
 
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -48,7 +50,31 @@ std::size_t character_at(const std::string& text, std::size_t at) {
                                                               : 0u;
     for (std::size_t i = 1; i < size; ++i)
         if (at + i >= text.size() || !continues_character(text[at + i])) return 0;
-    return size;
+    // Written longer than it need be; a half of a pair of UTF-16's; beyond the last.
+    const auto second = static_cast<unsigned char>(size > 1 ? text[at + 1] : 0);
+    const bool none = (first == 0xE0 && second < 0xA0) || (first == 0xED && second >= 0xA0) ||
+                      (first == 0xF0 && second < 0x90) || (first == 0xF4 && second >= 0x90);
+    return none ? 0 : size;
+}
+
+// What Unicode calls control, format, blank, no character, or not to be shown.
+bool is_seen(const std::string& character) {
+    static const std::pair<char32_t, char32_t> unseen[]{
+        {0x00, 0x1F},     {0x7F, 0xA0},     {0xAD, 0xAD},     {0x34F, 0x34F},   {0x600, 0x605},
+        {0x61C, 0x61C},   {0x6DD, 0x6DD},   {0x70F, 0x70F},   {0x890, 0x891},   {0x8E2, 0x8E2},
+        {0x115F, 0x1160}, {0x1680, 0x1680}, {0x17B4, 0x17B5}, {0x180B, 0x180F}, {0x2000, 0x200F},
+        {0x2028, 0x202F}, {0x205F, 0x206F}, {0x2800, 0x2800}, {0x3000, 0x3000}, {0x3164, 0x3164},
+        {0xE000, 0xF8FF}, {0xFE00, 0xFE0F}, {0xFDD0, 0xFDEF}, {0xFEFF, 0xFEFF}, {0xFFA0, 0xFFA0},
+        {0xFFF0, 0xFFFF}, {0x110BD, 0x110BD}, {0x110CD, 0x110CD}, {0x13430, 0x1343F}, {0x1BCA0, 0x1BCA3},
+        {0x1D173, 0x1D17A}, {0xE0000, 0x10FFFF}};
+    const std::size_t size = character.empty() ? 0 : character_at(character, 0);
+    if (size == 0 || size != character.size()) return false;
+    const auto first = static_cast<unsigned char>(character[0]);
+    char32_t code = size == 1 ? first : first & (0x7Fu >> size);
+    for (std::size_t i = 1; i < size; ++i) code = code << 6 | (static_cast<unsigned char>(character[i]) & 0x3Fu);
+    return (code & 0xFFFE) != 0xFFFE && std::none_of(std::begin(unseen), std::end(unseen), [&](const auto& range) {
+        return code >= range.first && code <= range.second;
+    });
 }
 
 std::size_t columns() {
@@ -117,6 +143,27 @@ std::string wrapped(const std::string& text, std::size_t indent) {
 void flush() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
         throw Stop(Status::bad_use, "standard output: cannot be written");
+}
+
+namespace {
+bool waits_are_told = false;
+}
+
+TellWaits::TellWaits() {
+    waits_are_told = true;
+}
+TellWaits::~TellWaits() {
+    waits_are_told = false;
+}
+
+void Wait::look() {
+    const auto now = std::chrono::steady_clock::now();
+    if (!waits_are_told || what_.empty() || now < next_) return;
+    next_ = now + std::chrono::seconds(1);
+    if (isatty(STDERR_FILENO) == 1)
+        return line_.now(what_);
+    line_.say(what_);
+    what_.clear();
 }
 
 void ProgressLine::say(const std::string& line) {

@@ -32,6 +32,9 @@ std::string sanitized_line(const std::string& text);
 /// `text`, with "…" for what follows after `most` characters.
 std::string shortened(const std::string& text, std::size_t most);
 
+/// Is this character of UTF-8 one that people see, and that no terminal and no format takes for more? A blank is.
+bool is_seen(const std::string& character);
+
 /// How many bytes the character has that begins there in `text`; 0 where none does in UTF-8.
 std::size_t character_at(const std::string& text, std::size_t at);
 
@@ -43,6 +46,15 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
 
 /// Writes out what has been printed. Throws Stop(bad_use) where nobody gets it: a full disk.
 void flush();
+
+/// While it lives, people are told what they wait for (see Wait).
+class TellWaits {
+public:
+    TellWaits();
+    ~TellWaits();
+    TellWaits(const TellWaits&) = delete;
+    TellWaits& operator=(const TellWaits&) = delete;
+};
 
 /// Shows that work goes on, on standard error, so that standard output holds results only.
 class ProgressLine {
@@ -59,6 +71,21 @@ public:
 private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now(), told_ = begin_;
     std::string line_;  // drawn at this moment, if any
+};
+
+/// Tells what is waited for, once a second has gone by without it, where there is a TellWaits: on a terminal in a line
+/// that goes when the wait is over, elsewhere in one that stays.
+class Wait {
+public:
+    /// "" tells nothing.
+    explicit Wait(std::string what) : what_(std::move(what)) {}
+    /// To be called now and then.
+    void look();
+
+private:
+    std::string what_;
+    std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+    ProgressLine line_;
 };
 
 }  // namespace course

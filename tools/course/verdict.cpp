@@ -91,7 +91,8 @@ constexpr double idle_seconds = 5;
 bool succeeds(const Words& command, const TemporaryFolder& temporary, Verdict& verdict, int patience) {
     const int seconds = places().compiler_seconds * patience;
     const Outcome outcome = run_within(
-        command, {10. * seconds, 4096, 64, 64, temporary.folder().string(), seconds, idle_seconds});
+        command, {10. * seconds, 4096, 64, 64, temporary.folder().string(), seconds, idle_seconds,
+                  "Waiting for the compiler"});
     // The words may be the answer's own: so the disk is asked, too.
     if (outcome.status != 0 && outcome.said.find("No space left on device") != std::string::npos)
         stop_if_full(temporary.folder());
@@ -263,8 +264,9 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     around = sandbox != nullptr ? sandbox->before_worker(worker) : Words{};
     check.insert(check.end(), around.begin(), around.end());
     // It gives the learner's code its limits itself, and for all calls a few minutes by the clock.
-    const Outcome outcome =
-        run_within(check, {.seconds = 600, .processor_seconds = 60}, std::to_string(seed) + "\n");
+    const Outcome outcome = run_within(
+        check, {.seconds = 600, .processor_seconds = 60, .waiting_for = "Waiting for your code to answer"},
+        std::to_string(seed) + "\n");
     auto said = read_lines(outcome.said);
     const auto text = printed_in(printed);
     verdict.printed = text.value_or("");

@@ -11,6 +11,7 @@
 #include "chapters.hpp"
 #include "commands.hpp"
 #include "files.hpp"
+#include "nearest.hpp"
 #include "places.hpp"
 #include "stop.hpp"
 
@@ -116,21 +117,6 @@ std::vector<Run> runs_meant(const std::string& folder) {
         for (const auto& chapter : read_chapters())
             runs.push_back({chapter.folder, chapter.sources(), chapter.run(), {}});
     return runs;
-}
-
-// How many letters one word is away from another.
-std::size_t distance(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t before = row[0]++;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t changed = before + (a[i] == b[j] ? 0 : 1);
-            before = row[j + 1];
-            row[j + 1] = std::min({changed, before + 1, row[j] + 1});
-        }
-    }
-    return row.back();
 }
 
 std::string near_names(const std::vector<Run>& runs, const std::string& name) {
