@@ -22,20 +22,11 @@
 
 double longest_parabola_step(double omega, double zeta) {
     // [answer]
-    // The step is a matrix for (x, v/omega). It is stable while both its eigenvalues are within the
-    // unit circle; the longest such wh = omega h is found by bisection.
-    const auto stable = [&](double wh) {
-        const double xx = 1 - wh * wh / 2, xv = wh - zeta * wh * wh;
-        const double vx = -wh, vv = 1 - 2 * zeta * wh;
-        const std::complex<double> half = (xx + vv) / 2;
-        const std::complex<double> root = std::sqrt(half * half - (xx * vv - xv * vx));
-        return std::max(std::abs(half + root), std::abs(half - root)) < 1;
-    };
-    double good = 0, bad = 4;  // beyond wh = 4 every oscillation has left, whatever the damping
-    for (int i = 0; i < 60; ++i) {
-        const double middle = (good + bad) / 2;
-        (stable(middle) ? good : bad) = middle;
-    }
-    return good / omega;
+    // The step is a matrix for (x, v/omega), with the trace 2 - 2 zeta wh - wh²/2 and the determinant
+    // 1 - 2 zeta wh + wh²/2, where wh = omega h. A pair of complex eigenvalues leaves the unit circle
+    // where the determinant is 1, at wh = 4 zeta; a real one at -1, where 1 + trace + determinant is
+    // zero, at wh = 1 / zeta. (At 1 none leaves: 1 - trace + determinant is wh².)
+    if (zeta == 0) return 0;
+    return std::min(4 * zeta, 1 / zeta) / omega;
     // [answer]
 }

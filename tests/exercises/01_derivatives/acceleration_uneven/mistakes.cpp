@@ -92,3 +92,108 @@ double acceleration_uneven(double x0, double x1, double x2, double h0, double h1
 }
 
 }  // namespace single_precision
+
+// Says: The newer of your velocities is measured over the whole time, from the first position to the last:
+//       the two overlap.
+// Hint: Each velocity belongs to the middle of its own interval. Take the newer one from the last two
+//       positions alone.
+namespace older_and_whole {
+
+double acceleration_uneven(double x0, double x1, double x2, double h0, double h1) {
+    return 2 * ((x2 - x0) / (h0 + h1) - (x1 - x0) / h0) / (h0 + h1);
+}
+
+}  // namespace older_and_whole
+
+// Says: The change of velocity is multiplied by the time in which it happens, where it has to be divided.
+// Hint: The same change in a shorter time is a larger acceleration. Check the unit of what you return.
+namespace times_time {
+
+double acceleration_uneven(double x0, double x1, double x2, double h0, double h1) {
+    return ((x2 - x1) / h1 - (x1 - x0) / h0) * (h0 + h1) / 2;
+}
+
+}  // namespace times_time
+
+// Says: Both changes of position are divided by the first interval, so a constant velocity seems to change.
+// Hint: The way from x1 to x2 has taken the time h1. Give each way its own time.
+namespace first_interval_for_both {
+
+double acceleration_uneven(double x0, double x1, double x2, double h0, double h1) {
+    return 2 * ((x2 - x1) / h0 - (x1 - x0) / h0) / (h0 + h1);
+}
+
+}  // namespace first_interval_for_both
+
+// Says: Both changes of position are divided by the second interval, also the one that took the first.
+// Hint: The way from x0 to x1 has taken the time h0. With which of the two times do you divide it?
+namespace second_interval_for_both {
+
+double acceleration_uneven(double x0, double x1, double x2, double h0, double h1) {
+    return 2 * ((x2 - x1) / h1 - (x1 - x0) / h1) / (h0 + h1);
+}
+
+}  // namespace second_interval_for_both
+
+// Says: This is the velocity at the middle position: the weighted mean of the two slopes, in metres per
+//       second.
+// Hint: Not the mean of the two velocities is asked but how fast the one becomes the other.
+namespace velocity {
+
+double acceleration_uneven(double x0, double x1, double x2, double h0, double h1) {
+    return ((x1 - x0) / h0 * h1 + (x2 - x1) / h1 * h0) / (h0 + h1);
+}
+
+}  // namespace velocity
+
+// Says: This is the formula for even frames, with the first interval as the step of both.
+// Hint: A packet that comes late makes the second interval longer. Where does your formula see that?
+namespace first_step_squared {
+
+double acceleration_uneven(double x0, double x1, double x2, double h0, double h1) {
+    return (x2 - 2 * x1 + x0) / (h0 * h0);
+}
+
+}  // namespace first_step_squared
+
+// Says: This is the formula for even frames, with the second interval taken for both of them.
+// Hint: The first interval does not enter at all. Begin with two velocities, and give each of them its own
+//       time.
+namespace second_step_squared {
+
+double acceleration_uneven(double x0, double x1, double x2, double h0, double h1) {
+    return (x2 - 2 * x1 + x0) / (h1 * h1);
+}
+
+}  // namespace second_step_squared
+
+// Says: The change of velocity is divided by the first interval alone, whatever the second one is.
+// Hint: The two velocities belong to the middles of the intervals. Half of each lies between them.
+namespace oldest_step {
+
+double acceleration_uneven(double x0, double x1, double x2, double h0, double h1) {
+    return ((x2 - x1) / h1 - (x1 - x0) / h0) / h0;
+}
+
+}  // namespace oldest_step
+
+// Says: The change of velocity is divided by the sum of the intervals and then by two once more: a quarter
+//       of the acceleration.
+// Hint: Brackets matter: a sum that is to be halved below the line is one that doubles the whole.
+namespace halved_twice {
+
+double acceleration_uneven(double x0, double x1, double x2, double h0, double h1) {
+    return ((x2 - x1) / h1 - (x1 - x0) / h0) / (h0 + h1) / 2;
+}
+
+}  // namespace halved_twice
+
+// Says: Only the second interval is halved: h0 + h1 / 2 is not the time between the two middles.
+// Hint: C++ divides before it adds. Put brackets round the sum.
+namespace missing_brackets {
+
+double acceleration_uneven(double x0, double x1, double x2, double h0, double h1) {
+    return ((x2 - x1) / h1 - (x1 - x0) / h0) / (h0 + h1 / 2);
+}
+
+}  // namespace missing_brackets

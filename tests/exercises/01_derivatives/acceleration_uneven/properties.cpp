@@ -100,3 +100,17 @@ PROPERTY("on a smooth motion the error falls as the square of the step when the 
         REQUIRE(measured < 2.1);
     }
 }
+
+// In each call the answer must be the right one: where the intervals differ by little, where one of them is tiny,
+// where the body comes back to a place.
+PROPERTY("any three positions and any two intervals give an acceleration: equal, nearly equal, or far from it") {
+    Draw draw;
+    for (int i = 0; i < 300; ++i) {
+        const double length = draw.log(1e-9, 1e9), h0 = draw.log(1e-6, 1e6);
+        const double near = 1 + draw.sign() * draw.log(1e-9, 0.1), far = draw.log(1e-4, 1e4);
+        const double h1 = h0 * (i % 3 == 0 ? 1 : i % 3 == 1 ? near : far);
+        std::array<double, 3> x{};
+        for (double& one : x) one = length * draw.any_of(-5, 5, {0, 1});
+        REQUIRE(std::isfinite(learner(x[0], x[1], x[2], h0, h1)));
+    }
+}

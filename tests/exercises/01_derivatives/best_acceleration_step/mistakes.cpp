@@ -101,3 +101,67 @@ double best_acceleration_step(double noise, double snap) {
 }
 
 }  // namespace noise_cancels
+
+// Says: The exponent 1 / 4 is 0 in C++, where whole numbers divide into whole numbers: every step comes out
+//       as 1.
+// Hint: Write 1.0 / 4 or 0.25. Or take the square root twice.
+namespace whole_number_exponent {
+
+double best_acceleration_step(double noise, double snap) {
+    return std::pow(48 * noise / snap, 1 / 4);
+}
+
+}  // namespace whole_number_exponent
+
+// Says: The sum under the root is right, but it is the third root that you take.
+// Hint: Noise over snap is seconds to the fourth power. Only one root of it gives seconds.
+namespace cube_root {
+
+double best_acceleration_step(double noise, double snap) {
+    return std::cbrt(48 * noise / snap);
+}
+
+}  // namespace cube_root
+
+// Says: The three noises are added by their squares, as independent random errors are. The task asks for
+//       the worst case.
+// Hint: At the worst all of them conspire: add their sizes, with the weights 1, 2 and 1.
+namespace noises_by_squares {
+
+double best_acceleration_step(double noise, double snap) {
+    return std::pow(12 * std::sqrt(6.0) * noise / snap, 0.25);
+}
+
+}  // namespace noises_by_squares
+
+// Says: This is the fourth power of the step: the root is missing.
+// Hint: Solve your last equation for h itself. How many times does h stand in it as a factor?
+namespace no_root {
+
+double best_acceleration_step(double noise, double snap) {
+    return 48 * noise / snap;
+}
+
+}  // namespace no_root
+
+// Says: Noise and snap are in the right places, but the numbers that come with them, 4 and 12, are left
+//       out.
+// Hint: The bound is a number times snap h squared plus another times noise over h squared. Write both
+//       numbers down before you take the slope.
+namespace no_constants {
+
+double best_acceleration_step(double noise, double snap) {
+    return std::pow(noise / snap, 0.25);
+}
+
+}  // namespace no_constants
+
+// Says: The 12 stands on the wrong side: dividing by snap / 12 multiplies by 12.
+// Hint: Set snap h²/12 equal to 4 noise/h², and bring everything but h to the right, one factor at a time.
+namespace twelve_below {
+
+double best_acceleration_step(double noise, double snap) {
+    return std::pow(4 * noise / (12 * snap), 0.25);
+}
+
+}  // namespace twelve_below

@@ -51,7 +51,7 @@ PROPERTY("a step that is slightly longer or shorter than yours has a larger wors
 PROPERTY("the optimal step size is found for the finest tracker and the coarsest, for any motion") {
     Draw draw;
     for (int i = 0; i < 100; ++i) {
-        const double noise = draw.log(1e-12, 1e6), snap = draw.log(1e-6, 1e12);
+        const double noise = draw.log(1e-15, 1e9), snap = draw.log(1e-12, 1e15);
         const double h = learner(noise, snap);
         REQUIRE(h > 0);
         REQUIRE(close(snap * h * h / 12, 4 * noise / (h * h), 1e-6));

@@ -112,6 +112,7 @@ int best_gap(double frame, double noise, double jerk, int most) {
 namespace forgot_most {
 
 int best_gap(double frame, double noise, double jerk, int most) {
+    if (jerk == 0) return most;
     const auto worst = [&](int frames) {
         const double gap = frames * frame;
         return jerk * gap * gap / 24 + 2 * noise / gap;
@@ -123,7 +124,8 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 }  // namespace forgot_most
 
-// Says: Two neighbouring frames, whatever the noise. That is the jagged line with which the chapter begins.
+// Says: Two neighbouring frames, whatever the noise: the jagged line with which the chapter begins. An error in
+//       which the noise is not divided by the time says that, too.
 // Hint: Divide twice the noise by one frame, then by ten. Weigh that against what the jerk costs.
 namespace neighbours {
 
@@ -158,3 +160,83 @@ int best_gap(double frame, double noise, double jerk, int most) {
 }
 
 }  // namespace step_rounded
+
+// Says: The optimal step size is rounded to whole frames, and the number of frames that you keep is not
+//       looked at: the answer may be more than most.
+// Hint: Nobody has the frame that you ask for. First keep within most, then let the errors of the two whole
+//       numbers decide.
+namespace rounded_beyond_most {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    if (jerk == 0) return most;
+    const double ideal = 2 * std::cbrt(3 * noise / jerk) / frame;
+    return static_cast<int>(std::clamp(std::round(ideal), 1.0, 1e9));
+}
+
+}  // namespace rounded_beyond_most
+
+// Says: The time comes from a square root, but noise over jerk is seconds to the third power.
+// Hint: The slope of the bound has jerk times the gap in it, and noise over its square. Multiply, and count
+//       the powers.
+namespace square_root {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    if (jerk == 0) return most;
+    const double ideal = std::sqrt(24 * noise / jerk) / frame;
+    return static_cast<int>(std::clamp(std::round(ideal), 1.0, 1.0 * most));
+}
+
+}  // namespace square_root
+
+// Says: This finds the gap with the largest error, not the one with the smallest.
+// Hint: Turn the comparison round. And where must the least that you have seen begin, so that the first gap
+//       is taken?
+namespace largest {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    int worst = 1;
+    double largest = 0;
+    for (int frames = 1; frames <= most; ++frames) {
+        const double gap = frames * frame, error = jerk * gap * gap / 24 + 2 * noise / gap;
+        if (error > largest) {
+            largest = error;
+            worst = frames;
+        }
+    }
+    return worst;
+}
+
+}  // namespace largest
+
+// Says: This is one frame more than the best: it counts the positions from the first to the last.
+// Hint: Three positions in a row are two frames apart. What is asked is the difference of their numbers.
+namespace one_more {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    const auto worst = [&](int frames) {
+        const double gap = frames * frame;
+        return jerk * gap * gap / 24 + 2 * noise / gap;
+    };
+    int frames = 1;
+    while (frames < most && worst(frames + 1) < worst(frames)) ++frames;
+    return std::min(frames + 1, most);
+}
+
+}  // namespace one_more
+
+// Says: The loop stops one frame before the best: this gap is one too short.
+// Hint: What does the number hold when the loop sees that the error rises? Follow it by hand for an optimum
+//       of two.
+namespace one_less {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    const auto worst = [&](int frames) {
+        const double gap = frames * frame;
+        return jerk * gap * gap / 24 + 2 * noise / gap;
+    };
+    int frames = 1;
+    while (frames < most && worst(frames + 1) < worst(frames)) ++frames;
+    return std::max(frames - 1, 1);
+}
+
+}  // namespace one_less

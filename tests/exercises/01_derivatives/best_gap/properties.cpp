@@ -9,7 +9,8 @@ EXERCISE(best_gap);
 struct Throw {
     double frame, jerk, noise;
 
-    Throw(Draw& draw, double ideal) : frame(1 / draw.real(20, 240)), jerk(draw.log(1, 1e4)) {
+    Throw(Draw& draw, double ideal) : Throw(1 / draw.real(20, 240), draw.log(1, 1e4), ideal) {}
+    Throw(double frame_, double jerk_, double ideal) : frame(frame_), jerk(jerk_) {
         const double gap = ideal * frame;
         noise = jerk * gap * gap * gap / 24;
     }
@@ -83,7 +84,7 @@ PROPERTY("no other number of frames is better when the best is hundreds or thous
 // n and n + 1 are equally good where ideal³ = n (n + 1/2)(n + 1), which is a little below n + 1/2.
 PROPERTY("where two numbers of frames are almost equally good, the better one is found") {
     Draw draw;
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 80; ++i) {
         const double n = i % 2 == 0 ? draw.integer(1, 3) : draw.integer(4, 40);
         const double off = draw.sign() * draw.log(1e-9, 0.03);
         const Throw ball(draw, std::cbrt(n * (n + 0.5) * (n + 1)) * (1 + off));
@@ -109,5 +110,19 @@ PROPERTY("on an oscillation with the worst noise, half or twice as many frames a
         REQUIRE(frames <= 60);
         for (int other = (frames + 1) / 2; other <= 2 * frames; ++other)
             REQUIRE(error(frames) < 1.01 * error(other));
+    }
+}
+
+// A film of an ant or of a comet. What is best depends on the jerk only beside the noise, and on the frame only
+// beside the ideal gap.
+PROPERTY("frames may be as short as microseconds or as long as hours, noise and jerk tiny or huge") {
+    Draw draw;
+    for (int i = 0; i < 200; ++i) {
+        const double frame = draw.log(1e-6, 1e4), jerk = draw.any_of(1e-9, 1e9, {1, 12, 1e-9, 1e9});
+        const int most = draw.integer(1, i % 2 == 0 ? 20 : 2000);
+        const Throw ball(frame, jerk, draw.log(0.1, 2.0 * most + 1));
+        REQUIRE(ball.is_best(ball.answer(most), most));
+        if (i % 8 == 0) REQUIRE(learner(frame, 0, jerk, most) == 1);
+        if (i % 8 == 1) REQUIRE(learner(frame, ball.noise, 0, most) == most);
     }
 }

@@ -100,3 +100,81 @@ double extrapolated(double coarse, double fine, double ratio, int order) {
 }
 
 }  // namespace next_order
+
+// Says: This is (4 fine - coarse) / 3, whatever the ratio and the order: it is right for half the step and
+//       order two.
+// Hint: The 4 and the 3 come from two to the power of two. Write them with the ratio and the order that are
+//       handed over.
+namespace half_and_two {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    return (4 * fine - coarse) / 3;
+}
+
+}  // namespace half_and_two
+
+// Says: Base and exponent are interchanged: the order is raised to the power of the ratio.
+// Hint: With order one, one to any power is one, and your divisor is zero. What has to be multiplied by
+//       itself, and how many times?
+namespace base_and_exponent {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    const double shrinks = std::pow(order, ratio);
+    return fine + (fine - coarse) / (shrinks - 1);
+}
+
+}  // namespace base_and_exponent
+
+// Says: The correction is that of the fine result, but it is added to the coarse one.
+// Hint: The size of the correction and the result that it belongs to go together: how far is each of the
+//       two from the exact value?
+namespace added_to_coarse {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    return coarse + (fine - coarse) / (std::pow(ratio, order) - 1);
+}
+
+}  // namespace added_to_coarse
+
+// Says: You take the coarse result's error away from the fine one, which has much less of it.
+// Hint: The two errors are in the ratio that you found. Which of them has the fine result?
+namespace coarse_error_taken {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    const double shrinks = std::pow(ratio, order);
+    return fine + (fine - coarse) * shrinks / (shrinks - 1);
+}
+
+}  // namespace coarse_error_taken
+
+// Says: The divisor is the power plus one, where it has to be the power less one.
+// Hint: The coarse error less the fine one is what you can see. How many fine errors are that?
+namespace plus_one {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    return fine + (fine - coarse) / (std::pow(ratio, order) + 1);
+}
+
+}  // namespace plus_one
+
+// Says: Both results have a positive weight: this is a mean of the two, which lies between them.
+// Hint: Both results err to the same side, and the exact value lies beyond the better one. One of the
+//       weights must be negative.
+namespace weighted_mean {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    const double shrinks = std::pow(ratio, order);
+    return (shrinks * fine + coarse) / (shrinks + 1);
+}
+
+}  // namespace weighted_mean
+
+// Says: The ratio is squared, whatever the order is.
+// Hint: Only for order two do the errors go with the square of the step. Which argument have you not used?
+namespace order_two {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    return fine + (fine - coarse) / (ratio * ratio - 1);
+}
+
+}  // namespace order_two

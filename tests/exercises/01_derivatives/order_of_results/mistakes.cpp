@@ -102,3 +102,57 @@ double order_of_results(double coarse, double middle, double fine) {
 }
 
 }  // namespace one_too_many
+
+// Says: The logarithm is the one to base ten: order one would come out as 0.30.
+// Hint: Ask by which power of two the error shrinks, for the step is halved.
+namespace decimal_logarithm {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::log10((coarse - middle) / (middle - fine));
+}
+
+}  // namespace decimal_logarithm
+
+// Says: The whole way from coarse to fine is compared with its first part. That ratio never gets far from
+//       one.
+// Hint: Leave the sum out: compare the first difference with the second.
+namespace whole_over_first {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::log2((coarse - fine) / (coarse - middle));
+}
+
+}  // namespace whole_over_first
+
+// Says: The two differences are taken in opposite directions, so their ratio is negative and has no
+//       logarithm.
+// Hint: Middle lies between the other two. Go from coarse to fine in both differences.
+namespace opposite_directions {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::log2((coarse - middle) / (fine - middle));
+}
+
+}  // namespace opposite_directions
+
+// Says: The logarithm of one difference is divided by that of the other: that depends on the unit of the
+//       results.
+// Hint: Measure in millimetres, and the order must stay what it is. The logarithm of a ratio is a
+//       difference of logarithms.
+namespace quotient_of_logarithms {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::log(std::fabs(coarse - middle)) / std::log(std::fabs(middle - fine));
+}
+
+}  // namespace quotient_of_logarithms
+
+// Says: An order below zero is cut to zero.
+// Hint: Where the error grows as the step shrinks, the order says so by its sign. Return what comes out.
+namespace not_below_zero {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::max(0.0, std::log2((coarse - middle) / (middle - fine)));
+}
+
+}  // namespace not_below_zero

@@ -71,3 +71,104 @@ double velocity_now(double x0, double x1, double x2, double h) {
 }
 
 }  // namespace whole_numbers
+
+// Says: The weights 3, 4 and 1 stand over h, where 2 h belongs: the velocity is twice what it should be.
+// Hint: Let a body move at one metre per second, with frames one second apart. Which number do your weights
+//       make of it?
+namespace one_h_below {
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return (3 * x2 - 4 * x1 + x0) / h;
+}
+
+}  // namespace one_h_below
+
+// Says: This is the velocity between the two oldest frames, one and a half steps ago.
+// Hint: The newest position must have a say in the velocity of now. Which slope lies nearest to it?
+namespace oldest_two {
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return (x1 - x0) / h;
+}
+
+}  // namespace oldest_two
+
+// Says: Oldest and newest frame are interchanged in the formula for now: it gives the velocity at the
+//       oldest one, with the wrong sign.
+// Hint: The largest weight belongs to the frame at whose moment the velocity is asked. Which argument is
+//       that?
+namespace swapped {
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return (3 * x0 - 4 * x1 + x2) / (2 * h);
+}
+
+}  // namespace swapped
+
+// Says: The oldest position has the wrong sign: the weights no longer add up to zero, so a body far away
+//       seems to race even when it rests.
+// Hint: Put the same number into all three positions. The sum must vanish, and then the weights tell which
+//       sign is wrong.
+namespace oldest_subtracted {
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return (3 * x2 - 4 * x1 - x0) / (2 * h);
+}
+
+}  // namespace oldest_subtracted
+
+// Says: This is the acceleration of the three frames, in metres per second squared.
+// Hint: How fast the slope changes is what corrects the newer slope. It is not the velocity itself.
+namespace acceleration {
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return (x2 - 2 * x1 + x0) / (h * h);
+}
+
+}  // namespace acceleration
+
+// Says: The way of two frames is divided by the time of one: this is twice the velocity of the middle
+//       frame.
+// Hint: From x0 to x2 two steps go by. And even when you divide by both, the slope belongs to the middle of
+//       that time.
+namespace two_steps_as_one {
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return (x2 - x0) / h;
+}
+
+}  // namespace two_steps_as_one
+
+// Says: Three frames are taken for three steps: the way from the first to the last is divided by 3 h.
+// Hint: Three posts have two gaps between them. And that slope belongs to the moment in the middle, not to
+//       now.
+namespace three_steps {
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return (x2 - x0) / (3 * h);
+}
+
+}  // namespace three_steps
+
+// Says: What is added to the newer slope is half of the acceleration, in metres per second squared. It has
+//       not been multiplied by the time for which it acts.
+// Hint: An acceleration changes a velocity only while time goes by. How much time lies between the middle
+//       of the last step and now?
+namespace correction_is_no_velocity {
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    const double older = (x1 - x0) / h, newer = (x2 - x1) / h;
+    return newer + (newer - older) / h / 2;
+}
+
+}  // namespace correction_is_no_velocity
+
+// Says: The sign of all of it is turned round: a body that moves ahead gets a negative velocity.
+// Hint: Subtract the older position from the newer one, and not the other way.
+namespace against_time {
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return (4 * x1 - 3 * x2 - x0) / (2 * h);
+}
+
+}  // namespace against_time

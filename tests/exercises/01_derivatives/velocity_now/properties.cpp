@@ -58,3 +58,16 @@ PROPERTY("a constant acceleration comes out exactly in a game of any size and wi
         REQUIRE(close(learner(at(-2 * h), at(-h), x, h), v, 0, 1e-14 * 80 * length / h));
     }
 }
+
+// Whole numbers among them, and places in which the body has been before. What is looked for here is in each call:
+// is the answer the right one?
+PROPERTY("three frames of any size give a velocity: near or far, slow or fast, standing in one of them or not") {
+    Draw draw;
+    for (int i = 0; i < 300; ++i) {
+        const double length = draw.log(1e-9, 1e9), h = draw.log(1e-6, 1e6);
+        std::array<double, 3> x{};
+        for (double& one : x) one = length * draw.any_of(-5, 5, {0, 1});
+        if (i % 3 == 0) x[1] = x[2] * (1 + draw.sign() * draw.log(1e-9, 1e-2));
+        REQUIRE(std::isfinite(learner(x[0], x[1], x[2], h)));
+    }
+}

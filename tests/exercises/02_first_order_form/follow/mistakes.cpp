@@ -123,3 +123,131 @@ State<double> follow(const State<double>& s, double goal, double goal_v, double 
 }
 
 }  // namespace clock_stands
+
+// Says: The position is that on the ground, but the velocity is still the one that the player sees.
+// Hint: You took the player's velocity away at the start. Where does it come back?
+namespace velocity_not_back {
+
+State<double> follow(const State<double>& s, double goal, double goal_v, double omega, double h) {
+    const double x = s.x - goal, v = s.v - goal_v;
+    const double b = v + omega * x, e = std::exp(-omega * h);
+    return {s.t + h, goal + goal_v * h + (x + b * h) * e, (v - omega * b * h) * e};
+}
+
+}  // namespace velocity_not_back
+
+// Says: The velocity is that on the ground, but the position is still counted from the player.
+// Hint: What the camera shows depends on where it is in the world: add the place where the player has got
+//       to.
+namespace position_not_back {
+
+State<double> follow(const State<double>& s, double goal, double goal_v, double omega, double h) {
+    const double x = s.x - goal, v = s.v - goal_v;
+    const double b = v + omega * x, e = std::exp(-omega * h);
+    return {s.t + h, (x + b * h) * e, goal_v + (v - omega * b * h) * e};
+}
+
+}  // namespace position_not_back
+
+// Says: The slope of the line in front of the exponential is v - omega x, with the wrong sign.
+// Hint: At h = 0 the exponential falls at the rate omega x. What must the line add to that, so that the
+//       camera starts with v?
+namespace constant_with_minus {
+
+State<double> follow(const State<double>& s, double goal, double goal_v, double omega, double h) {
+    const double x = s.x - goal, v = s.v - goal_v;
+    const double b = v - omega * x, line = x + b * h, e = std::exp(-omega * h);
+    return {s.t + h, goal + goal_v * h + line * e, goal_v + (b - omega * line) * e};
+}
+
+}  // namespace constant_with_minus
+
+// Says: This is one step of implicit Euler: it is stable, but it is not the solution.
+// Hint: Half the frame, twice, must lead to the same place. For a division alone it does not, and the
+//       chapter has the exact motion.
+namespace implicit_euler {
+
+State<double> follow(const State<double>& s, double goal, double goal_v, double omega, double h) {
+    const double x = s.x - goal, v = s.v - goal_v;
+    const double wh = omega * h, after = (v - omega * wh * x) / (1 + 2 * wh + wh * wh);
+    return {s.t + h, goal + goal_v * h + x + h * after, goal_v + after};
+}
+
+}  // namespace implicit_euler
+
+// Says: This is one step of semi-implicit Euler. Long frames blow it up, and short ones have the wrong
+//       motion, too.
+// Hint: The task asks for the solution itself, which needs an exponential. Which one, at critical damping?
+namespace semi_implicit_euler {
+
+State<double> follow(const State<double>& s, double goal, double goal_v, double omega, double h) {
+    const double x = s.x - goal, v = s.v - goal_v;
+    const double after = v + h * (-omega * omega * x - 2 * omega * v);
+    return {s.t + h, goal + goal_v * h + x + h * after, goal_v + after};
+}
+
+}  // namespace semi_implicit_euler
+
+// Says: The position is right, but the velocity is that of the start, faded by the exponential: no spring
+//       pulls at it.
+// Hint: A camera at rest away from its player gets a velocity. Differentiate the whole position, by the
+//       time.
+namespace velocity_only_fades {
+
+State<double> follow(const State<double>& s, double goal, double goal_v, double omega, double h) {
+    const double x = s.x - goal, v = s.v - goal_v;
+    const double b = v + omega * x, e = std::exp(-omega * h);
+    return {s.t + h, goal + goal_v * h + (x + b * h) * e, goal_v + v * e};
+}
+
+}  // namespace velocity_only_fades
+
+// Says: The exponential falls with 2 omega: this is the motion of a spring that is twice as fast.
+// Hint: The damper has the factor 2, and so has the sum of two equal roots. Each of the two roots is
+//       -omega.
+namespace omega_doubled {
+
+State<double> follow(const State<double>& s, double goal, double goal_v, double omega, double h) {
+    const double x = s.x - goal, v = s.v - goal_v;
+    const double w = 2 * omega, b = v + w * x, e = std::exp(-w * h);
+    return {s.t + h, goal + goal_v * h + (x + b * h) * e, goal_v + (v - w * b * h) * e};
+}
+
+}  // namespace omega_doubled
+
+// Says: The distance fades by the exponential alone, and the velocity that the camera had is not used: a
+//       smoothing of first order.
+// Hint: A spring with a damper needs two numbers to start from. Which motion has the velocity v at the
+//       beginning?
+namespace exponential_lerp {
+
+State<double> follow(const State<double>& s, double goal, double goal_v, double omega, double h) {
+    const double x = s.x - goal, e = std::exp(-omega * h);
+    return {s.t + h, goal + goal_v * h + x * e, goal_v - omega * x * e};
+}
+
+}  // namespace exponential_lerp
+
+// Says: This is the spring without its damper: a sine and a cosine, which go on for ever.
+// Hint: Critically damped there is no swinging left. Which functions take the place of sine and cosine?
+namespace no_damper {
+
+State<double> follow(const State<double>& s, double goal, double goal_v, double omega, double h) {
+    const double x = s.x - goal, v = s.v - goal_v;
+    const double c = std::cos(omega * h), sine = std::sin(omega * h);
+    return {s.t + h, goal + goal_v * h + x * c + v / omega * sine, goal_v + v * c - omega * x * sine};
+}
+
+}  // namespace no_damper
+
+// Says: The distance at the start is measured from where the player will be, not from where he is.
+// Hint: Both the camera and the player have a place now. Take these two, and let him go on afterwards.
+namespace measured_from_the_end {
+
+State<double> follow(const State<double>& s, double goal, double goal_v, double omega, double h) {
+    const double x = s.x - (goal + goal_v * h), v = s.v - goal_v;
+    const double b = v + omega * x, e = std::exp(-omega * h);
+    return {s.t + h, goal + goal_v * h + (x + b * h) * e, goal_v + (v - omega * b * h) * e};
+}
+
+}  // namespace measured_from_the_end

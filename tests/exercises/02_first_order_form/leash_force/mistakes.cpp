@@ -151,3 +151,94 @@ Vector3d leash_force(const Vector3d& x, const Vector3d& v, double k, double c, d
 }
 
 }  // namespace zero_divides
+
+// Says: This is a spring with a damper as they stand in a book: it pushes when it is slack, and it pushes
+//       when it gets shorter fast.
+// Hint: Two things are missing that make it a leash. Ask first whether it is longer than at rest, and then
+//       whether spring and damper together pull.
+namespace spring_and_damper {
+
+Vector3d leash_force(const Vector3d& x, const Vector3d& v, double k, double c, double length) {
+    const double r = x.norm();
+    if (r == 0) return Vector3d::Zero();
+    return -(k * (r - length) + c * v.dot(x) / r) / r * x;
+}
+
+}  // namespace spring_and_damper
+
+// Says: The tension is right, but it is multiplied by the whole position and not by its direction: the
+//       force grows with the distance.
+// Hint: Divide the position by its length, once. What has length one carries the tension as it is.
+namespace tension_times_position {
+
+Vector3d leash_force(const Vector3d& x, const Vector3d& v, double k, double c, double length) {
+    const double r = x.norm();
+    if (r <= length) return Vector3d::Zero();
+    return -std::max(k * (r - length) + c * v.dot(x) / r, 0.0) * x;
+}
+
+}  // namespace tension_times_position
+
+// Says: The force has the right direction, but the rate at which the leash gets longer has been multiplied
+//       by its length.
+// Hint: The part of v along the leash is its dot product with a vector of length one. Check the unit of
+//       your rate.
+namespace rate_times_length {
+
+Vector3d leash_force(const Vector3d& x, const Vector3d& v, double k, double c, double length) {
+    const double r = x.norm();
+    if (r <= length) return Vector3d::Zero();
+    return -std::max(k * (r - length) + c * v.dot(x), 0.0) / r * x;
+}
+
+}  // namespace rate_times_length
+
+// Says: A slack leash has no spring here, but its damper is still at work.
+// Hint: What hangs in a loop between the two can pull at nobody. Leave before the damper is worked out.
+namespace slack_damps {
+
+Vector3d leash_force(const Vector3d& x, const Vector3d& v, double k, double c, double length) {
+    const double r = x.norm();
+    if (r == 0) return Vector3d::Zero();
+    return -std::max(k * std::max(r - length, 0.0) + c * v.dot(x) / r, 0.0) / r * x;
+}
+
+}  // namespace slack_damps
+
+// Says: The damper brakes the whole velocity, and nothing keeps the leash from pushing.
+// Hint: First take only the part of the velocity along the leash. Then look at the sum of both forces,
+//       which must pull.
+namespace whole_velocity_pushes {
+
+Vector3d leash_force(const Vector3d& x, const Vector3d& v, double k, double c, double length) {
+    const double r = x.norm();
+    if (r <= length) return Vector3d::Zero();
+    return -k * (r - length) / r * x - c * v;
+}
+
+}  // namespace whole_velocity_pushes
+
+// Says: The damper is at work only while the leash gets shorter: a ball that flies outwards is not braked.
+// Hint: A leash that gets longer must be braked the most. Which of the two signs of the rate have you cut off?
+namespace damps_inwards_only {
+
+Vector3d leash_force(const Vector3d& x, const Vector3d& v, double k, double c, double length) {
+    const double r = x.norm();
+    if (r <= length) return Vector3d::Zero();
+    return -std::max(k * (r - length) + c * std::min(v.dot(x) / r, 0.0), 0.0) / r * x;
+}
+
+}  // namespace damps_inwards_only
+
+// Says: The damper takes the part of the velocity across the leash, which does not stretch it.
+// Hint: Subtracting the part along the leash leaves the other one. Which of the two makes the leash longer?
+namespace across {
+
+Vector3d leash_force(const Vector3d& x, const Vector3d& v, double k, double c, double length) {
+    const double r = x.norm();
+    if (r <= length) return Vector3d::Zero();
+    const Vector3d u = x / r;
+    return -k * (r - length) * u - c * (v - v.dot(u) * u);
+}
+
+}  // namespace across

@@ -123,3 +123,20 @@ PROPERTY("turn the whole scene, and the force turns with it") {
         REQUIRE(close(turned, turn * scene.force(v), 0, 5e-14 * scene.size(v)));
     }
 }
+
+// Of a spider and of a ship at its anchor; along an axis, too. In each call the answer must be the right one.
+PROPERTY("leashes of any length and any stretch, with any damper, and balls that fly any way have their force") {
+    Draw draw;
+    for (int i = 0; i < 300; ++i) {
+        const double size = draw.log(1e-6, 1e6), length = size * draw.any_of(0, 5, {0, 1});
+        const double stretch = size * draw.log(i % 2 == 0 ? 1e-6 : 0.1, 10);
+        const double k = draw.log(1e-3, 1e6), c = i % 3 == 0 ? 0 : draw.log(1e-3, 1e6);
+        const Vector3d axes[] = {Vector3d::UnitX(), -Vector3d::UnitY(), Vector3d::UnitZ(), draw_direction(draw)};
+        const Vector3d& outwards = axes[draw.integer(0, 3)];
+        // As fast as lets the damper weigh as much as the spring, now and then in one direction only.
+        Vector3d v = k * stretch / (c > 0 ? c : k) * draw_vector(draw, -2, 2);
+        if (draw.integer(0, 3) == 0) v = v.dot(outwards) * outwards;
+        if (draw.integer(0, 3) == 0) v = v.cross(outwards);
+        REQUIRE(learner((length + stretch) * outwards, v, k, c, length).dot(outwards) <= 0);
+    }
+}

@@ -140,3 +140,77 @@ std::array<double, 2> pendulum_rates(const State<double>& s, double g, double le
 }
 
 }  // namespace zero
+
+// Says: The drag is the coefficient times the speed u, not times |u| u: at other speeds than one metre per
+//       second it is wrong.
+// Hint: The unit of the drag is 1/m. What must it be multiplied by to become metres per second squared?
+namespace linear_in_speed {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, -g / length * std::sin(s.x) - drag * s.v};
+}
+
+}  // namespace linear_in_speed
+
+// Says: These are the rates of the way along the arc, in metres: the speed u, and its rate.
+// Hint: The solver's unknowns are the angle and the angular velocity. Divide by the cable's length, in both
+//       places.
+namespace along_the_arc {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    const double u = length * s.v;
+    return {u, -g * std::sin(s.x) - drag * std::abs(u) * u};
+}
+
+}  // namespace along_the_arc
+
+// Says: Gravity comes with the cosine of the angle: hanging straight down, this lamp is pulled the most.
+// Hint: At x = 0 the lamp must be able to rest. Which function is zero there?
+namespace cosine {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, -g / length * std::cos(s.x) - drag * length * std::abs(s.v) * s.v};
+}
+
+}  // namespace cosine
+
+// Says: The air is left out: this lamp swings for ever.
+// Hint: The second rate has two terms. What does the air do to a lamp with the speed u?
+namespace no_drag {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, -g / length * std::sin(s.x)};
+}
+
+}  // namespace no_drag
+
+// Says: Gravity is multiplied by the length where it has to be divided.
+// Hint: The longer the cable is, the slower the lamp swings. What does your formula say about that?
+namespace times_length {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, -g * length * std::sin(s.x) - drag * length * std::abs(s.v) * s.v};
+}
+
+}  // namespace times_length
+
+// Says: The drag has a factor 1/2 that the task does not have.
+// Hint: In the air the formula is often written with a half and a density. Here the coefficient has all of
+//       that inside.
+namespace half_drag {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, -g / length * std::sin(s.x) - drag * length * std::abs(s.v) * s.v / 2};
+}
+
+}  // namespace half_drag
+
+// Says: The first rate is the speed along the arc, in metres per second; the second one is right.
+// Hint: The first unknown is the angle. How fast does it change, in radians per second?
+namespace rate_is_speed {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {length * s.v, -g / length * std::sin(s.x) - drag * length * std::abs(s.v) * s.v};
+}
+
+}  // namespace rate_is_speed

@@ -259,48 +259,6 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 
 }  // namespace rounded_to_the_nearest
 
-// Says: The steps are rounded to the nearest, so that less than nothing may be owed; only a frame beyond the
-//       cap leaves what it should.
-// Hint: A frame takes whole steps that have passed. What is left over is never below zero when you go down
-//       to a whole number.
-namespace rounded_after_a_hitch_right {
-
-std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
-        const int due = static_cast<int>(std::round(owed / step));
-        const int count = std::min(due, most_steps);
-        owed -= count * step;
-        owed = std::fmod(owed, step);
-        steps.push_back(count);
-    }
-    return steps;
-}
-
-}  // namespace rounded_after_a_hitch_right
-
-// Says: Two things at once: the number of steps is rounded to the nearest, and what a frame owes beyond the
-//       cap is carried on to the next.
-// Hint: First round down, always. Then look at what is owed after a frame of ten steps with a cap of three.
-namespace rounded_and_nothing_dropped {
-
-std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
-        const int due = static_cast<int>(std::round(owed / step));
-        const int count = std::min(due, most_steps);
-        owed -= count * step;
-        steps.push_back(count);
-    }
-    return steps;
-}
-
-}  // namespace rounded_and_nothing_dropped
-
 // Says: At the cap a frame takes one step more than it may: the loop still begins one when most_steps have
 //       been taken.
 // Hint: Let the cap be 1 and go through the loop by hand: how many steps have been taken when it stops?
@@ -380,3 +338,45 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 }
 
 }  // namespace dropped_when_all_taken
+
+// Says: Every frame takes one step at least, owed or not: the loop looks only after the first.
+// Hint: A do loop takes a step before it asks. What is owed may not fall below zero.
+namespace at_least_one {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        int count = 0;
+        do {
+            owed -= step;
+            ++count;
+        } while (owed >= step && count < most_steps);
+        if (owed >= step) owed = std::fmod(owed, step);
+        steps.push_back(count);
+    }
+    return steps;
+}
+
+}  // namespace at_least_one
+
+// Says: The numbers go on growing: these are the steps since the game began.
+// Hint: Each frame has its own number. Where must the counter begin anew?
+namespace since_the_start {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    int all = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        int count = 0;
+        for (; owed >= step && count < most_steps; ++count) owed -= step;
+        owed = std::fmod(owed, step);
+        steps.push_back(all += count);
+    }
+    return steps;
+}
+
+}  // namespace since_the_start

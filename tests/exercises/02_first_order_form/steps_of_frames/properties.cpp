@@ -170,3 +170,22 @@ PROPERTY("a hitch may last for up to a million steps, and is forgotten but for i
         REQUIRE(learner(frames, step, most) == std::vector<int>{most, 0, 1, 0});
     }
 }
+
+// Exact to the bit: whole steps from a microsecond to a day, and frames of some of them and a part.
+PROPERTY("steps may last microseconds or days: the rule is the same for them") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double unit = std::pow(2, draw.integer(-30, 12));
+        const int ticks = draw.integer(1, 30), most = draw.integer(1, i % 2 == 0 ? 3 : 100);
+        std::vector<double> frames;
+        for (int k = 0; k < 20; ++k) frames.push_back(draw.integer(0, 3 * ticks) * unit);
+        const auto steps = learner(frames, ticks * unit, most);
+        REQUIRE(steps.size() == frames.size());
+        double owed = 0;
+        for (std::size_t k = 0; k < frames.size(); ++k) {
+            owed += frames[k] / unit;
+            REQUIRE(steps[k] == std::min(static_cast<int>(owed / ticks), most));
+            owed = std::fmod(owed, ticks);
+        }
+    }
+}

@@ -116,3 +116,88 @@ std::array<double, 2> suspension(double mass, double sag, double zeta, double g)
 }
 
 }  // namespace damper_shared_twice
+
+// Says: The damper is that of one wheel, but its spring would carry the whole car alone.
+// Hint: Four of your springs side by side: how far does the car sink on them?
+namespace spring_of_the_whole_car {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    return {mass * g / sag, 2 * zeta * mass / 4 * std::sqrt(g / sag)};
+}
+
+}  // namespace spring_of_the_whole_car
+
+// Says: The spring is that of one wheel, but the damper is that of the whole car.
+// Hint: The dampers act side by side, as the springs do. Share out both of them.
+namespace damper_of_the_whole_car {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    return {mass * g / (4 * sag), 2 * zeta * mass * std::sqrt(g / sag)};
+}
+
+}  // namespace damper_of_the_whole_car
+
+// Says: The damping is worked out with the oscillations per second, where the angular frequency belongs.
+// Hint: The omega of the definition is the root of k/m as it is, in radians per second. No 2 pi divides it.
+namespace turns_per_second {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    const double carried = mass / 4, omega = std::sqrt(g / sag);
+    return {carried * g / sag, 2 * zeta * carried * omega / (2 * std::numbers::pi)};
+}
+
+}  // namespace turns_per_second
+
+// Says: The damping is 2 zeta k m: the square root of k m is missing.
+// Hint: In the definition k and m stand under a root. What is the unit of your product?
+namespace root_forgotten {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    const double carried = mass / 4, k = carried * g / sag;
+    return {k, 2 * zeta * k * carried};
+}
+
+}  // namespace root_forgotten
+
+// Says: Four wheels make each spring four times as strong here, where each has to carry a quarter.
+// Hint: More springs under the same car: must each of them be stiffer or softer?
+namespace four_above {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    return {4 * mass * g / sag, 2 * zeta * 4 * mass * std::sqrt(g / sag)};
+}
+
+}  // namespace four_above
+
+// Says: The stiffness is multiplied by the four wheels, and the damper follows it.
+// Hint: Divide the weight by four before you divide it by the sag.
+namespace four_times_stiff {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    const double k = 4 * mass * g / sag;
+    return {k, zeta * std::sqrt(k * mass)};
+}
+
+}  // namespace four_times_stiff
+
+// Says: The damping is 2 zeta times the root of k alone: under the root, the mass is missing.
+// Hint: What is critical depends on the mass, too: a heavy car needs a stronger damper on the same spring.
+namespace undamped_root {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    const double carried = mass / 4, k = carried * g / sag;
+    return {k, 2 * zeta * std::sqrt(k)};
+}
+
+}  // namespace undamped_root
+
+// Says: The weight is multiplied by the sag, where a stiffness is a force for each metre.
+// Hint: A spring that gives way more under the same car is softer. Divide.
+namespace times_sag {
+
+std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
+    const double k = mass * g * sag / 4;
+    return {k, 2 * zeta * std::sqrt(k * mass / 4)};
+}
+
+}  // namespace times_sag

@@ -71,3 +71,13 @@ PROPERTY("twice the car takes twice of both; four times the sag a quarter and a 
         REQUIRE(close(soft[1], one[1] / 2, 1e-13));
     }
 }
+
+// A toy and a ship, on any planet. In each call both numbers must be the right ones.
+PROPERTY("cars of any size on any planet, with any damping, get their springs and dampers") {
+    Draw draw;
+    for (int i = 0; i < 300; ++i) {
+        const double mass = draw.log(1e-6, 1e9), sag = draw.log(1e-9, 1e3), g = draw.log(1e-6, 1e4);
+        const auto [k, c] = learner(mass, sag, draw.any_of(0, 100, {0, 1, 2}), g);
+        REQUIRE(close(4 * k * sag, mass * g, 1e-12));
+    }
+}

@@ -125,3 +125,94 @@ double zeta_from_swings(double first, double later, int swings) {
 }
 
 }  // namespace degrees
+
+// Says: The logarithm is multiplied by the number of periods, where it has to be divided.
+// Hint: What ten periods have taken is ten times what one takes. The formula wants that of one.
+namespace times_swings {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log(first / later) * swings;
+    return d / std::hypot(2 * std::numbers::pi, d);
+}
+
+}  // namespace times_swings
+
+// Says: Below the line, 2 pi and the logarithm are simply added. They are the two short sides of a
+//       triangle, and the long one is wanted.
+// Hint: Square both, add, and take the root: std::hypot does it.
+namespace sides_added {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log(first / later) / swings;
+    return d / (2 * std::numbers::pi + d);
+}
+
+}  // namespace sides_added
+
+// Says: Below the line the square root is missing: the logarithm is divided by a sum of squares.
+// Hint: Large damping must come out near one. What does your formula make of a very large logarithm?
+namespace root_forgotten {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log(first / later) / swings;
+    return d / (4 * std::numbers::pi * std::numbers::pi + d * d);
+}
+
+}  // namespace root_forgotten
+
+// Says: The number of periods is taken one too large, as if the peaks were counted and not what lies
+//       between them.
+// Hint: The argument counts the full periods already. Two peaks that follow each other are one of them
+//       apart.
+namespace peaks_counted {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log(first / later) / (swings + 1);
+    return d / std::hypot(2 * std::numbers::pi, d);
+}
+
+}  // namespace peaks_counted
+
+// Says: Under the root stand 2 pi and the square of the logarithm: 2 pi has not been squared.
+// Hint: Both sides of the triangle are squared, not only the one that you measured.
+namespace turn_not_squared {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log(first / later) / swings;
+    return d / std::sqrt(2 * std::numbers::pi + d * d);
+}
+
+}  // namespace turn_not_squared
+
+// Says: A full period is taken for an angle of one: 2 pi is missing.
+// Hint: How many radians does the oscillation run through from one peak to the next on the same side?
+namespace turn_without_two_pi {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log(first / later) / swings;
+    return d / std::hypot(1, d);
+}
+
+}  // namespace turn_without_two_pi
+
+// Says: The ratio of the peaks itself stands in the place of its logarithm.
+// Hint: Equal peaks must give no damping. Which function makes zero of one?
+namespace no_logarithm {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = first / later / swings;
+    return d / std::hypot(2 * std::numbers::pi, d);
+}
+
+}  // namespace no_logarithm
+
+// Says: The logarithm is the one to base two: it counts halvings.
+// Hint: The oscillation fades as e to some power. Which logarithm belongs to that?
+namespace binary_logarithm {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = std::log2(first / later) / swings;
+    return d / std::hypot(2 * std::numbers::pi, d);
+}
+
+}  // namespace binary_logarithm

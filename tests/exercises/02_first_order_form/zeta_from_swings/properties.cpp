@@ -79,3 +79,17 @@ PROPERTY("damping so strong that hardly anything is left still gives the right r
         REQUIRE(close(measured, zeta, 1e-12));
     }
 }
+
+// Nearly equal is not equal: a loss of a part in 10⁹ is a damping of 10⁻¹⁰. In each call the ratio must be the right
+// one, as far as the two heights tell it.
+PROPERTY("peaks that nearly agree and peaks of which hardly anything is left, in any unit, have their ratio") {
+    Draw draw;
+    for (int i = 0; i < 400; ++i) {
+        const double first = draw.sign() * draw.log(1e-9, 1e9);
+        const double part = i % 2 == 0 ? 1 - draw.log(1e-9, 0.5) : draw.log(1e-90, 1);
+        const int swings = i % 3 == 0 ? draw.integer(1, 5) : static_cast<int>(draw.log(1, 1e6));
+        const double zeta = learner(first, part * first, swings);
+        REQUIRE(zeta >= 0);
+        REQUIRE(zeta < 1);
+    }
+}

@@ -163,3 +163,112 @@ State<double> camera_step(State<double> state, double target, double omega, doub
 }
 
 }  // namespace minus_in_divisor
+
+// Says: Above the line the spring pulls with omega, where its acceleration has omega squared.
+// Hint: An acceleration is metres per second squared. Where do the seconds come from in your spring?
+namespace omega_not_squared {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + wh * (target - x1)) / (1 + 2 * zeta * wh + wh * wh);
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace omega_not_squared
+
+// Says: The damper is missing altogether: zeta is not used.
+// Hint: The acceleration has two terms. Bring the second one to the left as well, and it adds to the
+//       divisor.
+namespace no_damper {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + wh * omega * (target - x1)) / (1 + wh * wh);
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace no_damper
+
+// Says: In the divisor the spring has h only once, where it belongs twice: once from the step, and once
+//       from the position that has moved.
+// Hint: Put x1 + h v2 into h omega² (target - x2), and count the letters h in front of v2.
+namespace h_once_below {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + wh * omega * (target - x1)) / (1 + 2 * zeta * wh + wh * omega);
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace h_once_below
+
+// Says: The divisor lacks the 1 that the velocity itself brings: a short frame makes the camera race.
+// Hint: On the left side of the equation stands v2 by itself, too. With h = 0 the divisor must be 1.
+namespace one_forgotten {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double divisor = 2 * zeta * wh + wh * wh;
+    const double v2 = divisor == 0 ? v1 : (v1 + wh * omega * (target - x1)) / divisor;
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace one_forgotten
+
+// Says: The damper counts twice: it brakes the old velocity above the line, and stands in the divisor, too.
+// Hint: Implicit Euler knows only the new velocity in the damper. Which of the two places is that of the
+//       old one?
+namespace damper_twice {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + wh * omega * (target - x1) - 2 * zeta * wh * v1) / (1 + 2 * zeta * wh + wh * wh);
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace damper_twice
+
+// Says: The damper is 2 zeta v: its omega is missing, so that a stiff spring is hardly damped.
+// Hint: Take both terms of the acceleration letter by letter from the task. What is the unit of 2 zeta v?
+namespace damper_without_omega {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + wh * omega * (target - x1)) / (1 + 2 * zeta * h + wh * wh);
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace damper_without_omega
+
+// Says: The new velocity is right, but the position moves with the mean of the old one and the new one.
+// Hint: That is better for a parabola, but it is another method. Which velocity does implicit Euler move
+//       with?
+namespace mean_of_velocities {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + wh * omega * (target - x1)) / (1 + 2 * zeta * wh + wh * wh);
+    return {t1 + h, x1 + h * (v1 + v2) / 2, v2};
+}
+
+}  // namespace mean_of_velocities
+
+// Says: omega has been taken for oscillations in a second, and multiplied by 2 pi.
+// Hint: An angular frequency has the 2 pi in it already. Use omega as the task gives it.
+namespace hertz {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double w = 2 * std::numbers::pi * omega, wh = w * h;
+    const double v2 = (v1 + wh * w * (target - x1)) / (1 + 2 * zeta * wh + wh * wh);
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace hertz

@@ -2,7 +2,9 @@
 
 #include "property.hpp"
 
-EXERCISE(camera_step);
+// Another way to write it finds the new velocity as the old one and a change: off by the roundoff of the old one,
+// which is up to 10⁴ times as large where the frame is up to 100/ω long.
+EXERCISE_WITHIN(camera_step, 1e-10);
 
 // A camera and a frame.
 struct Frame {
@@ -10,12 +12,13 @@ struct Frame {
     double target, omega, zeta, h;
 };
 
-// One camera in four has no damper.
+// One camera in four has no damper. No target is at zero: after a long frame, a position there would be nothing but
+// the roundoff of the old one.
 static Frame frame(Draw& draw, double least_wh, double most_wh, double most_zeta = 1e3) {
     const double omega = draw.log(0.05, 50);
     const double zeta = draw.real(0, 1) < 0.25 ? 0 : draw.log(1e-3, most_zeta);
     return {{draw.real(0, 10), draw.real(-5, 5), draw.real(-5, 5)},
-            draw.real(-5, 5),
+            draw.sign() * draw.real(1, 5),
             omega,
             zeta,
             draw.log(least_wh, most_wh) / omega};
@@ -85,7 +88,8 @@ PROPERTY("a step of zero changes nothing") {
 PROPERTY("no frame, however long, adds energy about the target") {
     Draw draw;
     for (int i = 0; i < 100; ++i) {
-        const Frame f = frame(draw, 1e-3, 1e4);
+        Frame f = frame(draw, 1e-3, 1e4);
+        if (f.omega * f.h > 100) f.state.v /= f.h;
         const auto energy = [&](const State<double>& s) {
             const double swing = f.omega * (s.x - f.target);
             return s.v * s.v + swing * swing;
@@ -98,9 +102,24 @@ PROPERTY("no frame, however long, adds energy about the target") {
 PROPERTY("after a very long frame the camera rests on its target") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
-        const Frame f = frame(draw, 1e6, 1e7, 2);
+        Frame f = frame(draw, 1e6, 1e7, 2);
+        f.state.v /= f.h;  // some metres in all of the frame
         const State<double> after = step(f);
         REQUIRE(close(after.x, f.target, 0, 1e-4));
         REQUIRE(close(after.v, 0, 0, 1e-3));
+    }
+}
+
+// Seen from a target at zero nothing hides a camera that is put there too soon; after a long frame, see above. In
+// each call the answer must be the right one.
+PROPERTY("near its target and far away, in short frames and long ones, the camera moves by the rule") {
+    Draw draw;
+    for (int i = 0; i < 400; ++i) {
+        const double omega = draw.log(1e-3, 1e3), wh = i % 8 == 0 ? 0 : draw.log(1e-6, i % 2 == 0 ? 3 : 1e4);
+        const double size = draw.log(1e-9, 1e6), h = wh / omega, zeta = draw.any_of(0, 20, {0, 1, 1});
+        const double x = size * draw.sign() * draw.log(1e-3, 5);
+        const double v = x * std::min(omega, 10 / h) * draw.any_of(-2, 2, {0, 1});
+        const double target = wh > 30 || i % 4 == 0 ? size * draw.sign() * draw.real(1, 5) : 0;
+        REQUIRE(close(learner({0, target + x, v}, target, omega, zeta, h).t, h, 1e-15));
     }
 }

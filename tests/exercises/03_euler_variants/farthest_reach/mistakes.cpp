@@ -99,3 +99,104 @@ double farthest_reach(double x, double v, double omega, double h) {
 }
 
 }  // namespace example
+
+// Says: Below the line stands 1 + omega² h² / 4: the sign is wrong, and the ellipse comes out narrower than
+//       it is.
+// Hint: At omega h = 2 the run is no longer stable, and the reach must grow without end. Which sign does
+//       that?
+namespace plus_below {
+
+double farthest_reach(double x, double v, double omega, double h) {
+    const double wh = omega * h;
+    const double twice_energy = v * v + omega * omega * x * x - wh * omega * x * v;
+    return std::sqrt(twice_energy / (1 + wh * wh / 4)) / omega;
+}
+
+}  // namespace plus_below
+
+// Says: The velocity stands where v / omega belongs: metres per second are added to metres.
+// Hint: Scale the velocity so that the true motion is a circle: that makes a length of it.
+namespace velocity_for_a_length {
+
+double farthest_reach(double x, double v, double omega, double h) {
+    const double wh = omega * h;
+    return std::sqrt(std::fabs(x * x + v * v - wh * x * v) / (1 - wh * wh / 4));
+}
+
+}  // namespace velocity_for_a_length
+
+// Says: The extra term of the energy has a factor 1/2 too much.
+// Hint: In the energy itself the term with x v has a half, as the two squares have. In twice the energy
+//       none of them has.
+namespace half_the_extra_term {
+
+double farthest_reach(double x, double v, double omega, double h) {
+    const double wh = omega * h;
+    const double twice_energy = v * v + omega * omega * x * x - wh * omega * x * v / 2;
+    return std::sqrt(twice_energy / (1 - wh * wh / 4)) / omega;
+}
+
+}  // namespace half_the_extra_term
+
+// Says: This is half of the long axis of the ellipse. It leans, so that its end is not over the farthest x.
+// Hint: The ellipse is widest where its side is upright, not where its axis ends. For which v has the
+//       quadratic equation one root only?
+namespace long_axis {
+
+double farthest_reach(double x, double v, double omega, double h) {
+    const double wh = omega * h;
+    const double twice_energy = v * v + omega * omega * x * x - wh * omega * x * v;
+    return std::sqrt(twice_energy / (1 - wh / 2)) / omega;
+}
+
+}  // namespace long_axis
+
+// Says: This is omega times the reach: a speed, in metres per second.
+// Hint: The energy has the unit of a speed squared. What makes metres of its root?
+namespace largest_speed {
+
+double farthest_reach(double x, double v, double omega, double h) {
+    const double wh = omega * h;
+    const double twice_energy = v * v + omega * omega * x * x - wh * omega * x * v;
+    return std::sqrt(twice_energy / (1 - wh * wh / 4));
+}
+
+}  // namespace largest_speed
+
+// Says: The divisor is that of the leaning ellipse, but above it stands the energy of the true motion,
+//       without the term with x v.
+// Hint: The true energy changes from step to step, so that each state would get another answer. Which
+//       energy stays?
+namespace true_energy {
+
+double farthest_reach(double x, double v, double omega, double h) {
+    const double wh = omega * h;
+    return std::sqrt((x * x + v * v / (omega * omega)) / (1 - wh * wh / 4));
+}
+
+}  // namespace true_energy
+
+// Says: The divisor is 1 - omega² h² / 2, which is zero long before omega h = 2.
+// Hint: Put v = h omega² x / 2 into the energy: two terms of its kind come together. What is left of them?
+namespace half_below {
+
+double farthest_reach(double x, double v, double omega, double h) {
+    const double wh = omega * h;
+    const double twice_energy = v * v + omega * omega * x * x - wh * omega * x * v;
+    return std::sqrt(twice_energy / std::fabs(1 - wh * wh / 2)) / omega;
+}
+
+}  // namespace half_below
+
+// Says: The energy is multiplied by 1 - omega² h² / 4, where it has to be divided: the ellipse shrinks with
+//       a longer step.
+// Hint: 2E is omega² x² times that number, and x is what you look for. Solve for it.
+namespace divisor_above {
+
+double farthest_reach(double x, double v, double omega, double h) {
+    const double wh = omega * h;
+    const double twice_energy = v * v + omega * omega * x * x - wh * omega * x * v;
+    return std::sqrt(twice_energy * (1 - wh * wh / 4)) / omega;
+}
+
+}  // namespace divisor_above

@@ -97,3 +97,95 @@ double implicit_half_life(double omega, double h) {
 }
 
 }  // namespace whole_steps
+
+// Says: Under the logarithm stands 1 + omega h: the square is missing.
+// Hint: The size of 1 - i omega h is a hypotenuse, and its sides enter squared.
+namespace not_squared {
+
+double implicit_half_life(double omega, double h) {
+    return 2 * std::log(2) * h / std::log1p(omega * h);
+}
+
+}  // namespace not_squared
+
+// Says: The root of omega² h² has been taken by itself: log1p(omega h) is the logarithm of 1 + omega h, not
+//       that of the root of the sum.
+// Hint: A root of a sum is not the sum of the roots. Take half of the logarithm, and leave the square as it
+//       is.
+namespace root_without_the_one {
+
+double implicit_half_life(double omega, double h) {
+    return std::log(2) * h / std::log1p(omega * h);
+}
+
+}  // namespace root_without_the_one
+
+// Says: Above the line stands a natural logarithm, and below it one to base ten.
+// Hint: Any base will do, as long as it is the same for both.
+namespace decimal_logarithm {
+
+double implicit_half_life(double omega, double h) {
+    const double wh = omega * h;
+    return 2 * std::log(2) * h / std::log10(1 + wh * wh);
+}
+
+}  // namespace decimal_logarithm
+
+// Says: std::log1p is given 1 + omega² h², but it adds the 1 itself: this is the logarithm of 2 + omega²
+//       h².
+// Hint: log1p(u) is the logarithm of 1 + u. What is u here?
+namespace one_twice {
+
+double implicit_half_life(double omega, double h) {
+    const double wh = omega * h;
+    return 2 * std::log(2) * h / std::log1p(1 + wh * wh);
+}
+
+}  // namespace one_twice
+
+// Says: The spring is not looked at: omega is not used.
+// Hint: A soft spring loses less in a step than a stiff one. By what is a step divided to be a number
+//       without unit?
+namespace no_omega {
+
+double implicit_half_life(double omega, double h) {
+    return 2 * std::log(2) * h / std::log1p(h * h);
+}
+
+}  // namespace no_omega
+
+// Says: One half itself stands where its logarithm belongs.
+// Hint: Factors multiply, so it is their logarithms that are shared out among the steps. What is the
+//       logarithm of two?
+namespace half_for_its_logarithm {
+
+double implicit_half_life(double omega, double h) {
+    const double wh = omega * h;
+    return h / std::log1p(wh * wh);
+}
+
+}  // namespace half_for_its_logarithm
+
+// Says: The root has been counted twice: this is twice the time.
+// Hint: The factor of a step is one over the root of 1 + omega² h². Its logarithm has one half in front,
+//       and only one.
+namespace twice_the_time {
+
+double implicit_half_life(double omega, double h) {
+    const double wh = omega * h;
+    return 4 * std::log(2) * h / std::log1p(wh * wh);
+}
+
+}  // namespace twice_the_time
+
+// Says: The logarithm of a step is multiplied by the rate and not by the step: seconds are missing or come
+//       twice.
+// Hint: First find a number of steps. Then multiply it by the seconds that one of them takes.
+namespace no_h {
+
+double implicit_half_life(double omega, double h) {
+    const double wh = omega * h;
+    return 2 * std::log(2) / h / std::log1p(wh * wh);
+}
+
+}  // namespace no_h

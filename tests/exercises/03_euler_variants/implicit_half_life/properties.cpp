@@ -77,3 +77,13 @@ PROPERTY("where omega h is tiny, no digits are lost") {
         REQUIRE(close(learner(omega, h) / h * logarithm, 2 * std::numbers::ln2, 1e-11));
     }
 }
+
+// A spring of the sea or of a molecule: all that the task allows, to its ends. In each call the time must be the
+// right one.
+PROPERTY("for every omega h from a millionth to a thousand, in any unit of time, the half-life has all its digits") {
+    Draw draw;
+    for (int i = 0; i < 300; ++i) {
+        const double omega = draw.log(1e-9, 1e9), wh = i % 4 == 0 ? draw.real(0.01, 2) : draw.log(1e-6, 1e3);
+        REQUIRE(learner(omega, wh / omega) > 0);
+    }
+}

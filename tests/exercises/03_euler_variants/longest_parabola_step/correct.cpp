@@ -1,15 +1,26 @@
 #include "exercise.hpp"
 
-namespace by_hand {
+namespace by_bisection {
 
-// With w = omega h the trace is 2 - 2 zeta w - w²/2, the determinant 1 - 2 zeta w + w²/2. A pair
-// of complex roots leaves where the determinant is 1, at w = 4 zeta, and a real one where
-// 1 + trace + determinant = 4 - 4 zeta w is 0.
+// The step is a matrix for (x, v/omega). It is stable while both its eigenvalues are within the unit
+// circle; the longest such wh = omega h is found by bisection.
 double longest_parabola_step(double omega, double zeta) {
-    return (zeta < 0.5 ? 4 * zeta : 1 / zeta) / omega;
+    const auto stable = [&](double wh) {
+        const double xx = 1 - wh * wh / 2, xv = wh - zeta * wh * wh;
+        const double vx = -wh, vv = 1 - 2 * zeta * wh;
+        const std::complex<double> half = (xx + vv) / 2;
+        const std::complex<double> root = std::sqrt(half * half - (xx * vv - xv * vx));
+        return std::max(std::abs(half + root), std::abs(half - root)) < 1;
+    };
+    double good = 0, bad = 4;  // beyond wh = 4 every oscillation has left, whatever the damping
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (good + bad) / 2;
+        (stable(middle) ? good : bad) = middle;
+    }
+    return good / omega;
 }
 
-}  // namespace by_hand
+}  // namespace by_bisection
 
 namespace jury {
 

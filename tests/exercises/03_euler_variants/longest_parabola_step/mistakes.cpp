@@ -33,8 +33,8 @@ double longest_parabola_step(double omega, double zeta) {
 
 }  // namespace pair_only
 
-// Says: This is where a real eigenvalue passes -1. With weak damping the pair is complex, and leaves the
-//       unit circle earlier.
+// Says: This is 1/(zeta omega), where a real eigenvalue passes -1, for every damping. With weak damping the pair is
+//       complex, and leaves the unit circle much earlier.
 // Hint: For a complex pair, look at the determinant.
 namespace real_root_only {
 
@@ -85,24 +85,12 @@ double longest_parabola_step(double omega, double zeta) {
 
 }  // namespace example
 
-// Says: This is 1/(zeta omega), where a real eigenvalue passes -1, for every damping: without damping it
-//       divides by zero, and with weak damping the oscillation has left the unit circle much earlier.
-// Hint: The formula says that less damping makes longer steps. Try it with hardly any: a few steps with the
-//       longest h that it allows.
-namespace real_root_always {
-
-double longest_parabola_step(double omega, double zeta) {
-    return 1 / (zeta * omega);
-}
-
-}  // namespace real_root_always
-
 // Says: Both limits are right, but you return the longer one.
 // Hint: A run must die away in both ways at once: how long may a step be that is to keep within two limits?
 namespace longer_of_two {
 
 double longest_parabola_step(double omega, double zeta) {
-    return std::max(4 * zeta, 1 / zeta) / omega;
+    return zeta == 0 ? 0 : std::max(4 * zeta, 1 / zeta) / omega;
 }
 
 }  // namespace longer_of_two
@@ -118,3 +106,57 @@ double longest_parabola_step(double omega, double zeta) {
 }
 
 }  // namespace switch_at_one
+
+// Says: The limit of weak damping is half of what it is: 2 zeta, where the half in h² a / 2 makes it 4
+//       zeta.
+// Hint: In the determinant, wh² stands with a half. Solve 1 - 2 zeta wh + wh²/2 = 1 once more.
+namespace two_zeta {
+
+double longest_parabola_step(double omega, double zeta) {
+    return zeta == 0 ? 0 : std::min(2 * zeta, 1 / zeta) / omega;
+}
+
+}  // namespace two_zeta
+
+// Says: The limit of strong damping is twice as long as it is: 2 / zeta, where a real eigenvalue has passed
+//       -1 already.
+// Hint: Work out 1 + trace + determinant: the terms with wh² cancel. How many zeta wh are left of it?
+namespace two_over_zeta {
+
+double longest_parabola_step(double omega, double zeta) {
+    return zeta == 0 ? 0 : std::min(4 * zeta, 2 / zeta) / omega;
+}
+
+}  // namespace two_over_zeta
+
+// Says: The longest omega h is multiplied by omega, where it has to be divided.
+// Hint: A stiffer spring needs shorter steps. Check the unit, too: seconds are asked.
+namespace times_omega {
+
+double longest_parabola_step(double omega, double zeta) {
+    return zeta == 0 ? 0 : std::min(4 * zeta, 1 / zeta) * omega;
+}
+
+}  // namespace times_omega
+
+// Says: This is 2 / omega, the limit of Verlet and of semi-implicit Euler without damping, whatever zeta
+//       is.
+// Hint: Without a damper this step is never stable. Which argument have you left out?
+namespace verlet {
+
+double longest_parabola_step(double omega, double zeta) {
+    return 2 / omega;
+}
+
+}  // namespace verlet
+
+// Says: The limit of weak damping is twice as long as it is: 8 zeta, beyond which every oscillation has
+//       grown for long.
+// Hint: Try it with zeta = 0.1: the limit of the example is 4 zeta over omega.
+namespace eight_zeta {
+
+double longest_parabola_step(double omega, double zeta) {
+    return zeta == 0 ? 0 : std::min(8 * zeta, 1 / zeta) / omega;
+}
+
+}  // namespace eight_zeta

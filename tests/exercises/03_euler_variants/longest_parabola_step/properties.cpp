@@ -2,7 +2,9 @@
 
 #include "property.hpp"
 
-EXERCISE(longest_parabola_step);
+// A part in a million off is near enough, and where no step is stable a search may end at a tiny one: the properties
+// say how near, on both sides of the limit.
+EXERCISE_WITHIN(longest_parabola_step, checker::many_are_right);
 
 // By what a step multiplies in the long run: the larger root of the characteristic polynomial, of
 // a matrix whose columns are what the step makes of (1, 0) and (0, 1).
@@ -77,5 +79,16 @@ PROPERTY("the longest step is proportional to weak damping, and to one over stro
         const double more = draw.real(1, 2), strong = draw.real(1, 5);
         REQUIRE(close(learner(omega, more * weak), more * learner(omega, weak), 3e-6));
         REQUIRE(close(learner(omega, more * strong), learner(omega, strong) / more, 3e-6));
+    }
+}
+
+PROPERTY("the limit is the limit for a hinge of hours and for one of microseconds, up to both ends of the damping") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const double omega = draw.log(1e-6, 1e6), zeta = draw.any_of(1e-4, 20, {1e-4, 0.5, 1, 20});
+        const double longest = learner(omega, zeta);
+        REQUIRE(longest > 0);
+        REQUIRE(growth(omega, zeta, longest * (1 - 2e-6)) < 1);
+        REQUIRE(growth(omega, zeta, longest * (1 + 2e-6)) > 1);
     }
 }

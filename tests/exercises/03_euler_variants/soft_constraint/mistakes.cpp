@@ -88,3 +88,82 @@ std::array<double, 2> soft_constraint(double mass, double omega, double zeta, do
 }
 
 }  // namespace example
+
+// Says: gamma is multiplied by the mass, where it has to be divided: its unit is 1/kg.
+// Hint: Heavy wheels need larger impulses for the same give. Does your gamma get smaller with the mass?
+namespace times_mass {
+
+std::array<double, 2> soft_constraint(double mass, double omega, double zeta, double h) {
+    const double wh = omega * h;
+    return {mass / (wh * (wh + 2 * zeta)), wh / (wh + 2 * zeta)};
+}
+
+}  // namespace times_mass
+
+// Says: The 1 of the velocity is still in the divisor: these are the numbers of the step itself, before
+//       they are compared with the solver's equation.
+// Hint: In the solver's equation v2 stands with the factor 1, and J brings its own v1. Bring J = mass (v2 -
+//       v1) in, and compare anew.
+namespace not_normalised {
+
+std::array<double, 2> soft_constraint(double mass, double omega, double zeta, double h) {
+    const double wh = omega * h, divisor = 1 + 2 * zeta * wh + wh * wh;
+    return {1 / (mass * divisor), wh * wh / divisor};
+}
+
+}  // namespace not_normalised
+
+// Says: The damper is left out of both numbers: zeta is not used.
+// Hint: The force has two terms. What becomes of c v2 when you collect the terms with v2?
+namespace no_damper {
+
+std::array<double, 2> soft_constraint(double mass, double omega, double zeta, double h) {
+    const double wh = omega * h;
+    return {1 / (mass * wh * wh), 1};
+}
+
+}  // namespace no_damper
+
+// Says: The damper is 2 zeta omega: its mass is missing, while the stiffness has it.
+// Hint: Both k and c come from an acceleration that is multiplied by the mass. Give it to both.
+namespace damper_without_mass {
+
+std::array<double, 2> soft_constraint(double mass, double omega, double zeta, double h) {
+    const double k = mass * omega * omega, c = 2 * zeta * omega;
+    return {1 / (h * (c + h * k)), h * k / (c + h * k)};
+}
+
+}  // namespace damper_without_mass
+
+// Says: The stiffness is mass times omega, where it has omega squared.
+// Hint: The root of k over the mass is omega. Solve that for k.
+namespace omega_not_squared {
+
+std::array<double, 2> soft_constraint(double mass, double omega, double zeta, double h) {
+    const double k = mass * omega, c = 2 * mass * zeta * omega;
+    return {1 / (h * (c + h * k)), h * k / (c + h * k)};
+}
+
+}  // namespace omega_not_squared
+
+// Says: gamma stands upside down: this is h (c + h k), in kilograms.
+// Hint: A stiff spring gives way little, so it must have a small gamma.
+namespace gamma_upside_down {
+
+std::array<double, 2> soft_constraint(double mass, double omega, double zeta, double h) {
+    const double k = mass * omega * omega, c = 2 * mass * zeta * omega;
+    return {h * (c + h * k), h * k / (c + h * k)};
+}
+
+}  // namespace gamma_upside_down
+
+// Says: The second number is the share of the damper, c / (c + h k), and not that of the spring.
+// Hint: Without a damper the whole error is to be taken back. What is your beta for zeta = 0?
+namespace damper_share {
+
+std::array<double, 2> soft_constraint(double mass, double omega, double zeta, double h) {
+    const double k = mass * omega * omega, c = 2 * mass * zeta * omega;
+    return {1 / (h * (c + h * k)), c / (c + h * k)};
+}
+
+}  // namespace damper_share

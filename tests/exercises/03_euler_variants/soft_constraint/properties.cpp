@@ -94,3 +94,15 @@ PROPERTY("a very stiff spring becomes a rigid constraint: all of the error, and 
         REQUIRE(close(s.mass * gamma, 0, 0, 1e-11));
     }
 }
+
+// A feather and a train. In each call both numbers must be the right ones.
+PROPERTY("light bodies and heavy ones, soft springs and stiff, short steps and long, have their gamma and beta") {
+    Draw draw;
+    for (int i = 0; i < 300; ++i) {
+        const double mass = draw.log(1e-6, 1e6), omega = draw.log(1e-3, 1e3);
+        const double zeta = draw.any_of(0, 100, {0, 1, 0.7});
+        const auto [gamma, beta] = learner(mass, omega, zeta, draw.log(1e-6, 1e6) / omega);
+        REQUIRE(gamma > 0);
+        REQUIRE(beta <= 1 + 1e-12);
+    }
+}

@@ -94,3 +94,123 @@ double velocity_under_drag(double v, double gravity, double k, double h) {
 }
 
 }  // namespace half_drag
+
+// Says: Gravity is taken off as if it were a velocity: it has not been multiplied by the step.
+// Hint: In half the time a body gets half as fast. Check the units of what you subtract.
+namespace gravity_without_h {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - gravity;
+    return 2 * w / (1 + std::sqrt(1 + 4 * h * k * std::fabs(w)));
+}
+
+}  // namespace gravity_without_h
+
+// Says: This solves the equation with a straight line in place of the square, drawn at the old velocity:
+//       one round of Newton-Raphson.
+// Hint: A quadratic equation has a formula. Where the drag is strong, one round is far from its root.
+namespace linearised {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double a = -gravity - k * std::fabs(v) * v;
+    return v + h * a / (1 + 2 * h * k * std::fabs(v));
+}
+
+}  // namespace linearised
+
+// Says: The root has not been divided by h k: what comes out has no unit.
+// Hint: The formula of the quadratic equation divides by twice the factor of the square. Which factor is
+//       that here?
+namespace divisor_forgotten {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity;
+    const double size = (std::sqrt(1 + 4 * h * k * std::fabs(w)) - 1) / 2;
+    return w < 0 ? -size : size;
+}
+
+}  // namespace divisor_forgotten
+
+// Says: This is the other root of the quadratic equation, whose sign does not fit: a falling body would
+//       rise.
+// Hint: The velocity that gravity alone would give tells the sign of the answer. Which root has it?
+namespace other_root {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity;
+    if (h * k == 0) return w;
+    const double size = (-1 - std::sqrt(1 + 4 * h * k * std::fabs(w))) / (2 * h * k);
+    return w < 0 ? -size : size;
+}
+
+}  // namespace other_root
+
+// Says: The drag acts against the old velocity. Where the body turns round in the step, that is the wrong
+//       way.
+// Hint: The direction is that of the new velocity, and the velocity that gravity alone would give has it
+//       already.
+namespace old_direction {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity;
+    const double sign = v > 0 ? 1 : -1;
+    return 2 * w / (1 + std::sqrt(std::fmax(0, 1 + 4 * h * k * sign * w)));
+}
+
+}  // namespace old_direction
+
+// Says: Gravity is left out: only the air is at work.
+// Hint: A body at rest must begin to fall. Take h times gravity off before you solve.
+namespace no_gravity {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    return 2 * v / (1 + std::sqrt(1 + 4 * h * k * std::fabs(v)));
+}
+
+}  // namespace no_gravity
+
+// Says: The drag is taken to grow with the speed and not with its square: a linear equation.
+// Hint: The task has |v| v. Keep both factors, and the equation becomes quadratic.
+namespace linear_drag {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity;
+    return w / (1 + h * k);
+}
+
+}  // namespace linear_drag
+
+// Says: Gravity is right, but the drag is taken at the speed that the body would have without it, and the
+//       other factor is new: a linear equation.
+// Hint: In |v2| v2 both are the same number, the one that you look for. Leave both unknown.
+namespace speed_without_drag {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity;
+    return w / (1 + h * k * std::fabs(w));
+}
+
+}  // namespace speed_without_drag
+
+// Says: After gravity, the drag is taken at the velocity that the body then has: that is explicit, and
+//       throws it back.
+// Hint: The drag must be that of the velocity at the end, which the drag itself has made small.
+namespace explicit_after_gravity {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity;
+    return w - h * k * std::fabs(w) * w;
+}
+
+}  // namespace explicit_after_gravity
+
+// Says: Under the root the step is missing: 4 k |w| still has a unit.
+// Hint: What stands under the root is added to 1, so it has no unit. Which time is there to make it so?
+namespace root_without_h {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity;
+    return 2 * w / (1 + std::sqrt(1 + 4 * k * std::fabs(w)));
+}
+
+}  // namespace root_without_h
