@@ -32,6 +32,7 @@ double damped_verlet_step(double before, double now, double a, double gamma, dou
     if (gamma == 0) return 2 * now - before + h * h * a;
     const double kept = std::exp(-gamma * h);
     const double terminal = a / gamma;  // the velocity at which the drag balances the force
-    return now + kept * (now - before) + (1 - kept) * h * terminal;
+    // expm1(x) is exp(x) - 1 with all its digits, for a weak drag in a short step, too.
+    return now + kept * (now - before) - std::expm1(-gamma * h) * h * terminal;
     // [answer]
 }

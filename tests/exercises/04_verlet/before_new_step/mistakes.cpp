@@ -12,7 +12,7 @@ double before_new_step(double before, double now, double a, double h_old, double
 }  // namespace left_alone
 
 // Says: The displacement is scaled to the new step, the usual repair. With changing steps the order is one:
-//       the force is not used.
+//       the force is not used. Or is there a 1/2? In C++ that is 0: write 0.5.
 // Hint: A short step ending now has its middle nearer to now than a long one. Under a force the velocities
 //       in the two middles differ.
 namespace only_scaled {
@@ -45,8 +45,8 @@ double before_new_step(double before, double now, double a, double h_old, double
 
 }  // namespace other_way_round
 
-// Says: This is made for the chapter's step that corrects the time: the force of the whole coming step is
-//       put into "before". Plain Verlet will add h_new² a of its own.
+// Says: The path bends the wrong way. Is the sign of your last term wrong, or is this made for the chapter's step
+//       that corrects the time, without the h_new² a that plain Verlet adds of its own?
 // Hint: The answer is a place on the path behind the point. On a parabola, where was it one new step ago?
 namespace force_twice {
 
@@ -89,3 +89,60 @@ double before_new_step(double before, double now, double a, double h_old, double
 }
 
 }  // namespace next_position
+
+// Says: The velocity now is right, but you follow it back along a straight line: the path is bent.
+// Hint: The force acts on the way back, too. Which term with h_new squared is missing?
+namespace straight_back {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    const double v = (now - before) / h_old + h_old / 2 * a;
+    return now - h_new * v;
+}
+
+}  // namespace straight_back
+
+// Says: The force has acted for a whole old step upon the velocity over that step, but now is only half a
+//       step later.
+// Hint: A mean velocity belongs to the middle of its step. How far is it from there to the end?
+namespace velocity_too_late {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    const double v = (now - before) / h_old + h_old * a;
+    return now - h_new * v + h_new * h_new / 2 * a;
+}
+
+}  // namespace velocity_too_late
+
+// Says: The velocity now is right, but the force bends the way back by h_new² a, twice as much as it should.
+// Hint: From rest a stone falls half of a t squared. Where is the half in your last term?
+namespace bent_twice {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    const double v = (now - before) / h_old + h_old / 2 * a;
+    return now - h_new * v + h_new * h_new * a;
+}
+
+}  // namespace bent_twice
+
+// Says: The way is measured from the old position before, forwards in time; the new one is to end at now.
+// Hint: With half the step and no force the answer lies midway. With a tenth of it, is the answer near now or
+//       near before?
+namespace from_before {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    return before + (now - before) * h_new / h_old + h_new * (h_new - h_old) / 2 * a;
+}
+
+}  // namespace from_before
+
+// Says: The force comes in with the sum of the two steps, so that it changes something even where they are equal.
+//       Is a sign wrong, or is your velocity that of the beginning of the old step?
+// Hint: Where nothing changes, nothing needs a correction. And from the middle of the old step, is now later or
+//       earlier?
+namespace sum_of_the_steps {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    return now - (now - before) * h_new / h_old + h_new * (h_old + h_new) / 2 * a;
+}
+
+}  // namespace sum_of_the_steps

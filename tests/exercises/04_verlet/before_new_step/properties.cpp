@@ -85,3 +85,17 @@ PROPERTY("a run of Verlet on a spring with long and short steps in turn has orde
         REQUIRE(measured < 2.2);
     }
 }
+
+// Everything near zero now and then: there a term that is left out is all that there is.
+PROPERTY("it is right wherever the task allows: at rest, nearly equal steps, tiny and huge ones") {
+    Draw draw;
+    for (int i = 0; i < 400; ++i) {
+        const double length = draw.log(1e-9, 1e6), h_old = draw.log(1e-6, 1e3);
+        const double nearly = 1 + draw.sign() * draw.log(1e-11, 1e-2);
+        const double ratio = i % 2 == 0 ? nearly : draw.any_of(1e-3, 1e3, {1e-3, 1, 1e3});
+        const double now = length * draw.any_of(-5, 5, {0});
+        const double before = now - length * draw.any_of(-5, 5, {0, 0});
+        const double a = length / (h_old * h_old) * draw.any_of(-9, 9, {0});
+        REQUIRE(std::isfinite(learner(before, now, a, h_old, ratio * h_old)));
+    }
+}

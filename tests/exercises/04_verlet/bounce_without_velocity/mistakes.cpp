@@ -163,3 +163,62 @@ std::array<double, 2> bounce_without_velocity(double before, double now, double 
 }
 
 }  // namespace before_clamped
+
+// Says: e is taken for the part of the energy that is left: the speed comes out as its root.
+// Hint: The task says what e is a ratio of. With e = 0.25, by which part does the speed shrink?
+namespace share_of_the_energy {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    const double kept = std::sqrt(e);
+    return {floor - kept * (before - floor), floor + kept * (floor - now)};
+}
+
+}  // namespace share_of_the_energy
+
+// Says: e is taken for the part of the speed that is lost, so a ball with e = 1 lies still.
+// Hint: Read off the task what a restitution of 1 means, and what 0 means.
+namespace part_lost {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    return {floor - (1 - e) * (before - floor), floor + (1 - e) * (floor - now)};
+}
+
+}  // namespace part_lost
+
+// Says: The new velocity is right, but the ball rises for the part of the step before the impact, not for the
+//       part after it.
+// Hint: At which part of its way down does the ball hit the floor? What is left of the step then?
+namespace time_before_the_impact {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    const double risen = floor + e * (before - floor);
+    return {risen + e * (now - before), risen};
+}
+
+}  // namespace time_before_the_impact
+
+// Says: The two heights are right, but returned in the wrong order: the ball falls again.
+// Hint: Which of your two heights is that of now? A ball that rises is higher now than before.
+namespace wrong_order {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    return {floor + e * (floor - now), floor - e * (before - floor)};
+}
+
+}  // namespace wrong_order
+
+// Says: The new height is right, but the ball leaves with all of its old speed, whatever the restitution.
+// Hint: Compute now - before from your answer, and compare it with the fall. Where is e?
+namespace full_speed {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    const double risen = floor + e * (floor - now);
+    return {risen + (now - before), risen};
+}
+
+}  // namespace full_speed

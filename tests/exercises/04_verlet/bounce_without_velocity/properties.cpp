@@ -86,3 +86,17 @@ PROPERTY("it rises for as much of the step as is left when it hits the floor") {
         REQUIRE(close(now, ball.floor + e * speed * left, 0, 1e-13));
     }
 }
+
+// Above a floor at zero neither height is far less than the way: the film of the bounce keeps its digits.
+PROPERTY("it is right wherever the task allows: at rest, by a hair's breadth, with any restitution") {
+    Draw draw;
+    for (int i = 0; i < 400; ++i) {
+        const double size = draw.log(1e-9, 1e6), least = i % 2 == 0 ? 1e-2 : 1e-9;
+        const double floor = i % 2 == 0 ? 0 : size * draw.sign() * draw.real(1, 50);
+        const double above = draw.integer(0, 3) == 0 ? 0 : size * draw.log(least, 1);
+        const double way = size * draw.log(least, 10);
+        const double now = i % 8 > 1 ? floor - way : i % 16 > 1 ? floor + way : floor;
+        const double e = draw.any_of(0, 1, {0, 1, 1e-3, 0.999});
+        REQUIRE(std::isfinite(learner(floor + above, now, floor, e)[1]));
+    }
+}

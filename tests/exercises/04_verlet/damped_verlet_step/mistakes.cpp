@@ -130,3 +130,37 @@ double damped_verlet_step(double before, double now, double a, double gamma, dou
 }
 
 }  // namespace force_reversed
+
+// Says: The displacement loses the part gamma in every step, as rope codes do it: the length of the step is
+//       not used for the drag.
+// Hint: gamma is the part lost in a second, as long as that is short. How much is lost in h seconds, and in
+//       twice as many?
+namespace gamma_per_step {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    return now + (1 - gamma) * (now - before) + h * h * a;
+}
+
+}  // namespace gamma_per_step
+
+// Says: Where there is drag the force is forgotten: a feather that is let go hangs in the air.
+// Hint: Let it begin at rest: before and now are equal. What makes it fall in your formula?
+namespace force_forgotten {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    if (gamma == 0) return 2 * now - before + h * h * a;
+    return now + std::exp(-gamma * h) * (now - before);
+}
+
+}  // namespace force_forgotten
+
+// Says: The velocity is the terminal one at once: what the body had of its own is forgotten.
+// Hint: Without a force a thrown feather still flies on for a while. Which term has now - before in it?
+namespace only_terminal {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    if (gamma == 0) return 2 * now - before + h * h * a;
+    return now + h * a / gamma;
+}
+
+}  // namespace only_terminal

@@ -181,8 +181,9 @@ State<double> fourth_order_leapfrog(State<double> s, double omega, double h) {
 
 }  // namespace runge_kutta
 
-// Says: This is one step of leapfrog, with h itself: a good beginning, but its order is two.
-// Hint: Make a loop of it, over three parts of h. Which parts make the third powers cancel?
+// Says: This comes to one step of leapfrog, with h itself, of order two. If you wrote three, is there a 1 / 3? In
+//       C++ that is 0, and p is then 1: write 1.0 / 3.
+// Hint: Make a loop over three parts of h, and print p and q. Which parts make the third powers cancel?
 namespace plain_leapfrog {
 
 State<double> fourth_order_leapfrog(State<double> s, double omega, double h) {
@@ -227,3 +228,52 @@ State<double> fourth_order_leapfrog(State<double> s, double omega, double h) {
 }
 
 }  // namespace degrees
+
+// Says: Angle and rate are right, but the time is still that of the beginning.
+// Hint: A state has a time as well. How much later is it after a step?
+namespace time_forgotten {
+
+State<double> fourth_order_leapfrog(State<double> s, double omega, double h) {
+    const double p = 1 / (2 - std::cbrt(2.0)), q = 1 - 2 * p;
+    for (const double part : {p * h, q * h, p * h}) {
+        s.v -= part / 2 * omega * omega * std::sin(s.x);
+        s.x += part * s.v;
+        s.v -= part / 2 * omega * omega * std::sin(s.x);
+    }
+    return {s.t, s.x, s.v};
+}
+
+}  // namespace time_forgotten
+
+// Says: The force is omega times the sine: omega is not squared.
+// Hint: Look at the units: an acceleration is in rad/s², and omega in rad/s.
+namespace omega_not_squared {
+
+State<double> fourth_order_leapfrog(State<double> s, double omega, double h) {
+    const double p = 1 / (2 - std::cbrt(2.0)), q = 1 - 2 * p;
+    for (const double part : {p * h, q * h, p * h}) {
+        s.v -= part / 2 * omega * std::sin(s.x);
+        s.x += part * s.v;
+        s.v -= part / 2 * omega * std::sin(s.x);
+    }
+    return {s.t + h, s.x, s.v};
+}
+
+}  // namespace omega_not_squared
+
+// Says: The force has the wrong sign: it drives the ball away from where it hangs.
+// Hint: The acceleration is minus omega² sin x. Let a ball begin to the right of where it hangs: which way
+//       does it start?
+namespace pushes_away {
+
+State<double> fourth_order_leapfrog(State<double> s, double omega, double h) {
+    const double p = 1 / (2 - std::cbrt(2.0)), q = 1 - 2 * p;
+    for (const double part : {p * h, q * h, p * h}) {
+        s.v += part / 2 * omega * omega * std::sin(s.x);
+        s.x += part * s.v;
+        s.v += part / 2 * omega * omega * std::sin(s.x);
+    }
+    return {s.t + h, s.x, s.v};
+}
+
+}  // namespace pushes_away

@@ -72,3 +72,25 @@ double position_before(double x, double v, double a, double h) {
 }
 
 }  // namespace one_h
+
+// Says: Both terms have the wrong sign: this is the mirror image of the way back.
+// Hint: Expand x(t - h) by powers of h. Which of them change their sign with h, and which do not?
+namespace both_reversed {
+
+double position_before(double x, double v, double a, double h) {
+    return x + h * v - h * h / 2 * a;
+}
+
+}  // namespace both_reversed
+
+// Says: You go back with the velocity that the point will have a step later, as if the force had already
+//       acted.
+// Hint: On the way to now the velocity was still on its way to v. Was it larger than v where the force pushes
+//       along it, or smaller?
+namespace velocity_after {
+
+double position_before(double x, double v, double a, double h) {
+    return x - h * (v + h * a);
+}
+
+}  // namespace velocity_after

@@ -75,3 +75,14 @@ PROPERTY("a run of Verlet on a spring, started from it, has order two") {
         REQUIRE(measured < 2.1);
     }
 }
+
+// Everything zero or near it now and then: there a term that is left out is all that there is.
+PROPERTY("it is right wherever the task allows: at rest, at zero, for tiny and for huge steps") {
+    Draw draw;
+    for (int i = 0; i < 400; ++i) {
+        const double length = draw.log(1e-9, 1e6), h = draw.log(1e-6, 1e6);
+        const double x = length * draw.any_of(-5, 5, {0}), v = length / h * draw.any_of(-5, 5, {0});
+        const double a = length / (h * h) * draw.any_of(-9, 9, {0});
+        REQUIRE(std::isfinite(learner(x, v, a, h)));
+    }
+}

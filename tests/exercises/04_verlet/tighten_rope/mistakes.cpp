@@ -122,3 +122,67 @@ std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double w
 }
 
 }  // namespace apart_instead
+
+// Says: The ends share the excess in halves, a wall as well: neither the masses nor what is held counts.
+// Hint: The shares are wa and wb over their sum. What does that give for a wall?
+namespace halves_of_walls_too {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    const Vector3d apart = b - a;
+    const double distance = apart.norm();
+    if (distance <= length || wa + wb == 0) return {a, b};
+    const Vector3d pull = (distance - length) / (wa + wb) * (apart / distance);
+    return {a + (wa + wb) / 2 * pull, b - (wa + wb) / 2 * pull};
+}
+
+}  // namespace halves_of_walls_too
+
+// Says: The square of the distance is taken for the distance: the root is missing.
+// Hint: Eigen has norm() and squaredNorm(). Which of them is in metres?
+namespace squared_distance {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    const Vector3d apart = b - a;
+    const double distance = apart.squaredNorm();
+    if (distance <= length || wa + wb == 0) return {a, b};
+    const Vector3d pull = (distance - length) / (wa + wb) * (apart / distance);
+    return {a + wa * pull, b - wb * pull};
+}
+
+}  // namespace squared_distance
+
+// Says: Only b is moved: a is treated as a wall, whatever its mass.
+// Hint: Both ends are pulled. Let b be a wall: what moves then?
+namespace only_b_moves {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    if ((b - a).norm() <= length || wa + wb == 0) return {a, b};
+    return {a, a + length * (b - a).normalized()};
+}
+
+}  // namespace only_b_moves
+
+// Says: Only a is moved: b is treated as a wall, whatever its mass.
+// Hint: The crate at the other end is pulled as well. Let a be a wall: what moves then?
+namespace only_a_moves {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    if ((b - a).norm() <= length || wa + wb == 0) return {a, b};
+    return {b - length * (b - a).normalized(), b};
+}
+
+}  // namespace only_a_moves
+
+// Says: The comparison is the wrong way round: loose ropes are stretched, and tight ones left as they are.
+// Hint: When is there something to do for a rope: when its ends are nearer than its length, or farther?
+namespace upside_down {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    const Vector3d apart = b - a;
+    const double distance = apart.norm();
+    if (distance >= length || distance == 0 || wa + wb == 0) return {a, b};
+    const Vector3d pull = (distance - length) / (wa + wb) * (apart / distance);
+    return {a + wa * pull, b - wb * pull};
+}
+
+}  // namespace upside_down

@@ -102,3 +102,17 @@ PROPERTY("two ends in one place stay there") {
         REQUIRE((a == ends.a && b == ends.a));
     }
 }
+
+PROPERTY("it is right wherever the task allows: any masses and walls, too long by a hair or by miles") {
+    Draw draw;
+    for (int i = 0; i < 400; ++i) {
+        const double size = draw.log(1e-9, 1e6), unit = draw.log(1e-12, 1e12);
+        const Vector3d a = i % 2 == 0 ? Vector3d(0, 0, 0) : Vector3d(size * draw_vector(draw, -5, 5));
+        const Vector3d b = a + (i % 20 == 19 ? 0 : size) * draw_direction(draw);
+        const double hair = 1 + draw.sign() * draw.log(1e-11, 1e-2);
+        const double length = size * (i % 3 == 0 ? hair : draw.log(1e-3, i % 3 == 1 ? 1 : 1e3));
+        const double wa = unit * draw.any_of(0, 1, {0}), wb = unit * draw.any_of(0, 1, {0});
+        const auto [new_a, new_b] = learner(a, b, wa, wb, length);
+        REQUIRE((new_b - new_a).norm() <= (b - a).norm() * (1 + 1e-12) + 1e-15 * a.norm());
+    }
+}
