@@ -181,6 +181,62 @@ double amplification(double re, double im, double theta, double h) {
 
 }  // namespace single_precision
 
+// Says: The rate at y2 is taken at a guess, that of an explicit Euler step. Here y2 is an unknown in an
+//       equation, which is to be solved.
+// Hint: Leave y2 on both sides. Bring all its terms to one side, and divide.
+namespace predictor {
+
+double amplification(double re, double im, double theta, double h) {
+    const std::complex<double> z(h * re, h * im);
+    return std::abs(1.0 + (1 - theta) * z + theta * z * (1.0 + z));
+}
+
+}  // namespace predictor
+
+// Says: The divisor has lost its h: it has theta lambda where theta h lambda belongs.
+// Hint: h stands before both rates. Put z for h lambda before you solve.
+namespace divisor_without_h {
+
+double amplification(double re, double im, double theta, double h) {
+    const std::complex<double> lambda(re, im);
+    return std::abs((1.0 + (1 - theta) * h * lambda) / (1.0 - theta * lambda));
+}
+
+}  // namespace divisor_without_h
+
+// Says: Above the line h is missing: it has (1 - theta) lambda where that times h belongs.
+// Hint: What does a step of zero multiply by? Yours depends on lambda.
+namespace numerator_without_h {
+
+double amplification(double re, double im, double theta, double h) {
+    const std::complex<double> lambda(re, im);
+    return std::abs((1.0 + (1 - theta) * lambda) / (1.0 - theta * h * lambda));
+}
+
+}  // namespace numerator_without_h
+
+// Says: theta stands above the line and below it. The rate at y1 has the other weight.
+// Hint: At theta = 1 nothing of the old rate is left. What stands above the line then?
+namespace theta_in_both {
+
+double amplification(double re, double im, double theta, double h) {
+    const std::complex<double> z(h * re, h * im);
+    return std::abs((1.0 + theta * z) / (1.0 - theta * z));
+}
+
+}  // namespace theta_in_both
+
+// Says: The rate at y1 counts in full, whatever the slider says, and that at y2 comes on top.
+// Hint: The two weights add up to one. What is that of f(y1)?
+namespace whole_old_rate {
+
+double amplification(double re, double im, double theta, double h) {
+    const std::complex<double> z(h * re, h * im);
+    return std::abs((1.0 + z) / (1.0 - theta * z));
+}
+
+}  // namespace whole_old_rate
+
 // Says: Every motion gets the factor of the example.
 // Hint: Put f(y) = lambda y into the method, with letters.
 namespace example {

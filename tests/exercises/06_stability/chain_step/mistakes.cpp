@@ -467,6 +467,85 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 
 }  // namespace clock_stands
 
+// Says: This is explicit Euler: links and masses both go by the old places and velocities.
+// Hint: What stands on the right of the equations in the task is taken at the end of the step. Nothing of it
+//       is known yet.
+namespace explicit_euler {
+
+std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
+    const std::vector<State<double>> old = s;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        double force = -k * (old[i].x - (i > 0 ? old[i - 1].x : 0));
+        if (i + 1 < s.size()) force += k * (old[i + 1].x - old[i].x);
+        s[i] = {old[i].t + h, old[i].x + h * old[i].v, old[i].v + h * force / m};
+    }
+    return s;
+}
+
+}  // namespace explicit_euler
+
+// Says: This is the trapezoid rule: it takes the mean of the old and the new forces and velocities.
+// Hint: Implicit Euler has no old force, and no old velocity beside v1 itself. A stiff chain must not swing on.
+namespace trapezoid {
+
+std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
+    const std::size_t n = s.size();
+    const double a = h * h * k / 4;
+    std::vector<double> diagonal(n), right(n);
+    const auto place = [&](std::size_t i) { return s[i].x + h / 4 * s[i].v; };
+    for (std::size_t i = 0; i < n; ++i) {
+        const double above = (i > 0 ? place(i - 1) : 0) - place(i);
+        const double below = i + 1 < n ? place(i + 1) - place(i) : 0;
+        diagonal[i] = m + (i + 1 < n ? 2 : 1) * a;
+        right[i] = m * s[i].v + h * k * (above + below);
+    }
+    for (std::size_t i = 1; i < n; ++i) {
+        const double share = a / diagonal[i - 1];
+        diagonal[i] -= share * a;
+        right[i] += share * right[i - 1];
+    }
+    double v_below = 0;
+    for (std::size_t i = n; i-- > 0;) {
+        const double v2 = (right[i] + a * v_below) / diagonal[i];
+        s[i] = {s[i].t + h, s[i].x + h / 2 * (s[i].v + v2), v2};
+        v_below = v2;
+    }
+    return s;
+}
+
+}  // namespace trapezoid
+
+// Says: A mass alone hangs between two links, as if it were the first of many. Longer chains are right.
+// Hint: A mass alone is the first and the last. What is below it?
+namespace two_links_alone {
+
+std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
+    const std::size_t n = s.size();
+    const double a = h * h * k;
+    std::vector<double> diagonal(n), right(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const bool last = n > 1 && i + 1 == n;
+        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
+        const double below = last ? 0 : (i + 1 < n ? s[i + 1].x : 0) - s[i].x;
+        diagonal[i] = m + (last ? 1 : 2) * a;
+        right[i] = m * s[i].v + h * k * (above + below);
+    }
+    for (std::size_t i = 1; i < n; ++i) {
+        const double share = a / diagonal[i - 1];
+        diagonal[i] -= share * a;
+        right[i] += share * right[i - 1];
+    }
+    double v_below = 0;
+    for (std::size_t i = n; i-- > 0;) {
+        const double v2 = (right[i] + a * v_below) / diagonal[i];
+        s[i] = {s[i].t + h, s[i].x + h * v2, v2};
+        v_below = v2;
+    }
+    return s;
+}
+
+}  // namespace two_links_alone
+
 // Says: Right to a few digits only: numbers have gone through float, or an iteration ends too early.
 // Hint: Use double for every place and every velocity. Elimination, down and up, has no error but roundoff.
 namespace single_precision {

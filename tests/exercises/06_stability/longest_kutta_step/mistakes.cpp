@@ -457,6 +457,82 @@ double longest_kutta_step(double omega, double zeta) {
 
 }  // namespace single_precision
 
+// Says: This is where the region ends on the real axis, for every damper. A door that swings leaves it
+//       elsewhere, and a strong damper has a faster decay than omega.
+// Hint: Put both lambda into z = h lambda, with their zeta, before you ask for |R|.
+namespace real_limit_for_all {
+
+double longest_kutta_step(double omega, double zeta) {
+    return 2.5127453266183286 / omega;
+}
+
+}  // namespace real_limit_for_all
+
+// Says: This is the limit of semi-implicit Euler with a damper.
+// Hint: Each method has a region of its own. This one's R has a third power of z.
+namespace semi_implicit_euler {
+
+double longest_kutta_step(double omega, double zeta) {
+    return 2 * (std::sqrt(1 + zeta * zeta) - zeta) / omega;
+}
+
+}  // namespace semi_implicit_euler
+
+// Says: The third power in R has the factor 1/12: the third look is taken at y1 + h k2, or with half of it.
+// Hint: k3 has 2 k2 - k1 in it. Which factor has z³ there, before the sixth?
+namespace half_the_cube {
+
+double longest_kutta_step(double omega, double zeta) {
+    const std::complex<double> fast = -zeta - std::sqrt(std::complex<double>(zeta * zeta - 1));
+    const auto stable = [&](double wh) {
+        const std::complex<double> z = wh * fast;
+        return std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 6.0))) <= 1;
+    };
+    double good = 0, bad = 6;
+    for (int i = 0; i < 100; ++i) {
+        const double middle = (good + bad) / 2;
+        (stable(middle) ? good : bad) = middle;
+    }
+    return good / omega;
+}
+
+}  // namespace half_the_cube
+
+// Says: The root of zeta² - 1 is missing: lambda has zeta² - 1 itself in it.
+// Hint: Solve lambda² + 2 zeta omega lambda + omega² = 0 once more, to its end.
+namespace no_root {
+
+double longest_kutta_step(double omega, double zeta) {
+    const double square = zeta * zeta - 1;
+    const std::complex<double> fast = square < 0 ? std::complex<double>(-zeta, -square)
+                                                 : std::complex<double>(-zeta - square);
+    const double size = std::abs(fast);
+    const auto stable = [&](double share) {
+        const std::complex<double> z = share * fast / size;
+        return std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0))) <= 1;
+    };
+    double good = 0, bad = 3;
+    for (int i = 0; i < 100; ++i) {
+        const double middle = (good + bad) / 2;
+        (stable(middle) ? good : bad) = middle;
+    }
+    return good / size / omega;
+}
+
+}  // namespace no_root
+
+// Says: Every door with a damper is taken for a pure decay at the rate zeta omega. Weak dampers let it swing,
+//       and beyond critical damping the fast rate is larger.
+// Hint: Below critical damping lambda has an imaginary part. Above, the root adds to zeta.
+namespace decay_alone {
+
+double longest_kutta_step(double omega, double zeta) {
+    if (zeta == 0) return std::sqrt(3.0) / omega;
+    return 2.5127453266183286 / (zeta * omega);
+}
+
+}  // namespace decay_alone
+
 // Says: Every door gets the first step of the example.
 // Hint: Begin with R(z), then find the z of the door.
 namespace example {

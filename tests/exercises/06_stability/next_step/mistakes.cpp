@@ -287,6 +287,75 @@ double next_step(double whole, double halves, double h, double tolerance, int or
 
 }  // namespace single_precision
 
+// Says: A negative difference counts as a perfect step: where the halves are larger than the whole, the step
+//       grows, however large the error.
+// Hint: Too large or too small, both are off. Which function takes the sign away?
+namespace negative_is_perfect {
+
+double next_step(double whole, double halves, double h, double tolerance, int order) {
+    const double error = (whole - halves) / (std::exp2(order) - 1);
+    if (!std::isfinite(error)) return h / 5;
+    if (error <= 0) return 5 * h;
+    return h * std::clamp(0.9 * std::pow(tolerance / error, 1.0 / (order + 1)), 0.2, 5.0);
+}
+
+}  // namespace negative_is_perfect
+
+// Says: This is the chapter's code, for a method of order one: a square root of the plain difference,
+//       whatever the order.
+// Hint: For order p the halves are off by less than the difference, and the root is another one. The line
+//       about C h^(order + 1) tells both.
+namespace as_in_the_chapter {
+
+double next_step(double whole, double halves, double h, double tolerance, int order) {
+    const double error = std::fabs(whole - halves);
+    if (!std::isfinite(error)) return h / 5;
+    if (error == 0) return 5 * h;
+    return h * std::clamp(0.9 * std::sqrt(tolerance / error), 0.2, 5.0);
+}
+
+}  // namespace as_in_the_chapter
+
+// Says: The factor follows the tolerance without any root, as if the error grew like the step.
+// Hint: Twice the step has 2^(order + 1) times the error. Solve that for the step.
+namespace no_root {
+
+double next_step(double whole, double halves, double h, double tolerance, int order) {
+    const double error = std::fabs(whole - halves) / (std::exp2(order) - 1);
+    if (!std::isfinite(error)) return h / 5;
+    if (error == 0) return 5 * h;
+    return h * std::clamp(0.9 * tolerance / error, 0.2, 5.0);
+}
+
+}  // namespace no_root
+
+// Says: This is the factor by which the step should change, and not the step.
+// Hint: A step has seconds. How long was the last one?
+namespace factor_alone {
+
+double next_step(double whole, double halves, double h, double tolerance, int order) {
+    const double error = std::fabs(whole - halves) / (std::exp2(order) - 1);
+    if (!std::isfinite(error)) return 0.2;
+    if (error == 0) return 5;
+    return std::clamp(0.9 * std::pow(tolerance / error, 1.0 / (order + 1)), 0.2, 5.0);
+}
+
+}  // namespace factor_alone
+
+// Says: Two results that are the same infinity count as agreeing, and the step grows. They agree in having
+//       blown up.
+// Hint: Ask first whether both are finite, and then whether they are the same.
+namespace infinities_agree {
+
+double next_step(double whole, double halves, double h, double tolerance, int order) {
+    if (whole == halves) return 5 * h;
+    const double error = std::fabs(whole - halves) / (std::exp2(order) - 1);
+    if (!std::isfinite(error)) return h / 5;
+    return h * std::clamp(0.9 * std::pow(tolerance / error, 1.0 / (order + 1)), 0.2, 5.0);
+}
+
+}  // namespace infinities_agree
+
 // Says: Every step is followed by one of 0.09 s, as in the example.
 // Hint: Begin with the error of the halves, from the difference.
 namespace example {

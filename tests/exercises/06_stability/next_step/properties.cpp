@@ -136,3 +136,21 @@ PROPERTY("from a step far too long or too short, some tries lead to a step that 
         REQUIRE(close(h, 0.9 * right, 1e-8));
     }
 }
+
+PROPERTY("it is right wherever the task allows: results of any size, far apart or nearly equal, any tolerance") {
+    Draw draw;
+    for (int i = 0; i < 600; ++i) {
+        const double h = draw.any_of(1e-9, 1e6, {1e-9, 1, 1e6}), gap = draw.log(1e-15, 10);
+        const double halves = i % 5 == 4 ? 0 : draw.sign() * draw.log(1e-12, 1e12);
+        const double whole = halves == 0 ? draw.sign() * gap : halves * (1 + draw.sign() * gap);
+        const int order = draw.integer(1, 8);
+        // Mostly one with which the factor is between the limits, or just beside one of them.
+        const double error = std::fabs(whole - halves) / (std::exp2(order) - 1);
+        const double beside = i % 3 == 0 ? 0.2 : i % 3 == 1 ? 5 : draw.log(0.1, 10);
+        const double factor = beside * (1 + draw.sign() * draw.log(1e-6, 1e-1)) / 0.9;
+        double tolerance = error * std::pow(factor, order + 1);
+        if (i % 7 == 6 || tolerance < 1e-12 || tolerance > 1e6) tolerance = draw_tolerance(draw);
+        const double next = learner(whole, halves, h, tolerance, order);
+        REQUIRE((next >= h / 5 * (1 - 1e-12) && next <= 5 * h * (1 + 1e-12)));
+    }
+}

@@ -158,6 +158,42 @@ int substeps(double mass, int springs, double stiffness, double frame, double sh
 
 }  // namespace single_precision
 
+// Says: The count is doubled until it is safe: you only ever answer 1, 2, 4, 8 and so on. A frame that needs
+//       five steps gets eight.
+// Hint: Fewer may do. The least count can be computed, or found by going up one by one.
+namespace doubled {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = std::sqrt(springs * stiffness / mass);
+    int steps = 1;
+    while (omega * frame / steps > 2 * share) steps *= 2;
+    return steps;
+}
+
+}  // namespace doubled
+
+// Says: The steps are counted per second: the length of the frame is not in it.
+// Hint: How long may a step be? How many of these fill the frame, and not a second?
+namespace no_frame {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = std::sqrt(springs * stiffness / mass);
+    return std::max(1, static_cast<int>(std::ceil(omega / (2 * share))));
+}
+
+}  // namespace no_frame
+
+// Says: The mass of the crate is not in your omega.
+// Hint: A heavy crate on the same springs swings more slowly. What stands below the stiffness?
+namespace no_mass {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = std::sqrt(springs * stiffness);
+    return std::max(1, static_cast<int>(std::ceil(omega * frame / (2 * share))));
+}
+
+}  // namespace no_mass
+
 // Says: Every crate gets the three steps of the example.
 // Hint: Begin with the omega of the crate.
 namespace example {

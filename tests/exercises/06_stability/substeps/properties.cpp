@@ -116,3 +116,20 @@ PROPERTY("many springs need as many steps as one that is as stiff as all of them
         REQUIRE(learner(crate.mass, 1, all, crate.frame, crate.share) == crate.answer());
     }
 }
+
+PROPERTY("it is right wherever the task allows: light and heavy crates, any count up to 100,000, just beside it") {
+    Draw draw;
+    for (int i = 0; i < 400; ++i) {
+        const int whole = static_cast<int>(i % 2 == 0 ? draw.log(1, 1e5) : draw.integer(1, 40));
+        const double off = draw.sign() * draw.log(1.5e-9, 1e-2 / whole);
+        Crate crate(draw, 1, draw.any_of(0.01, 1, {0.01, 0.5, 1}));
+        crate.mass = draw.any_of(1e-6, 1e6, {1e-6, 1, 1e6});
+        crate.springs = static_cast<int>(draw.any_of(1, 1000, {1, 2, 1000}));
+        crate.frame = draw.any_of(1e-4, 1, {1e-4, 1.0 / 60, 1});
+        const double omega = 2 * crate.share * whole * (1 + off) / crate.frame;
+        crate.stiffness = crate.mass * omega * omega / crate.springs;
+        REQUIRE(crate.answer() == (off > 0 ? whole + 1 : whole));
+        crate.stiffness *= draw.log(1e-30, 1e-12);
+        REQUIRE(crate.answer() == 1);
+    }
+}

@@ -403,6 +403,134 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 
 }  // namespace single_precision
 
+// Says: The weights are those of BDF2 with even steps, and its two thirds stand before all of h, not before
+//       half of it.
+// Hint: Here the state between lies at gamma h. Work out the slope of the parabola at its end, in terms of h.
+namespace even_weights_of_h {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) { return -omega * omega * x - 2 * zeta * omega * v; };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double w = 4.0 / 3, a2 = 2 * h / 3;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace even_weights_of_h
+
+// Says: The first part has lost its half: each of its two rates acts for all of gamma h.
+// Hint: The trapezoid rule takes the mean of the two rates. Compare with gamma h/2 in the task.
+namespace half_forgotten {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h;
+    const auto acceleration = [&](double x, double v) { return -omega * omega * x - 2 * zeta * omega * v; };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace half_forgotten
+
+// Says: y1 has the wrong sign in the second part: its weight there is negative.
+// Hint: The weights of y1 and ym add up to one. With a body at rest away from zero, and no spring, does it stay?
+namespace old_weight_positive {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) { return -omega * omega * x - 2 * zeta * omega * v; };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double part = gamma * (2 - gamma), old = (1 - gamma) * (1 - gamma) / part;
+    const double a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, xm / part + old * s.x, vm / part + old * s.v);
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace old_weight_positive
+
+// Says: The clock has been moved on twice: by gamma h in the first part, and by h at the end.
+// Hint: Both parts together last h. The second begins at gamma h, and ends at h.
+namespace clock_of_both {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) { return -omega * omega * x - 2 * zeta * omega * v; };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + gamma * h + h, x2, v2};
+}
+
+}  // namespace clock_of_both
+
+// Says: The spring pulls with omega x, where omega² x belongs.
+// Hint: Look at f(y) in the task, and at its units: an acceleration is metres over seconds squared.
+namespace omega_without_square {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) { return -omega * x - 2 * zeta * omega * v; };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - part * omega * x) / (1 + 2 * zeta * wa + part * part * omega);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    return {s.t + h, x2, v2};
+}
+
+}  // namespace omega_without_square
+
+// Says: The velocity goes through both parts, but the position is that of the state between.
+// Hint: In each part x and v are solved for together. Which x belongs to v2?
+namespace position_left {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
+    const auto acceleration = [&](double x, double v) { return -omega * omega * x - 2 * zeta * omega * v; };
+    // The y with y - part f(y) = (x, v).
+    const auto solve = [&](double part, double x, double v) {
+        const double wa = omega * part;
+        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
+        return std::array{x + part * v2, v2};
+    };
+    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
+    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
+    const double v2 = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v))[1];
+    return {s.t + h, xm, v2};
+}
+
+}  // namespace position_left
+
 // Says: Every turret gets the state of the example.
 // Hint: Begin with one solve: y - part f(y) = something known.
 namespace example {
