@@ -101,9 +101,11 @@ PROPERTY("on a smooth motion the error falls as the square of the step when the 
     }
 }
 
-// In each call the answer must be the right one: where the intervals differ by little, where one of them is tiny,
-// where the body comes back to a place.
-PROPERTY("any three positions and any two intervals give an acceleration: equal, nearly equal, or far from it") {
+// In each call the answer must be the right one: where the intervals differ by little, where one of
+// them is tiny, where the body comes back to a place.
+PROPERTY(
+    "any three positions and any two intervals give an acceleration: equal, nearly equal, or far "
+    "from it") {
     Draw draw;
     for (int i = 0; i < 300; ++i) {
         const double length = draw.log(1e-9, 1e9), h0 = draw.log(1e-6, 1e6);

@@ -240,3 +240,60 @@ int best_gap(double frame, double noise, double jerk, int most) {
 }
 
 }  // namespace one_less
+
+// Says: This is the best gap in seconds, rounded to a whole number: it has not been divided by the time of
+//       a frame.
+// Hint: The noise and the jerk know nothing of frames. How many of them fit into the time that you found?
+namespace seconds {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    if (jerk == 0) return most;
+    const double seconds = 2 * std::cbrt(3 * noise / jerk);
+    return static_cast<int>(std::clamp(std::round(seconds), 1.0, 1.0 * most));
+}
+
+}  // namespace seconds
+
+// Says: The noise is counted twice for each of the two positions.
+// Hint: A position is off by the noise once, to one side. Add up both positions, and divide by the whole
+//       gap.
+namespace noise_four_times {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    const auto worst = [&](int frames) {
+        const double gap = frames * frame;
+        return jerk * gap * gap / 24 + 4 * noise / gap;
+    };
+    int frames = 1;
+    while (frames < most && worst(frames + 1) < worst(frames)) ++frames;
+    return frames;
+}
+
+}  // namespace noise_four_times
+
+// Says: The optimal step size is rounded to whole frames without any limit: it may be zero frames, or more
+//       than you keep.
+// Hint: Two positions are one frame apart at least. And where the best is out of reach, what is the best
+//       that you can have?
+namespace no_limits {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    if (jerk == 0) return most;
+    const double ideal = 2 * std::cbrt(3 * noise / jerk) / frame;
+    return static_cast<int>(std::round(std::min(ideal, 1e9)));
+}
+
+}  // namespace no_limits
+
+// Says: The optimal step size in whole frames, and one more: these are the positions that take part, the
+//       first one counted.
+// Hint: From the fourth frame to the ninth it is five frames, though six positions. Which number is asked?
+namespace positions_for_frames {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    if (jerk == 0) return most;
+    const double ideal = 2 * std::cbrt(3 * noise / jerk) / frame;
+    return static_cast<int>(std::clamp(std::round(ideal) + 1, 1.0, 1.0 * most));
+}
+
+}  // namespace positions_for_frames

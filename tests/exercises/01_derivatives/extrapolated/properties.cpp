@@ -10,8 +10,8 @@ static double roundoff(double size) {
     return 1e-14 * size;
 }
 
-// The exact values that are drawn are not zero: there an answer would be nothing but the roundoff of a coarse result
-// that may be 10⁴⁰ times as large as the fine one.
+// The exact values that are drawn are not zero: there an answer would be nothing but the roundoff
+// of a coarse result that may be 10⁴⁰ times as large as the fine one.
 
 PROPERTY("two equal results are left as they are") {
     Draw draw;
@@ -25,7 +25,8 @@ PROPERTY("two equal results are left as they are") {
 PROPERTY("with half the step, an error that is a power of the step vanishes") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        const double exact = draw.sign() * draw.real(1, 10), error = draw.sign() * draw.real(0.5, 2);
+        const double exact = draw.sign() * draw.real(1, 10),
+                     error = draw.sign() * draw.real(0.5, 2);
         const int p = draw.integer(1, 6);
         const double answer = learner(exact + error, exact + error * std::pow(2, -p), 2, p);
         REQUIRE(close(answer, exact, 0, roundoff(20)));
@@ -35,7 +36,8 @@ PROPERTY("with half the step, an error that is a power of the step vanishes") {
 PROPERTY("with steps in any ratio, an error that is a power of the step vanishes") {
     Draw draw;
     for (int i = 0; i < 100; ++i) {
-        const double exact = draw.sign() * draw.real(1, 10), error = draw.sign() * draw.real(0.5, 2);
+        const double exact = draw.sign() * draw.real(1, 10),
+                     error = draw.sign() * draw.real(0.5, 2);
         const double ratio = draw.real(1.25, 5);
         const int p = draw.integer(1, 6);
         const double answer = learner(exact + error, exact + error * std::pow(ratio, -p), ratio, p);
@@ -46,7 +48,8 @@ PROPERTY("with steps in any ratio, an error that is a power of the step vanishes
 PROPERTY("an error of any order vanishes, be the ratio of the steps near 1 or far from it") {
     Draw draw;
     for (int i = 0; i < 100; ++i) {
-        const double exact = draw.sign() * draw.real(1, 10), error = draw.sign() * draw.real(0.5, 2);
+        const double exact = draw.sign() * draw.real(1, 10),
+                     error = draw.sign() * draw.real(0.5, 2);
         const double ratio = 1 + draw.log(1e-3, 100);
         const int p = draw.integer(1, 20);
         const double answer = learner(exact + error, exact + error * std::pow(ratio, -p), ratio, p);
@@ -87,9 +90,11 @@ PROPERTY("two forward differences make a result of order two, two central ones o
     }
 }
 
-// The two results may agree to any digit, be of any unit, and fall or rise. In each call the answer must be the
-// right one.
-PROPERTY("results that nearly agree, however small they are, are made better as well, by any ratio and order") {
+// The two results may agree to any digit, be of any unit, and fall or rise. In each call the answer
+// must be the right one.
+PROPERTY(
+    "results that nearly agree, however small they are, are made better as well, by any ratio and "
+    "order") {
     Draw draw;
     for (int i = 0; i < 300; ++i) {
         const double coarse = draw.sign() * draw.log(1e-9, 1e9);

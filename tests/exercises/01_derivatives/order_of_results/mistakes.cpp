@@ -156,3 +156,14 @@ double order_of_results(double coarse, double middle, double fine) {
 }
 
 }  // namespace not_below_zero
+
+// Says: One too much: a power of the step is added, as if the results were sums over steps.
+// Hint: A difference of two results falls with the same power of the step as their errors do. Return that
+//       power as it is.
+namespace one_too_few {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::log2((coarse - middle) / (middle - fine)) + 1;
+}
+
+}  // namespace one_too_few

@@ -78,13 +78,17 @@ PROPERTY("forward, central and five-point differences show their orders on a smo
     }
 }
 
-// Errors down to 1e-8 of the results, in units from a billionth to a billion: the differences have a few digits
-// left, or all where the exact value is zero. In each call the answer must be the order of the three results.
-PROPERTY("three results of any unit have an order, also where they nearly agree, and where it is small") {
+// Errors down to 1e-8 of the results, in units from a billionth to a billion: the differences have
+// a few digits left, or all where the exact value is zero. In each call the answer must be the
+// order of the three results.
+PROPERTY(
+    "three results of any unit have an order, also where they nearly agree, and where it is "
+    "small") {
     Draw draw;
     for (int i = 0; i < 300; ++i) {
         const double unit = draw.log(1e-9, 1e9), error = draw.sign() * draw.log(1e-8, 1);
-        const double p = i % 3 == 0 ? draw.integer(1, 6) : draw.sign() * draw.log(0.1, i % 3 == 1 ? 6 : 1.2);
+        const double p =
+            i % 3 == 0 ? draw.integer(1, 6) : draw.sign() * draw.log(0.1, i % 3 == 1 ? 6 : 1.2);
         const auto r = results(draw.any_of(-10, 10, {0}), error, p);
         REQUIRE(std::isfinite(learner(unit * r[0], unit * r[1], unit * r[2])));
     }

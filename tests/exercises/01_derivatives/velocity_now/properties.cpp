@@ -59,9 +59,11 @@ PROPERTY("a constant acceleration comes out exactly in a game of any size and wi
     }
 }
 
-// Whole numbers among them, and places in which the body has been before. What is looked for here is in each call:
-// is the answer the right one?
-PROPERTY("three frames of any size give a velocity: near or far, slow or fast, standing in one of them or not") {
+// Whole numbers among them, and places in which the body has been before. What is looked for here
+// is in each call: is the answer the right one?
+PROPERTY(
+    "three frames of any size give a velocity: near or far, slow or fast, standing in one of them "
+    "or not") {
     Draw draw;
     for (int i = 0; i < 300; ++i) {
         const double length = draw.log(1e-9, 1e9), h = draw.log(1e-6, 1e6);

@@ -251,3 +251,29 @@ State<double> follow(const State<double>& s, double goal, double goal_v, double 
 }
 
 }  // namespace measured_from_the_end
+
+// Says: The exponential has lost its minus: the distance grows instead of fading.
+// Hint: After a long frame hardly anything of the distance may be left. Which sign must the exponent have?
+namespace grows {
+
+State<double> follow(const State<double>& s, double goal, double goal_v, double omega, double h) {
+    const double x = s.x - goal, v = s.v - goal_v;
+    const double b = v + omega * x, e = std::exp(omega * h);
+    return {s.t + h, goal + goal_v * h + (x + b * h) * e, goal_v + (v - omega * b * h) * e};
+}
+
+}  // namespace grows
+
+// Says: The position is right, but in the velocity the term of the fading line is added, where it is to be
+//       subtracted.
+// Hint: The derivative of the exponential brings a minus. Differentiate the product once more, one factor
+//       at a time.
+namespace sign_in_velocity {
+
+State<double> follow(const State<double>& s, double goal, double goal_v, double omega, double h) {
+    const double x = s.x - goal, v = s.v - goal_v;
+    const double b = v + omega * x, e = std::exp(-omega * h);
+    return {s.t + h, goal + goal_v * h + (x + b * h) * e, goal_v + (v + omega * b * h) * e};
+}
+
+}  // namespace sign_in_velocity

@@ -2,8 +2,8 @@
 
 #include "property.hpp"
 
-// The velocity may be written as a difference of two numbers that are 1/(ωh) times as large, of which 10⁻⁴ is the
-// least that is drawn: a roundoff of a few 10⁻¹² of it.
+// The velocity may be written as a difference of two numbers that are 1/(ωh) times as large, of
+// which 10⁻⁴ is the least that is drawn: a roundoff of a few 10⁻¹² of it.
 EXERCISE_WITHIN(follow, 1e-10);
 
 namespace {
@@ -26,7 +26,8 @@ PROPERTY("a time of zero changes nothing, and after any other the clock shows it
     Draw draw;
     for (int i = 0; i < 30; ++i) {
         Scene scene(draw);
-        scene.camera.v = draw.sign() * draw.real(0.5, 5);  // at rest, this would be nothing but roundoff
+        scene.camera.v =
+            draw.sign() * draw.real(0.5, 5);  // at rest, this would be nothing but roundoff
         const State<double> same = scene.after(0);
         REQUIRE(same.t == scene.camera.t);
         REQUIRE(close(same.x, scene.camera.x, 0, 1e-14));
@@ -122,16 +123,19 @@ PROPERTY("after a long frame the camera rides on the player, who has moved on") 
     }
 }
 
-// Seen from a player at rest at zero nothing hides a camera that is put on its player too soon, whether near to
-// him or after so many swings. In each call the answer must be the right one.
-PROPERTY("near the player and far away, in short frames and long ones, the camera is where the formula says") {
+// Seen from a player at rest at zero nothing hides a camera that is put on its player too soon,
+// whether near to him or after so many swings. In each call the answer must be the right one.
+PROPERTY(
+    "near the player and far away, in short frames and long ones, the camera is where the formula "
+    "says") {
     Draw draw;
     for (int i = 0; i < 400; ++i) {
         const double omega = draw.log(1e-3, 1e3), h = draw.log(1e-4, i % 2 == 0 ? 3 : 300) / omega;
         const double size = draw.log(1e-9, 1e6), off = size * draw.any_of(-5, 5, {0, 1});
         const double v = size * omega * draw.any_of(-5, 5, {0, 1});
         const bool stands = i % 4 < 2;
-        const double goal = stands ? 0 : draw.real(-5, 5), goal_v = stands ? 0 : draw.any_of(-5, 5, {0});
+        const double goal = stands ? 0 : draw.real(-5, 5),
+                     goal_v = stands ? 0 : draw.any_of(-5, 5, {0});
         const State<double> after = learner({0, goal + off, goal_v + v}, goal, goal_v, omega, h);
         REQUIRE(close(after.t, h, 1e-15));
     }

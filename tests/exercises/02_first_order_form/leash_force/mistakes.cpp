@@ -242,3 +242,31 @@ Vector3d leash_force(const Vector3d& x, const Vector3d& v, double k, double c, d
 }
 
 }  // namespace across
+
+// Says: Nothing pushes, but nobody asks whether the leash is slack: one that is shorter than at rest pulls
+//       as soon as it gets longer fast enough.
+// Hint: The damper of a slack leash has nothing to pull with. Compare the distance with the rest length
+//       before anything else.
+namespace no_slack_test {
+
+Vector3d leash_force(const Vector3d& x, const Vector3d& v, double k, double c, double length) {
+    const double r = x.norm();
+    if (r == 0) return Vector3d::Zero();
+    const Vector3d u = x / r;
+    return -std::max(k * (r - length) + c * v.dot(u), 0.0) * u;
+}
+
+}  // namespace no_slack_test
+
+// Says: Where spring and damper together come out below zero, their size is taken: a leash that gets
+//       shorter fast pulls all the more.
+// Hint: Below zero the leash cannot push, and it does not pull. What is left?
+namespace size_of_tension {
+
+Vector3d leash_force(const Vector3d& x, const Vector3d& v, double k, double c, double length) {
+    const double r = x.norm();
+    if (r <= length) return Vector3d::Zero();
+    return -std::fabs(k * (r - length) + c * v.dot(x) / r) / r * x;
+}
+
+}  // namespace size_of_tension

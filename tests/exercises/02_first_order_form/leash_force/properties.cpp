@@ -27,7 +27,7 @@ struct Scene {
 
 PROPERTY("a slack leash has no force however the ball moves, nor has one of no length at all") {
     Draw draw;
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 60; ++i) {
         const Scene scene(draw);
         const Vector3d v = draw_vector(draw, -5, 5);
         const Vector3d near = draw.real(0.01, 0.99) * scene.length * scene.outwards;
@@ -124,16 +124,21 @@ PROPERTY("turn the whole scene, and the force turns with it") {
     }
 }
 
-// Of a spider and of a ship at its anchor; along an axis, too. In each call the answer must be the right one.
-PROPERTY("leashes of any length and any stretch, with any damper, and balls that fly any way have their force") {
+// Of a spider and of a ship at its anchor; along an axis, too. In each call the answer must be the
+// right one.
+PROPERTY(
+    "leashes of any length and any stretch, with any damper, and balls that fly any way have their "
+    "force") {
     Draw draw;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 600; ++i) {
         const double size = draw.log(1e-6, 1e6), length = size * draw.any_of(0, 5, {0, 1});
         const double stretch = size * draw.log(i % 2 == 0 ? 1e-6 : 0.1, 10);
-        const double k = draw.log(1e-3, 1e6), c = i % 3 == 0 ? 0 : draw.log(1e-3, 1e6);
-        const Vector3d axes[] = {Vector3d::UnitX(), -Vector3d::UnitY(), Vector3d::UnitZ(), draw_direction(draw)};
+        const double k = draw.log(1e-3, 1e6), c = i % 6 == 0 ? 0 : draw.log(1e-3, 1e6);
+        const Vector3d axes[] = {Vector3d::UnitX(), -Vector3d::UnitY(), Vector3d::UnitZ(),
+                                 draw_direction(draw)};
         const Vector3d& outwards = axes[draw.integer(0, 3)];
-        // As fast as lets the damper weigh as much as the spring, now and then in one direction only.
+        // As fast as lets the damper weigh as much as the spring, now and then in one direction
+        // only.
         Vector3d v = k * stretch / (c > 0 ? c : k) * draw_vector(draw, -2, 2);
         if (draw.integer(0, 3) == 0) v = v.dot(outwards) * outwards;
         if (draw.integer(0, 3) == 0) v = v.cross(outwards);

@@ -214,3 +214,24 @@ std::array<double, 2> pendulum_rates(const State<double>& s, double g, double le
 }
 
 }  // namespace rate_is_speed
+
+// Says: Gravity is left out: only the air is at work.
+// Hint: Hold the lamp a quarter turn up and let it go. What must the second rate be?
+namespace no_gravity {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, -drag * length * std::abs(s.v) * s.v};
+}
+
+}  // namespace no_gravity
+
+// Says: Both forces have the wrong sign: gravity lifts the lamp, and the air drives it.
+// Hint: Draw the arc with the direction in which the angle grows. Both forces of a lamp that swings up
+//       point back.
+namespace both_signs {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, g / length * std::sin(s.x) + drag * length * std::abs(s.v) * s.v};
+}
+
+}  // namespace both_signs

@@ -80,13 +80,16 @@ PROPERTY("in a mirror the lamp does the same, and today as tomorrow") {
     }
 }
 
-// At the ends of a turn, and so near to hanging still that only gravity or only the air is left. In each call both
-// rates must be the right ones.
-PROPERTY("small swings and wild ones have their rates: any angle, any speed, any cable, thick air or none") {
+// At the ends of a turn, and so near to hanging still that only gravity or only the air is left. In
+// each call both rates must be the right ones.
+PROPERTY(
+    "small swings and wild ones have their rates: any angle, any speed, any cable, thick air or "
+    "none") {
     Draw draw;
     const double turn = 2 * std::numbers::pi;
     for (int i = 0; i < 400; ++i) {
-        const double angle = draw.any_of(-10, 10, {0, turn / 4, -turn / 4, turn / 2, turn, -5 * turn});
+        const double angle =
+            draw.any_of(-10, 10, {0, turn / 4, -turn / 4, turn / 2, turn, -5 * turn});
         const double v = draw.any_of(-100, 100, {0, 1, -1});
         const double g = draw.log(1e-3, 1e3), length = draw.log(1e-3, 1e3);
         const double drag = draw.any_of(0, 10, {0, 0.1});

@@ -125,26 +125,6 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 
 }  // namespace late_when_exact
 
-// Says: Two things at once: a step that is owed in full has to wait for the next frame, and at the cap
-//       nothing is dropped.
-// Hint: First let the loop take a step that is owed to the last bit. Then ask what is still owed when the
-//       loop stops at the cap.
-namespace late_and_nothing_dropped {
-
-std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
-        int count = 0;
-        for (; owed > step && count < most_steps; ++count) owed -= step;
-        steps.push_back(count);
-    }
-    return steps;
-}
-
-}  // namespace late_and_nothing_dropped
-
 // Says: A step comes when it is nearly owed in full: the comparison has a tolerance, and the simulation gets
 //       ahead of the clock by it.
 // Hint: Compare what is owed with the step, without any slack. A step that lacks a billionth of a second
@@ -201,25 +181,6 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 }
 
 }  // namespace one_at_most
-
-// Says: Every frame with time takes a step that is not owed in full yet: the simulation runs ahead of the
-//       clock.
-// Hint: Less than a step is no step. It stays owed until the frames have brought the rest.
-namespace runs_ahead {
-
-std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        int count = 0;
-        for (owed += passed; owed > 0; owed -= step)
-            if (count < most_steps) ++count;
-        steps.push_back(count);
-    }
-    return steps;
-}
-
-}  // namespace runs_ahead
 
 // Says: The number of steps is rounded to the nearest, so the simulation is ahead of the clock half of the
 //       time.
@@ -278,25 +239,6 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 }
 
 }  // namespace one_too_many
-
-// Says: A frame stops one step before the cap, and what it might still have taken is dropped.
-// Hint: Go through the loop by hand with a cap of 1 and one step owed. Does the frame take it?
-namespace one_too_few {
-
-std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
-        int count = 0;
-        for (; owed >= step && count + 1 < most_steps; ++count) owed -= step;
-        owed = std::fmod(owed, step);
-        steps.push_back(count);
-    }
-    return steps;
-}
-
-}  // namespace one_too_few
 
 // Says: A step that is owed in full is not taken, and then std::fmod drops it: it never comes.
 // Hint: After the loop, less than a step must be owed, unless the cap has stopped it. Which comparison sees
@@ -380,3 +322,21 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 }
 
 }  // namespace since_the_start
+
+// Says: The number of steps is rounded up: a part of a step that is owed counts as a whole one.
+// Hint: A step is taken when all of it is owed. Which function goes down to a whole number?
+namespace rounded_up {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        const double due = std::ceil(owed / step);
+        steps.push_back(static_cast<int>(std::min<double>(due, most_steps)));
+        owed = std::fmod(owed, step);
+    }
+    return steps;
+}
+
+}  // namespace rounded_up

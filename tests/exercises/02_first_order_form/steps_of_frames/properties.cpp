@@ -74,6 +74,18 @@ PROPERTY("below the cap the simulation is never ahead of the clock, and less tha
     }
 }
 
+// A float tells none of these from a whole step, and a tolerance of a nanosecond not the later two.
+PROPERTY("a step that lacks a little of being owed has to wait for the frame that brings it") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        for (const double part : {0x1p-28, 0x1p-29, 0x1p-35, 0x1p-36}) {
+            const double step = draw_time(draw, 0.5, 1), most = step - part;
+            const std::vector<double> frames{most, part, most, 0, part};
+            REQUIRE(learner(frames, step, 4) == std::vector<int>{0, 1, 0, 0, 1});
+        }
+    }
+}
+
 // Every other time it is a bit beyond single precision, but larger than a nanosecond.
 PROPERTY("a step that lacks the last bit has to wait, and one that is owed to the last bit comes") {
     Draw draw;
@@ -171,14 +183,15 @@ PROPERTY("a hitch may last for up to a million steps, and is forgotten but for i
     }
 }
 
-// Exact to the bit: whole steps from a microsecond to a day, and frames of some of them and a part.
-PROPERTY("steps may last microseconds or days: the rule is the same for them") {
+// Exact to the bit: steps from a nanosecond to a day, and frames of some of them and a part.
+PROPERTY("steps may last nanoseconds or days: the rule is the same for them") {
     Draw draw;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 100; ++i) {
         const double unit = std::pow(2, draw.integer(-30, 12));
         const int ticks = draw.integer(1, 30), most = draw.integer(1, i % 2 == 0 ? 3 : 100);
         std::vector<double> frames;
-        for (int k = 0; k < 20; ++k) frames.push_back(draw.integer(0, 3 * ticks) * unit);
+        for (int k = 0; k < 20; ++k)
+            frames.push_back(draw.integer(0, (i % 4 < 2 ? 3 : 9) * ticks) * unit);
         const auto steps = learner(frames, ticks * unit, most);
         REQUIRE(steps.size() == frames.size());
         double owed = 0;

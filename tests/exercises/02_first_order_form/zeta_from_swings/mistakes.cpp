@@ -216,3 +216,15 @@ double zeta_from_swings(double first, double later, int swings) {
 }
 
 }  // namespace binary_logarithm
+
+// Says: What is lost is compared with the later peak, and stands for the logarithm, which it resembles only
+//       for small losses.
+// Hint: Two losses in a row must count as the sum of both. Which function of the ratio does that?
+namespace relative_to_the_later {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double d = (first / later - 1) / swings;
+    return d / std::hypot(2 * std::numbers::pi, d);
+}
+
+}  // namespace relative_to_the_later

@@ -272,3 +272,16 @@ State<double> camera_step(State<double> state, double target, double omega, doub
 }
 
 }  // namespace hertz
+
+// Says: In the divisor the damper has kept the minus that it had on the right: it drives the camera.
+// Hint: A term that changes sides changes its sign, the damper's as well as the spring's.
+namespace damper_minus_below {
+
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    const auto& [t1, x1, v1] = state;
+    const double wh = omega * h;
+    const double v2 = (v1 + wh * omega * (target - x1)) / (1 - 2 * zeta * wh + wh * wh);
+    return {t1 + h, x1 + h * v2, v2};
+}
+
+}  // namespace damper_minus_below

@@ -2,8 +2,8 @@
 
 #include "property.hpp"
 
-// Another way to write it finds the new velocity as the old one and a change: off by the roundoff of the old one,
-// which is up to 10⁴ times as large where the frame is up to 100/ω long.
+// Another way to write it finds the new velocity as the old one and a change: off by the roundoff
+// of the old one, which is up to 10⁴ times as large where the frame is up to 100/ω long.
 EXERCISE_WITHIN(camera_step, 1e-10);
 
 // A camera and a frame.
@@ -12,8 +12,8 @@ struct Frame {
     double target, omega, zeta, h;
 };
 
-// One camera in four has no damper. No target is at zero: after a long frame, a position there would be nothing but
-// the roundoff of the old one.
+// One camera in four has no damper. No target is at zero: after a long frame, a position there
+// would be nothing but the roundoff of the old one.
 static Frame frame(Draw& draw, double least_wh, double most_wh, double most_zeta = 1e3) {
     const double omega = draw.log(0.05, 50);
     const double zeta = draw.real(0, 1) < 0.25 ? 0 : draw.log(1e-3, most_zeta);
@@ -110,13 +110,16 @@ PROPERTY("after a very long frame the camera rests on its target") {
     }
 }
 
-// Seen from a target at zero nothing hides a camera that is put there too soon; after a long frame, see above. In
-// each call the answer must be the right one.
-PROPERTY("near its target and far away, in short frames and long ones, the camera moves by the rule") {
+// Seen from a target at zero nothing hides a camera that is put there too soon; after a long frame,
+// see above. In each call the answer must be the right one.
+PROPERTY(
+    "near its target and far away, in short frames and long ones, the camera moves by the rule") {
     Draw draw;
     for (int i = 0; i < 400; ++i) {
-        const double omega = draw.log(1e-3, 1e3), wh = i % 8 == 0 ? 0 : draw.log(1e-6, i % 2 == 0 ? 3 : 1e4);
-        const double size = draw.log(1e-9, 1e6), h = wh / omega, zeta = draw.any_of(0, 20, {0, 1, 1});
+        const double omega = draw.log(1e-3, 1e3),
+                     wh = i % 8 == 0 ? 0 : draw.log(1e-6, i % 2 == 0 ? 3 : 1e4);
+        const double size = draw.log(1e-9, 1e6), h = wh / omega,
+                     zeta = draw.any_of(0, 20, {0, 1, 1});
         const double x = size * draw.sign() * draw.log(1e-3, 5);
         const double v = x * std::min(omega, 10 / h) * draw.any_of(-2, 2, {0, 1});
         const double target = wh > 30 || i % 4 == 0 ? size * draw.sign() * draw.real(1, 5) : 0;

@@ -2,8 +2,8 @@
 
 #include "property.hpp"
 
-// Another way to write it takes the velocity from two positions in a row: a roundoff of ε/(ωh), and ωh is 10⁻⁵ at
-// the least.
+// Another way to write it takes the velocity from two positions in a row: a roundoff of ε/(ωh), and
+// ωh is 10⁻⁵ at the least.
 EXERCISE_WITHIN(farthest_reach, 1e-10);
 
 static State<double> step(const State<double>& s, double omega, double h) {
@@ -123,14 +123,17 @@ PROPERTY("with short steps it is the amplitude of the true motion, but for a sha
     }
 }
 
-// In each call the answer must be the right one: where the ball is near the middle, or passes it, for steps of all
-// lengths that are stable.
+// In each call the answer must be the right one: where the ball is near the middle, or passes it,
+// for steps of all lengths that are stable.
 PROPERTY("tiny swings and huge ones, short steps and those near omega h = 2, have their ellipse") {
     Draw draw;
     for (int i = 0; i < 400; ++i) {
         const double omega = draw.log(1e-3, 1e3), size = draw.log(1e-9, 1e6);
-        const double wh = i % 4 == 0 ? 2 - draw.log(1e-6, 1) : i % 4 == 1 ? draw.log(1e-5, 1) : draw.any_of(0.01, 1.99, {1, 0.5});
-        const double x = size * draw.any_of(-2, 2, {0, 1}), v = omega * size * draw.any_of(-2, 2, {0, 1});
+        const double wh = i % 4 == 0   ? 2 - draw.log(1e-6, 1)
+                          : i % 4 == 1 ? draw.log(1e-5, 1)
+                                       : draw.any_of(0.01, 1.99, {1, 0.5});
+        const double x = size * draw.any_of(-2, 2, {0, 1}),
+                     v = omega * size * draw.any_of(-2, 2, {0, 1});
         REQUIRE(learner(x, v, omega, wh / omega) >= std::fabs(x) * (1 - 1e-9));
     }
 }

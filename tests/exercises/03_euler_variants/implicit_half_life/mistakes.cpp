@@ -189,3 +189,14 @@ double implicit_half_life(double omega, double h) {
 }
 
 }  // namespace no_h
+
+// Says: The square has got outside: you square the logarithm, and not omega h.
+// Hint: Which of the two is a side of a triangle? Square it before you add the 1.
+namespace logarithm_squared {
+
+double implicit_half_life(double omega, double h) {
+    const double logarithm = std::log1p(omega * h);
+    return 2 * std::log(2) * h / (logarithm * logarithm);
+}
+
+}  // namespace logarithm_squared

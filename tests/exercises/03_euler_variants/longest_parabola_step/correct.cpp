@@ -2,8 +2,8 @@
 
 namespace by_bisection {
 
-// The step is a matrix for (x, v/omega). It is stable while both its eigenvalues are within the unit
-// circle; the longest such wh = omega h is found by bisection.
+// The step is a matrix for (x, v/omega). It is stable while both its eigenvalues are within the
+// unit circle; the longest such wh = omega h is found by bisection.
 double longest_parabola_step(double omega, double zeta) {
     const auto stable = [&](double wh) {
         const double xx = 1 - wh * wh / 2, xv = wh - zeta * wh * wh;

@@ -95,8 +95,8 @@ double longest_parabola_step(double omega, double zeta) {
 
 }  // namespace longer_of_two
 
-// Says: Both limits are right, but you go over from one to the other at zeta = 1, where the door itself
-//       stops swinging. The steps stop swinging earlier.
+// Says: Both limits are right, but you go over from one to the other too late, as at zeta = 1, where the door
+//       itself stops swinging. The steps stop swinging earlier.
 // Hint: It is not the door's motion that counts, but the matrix of the step. For which zeta are the two
 //       limits equal?
 namespace switch_at_one {
@@ -160,3 +160,13 @@ double longest_parabola_step(double omega, double zeta) {
 }
 
 }  // namespace eight_zeta
+
+// Says: The limit of strong damping is half as long as it is: 1 / (2 zeta), where no eigenvalue leaves yet.
+// Hint: 1 + trace + determinant is 4 - 4 zeta wh. Where is that zero?
+namespace half_over_zeta {
+
+double longest_parabola_step(double omega, double zeta) {
+    return zeta == 0 ? 0 : std::min(4 * zeta, 0.5 / zeta) / omega;
+}
+
+}  // namespace half_over_zeta

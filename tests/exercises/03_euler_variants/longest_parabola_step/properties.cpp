@@ -2,8 +2,8 @@
 
 #include "property.hpp"
 
-// A part in a million off is near enough, and where no step is stable a search may end at a tiny one: the properties
-// say how near, on both sides of the limit.
+// A part in a million off is near enough, and where no step is stable a search may end at a tiny
+// one: the properties say how near, on both sides of the limit.
 EXERCISE_WITHIN(longest_parabola_step, checker::many_are_right);
 
 // By what a step multiplies in the long run: the larger root of the characteristic polynomial, of
@@ -82,7 +82,9 @@ PROPERTY("the longest step is proportional to weak damping, and to one over stro
     }
 }
 
-PROPERTY("the limit is the limit for a hinge of hours and for one of microseconds, up to both ends of the damping") {
+PROPERTY(
+    "the limit is the limit for a hinge of hours and for one of microseconds, up to both ends of "
+    "the damping") {
     Draw draw;
     for (int i = 0; i < 100; ++i) {
         const double omega = draw.log(1e-6, 1e6), zeta = draw.any_of(1e-4, 20, {1e-4, 0.5, 1, 20});

@@ -96,7 +96,9 @@ PROPERTY("a very stiff spring becomes a rigid constraint: all of the error, and 
 }
 
 // A feather and a train. In each call both numbers must be the right ones.
-PROPERTY("light bodies and heavy ones, soft springs and stiff, short steps and long, have their gamma and beta") {
+PROPERTY(
+    "light bodies and heavy ones, soft springs and stiff, short steps and long, have their gamma "
+    "and beta") {
     Draw draw;
     for (int i = 0; i < 300; ++i) {
         const double mass = draw.log(1e-6, 1e6), omega = draw.log(1e-3, 1e3);

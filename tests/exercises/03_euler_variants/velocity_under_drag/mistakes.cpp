@@ -214,3 +214,37 @@ double velocity_under_drag(double v, double gravity, double k, double h) {
 }
 
 }  // namespace root_without_h
+
+// Says: Under the root the 4 of the quadratic formula is missing: the drag comes out far too weak.
+// Hint: b² - 4 a c has a four. Write a, b and c of your equation down first.
+namespace four_missing {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity;
+    return 2 * w / (1 + std::sqrt(1 + h * k * std::fabs(w)));
+}
+
+}  // namespace four_missing
+
+// Says: The answer always points down, as if every body fell.
+// Hint: A body that rises fast goes on rising for a while. The velocity that gravity alone would give has
+//       the sign.
+namespace always_down {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity;
+    return -2 * std::fabs(w) / (1 + std::sqrt(1 + 4 * h * k * std::fabs(w)));
+}
+
+}  // namespace always_down
+
+// Says: Under the root stands a minus: this drag pushes along with the motion.
+// Hint: Bring the drag to the left side of the equation, and look at its sign there once more.
+namespace drag_pushes {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity;
+    return 2 * w / (1 + std::sqrt(std::fmax(0, 1 - 4 * h * k * std::fabs(w))));
+}
+
+}  // namespace drag_pushes

@@ -86,15 +86,20 @@ PROPERTY("in thin air, too, the equation holds with all digits") {
     }
 }
 
-// Near the top, where gravity has used up most of what the body rose with; in thin air and in honey; no air, no
-// gravity, no time. In each call the velocity must be the right one.
-PROPERTY("up, down and at the top of a throw, in any air and any step, the drag is that at the new velocity") {
+// Near the top, where gravity has used up most of what the body rose with; in thin air and in
+// honey; no air, no gravity, no time. In each call the velocity must be the right one.
+PROPERTY(
+    "up, down and at the top of a throw, in any air and any step, the drag is that at the new "
+    "velocity") {
     Draw draw;
     for (int i = 0; i < 600; ++i) {
         const double gravity = draw.any_of(0, 30, {0, 10}), h = draw.any_of(0, 100, {0, 1});
-        const double k = i % 4 == 0 ? 0 : draw.log(i % 4 == 1 ? 1e-12 : 1e-3, 1e3), lost = h * gravity;
+        const double k = i % 4 == 0 ? 0 : draw.log(i % 4 == 1 ? 1e-12 : 1e-3, 1e3),
+                     lost = h * gravity;
         const double near = 1 + draw.sign() * draw.log(1e-6, 1), around = draw.real(-5, 5);
-        const double v = i % 3 == 0 ? lost * near : i % 3 == 1 ? lost + around : draw.any_of(-1e3, 1e3, {0, 1, -1});
+        const double v = i % 3 == 0   ? lost * near
+                         : i % 3 == 1 ? lost + around
+                                      : draw.any_of(-1e3, 1e3, {0, 1, -1});
         const double v2 = learner(v, gravity, k, h), w = v - lost;
         REQUIRE(std::fabs(v2) <= std::fabs(w) * (1 + 1e-9));
         REQUIRE(v2 * w >= 0);
