@@ -268,3 +268,73 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 }
 
 }  // namespace taylor
+
+// Says: The torque has the opposite sign on both sides: this is the step back in time.
+// Hint: Does Euler's equation read I domega/dt = + omega x I omega? Look at the sign before you linearise.
+namespace opposite_torque {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
+    const Matrix3d I = inertia.asDiagonal();
+    const Vector3d torque = -omega.cross(I * omega);
+    const Matrix3d G = skew(omega) * I - skew(I * omega);
+    return omega - solve_linear(I - h / 2 * G, h * torque);
+}
+
+}  // namespace opposite_torque
+
+// Says: In the matrix the identity stands where the inertia belongs: I d is not d.
+// Hint: On the left stands the change of the angular momentum, I d. What is its matrix?
+namespace identity_in_the_matrix {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
+    const Matrix3d I = inertia.asDiagonal();
+    const Vector3d torque = -omega.cross(I * omega);
+    const Matrix3d G = skew(omega) * I - skew(I * omega);
+    return omega + solve_linear(Matrix3d::Identity() + h / 2 * G, h * torque);
+}
+
+}  // namespace identity_in_the_matrix
+
+// Says: This is the mean of a step of explicit Euler and one of the talk's: two results are averaged, not two
+//       torques.
+// Hint: Write the mean of the two torques into one equation for the change d, and solve that once.
+namespace mean_of_two_steps {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
+    const Matrix3d I = inertia.asDiagonal();
+    const Vector3d torque = -omega.cross(I * omega);
+    const Matrix3d G = skew(omega) * I - skew(I * omega);
+    const Vector3d explicit_change = h * torque.cwiseQuotient(inertia);
+    return omega + (explicit_change + solve_linear(I + h * G, h * torque)) / 2;
+}
+
+}  // namespace mean_of_two_steps
+
+// Says: This is the change of the spin and not the spin.
+// Hint: In a step of zero nothing changes. What does your function return then?
+namespace only_the_change {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
+    const Matrix3d I = inertia.asDiagonal();
+    const Vector3d torque = -omega.cross(I * omega);
+    const Matrix3d G = skew(omega) * I - skew(I * omega);
+    return solve_linear(I + h / 2 * G, h * torque);
+}
+
+}  // namespace only_the_change

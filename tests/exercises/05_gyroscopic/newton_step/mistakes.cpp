@@ -259,3 +259,91 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 }
 
 }  // namespace few_digits
+
+// Says: You iterate until the root is found. Asked is one iteration, from the guess that is given.
+// Hint: Take your loop away and leave what is inside it.
+namespace to_the_root {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    for (int round = 0; round < 20; ++round) {
+        const Vector3d L = inertia * guess;
+        const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
+        guess -= solve_linear(inertia + h * (skew(guess) * inertia - skew(L)), residual);
+    }
+    return guess;
+}
+
+}  // namespace to_the_root
+
+// Says: This is the correction alone and not the better guess.
+// Hint: A guess that is the root needs no correction, and has to come back as it is. What does yours return?
+namespace only_the_change {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d L = inertia * guess;
+    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
+    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
+    return -solve_linear(jacobian, residual);
+}
+
+}  // namespace only_the_change
+
+// Says: The residual has the torque's term only: how far the guess is from omega1 does not count.
+// Hint: With a step of zero the torque is gone. Then omega1 must come out: what of your residual is left?
+namespace first_term_missing {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d L = inertia * guess;
+    const Vector3d residual = h * guess.cross(L);
+    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
+    return guess - solve_linear(jacobian, residual);
+}
+
+}  // namespace first_term_missing
+
+// Says: In the residual omega1 and the guess are exchanged: the first term has the wrong sign.
+// Hint: Compare with f in the task, term by term: which of the two spins has the minus?
+namespace difference_reversed {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d L = inertia * guess;
+    const Vector3d residual = inertia * (omega1 - guess) + h * guess.cross(L);
+    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
+    return guess - solve_linear(jacobian, residual);
+}
+
+}  // namespace difference_reversed
+
+// Says: The torque has the factor h/2, as in the mean of two torques; implicit Euler has that of the end
+//       alone.
+// Hint: Compare with f in the task: what stands in front of the cross product?
+namespace half_of_the_step {
+
+static Matrix3d skew(const Vector3d& a) {
+    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+}
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d L = inertia * guess;
+    const Vector3d residual = inertia * (guess - omega1) + h / 2 * guess.cross(L);
+    const Matrix3d jacobian = inertia + h / 2 * (skew(guess) * inertia - skew(L));
+    return guess - solve_linear(jacobian, residual);
+}
+
+}  // namespace half_of_the_step

@@ -190,3 +190,52 @@ Vector3d top_after(double across, double along, const Vector3d& omega, double t)
 }
 
 }  // namespace single_precision
+
+// Says: The angle has been turned into degrees: everything turns 57 times too fast.
+// Hint: std::cos and std::sin take radians. In which unit is omega times t already?
+namespace into_degrees {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = (along - across) / across * omega.z() * t * 180 / std::numbers::pi;
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * omega.x() - s * omega.y(), s * omega.x() + c * omega.y(), omega.z()};
+}
+
+}  // namespace into_degrees
+
+// Says: Sine and cosine are exchanged: in no time the part across turns by a right angle.
+// Hint: At t = 0 the answer is omega itself. Which of the two is one there?
+namespace sine_and_cosine_exchanged {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = (along - across) / across * omega.z() * t;
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {s * omega.x() - c * omega.y(), c * omega.x() + s * omega.y(), omega.z()};
+}
+
+}  // namespace sine_and_cosine_exchanged
+
+// Says: y is computed with the x that has been turned already.
+// Hint: Both of the new components need both of the old ones. Keep the old x until y is done.
+namespace new_x_in_y {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = (along - across) / across * omega.z() * t;
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double x = c * omega.x() - s * omega.y();
+    return {x, s * x + c * omega.y(), omega.z()};
+}
+
+}  // namespace new_x_in_y
+
+// Says: One of the two sines has the wrong sign: this is no turn, and the part across changes its length.
+// Hint: Turn (1, 0) and (0, 1) by a right angle, on paper. Which of the four products has a minus?
+namespace a_sign_of_the_sine {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = (along - across) / across * omega.z() * t;
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * omega.x() + s * omega.y(), s * omega.x() + c * omega.y(), omega.z()};
+}
+
+}  // namespace a_sign_of_the_sine

@@ -138,3 +138,39 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 }
 
 }  // namespace single_precision
+
+// Says: In the end the sum of the torques is multiplied by the moments, not divided.
+// Hint: A body with twice the moment turns half as readily. Does yours?
+namespace multiplied {
+
+Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
+    const Vector3d spin = q.conjugate() * omega;
+    const Vector3d total = q.conjugate() * torque - spin.cross(inertia.cwiseProduct(spin));
+    return q * total.cwiseProduct(inertia);
+}
+
+}  // namespace multiplied
+
+// Says: All three axes get one moment, the mean of the three: the body turns as readily about each of them.
+// Hint: The moments along the three axes differ. Divide component by component, in the body's axes.
+namespace one_moment_for_all {
+
+Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
+    const Vector3d spin = q.conjugate() * omega;
+    const Vector3d total = q.conjugate() * torque - spin.cross(inertia.cwiseProduct(spin));
+    return q * (total / inertia.mean());
+}
+
+}  // namespace one_moment_for_all
+
+// Says: The angular momentum has been made by a division: L is I omega.
+// Hint: L is to omega what momentum is to velocity. What stands between them?
+namespace momentum_divided {
+
+Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
+    const Vector3d spin = q.conjugate() * omega;
+    const Vector3d total = q.conjugate() * torque - spin.cross(spin.cwiseQuotient(inertia));
+    return q * total.cwiseQuotient(inertia);
+}
+
+}  // namespace momentum_divided
