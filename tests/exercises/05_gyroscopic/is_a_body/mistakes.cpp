@@ -203,3 +203,46 @@ bool is_a_body(const Vector3d& inertia) {
 }
 
 }  // namespace some_slack
+
+// Says: The last two moments are compared with the sums; but that the first is too large goes unseen.
+// Hint: Let the first moment grow for ever. Which of your comparisons would notice?
+namespace all_but_the_first {
+
+bool is_a_body(const Vector3d& inertia) {
+    const double a = inertia.x(), b = inertia.y(), c = inertia.z();
+    return a > 0 && b > 0 && c > 0 && b <= c + a && c <= a + b;
+}
+
+}  // namespace all_but_the_first
+
+// Says: The first and the last moment are compared with the sums; but that the second is too large goes
+//       unseen.
+// Hint: Let the second moment grow for ever. Which of your comparisons would notice?
+namespace all_but_the_middle {
+
+bool is_a_body(const Vector3d& inertia) {
+    const double a = inertia.x(), b = inertia.y(), c = inertia.z();
+    return a > 0 && b > 0 && c > 0 && a <= b + c && c <= a + b;
+}
+
+}  // namespace all_but_the_middle
+
+// Says: Nothing gets through, not even a ball: your comparisons cannot all hold at once.
+// Hint: Try the moments of a ball, (1, 1, 1), in each of them. Which one fails, and should it?
+namespace nothing_is {
+
+bool is_a_body(const Vector3d& inertia) {
+    return false;
+}
+
+}  // namespace nothing_is
+
+// Says: Everything gets through, also what has a negative moment or a far too large one.
+// Hint: Which files does the task call wrong? There are two kinds of them.
+namespace everything_is {
+
+bool is_a_body(const Vector3d& inertia) {
+    return true;
+}
+
+}  // namespace everything_is

@@ -239,3 +239,58 @@ Vector3d top_after(double across, double along, const Vector3d& omega, double t)
 }
 
 }  // namespace a_sign_of_the_sine
+
+// Says: The difference of the moments is not divided by one of them: in other units of mass the top would
+//       turn at another rate.
+// Hint: Euler's equations have a moment in front of each rate. Where has it gone?
+namespace not_divided {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = (along - across) * omega.z() * t;
+    return Eigen::AngleAxisd(angle, Vector3d::UnitZ()) * omega;
+}
+
+}  // namespace not_divided
+
+// Says: The ratio of the moments is upside down, and nothing is taken off it: a sphere's spin would go round.
+// Hint: Write out the first line of Euler's equations, and divide it by the moment on its left.
+namespace ratio_upside_down {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = across / along * omega.z() * t;
+    return Eigen::AngleAxisd(angle, Vector3d::UnitZ()) * omega;
+}
+
+}  // namespace ratio_upside_down
+
+// Says: The part across turns at half of its rate.
+// Hint: Is there a half from a quaternion? A turn of a vector takes the whole angle.
+namespace half_rate {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = (along - across) / across * omega.z() / 2 * t;
+    return Eigen::AngleAxisd(angle, Vector3d::UnitZ()) * omega;
+}
+
+}  // namespace half_rate
+
+// Says: The rate has the moments in it, but not the spin about the axis.
+// Hint: A rate is in rad/s. What is the unit of a ratio of moments?
+namespace spin_missing {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = (along - across) / across * t;
+    return Eigen::AngleAxisd(angle, Vector3d::UnitZ()) * omega;
+}
+
+}  // namespace spin_missing
+
+// Says: The spin comes back as it was, whatever the time.
+// Hint: Euler's equations give omega.x() and omega.y() a rate of change. When is it zero?
+namespace nothing_turns {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    return omega;
+}
+
+}  // namespace nothing_turns

@@ -134,6 +134,7 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 namespace only_the_turn {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
+    if (omega.norm() == 0) return q;
     return Quaterniond(Eigen::AngleAxisd(h * omega.norm(), omega.normalized()));
 }
 
@@ -293,3 +294,28 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 }
 
 }  // namespace one_axis_after_the_other
+
+// Says: The angle has been converted as if it were in degrees: the body hardly turns.
+// Hint: omega is in rad/s already. What does the conversion make of it?
+namespace from_degrees {
+
+Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
+    if (omega.norm() == 0) return q;
+    const double angle = h * omega.norm() * std::numbers::pi / 180;
+    return q * Eigen::AngleAxisd(angle, omega.normalized());
+}
+
+}  // namespace from_degrees
+
+// Says: Sine and cosine are exchanged: in no time the body would turn by a half turn.
+// Hint: For an angle of zero the turn is (1, 0, 0, 0). Which of the two is one there?
+namespace sine_and_cosine_exchanged {
+
+Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
+    if (omega.norm() == 0) return q;
+    const double half = h * omega.norm() / 2;
+    const Vector3d v = std::cos(half) * omega.normalized();
+    return q * Quaterniond(std::sin(half), v.x(), v.y(), v.z());
+}
+
+}  // namespace sine_and_cosine_exchanged
