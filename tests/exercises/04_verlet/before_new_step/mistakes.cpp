@@ -11,8 +11,8 @@ double before_new_step(double before, double now, double a, double h_old, double
 
 }  // namespace left_alone
 
-// Says: The displacement is scaled to the new step, the usual repair. With changing steps the order is one:
-//       the force is not used. Or is there a 1/2? In C++ that is 0: write 0.5.
+// Says: The displacement is scaled to the new step, the usual repair, and in a run with changing steps its order is
+//       one: the force is not used, or has cancelled. Or is there a 1/2? In C++ that is 0: write 0.5.
 // Hint: A short step ending now has its middle nearer to now than a long one. Under a force the velocities
 //       in the two middles differ.
 namespace only_scaled {
@@ -146,3 +146,15 @@ double before_new_step(double before, double now, double a, double h_old, double
 }
 
 }  // namespace sum_of_the_steps
+
+// Says: The scaling is right, but the force comes in with the difference of the two squares: the scaled
+//       displacement has its share of it already.
+// Hint: Take your velocity at the middle of the old step, and write down where the middle of the new one
+//       lies. How long does the force act in between?
+namespace difference_of_squares {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    return now - (now - before) * h_new / h_old + (h_new * h_new - h_old * h_old) / 2 * a;
+}
+
+}  // namespace difference_of_squares

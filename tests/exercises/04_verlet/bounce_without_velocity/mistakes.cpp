@@ -222,3 +222,61 @@ std::array<double, 2> bounce_without_velocity(double before, double now, double 
 }
 
 }  // namespace full_speed
+
+// Says: Right, except for a ball that lies on the floor just now: it is not below it, and both heights must
+//       be left as they are.
+// Hint: Its velocity is still the old one, and the next step will take it through the floor. Which comparison
+//       leaves it alone?
+namespace on_the_floor_too {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now > floor) return {before, now};
+    return {floor - e * (before - floor), floor + e * (floor - now)};
+}
+
+}  // namespace on_the_floor_too
+
+// Says: The speed shrinks by the square of e, as the energy does.
+// Hint: The task says what e is a ratio of. With e = 0.5, is half of the speed left, or a quarter?
+namespace squared {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    return {floor - e * e * (before - floor), floor + e * e * (floor - now)};
+}
+
+}  // namespace squared
+
+// Says: The comparison is the wrong way round: balls in the air bounce, and those below the floor sink on.
+// Hint: When is there something to do: if now is above the floor, or below it?
+namespace upside_down {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now < floor) return {before, now};
+    return {floor - e * (before - floor), floor + e * (floor - now)};
+}
+
+}  // namespace upside_down
+
+// Says: The ball is put on the floor and stopped, whatever the restitution.
+// Hint: With e = 0 that is right. What is the speed after the bounce if e is 1?
+namespace stopped {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    return {floor, floor};
+}
+
+}  // namespace stopped
+
+// Says: The ball is mirrored at the floor without e, and "before" is left alone, so that its velocity is no
+//       bounce's.
+// Hint: Two heights tell a velocity. Which two tell the one after the bounce?
+namespace only_mirrored {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    return {before, 2 * floor - now};
+}
+
+}  // namespace only_mirrored

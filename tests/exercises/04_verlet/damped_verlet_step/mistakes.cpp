@@ -164,3 +164,52 @@ double damped_verlet_step(double before, double now, double a, double gamma, dou
 }
 
 }  // namespace only_terminal
+
+// Says: The new way is added to the position one step ago, so that the point lags behind.
+// Hint: The displacement begins where the point is now. Which of the two positions is that?
+namespace from_before {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    if (gamma == 0) return 2 * now - before + h * h * a;
+    const double kept = std::exp(-gamma * h);
+    return before + kept * (now - before) + (1 - kept) * h * a / gamma;
+}
+
+}  // namespace from_before
+
+// Says: The exponent has a half too many: the drag is that of half a step.
+// Hint: From the middle of the last step to that of the next one, how much time goes by?
+namespace half_the_exponent {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    if (gamma == 0) return 2 * now - before + h * h * a;
+    const double kept = std::exp(-gamma * h / 2);
+    return now + kept * (now - before) + (1 - kept) * h * a / gamma;
+}
+
+}  // namespace half_the_exponent
+
+// Says: The force gives its terminal velocity in full at once, beside what is left of the old one.
+// Hint: Let a body fall at a / gamma already. Then the next displacement must be the last one: is yours
+//       larger?
+namespace terminal_added_in_full {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    if (gamma == 0) return 2 * now - before + h * h * a;
+    const double kept = std::exp(-gamma * h);
+    return now + kept * (now - before) + h * a / gamma;
+}
+
+}  // namespace terminal_added_in_full
+
+// Says: The terminal velocity is a times gamma, so that a stronger drag makes a faster fall.
+// Hint: At the terminal velocity drag and force are equal: gamma times v is a. What is v?
+namespace times_gamma {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    if (gamma == 0) return 2 * now - before + h * h * a;
+    const double kept = std::exp(-gamma * h);
+    return now + kept * (now - before) + (1 - kept) * h * a * gamma;
+}
+
+}  // namespace times_gamma

@@ -277,3 +277,36 @@ State<double> fourth_order_leapfrog(State<double> s, double omega, double h) {
 }
 
 }  // namespace pushes_away
+
+// Says: The force has the cosine of the angle: a ball that hangs straight down would be driven away.
+// Hint: Where the ball hangs at rest there is no force. Which of sine and cosine is zero there?
+namespace cosine {
+
+State<double> fourth_order_leapfrog(State<double> s, double omega, double h) {
+    const double p = 1 / (2 - std::cbrt(2.0)), q = 1 - 2 * p;
+    for (const double part : {p * h, q * h, p * h}) {
+        s.v -= part / 2 * omega * omega * std::cos(s.x);
+        s.x += part * s.v;
+        s.v -= part / 2 * omega * omega * std::cos(s.x);
+    }
+    return {s.t + h, s.x, s.v};
+}
+
+}  // namespace cosine
+
+// Says: Both kicks of a leap have its whole length, so that the force counts twice.
+// Hint: Leapfrog kicks by half a step, drifts by a whole one, and kicks by half a step. How much force is
+//       that together?
+namespace whole_kicks {
+
+State<double> fourth_order_leapfrog(State<double> s, double omega, double h) {
+    const double p = 1 / (2 - std::cbrt(2.0)), q = 1 - 2 * p;
+    for (const double part : {p * h, q * h, p * h}) {
+        s.v -= part * omega * omega * std::sin(s.x);
+        s.x += part * s.v;
+        s.v -= part * omega * omega * std::sin(s.x);
+    }
+    return {s.t + h, s.x, s.v};
+}
+
+}  // namespace whole_kicks

@@ -186,3 +186,45 @@ std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double w
 }
 
 }  // namespace upside_down
+
+// Says: The ends move by half of what they should: after it the rope is still too long by half of the excess.
+// Hint: The shares wa and wb over their sum add up to one already. What is the 2 for?
+namespace half_of_the_excess {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    const Vector3d apart = b - a;
+    const double distance = apart.norm();
+    if (distance <= length || wa + wb == 0) return {a, b};
+    const Vector3d pull = (distance - length) / 2 / (wa + wb) * (apart / distance);
+    return {a + wa * pull, b - wb * pull};
+}
+
+}  // namespace half_of_the_excess
+
+// Says: Both ends move in the same direction: one of them comes nearer, and the other one flees.
+// Hint: The pull on b is opposite to the pull on a. Which sign has it?
+namespace same_direction {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    const Vector3d apart = b - a;
+    const double distance = apart.norm();
+    if (distance <= length || wa + wb == 0) return {a, b};
+    const Vector3d pull = (distance - length) / (wa + wb) * (apart / distance);
+    return {a + wa * pull, b + wb * pull};
+}
+
+}  // namespace same_direction
+
+// Says: The ends move by the rope's length, not by what it is too long.
+// Hint: A rope that is too long by a hair should move by a hair. What does yours do?
+namespace length_for_the_excess {
+
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    const Vector3d apart = b - a;
+    const double distance = apart.norm();
+    if (distance <= length || wa + wb == 0) return {a, b};
+    const Vector3d pull = length / (wa + wb) * (apart / distance);
+    return {a + wa * pull, b - wb * pull};
+}
+
+}  // namespace length_for_the_excess

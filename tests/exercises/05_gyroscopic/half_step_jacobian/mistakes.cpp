@@ -1,12 +1,12 @@
 #include "exercise_eigen.hpp"
 
-// Says: This is the talk's solver: the torque is that of the end alone, and the spin slows down by itself.
-// Hint: The mean counts each end for one half. Only the torque of the end has the unknown change in it.
-namespace full_jacobian {
-
 static Matrix3d skew(const Vector3d& a) {
     return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
 }
+
+// Says: This is the talk's solver: the torque is that of the end alone, and the spin slows down by itself.
+// Hint: The mean counts each end for one half. Only the torque of the end has the unknown change in it.
+namespace full_jacobian {
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
     const Matrix3d I = inertia.asDiagonal();
@@ -22,10 +22,6 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 // Hint: The two ends have one half each. The torque of the beginning stands in both.
 namespace half_step {
 
-static Matrix3d skew(const Vector3d& a) {
-    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
-}
-
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
     const Matrix3d I = inertia.asDiagonal();
     const Vector3d torque = -omega.cross(I * omega);
@@ -39,10 +35,6 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 //       talk's.
 // Hint: Write the mean of T and T - G d. How much of T is in it, and how much of G d?
 namespace half_torque {
-
-static Matrix3d skew(const Vector3d& a) {
-    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
-}
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
     const Matrix3d I = inertia.asDiagonal();
@@ -58,10 +50,6 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 // Hint: The product rule has two terms. Here the one where the momentum changes is missing.
 namespace old_momentum {
 
-static Matrix3d skew(const Vector3d& a) {
-    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
-}
-
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
     const Matrix3d I = inertia.asDiagonal();
     const Vector3d torque = -omega.cross(I * omega);
@@ -75,10 +63,6 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 //       beginning.
 // Hint: The product rule has two terms. The one with skew(I omega) is missing.
 namespace old_spin {
-
-static Matrix3d skew(const Vector3d& a) {
-    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
-}
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
     const Matrix3d I = inertia.asDiagonal();
@@ -94,10 +78,6 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 //       does that do to the sign?
 namespace sum_of_terms {
 
-static Matrix3d skew(const Vector3d& a) {
-    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
-}
-
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
     const Matrix3d I = inertia.asDiagonal();
     const Vector3d torque = -omega.cross(I * omega);
@@ -112,10 +92,6 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 //       once more.
 namespace jacobian_sign {
 
-static Matrix3d skew(const Vector3d& a) {
-    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
-}
-
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
     const Matrix3d I = inertia.asDiagonal();
     const Vector3d torque = -omega.cross(I * omega);
@@ -129,10 +105,6 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 // Hint: The gyroscopic torque is -omega x I omega. If the residual is + h omega x I omega, the change is
 //       taken away.
 namespace subtracted {
-
-static Matrix3d skew(const Vector3d& a) {
-    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
-}
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
     const Matrix3d I = inertia.asDiagonal();
@@ -173,10 +145,6 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 // Hint: One solve is enough. What happens to the change of the first half if you just take it twice?
 namespace two_half_steps {
 
-static Matrix3d skew(const Vector3d& a) {
-    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
-}
-
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
     const Matrix3d I = inertia.asDiagonal();
     Vector3d w = omega;
@@ -195,10 +163,6 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 //       from omega, and no more.
 namespace midpoint_to_the_end {
 
-static Matrix3d skew(const Vector3d& a) {
-    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
-}
-
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
     const Matrix3d I = inertia.asDiagonal();
     Vector3d middle = omega;
@@ -216,10 +180,6 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 //       rule, at several solves a step.
 // Hint: Stop after one iteration: the torque linearised about omega is what the task asks for.
 namespace mean_to_the_end {
-
-static Matrix3d skew(const Vector3d& a) {
-    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
-}
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
     const Matrix3d I = inertia.asDiagonal();
@@ -268,3 +228,103 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 }
 
 }  // namespace taylor
+
+// Says: The torque has the opposite sign on both sides: this is the step back in time.
+// Hint: Does Euler's equation read I domega/dt = + omega x I omega? Look at the sign before you linearise.
+namespace opposite_torque {
+
+Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
+    const Matrix3d I = inertia.asDiagonal();
+    const Vector3d torque = -omega.cross(I * omega);
+    const Matrix3d G = skew(omega) * I - skew(I * omega);
+    return omega - solve_linear(I - h / 2 * G, h * torque);
+}
+
+}  // namespace opposite_torque
+
+// Says: In the matrix the identity stands where the inertia belongs: I d is not d.
+// Hint: On the left stands the change of the angular momentum, I d. What is its matrix?
+namespace identity_in_the_matrix {
+
+Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
+    const Matrix3d I = inertia.asDiagonal();
+    const Vector3d torque = -omega.cross(I * omega);
+    const Matrix3d G = skew(omega) * I - skew(I * omega);
+    return omega + solve_linear(Matrix3d::Identity() + h / 2 * G, h * torque);
+}
+
+}  // namespace identity_in_the_matrix
+
+// Says: This is the mean of a step of explicit Euler and one of the talk's: two results are averaged, not two
+//       torques.
+// Hint: Write the mean of the two torques into one equation for the change d, and solve that once.
+namespace mean_of_two_steps {
+
+Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
+    const Matrix3d I = inertia.asDiagonal();
+    const Vector3d torque = -omega.cross(I * omega);
+    const Matrix3d G = skew(omega) * I - skew(I * omega);
+    const Vector3d explicit_change = h * torque.cwiseQuotient(inertia);
+    return omega + (explicit_change + solve_linear(I + h * G, h * torque)) / 2;
+}
+
+}  // namespace mean_of_two_steps
+
+// Says: This is the change of the spin and not the spin.
+// Hint: In a step of zero nothing changes. What does your function return then?
+namespace only_the_change {
+
+Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
+    const Matrix3d I = inertia.asDiagonal();
+    const Vector3d torque = -omega.cross(I * omega);
+    const Matrix3d G = skew(omega) * I - skew(I * omega);
+    return solve_linear(I + h / 2 * G, h * torque);
+}
+
+}  // namespace only_the_change
+
+// Says: In the matrix the torque's slope has no h: it counts as if the step lasted a second.
+// Hint: Compare the units of I and of G. Which factor makes them alike?
+namespace jacobian_without_h {
+
+Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
+    const Matrix3d I = inertia.asDiagonal();
+    const Vector3d torque = -omega.cross(I * omega);
+    const Matrix3d G = skew(omega) * I - skew(I * omega);
+    return omega + solve_linear(I + G / 2, h * torque);
+}
+
+}  // namespace jacobian_without_h
+
+// Says: The equations are right, but llt() or ldlt() looks at one triangle of the matrix only, and takes it
+//       for symmetric.
+// Hint: The product of a skew matrix and a diagonal one is not symmetric. Which decomposition is for any
+//       square matrix?
+namespace symmetric_solver {
+
+Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
+    const Matrix3d I = inertia.asDiagonal();
+    const Vector3d torque = -omega.cross(I * omega);
+    const Matrix3d G = skew(omega) * I - skew(I * omega);
+    const Matrix3d jacobian = I + h / 2 * G;
+    const Vector3d change = jacobian.ldlt().solve(h * torque);
+    return omega + change;
+}
+
+}  // namespace symmetric_solver
+
+// Says: This takes the torque in the middle of the step, at a spin that explicit Euler leads to: of order
+//       two, but nothing is solved, and energy drifts.
+// Hint: The mean of the torques at both ends is asked for, and the one of the end depends on what you look
+//       for.
+namespace explicit_midpoint {
+
+Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
+    const auto slope = [&](const Vector3d& w) -> Vector3d {
+        return -w.cross(inertia.cwiseProduct(w)).cwiseQuotient(inertia);
+    };
+    const Vector3d middle = omega + h / 2 * slope(omega);
+    return omega + h * slope(middle);
+}
+
+}  // namespace explicit_midpoint

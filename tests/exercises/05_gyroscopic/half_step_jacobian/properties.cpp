@@ -140,3 +140,18 @@ PROPERTY("I omega changes by h times the mean of the two torques, that of the en
         REQUIRE(close(d, expected, 0, 1e-12 * t.omega.norm()));
     }
 }
+
+PROPERTY("it is right for any body, tiny or huge, any plate, any spin or none, and any step") {
+    Draw draw;
+    for (int i = 0; i < 300; ++i) {
+        Vector3d inertia = draw.log(1e-12, 1e12) * draw_moments(draw, 1000);
+        if (i % 3 == 0) inertia[i % 2] = inertia[2] = inertia.maxCoeff();
+        if (i % 6 == 0) inertia[2] *= 1 - draw.log(1e-11, 1e-4);
+        if (i % 5 == 0) inertia[i % 3] = inertia[(i + 1) % 3] + inertia[(i + 2) % 3];
+        const double speed = draw.log(1e-6, 1e6), h = draw.any_of(-0.95, 0.95, {0}) / speed;
+        Vector3d omega = speed * draw_direction(draw);
+        if (i % 4 == 0) omega[i % 3] *= draw.any_of(0, 1e-3, {0});
+        REQUIRE(learner(inertia, omega, h).allFinite());
+        REQUIRE(learner(inertia, Vector3d::Zero(), h).norm() == 0);
+    }
+}

@@ -1,6 +1,7 @@
 #include "exercise_eigen.hpp"
 
-// Says: You only ask whether the moments are above zero: one of them may still be much too large.
+// Says: This comes to asking only whether the moments are above zero: one of them may still be much too large. Or
+//       is there an || between your comparisons, so that one that holds is enough?
 // Hint: Let a body grow along x. Two of its moments grow with it. Can you think of a body of which only one
 //       grows, for ever?
 namespace only_positive {
@@ -134,3 +135,114 @@ bool is_a_body(const Vector3d& inertia) {
 }
 
 }  // namespace twice_the_least
+
+// Says: Only the first moment is compared with the sum of the other two, as if it were always the largest.
+// Hint: The axes may be named in any order. What if the second one is too large?
+namespace first_only {
+
+bool is_a_body(const Vector3d& inertia) {
+    const double a = inertia.x(), b = inertia.y(), c = inertia.z();
+    return a > 0 && b > 0 && c > 0 && a <= b + c;
+}
+
+}  // namespace first_only
+
+// Says: Only the second moment is compared with the sum of the other two, as if it were always the largest.
+// Hint: The axes may be named in any order. What if the first one is too large?
+namespace middle_only {
+
+bool is_a_body(const Vector3d& inertia) {
+    const double a = inertia.x(), b = inertia.y(), c = inertia.z();
+    return a > 0 && b > 0 && c > 0 && b <= c + a;
+}
+
+}  // namespace middle_only
+
+// Says: The first two moments are compared with the sums, or their difference with the third; but that the
+//       third is too large goes unseen.
+// Hint: There are three differences of two moments, and three sums. Is the last moment ever compared with one
+//       of the sums?
+namespace all_but_the_last {
+
+bool is_a_body(const Vector3d& inertia) {
+    const double a = inertia.x(), b = inertia.y(), c = inertia.z();
+    return a > 0 && b > 0 && c > 0 && a <= b + c && b <= c + a;
+}
+
+}  // namespace all_but_the_last
+
+// Says: A moment is compared with the mean of the other two, not with their sum: plates and staffs are turned
+//       away.
+// Hint: Add the two sums in the task: y² + z² and z² + x². What do they have beside the third?
+namespace mean_of_the_others {
+
+bool is_a_body(const Vector3d& inertia) {
+    const double a = inertia.x(), b = inertia.y(), c = inertia.z();
+    return a > 0 && b > 0 && c > 0 && 2 * a <= b + c && 2 * b <= c + a && 2 * c <= a + b;
+}
+
+}  // namespace mean_of_the_others
+
+// Says: A moment is compared with the product of the other two: in other units the answer is another.
+// Hint: A product of two moments is in kg² m⁴. What can one compare with a moment?
+namespace product_of_the_others {
+
+bool is_a_body(const Vector3d& inertia) {
+    const double a = inertia.x(), b = inertia.y(), c = inertia.z();
+    return a > 0 && b > 0 && c > 0 && a <= b * c && b <= c * a && c <= a * b;
+}
+
+}  // namespace product_of_the_others
+
+// Says: A moment may be a few per cent too large, or a little of a per cent, and gets through.
+// Hint: No mass can make it so. If you want a tolerance for rounding, a billionth of the largest moment is plenty.
+namespace some_slack {
+
+bool is_a_body(const Vector3d& inertia) {
+    return inertia.minCoeff() > 0 && inertia.maxCoeff() <= 1.05 * (inertia.sum() - inertia.maxCoeff());
+}
+
+}  // namespace some_slack
+
+// Says: The last two moments are compared with the sums; but that the first is too large goes unseen.
+// Hint: Let the first moment grow for ever. Which of your comparisons would notice?
+namespace all_but_the_first {
+
+bool is_a_body(const Vector3d& inertia) {
+    const double a = inertia.x(), b = inertia.y(), c = inertia.z();
+    return a > 0 && b > 0 && c > 0 && b <= c + a && c <= a + b;
+}
+
+}  // namespace all_but_the_first
+
+// Says: The first and the last moment are compared with the sums; but that the second is too large goes
+//       unseen.
+// Hint: Let the second moment grow for ever. Which of your comparisons would notice?
+namespace all_but_the_middle {
+
+bool is_a_body(const Vector3d& inertia) {
+    const double a = inertia.x(), b = inertia.y(), c = inertia.z();
+    return a > 0 && b > 0 && c > 0 && a <= b + c && c <= a + b;
+}
+
+}  // namespace all_but_the_middle
+
+// Says: Nothing gets through, not even a ball: your comparisons cannot all hold at once.
+// Hint: Try the moments of a ball, (1, 1, 1), in each of them. Which one fails, and should it?
+namespace nothing_is {
+
+bool is_a_body(const Vector3d& inertia) {
+    return false;
+}
+
+}  // namespace nothing_is
+
+// Says: Everything gets through, also what has a negative moment or a far too large one.
+// Hint: Which files does the task call wrong? There are two kinds of them.
+namespace everything_is {
+
+bool is_a_body(const Vector3d& inertia) {
+    return true;
+}
+
+}  // namespace everything_is

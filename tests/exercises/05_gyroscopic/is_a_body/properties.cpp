@@ -4,7 +4,8 @@
 
 #include "property_eigen.hpp"
 
-EXERCISE(is_a_body);
+// The task allows a tolerance, and the course's solution has none.
+EXERCISE_WITHIN(is_a_body, checker::many_are_right);
 
 namespace {
 
@@ -56,7 +57,7 @@ std::array<double, 2> draw_sides(Draw& draw) {
 
 PROPERTY("the moments of a cloud of masses are those of a body, whichever way it is turned") {
     Draw draw;
-    for (int i = 0; i < 80; ++i) {
+    for (int i = 0; i < 20; ++i) {
         const Vector3d reach(draw.log(0.05, 2), draw.log(0.05, 2), draw.log(0.05, 2));
         const Eigen::Matrix3d turn = draw_rotation(draw).toRotationMatrix();
         Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
@@ -74,7 +75,7 @@ PROPERTY("the moments of a cloud of masses are those of a body, whichever way it
 
 PROPERTY("a ball is a body, however small, and so is a thin staff: two moments equal, one less") {
     Draw draw;
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 10; ++i) {
         const double a = draw_size(draw);
         REQUIRE(all_are(a, a, a));
         REQUIRE(all_are(draw.log(std::max(1e-6 * a, 1e-20), a), a, a));
@@ -83,7 +84,7 @@ PROPERTY("a ball is a body, however small, and so is a thin staff: two moments e
 
 PROPERTY("a flat plate is a body, whichever way it lies") {
     Draw draw;
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < 20; ++i) {
         const auto [a, b] = draw_sides(draw);
         const double unit = i % 2 == 0 ? draw_unit(draw, 0, 44) : draw_unit(draw, -66, -64);
         REQUIRE(all_are(unit * a, unit * b, unit * (a + b)));
@@ -93,7 +94,7 @@ PROPERTY("a flat plate is a body, whichever way it lies") {
 // A tolerance of a billionth of the largest, or of the sum of all three, is within the task.
 PROPERTY("no body has a moment above the sum of the other two, not even by a little") {
     Draw draw;
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 50; ++i) {
         const double a = draw.log(1e3, 1e18), b = draw.log(0.02, 1) * a;
         REQUIRE_FALSE(any_is(a, b, (a + b) * (1 + draw.log(4e-9, 1e-8))));
         REQUIRE_FALSE(any_is(a, b, (a + b) * (1 + draw.log(1e-8, 100))));
@@ -102,7 +103,7 @@ PROPERTY("no body has a moment above the sum of the other two, not even by a lit
 
 PROPERTY("nor has a small body: what is a little depends on its size") {
     Draw draw;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 30; ++i) {
         const double a = draw.log(1e-18, 1e3), b = draw.log(0.02, 1) * a;
         REQUIRE_FALSE(any_is(a, b, a + b + draw_excess(draw, a, 1e-8)));
         const double c = draw.log(2e-20, 1e-18), d = draw.real(0.5, 1) * c;
@@ -113,7 +114,7 @@ PROPERTY("nor has a small body: what is a little depends on its size") {
 PROPERTY("a body has no moment that is zero or below") {
     Draw draw;
     REQUIRE_FALSE(any_is(0, 0, 0));
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 10; ++i) {
         const double a = draw.log(2e-20, 1e20);
         const double b = draw.real(0.5, 1) * a, c = draw.real(0.5, 1) * a;
         REQUIRE_FALSE(any_is(0, a, a));
@@ -136,7 +137,7 @@ PROPERTY("beside two moments the third may be from their difference to their sum
             Vector3d ends;
             for (int place = 0; place < 3; ++place) {
                 double in = a, off = out;
-                for (int halvings = 0; halvings < 45; ++halvings) {
+                for (int halvings = 0; halvings < 32; ++halvings) {
                     Vector3d inertia;
                     inertia[place] = (in + off) / 2;
                     inertia[(place + 1) % 3] = a;
@@ -157,10 +158,42 @@ PROPERTY("beside two moments the third may be from their difference to their sum
 
 PROPERTY("the same moments in other units, or in another order, get the same answer") {
     Draw draw;
-    for (int i = 0; i < 60; ++i) {
-        const double a = draw.real(0.1, 1), b = draw.real(0.1, 1), c = draw.real(0.1, 2);
+    for (int i = 0; i < 20; ++i) {
+        // No plates: in another order their moments may add up to something else in the last digit.
+        const double a = draw.real(0.1, 1), b = draw.real(0.1, 1);
+        const double sum = a + b, apart = std::fabs(a - b);
+        const double c = i % 3 == 0 ? sum * draw.real(1.01, 2) : apart + 2 * std::min(a, b) * draw.real(0.01, 0.99);
         const bool body = learner({a, b, c});
         const double unit = i % 2 == 0 ? draw_unit(draw, 0, 60) : draw_unit(draw, -63, -58);
         for (const Vector3d& moments : orders(a, b, c)) REQUIRE(learner(unit * moments) == body);
     }
+}
+
+// From the difference of two to their sum, and below and beyond: by a hair, by a little and by far. All are asked
+// for, whatever the answers: so one mistake is told from another.
+PROPERTY("it is right for staffs and plates, and for what is not quite one, of any size") {
+    Draw draw;
+    std::vector<Vector3d> wrong;
+    const auto ask = [&](const Vector3d& inertia, bool body) {
+        if (learner(inertia) != body) wrong.push_back(inertia);
+    };
+    for (int i = 0; i < 400; ++i) {
+        const double a = draw.log(1e-16, 1e16), b = draw.log(1e-2, 1) * a;
+        const double hair = draw.log(4e-9, 0.01), more = draw.real(0.2, 0.8), far = draw.log(2, 100);
+        const int place = draw.integer(0, 2), turn = draw.integer(1, 2);
+        Vector3d inertia;
+        inertia[(place + turn) % 3] = a;
+        inertia[(place + 2 * turn) % 3] = b;
+        for (const double share : {-1e-8, -0.5, hair, 0.2, more, far}) {
+            inertia[place] = a + b + share * (share < 0 ? 2 * b : a + b);
+            ask(inertia, share < 0);
+        }
+        if (i % 4 == 0) {
+            inertia[place] = a;
+            inertia[draw.integer(0, 2)] *= draw.integer(0, 1) == 0 ? 0 : -1;
+            ask(inertia, false);
+        }
+    }
+    if (!wrong.empty()) learner(wrong.front());  // the call that the learner is shown
+    REQUIRE(wrong.empty());
 }

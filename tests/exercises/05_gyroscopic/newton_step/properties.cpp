@@ -130,3 +130,20 @@ PROPERTY("with the body and both spins in turned axes, the answer is turned alik
         REQUIRE(close(turned.improved(axes * guess), expected, 1e-10));
     }
 }
+
+PROPERTY("it is right for any body, tiny or huge, any two spins or none, and any step") {
+    Draw draw;
+    for (int i = 0; i < 300; ++i) {
+        Vector3d moments = draw.log(1e-12, 1e12) * draw_moments(draw, 100);
+        if (i % 3 == 0) moments[i % 2] = moments[2] = moments.maxCoeff();
+        const double fast = draw.log(1e-2, 1e3), h = draw.any_of(0, 0.5, {0}) / fast;
+        const Vector3d first = fast * draw_direction(draw);
+        const Vector3d second = fast * draw.any_of(0, 1, {0, 1}) * draw_direction(draw);
+        const Matrix3d inertia =
+            i % 4 == 0 ? Matrix3d(moments.asDiagonal()) : draw_inertia(draw, moments);
+        REQUIRE(learner(inertia, first, second, h).allFinite());
+        REQUIRE(learner(inertia, first, first + second / 1e3, h).allFinite());
+        // The answer is of omega1's size: a guess far larger would cost it digits.
+        REQUIRE(learner(inertia, 0.1 * first, fast * draw_direction(draw), h).allFinite());
+    }
+}

@@ -190,3 +190,107 @@ Vector3d top_after(double across, double along, const Vector3d& omega, double t)
 }
 
 }  // namespace single_precision
+
+// Says: The angle has been turned into degrees: everything turns 57 times too fast.
+// Hint: std::cos and std::sin take radians. In which unit is omega times t already?
+namespace into_degrees {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = (along - across) / across * omega.z() * t * 180 / std::numbers::pi;
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * omega.x() - s * omega.y(), s * omega.x() + c * omega.y(), omega.z()};
+}
+
+}  // namespace into_degrees
+
+// Says: Sine and cosine are exchanged: in no time the part across turns by a right angle.
+// Hint: At t = 0 the answer is omega itself. Which of the two is one there?
+namespace sine_and_cosine_exchanged {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = (along - across) / across * omega.z() * t;
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {s * omega.x() - c * omega.y(), c * omega.x() + s * omega.y(), omega.z()};
+}
+
+}  // namespace sine_and_cosine_exchanged
+
+// Says: y is computed with the x that has been turned already.
+// Hint: Both of the new components need both of the old ones. Keep the old x until y is done.
+namespace new_x_in_y {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = (along - across) / across * omega.z() * t;
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double x = c * omega.x() - s * omega.y();
+    return {x, s * x + c * omega.y(), omega.z()};
+}
+
+}  // namespace new_x_in_y
+
+// Says: One of the two sines has the wrong sign: this is no turn, and the part across changes its length.
+// Hint: Turn (1, 0) and (0, 1) by a right angle, on paper. Which of the four products has a minus?
+namespace a_sign_of_the_sine {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = (along - across) / across * omega.z() * t;
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * omega.x() + s * omega.y(), s * omega.x() + c * omega.y(), omega.z()};
+}
+
+}  // namespace a_sign_of_the_sine
+
+// Says: The difference of the moments is not divided by one of them: in other units of mass the top would
+//       turn at another rate.
+// Hint: Euler's equations have a moment in front of each rate. Where has it gone?
+namespace not_divided {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = (along - across) * omega.z() * t;
+    return Eigen::AngleAxisd(angle, Vector3d::UnitZ()) * omega;
+}
+
+}  // namespace not_divided
+
+// Says: The ratio of the moments is upside down, and nothing is taken off it: a sphere's spin would go round.
+// Hint: Write out the first line of Euler's equations, and divide it by the moment on its left.
+namespace ratio_upside_down {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = across / along * omega.z() * t;
+    return Eigen::AngleAxisd(angle, Vector3d::UnitZ()) * omega;
+}
+
+}  // namespace ratio_upside_down
+
+// Says: The part across turns at half of its rate.
+// Hint: Is there a half from a quaternion? A turn of a vector takes the whole angle.
+namespace half_rate {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = (along - across) / across * omega.z() / 2 * t;
+    return Eigen::AngleAxisd(angle, Vector3d::UnitZ()) * omega;
+}
+
+}  // namespace half_rate
+
+// Says: The rate has the moments in it, but not the spin about the axis.
+// Hint: A rate is in rad/s. What is the unit of a ratio of moments?
+namespace spin_missing {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const double angle = (along - across) / across * t;
+    return Eigen::AngleAxisd(angle, Vector3d::UnitZ()) * omega;
+}
+
+}  // namespace spin_missing
+
+// Says: The spin comes back as it was, whatever the time.
+// Hint: Euler's equations give omega.x() and omega.y() a rate of change. When is it zero?
+namespace nothing_turns {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    return omega;
+}
+
+}  // namespace nothing_turns

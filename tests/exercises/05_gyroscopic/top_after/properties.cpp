@@ -14,6 +14,14 @@ struct Top {
         : across(draw.log(0.01, 100)),
           along(across * draw.real(0.05, 2)),
           omega(draw.log(0.5, 10) * draw_direction(draw)) {}
+    // Spins about its axis and across it, so that something turns.
+    static Top tilted(Draw& draw) {
+        Top top(draw);
+        const double angle = draw.real(0, 2 * std::numbers::pi), up = draw.sign() * draw.real(0.2, 0.9);
+        const Vector3d across(std::cos(angle), std::sin(angle), 0);
+        top.omega = draw.log(0.5, 10) * (std::sqrt(1 - up * up) * across + up * Vector3d::UnitZ());
+        return top;
+    }
     Vector3d after(double t) const { return learner(across, along, omega, t); }
 
     double across, along;
@@ -72,7 +80,7 @@ PROPERTY("the energy, the size of the angular momentum and the spin along the ax
 PROPERTY("the part across goes round the way a flat body spins, and a long one's the other way") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        Top top(draw);
+        Top top = Top::tilted(draw);
         const double t = draw.sign() * draw.real(0.05, 0.125);
         const bool flat = i % 2 == 0;
         top.along = top.across * (flat ? draw.real(1.1, 2) : draw.real(0.05, 0.9));
@@ -112,7 +120,7 @@ PROPERTY("the spin changes as Euler's equations say, at any time") {
 PROPERTY("each half of a turn, at the rate of the start, turns the part across exactly round") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        Top top(draw);
+        Top top = Top::tilted(draw);
         top.along = top.across * (i % 2 == 0 ? draw.real(1.1, 2) : draw.real(0.05, 0.9));
         const Vector3d across = across_part(top.omega);
         const double rate = acceleration(top, top.omega).norm() / across.norm();
@@ -144,5 +152,18 @@ PROPERTY("a nearly round top changes slowly, in proportion to what its moments d
         const Vector3d change = top.after(t) - top.omega;
         const Vector3d euler = t * acceleration(top, top.omega);
         REQUIRE(close(change, euler, 1e-3, 1e-13 * top.omega.norm()));
+    }
+}
+
+PROPERTY("it is right for any top, tiny or huge, nearly round or a needle, any spin and any time") {
+    Draw draw;
+    for (int i = 0; i < 400; ++i) {
+        const double across = draw.log(1e-12, 1e12), nearly = 1 + draw.sign() * draw.log(1e-11, 1e-2);
+        const double along = across * (i % 3 == 0 ? nearly : draw.any_of(1e-6, 2, {1, 2}));
+        const double speed = draw.log(1e-6, 1e6), t = draw.any_of(-1e3, 1e3, {0}) / speed;
+        const double x = draw.any_of(-1, 1, {0}), y = draw.any_of(-1, 1, {0});
+        const double wobble = i % 2 == 0 ? 1 : draw.log(1e-12, 1);
+        const Vector3d omega(wobble * x, wobble * y, draw.any_of(-1, 1, {0, 1}));
+        REQUIRE(close(learner(across, along, speed * omega, t).norm(), speed * omega.norm(), 1e-13));
     }
 }

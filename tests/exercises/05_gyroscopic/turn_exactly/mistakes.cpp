@@ -134,6 +134,7 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 namespace only_the_turn {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
+    if (omega.norm() == 0) return q;
     return Quaterniond(Eigen::AngleAxisd(h * omega.norm(), omega.normalized()));
 }
 
@@ -167,6 +168,7 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 namespace cosine_last {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
+    if (omega.norm() == 0) return q;
     const double half = h * omega.norm() / 2;
     const Vector3d v = std::sin(half) * omega.normalized();
     return q * Quaterniond(v.x(), v.y(), v.z(), std::cos(half));
@@ -195,6 +197,7 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 namespace cosine_last_on_the_other_side {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
+    if (omega.norm() == 0) return q;
     const double half = h * omega.norm() / 2;
     const Vector3d v = std::sin(half) * omega.normalized();
     return Quaterniond(v.x(), v.y(), v.z(), std::cos(half)) * q;
@@ -208,6 +211,7 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 namespace cosine_first_in_storage {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
+    if (omega.norm() == 0) return q;
     const double half = h * omega.norm() / 2;
     const Vector3d v = std::sin(half) * omega.normalized();
     Quaterniond turn;
@@ -250,3 +254,68 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 }
 
 }  // namespace orientation_lost
+
+// Says: The axis has the length of omega, and the result is scaled to length one: that hides the error and
+//       makes another angle of it.
+// Hint: A quaternion from sine and cosine has length one by itself, where its axis has. Which vector has to
+//       be normalised, then?
+namespace axis_too_long_but_scaled {
+
+Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
+    if (omega.norm() == 0) return q;
+    const double half = h * omega.norm() / 2;
+    const Vector3d v = std::sin(half) * omega;
+    return (q * Quaterniond(std::cos(half), v.x(), v.y(), v.z())).normalized();
+}
+
+}  // namespace axis_too_long_but_scaled
+
+// Says: omega has been turned into the world, but the turn stands on the right of q, where the body's axes
+//       count.
+// Hint: Choose one: the body's axes and the right side, or the world's and the left.
+namespace world_axis_on_the_right {
+
+Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
+    if (omega.norm() == 0) return q;
+    return q * Eigen::AngleAxisd(h * omega.norm(), (q * omega).normalized());
+}
+
+}  // namespace world_axis_on_the_right
+
+// Says: The body turns about x, then about y, then about z. Turns about several axes do not simply add up.
+// Hint: The spin is about one axis, that of omega, all the time. By which angle?
+namespace one_axis_after_the_other {
+
+Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
+    if (omega.norm() == 0) return q;
+    const Vector3d turn = h * omega;
+    return q * Eigen::AngleAxisd(turn.x(), Vector3d::UnitX()) *
+           Eigen::AngleAxisd(turn.y(), Vector3d::UnitY()) * Eigen::AngleAxisd(turn.z(), Vector3d::UnitZ());
+}
+
+}  // namespace one_axis_after_the_other
+
+// Says: The angle has been converted as if it were in degrees: the body hardly turns.
+// Hint: omega is in rad/s already. What does the conversion make of it?
+namespace from_degrees {
+
+Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
+    if (omega.norm() == 0) return q;
+    const double angle = h * omega.norm() * std::numbers::pi / 180;
+    return q * Eigen::AngleAxisd(angle, omega.normalized());
+}
+
+}  // namespace from_degrees
+
+// Says: Sine and cosine are exchanged: in no time the body would turn by a half turn.
+// Hint: For an angle of zero the turn is (1, 0, 0, 0). Which of the two is one there?
+namespace sine_and_cosine_exchanged {
+
+Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
+    if (omega.norm() == 0) return q;
+    const double half = h * omega.norm() / 2;
+    const Vector3d v = std::cos(half) * omega.normalized();
+    return q * Quaterniond(std::sin(half), v.x(), v.y(), v.z());
+}
+
+}  // namespace sine_and_cosine_exchanged

@@ -135,3 +135,14 @@ PROPERTY("turn the world, or choose other axes in the body, and the answer goes 
         REQUIRE(same(body, spin.answer() * turn.conjugate(), 4e-14));
     }
 }
+
+PROPERTY("it is right for any spin, however slow or fast, and any step, however short or long") {
+    Draw draw;
+    for (int i = 0; i < 300; ++i) {
+        const double speed = draw.log(1e-30, 1e6), angle = draw.any_of(-10, 10, {0, pi, 2 * pi, -pi});
+        const double most = i % 3 == 0 ? draw.log(1, 6e4) : 1;
+        Spin spin(draw, speed, angle * most);
+        if (i % 4 == 0) spin.omega = draw.sign() * speed * Vector3d::Unit(i % 3);
+        REQUIRE(close(spin.answer().norm(), 1, 1e-14));
+    }
+}

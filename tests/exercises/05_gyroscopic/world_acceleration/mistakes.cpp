@@ -138,3 +138,88 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 }
 
 }  // namespace single_precision
+
+// Says: In the end the sum of the torques is multiplied by the moments, not divided.
+// Hint: A body with twice the moment turns half as readily. Does yours?
+namespace multiplied {
+
+Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
+    const Vector3d spin = q.conjugate() * omega;
+    const Vector3d total = q.conjugate() * torque - spin.cross(inertia.cwiseProduct(spin));
+    return q * total.cwiseProduct(inertia);
+}
+
+}  // namespace multiplied
+
+// Says: All three axes get one moment, the mean of the three: the body turns as readily about each of them.
+// Hint: The moments along the three axes differ. Divide component by component, in the body's axes.
+namespace one_moment_for_all {
+
+Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
+    const Vector3d spin = q.conjugate() * omega;
+    const Vector3d total = q.conjugate() * torque - spin.cross(inertia.cwiseProduct(spin));
+    return q * (total / inertia.mean());
+}
+
+}  // namespace one_moment_for_all
+
+// Says: The angular momentum has been made by a division: L is I omega.
+// Hint: L is to omega what momentum is to velocity. What stands between them?
+namespace momentum_divided {
+
+Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
+    const Vector3d spin = q.conjugate() * omega;
+    const Vector3d total = q.conjugate() * torque - spin.cross(spin.cwiseQuotient(inertia));
+    return q * total.cwiseQuotient(inertia);
+}
+
+}  // namespace momentum_divided
+
+// Says: On the way back you have turned into the body once more, by q.conjugate().
+// Hint: q.conjugate() leads from the world to the body. What leads home?
+namespace into_the_body_twice {
+
+Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
+    const Vector3d spin = q.conjugate() * omega;
+    const Vector3d total = q.conjugate() * torque - spin.cross(inertia.cwiseProduct(spin));
+    return q.conjugate() * total.cwiseQuotient(inertia);
+}
+
+}  // namespace into_the_body_twice
+
+// Says: The torque from outside is not used: thrusters have no effect.
+// Hint: At rest there is no gyroscopic torque. What does a push do then, in your formula?
+namespace torque_forgotten {
+
+Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
+    const Vector3d spin = q.conjugate() * omega;
+    const Vector3d total = -spin.cross(inertia.cwiseProduct(spin));
+    return q * total.cwiseQuotient(inertia);
+}
+
+}  // namespace torque_forgotten
+
+// Says: The torque from outside has the wrong sign: thrusters turn the ship the wrong way.
+// Hint: At rest the acceleration has the direction of the torque, more or less. Does yours?
+namespace torque_sign {
+
+Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
+    const Vector3d spin = q.conjugate() * omega;
+    const Vector3d total = -(q.conjugate() * torque) - spin.cross(inertia.cwiseProduct(spin));
+    return q * total.cwiseQuotient(inertia);
+}
+
+}  // namespace torque_sign
+
+// Says: The gyroscopic torque is a cross product of omega in the world and L in the body: two kinds of axes
+//       in one product.
+// Hint: Both of its factors have to be written in the same axes.
+namespace cross_of_two_kinds {
+
+Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
+    const Vector3d spin = q.conjugate() * omega;
+    const Vector3d total = q.conjugate() * torque - omega.cross(inertia.cwiseProduct(spin));
+    return q * total.cwiseQuotient(inertia);
+}
+
+}  // namespace cross_of_two_kinds

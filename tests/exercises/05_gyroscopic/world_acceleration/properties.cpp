@@ -122,3 +122,20 @@ PROPERTY("turn body, spin and torque, and the answer turns with them") {
         REQUIRE(close(turned.acceleration(), turn * body.acceleration(), 0, roundoff));
     }
 }
+
+PROPERTY("it is right for any body, however it spins, and with any torque or none") {
+    Draw draw;
+    for (int i = 0; i < 300; ++i) {
+        Body body(draw);
+        body.inertia = draw.log(1e-12, 1e12) * draw_moments(draw, 100);
+        if (i % 3 == 0) body.inertia[i % 2] = body.inertia[2];
+        const double speed = draw.log(1e-6, 1e6), moment = body.inertia[i % 3];
+        body.omega = speed * draw_direction(draw);
+        if (i % 4 == 0) body.q = Quaterniond::Identity();
+        const double strength = draw.integer(0, 2) == 0 ? 0 : draw.log(1e-9, 1e9);
+        body.torque = strength * moment * speed * speed * draw_direction(draw);
+        REQUIRE(body.acceleration().allFinite());
+        body.omega *= draw.any_of(0, 1e-3, {0});
+        REQUIRE(body.acceleration().allFinite());
+    }
+}
