@@ -29,7 +29,8 @@ bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found
         if (near.size() != right.size()) return true;
         for (std::size_t i = 0; i < right.size(); ++i) {
             const double apart = std::fabs(near[i] - right[i]);
-            allowed[i] = std::max(allowed[i], std::isfinite(apart) ? scale * apart : HUGE_VAL);
+            const bool counted = near[i] == std::floor(near[i]) && right[i] == std::floor(right[i]);  // one or the other
+            allowed[i] = std::max(allowed[i], !std::isfinite(apart) ? HUGE_VAL : counted ? apart : scale * apart);
         }
     }
     if (found.size() != right.size()) return false;

@@ -1,0 +1,88 @@
+// What decides whether an answer is the right one but for roundoff, and which mistake it is.
+#include <catch2/catch_test_macros.hpp>
+
+#include <cmath>
+#include <vector>
+
+#include "numbers_eigen.hpp"
+#include "session.hpp"
+
+namespace {
+
+using namespace checker;
+
+double velocity(double x0, double x1, double h) { return (x1 - x0) / h; }
+double other_way(double x0, double x1, double h) { return x1 / h - x0 / h; }
+double snaps(double x0, double x1, double h) { return std::fabs(x1 - x0) < 1e-9 ? 0 : (x1 - x0) / h; }
+double backwards(double x0, double x1, double h) { return (x0 - x1) / h; }
+double twice(double x0, double x1, double h) { return 2 * (x1 - x0) / h; }
+double forgets_h(double x0, double x1, double) { return x1 - x0; }
+int whole(double share) { return static_cast<int>(std::floor(share)); }
+Eigen::Quaterniond itself(const Eigen::Quaterniond& q) { return q; }
+Eigen::Quaterniond its_minus(const Eigen::Quaterniond& q) { return Eigen::Quaterniond(-q.coeffs()); }
+
+using Function = double(double, double, double);
+
+bool right(Function* function, const Numbers& arguments) {
+    return is_right(truth_of(&velocity), arguments, answer_of(function)(arguments), 2e-12, SpokenOf<Function>::spoken);
+}
+
+// Twenty calls as the hidden tests make them, and the name that they get.
+std::string named(Function* function) {
+    std::vector<Call> calls;
+    for (int i = 1; i <= 20; ++i) {
+        const Numbers arguments{1.0 * i, 0.3 * i * i, 0.1 * i};
+        calls.push_back({arguments, answer_of(function)(arguments), right(function, arguments)});
+    }
+    return diagnose("truth_test", truth_of(&velocity), calls);
+}
+
+}  // namespace
+
+TEST_CASE("another way to write the right answer is right, however much of it cancels") {
+    for (const double gap : {1.0, 1e-3, 1e-9, 1e-13, 0.0}) {
+        const Numbers arguments{1 / 3.0, 1 / 3.0 + gap, 0.7};
+        INFO(gap);
+        CHECK(right(&other_way, arguments));
+        CHECK(right(&velocity, arguments));
+    }
+}
+
+TEST_CASE("what is wrong by more than roundoff is wrong, however near") {
+    CHECK(right(&snaps, {1, 1.5, 0.7}));
+    CHECK_FALSE(right(&snaps, {1, 1 + 1e-10, 0.7}));
+    CHECK_FALSE(right(&snaps, {0, 1e-10, 0.7}));
+    CHECK_FALSE(right(&backwards, {0, 1e-300, 0.7}));
+}
+
+TEST_CASE("where roundoff decides on a whole number, either is right, and nowhere else") {
+    const auto one = [](double share, double found) {
+        return is_right(truth_of(&whole), {share}, {found}, 2e-12, SpokenOf<int(double)>::spoken);
+    };
+    CHECK(one(3.0, 3));
+    CHECK(one(3.0, 2));
+    CHECK_FALSE(one(3.0, 5));
+    CHECK_FALSE(one(3.5, 2));
+    CHECK_FALSE(one(3.001, 2));
+}
+
+TEST_CASE("a quaternion and its negative are the same rotation") {
+    const Numbers q{0.5, -0.5, 0.5, 0.5};
+    using Turn = Eigen::Quaterniond(const Eigen::Quaterniond&);
+    const auto same = [&](Turn* turn) {
+        return is_right(truth_of(&itself), q, answer_of(turn)(q), 2e-12, SpokenOf<Turn>::spoken);
+    };
+    CHECK(same(&its_minus));
+    Numbers other = q;
+    other[0] += 1e-9;
+    CHECK_FALSE(is_right(truth_of(&itself), q, other, 2e-12, SpokenOf<Turn>::spoken));
+}
+
+TEST_CASE("a mistake is named where it answers as the learner does, and else by what it is always off") {
+    static const bool known = know("truth_test", {{"forgets_h", answer_of(&forgets_h)}});
+    CHECK(known);
+    CHECK(named(&forgets_h) == "forgets_h");
+    CHECK(named(&backwards) == "minus");
+    CHECK(named(&twice) == "twice");
+    CHECK(named([](double x0, double x1, double h) { return (x1 - x0) / h + x0 * x0; }).empty());
+}
