@@ -32,7 +32,8 @@ struct Shown {
 // The share of calls in which the mistake does as the learner does.
 struct Fit {
     double where_wrong = 0, where_right = 0;
-    bool good() const { return where_wrong >= 0.9 && where_right >= 0.75; }
+    // Of two answers, yes and no, many agree by chance.
+    bool good(bool yes_or_no) const { return where_wrong >= 0.9 && where_right >= (yes_or_no ? 0.98 : 0.75); }
 };
 
 Fit fit_of(const Mistake& mistake, const Shown& shown) {
@@ -104,11 +105,14 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
         }
     }
     if (shown.wrong.empty()) return {};
+    const bool yes_or_no = std::all_of(calls.begin(), calls.end(), [](const Call& call) {
+        return call.result.size() == 1 && (call.result[0] == 0 || call.result[0] == 1);
+    });
     std::string best;
     double most = 0;
     for (const Mistake& mistake : mistakes_of(exercise)) {
         const Fit fit = fit_of(mistake, shown);
-        if (fit.good() && fit.where_wrong + fit.where_right > most) {
+        if (fit.good(yes_or_no) && fit.where_wrong + fit.where_right > most) {
             most = fit.where_wrong + fit.where_right;
             best = mistake.name;
         }

@@ -13,7 +13,7 @@
 
 namespace checker {
 
-/// Changes the real numbers in a value by a few units of roundoff each, as `next`, a number from -1 to 1, says.
+/// Changes the real numbers in a value by a few units of roundoff each, as `next`, a number from -1 to 0, says.
 template <class T>
 struct Nudge {
     template <class Next>
@@ -46,9 +46,9 @@ Truth truth_of(R (*function)(Args...)) {
                 Reader reader(numbers);
                 std::tuple<std::decay_t<Args>...> arguments{Wire<std::decay_t<Args>>::take(reader)...};
                 std::uint64_t state = variation;
-                const auto next = [&state] {  // -1, …, 1 in steps of a fourth
+                const auto next = [&state] {  // -1, …, 0: smaller, for what may be at most 1 may not be more
                     state = state * 6364136223846793005 + 1442695040888963407;
-                    return static_cast<double>(state >> 33) * 0x1p-30 - 1;
+                    return -static_cast<double>(state >> 33) * 0x1p-31;
                 };
                 std::apply(
                     [&](auto&... values) {
