@@ -170,16 +170,18 @@ PROPERTY("a very stiff chain is in its place after one step") {
 
 PROPERTY("it is right wherever the task allows: one mass or sixty, soft or stiff links, short and long steps") {
     Draw draw;
+    bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart
     for (int i = 0; i < 200; ++i) {
         Chain chain(draw, i % 4 == 0 ? draw.integer(1, 2) : draw.integer(1, 60), draw.any_of(0, 1e6, {0, 1e-6, 1e6}));
         const double longer = draw.any_of(1e-6, 1e6, {1e-6, 1e6});  // the same chain, at another rate
         chain.m *= draw.any_of(1e-3, 1e3, {1});
         chain.h *= longer;
         for (auto& [t, x, v] : chain.s) v /= longer;
-        REQUIRE(chain.is_step(chain.answer()));
+        all &= chain.is_step(chain.answer());
         if (i % 4 == 0) {
             for (auto& [t, x, v] : chain.s) x = v = 0;
-            for (const auto& [t, x, v] : chain.answer()) REQUIRE((x == 0 && v == 0));
+            for (const auto& [t, x, v] : chain.answer()) all &= (x == 0 && v == 0);
         }
     }
+    REQUIRE(all);
 }

@@ -119,6 +119,7 @@ PROPERTY("many springs need as many steps as one that is as stiff as all of them
 
 PROPERTY("it is right wherever the task allows: light and heavy crates, any count up to 100,000, just beside it") {
     Draw draw;
+    bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart
     for (int i = 0; i < 400; ++i) {
         const int whole = static_cast<int>(i % 2 == 0 ? draw.log(1, 1e5) : draw.integer(1, 40));
         const double off = draw.sign() * draw.log(1.5e-9, 1e-2 / whole);
@@ -128,8 +129,9 @@ PROPERTY("it is right wherever the task allows: light and heavy crates, any coun
         crate.frame = draw.any_of(1e-4, 1, {1e-4, 1.0 / 60, 1});
         const double omega = 2 * crate.share * whole * (1 + off) / crate.frame;
         crate.stiffness = crate.mass * omega * omega / crate.springs;
-        REQUIRE(crate.answer() == (off > 0 ? whole + 1 : whole));
+        all &= crate.answer() == (off > 0 ? whole + 1 : whole);
         crate.stiffness *= draw.log(1e-30, 1e-12);
-        REQUIRE(crate.answer() == 1);
+        all &= crate.answer() == 1;
     }
+    REQUIRE(all);
 }

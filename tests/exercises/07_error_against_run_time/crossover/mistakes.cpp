@@ -270,6 +270,53 @@ std::array<double, 2> crossover(std::array<double, 2> a, int p, std::array<doubl
 
 }  // namespace single_precision
 
+// Says: The seconds are right. But then the error falls from A's point with the order of B.
+// Hint: Through A's point goes A's line. How steep is that?
+namespace other_slope_at_last {
+
+std::array<double, 2> crossover(std::array<double, 2> a, int p, std::array<double, 2> b, int q) {
+    const double a_at_1 = a[1] * std::pow(a[0], p), b_at_1 = b[1] * std::pow(b[0], q);
+    const double seconds = std::pow(b_at_1 / a_at_1, 1.0 / (q - p));
+    return {seconds, a[1] * std::pow(a[0] / seconds, q)};
+}
+
+}  // namespace other_slope_at_last
+
+// Says: How long A's run took is left out, as if it had been one second.
+// Hint: After S seconds A's error is c / S^p. Its measured run tells c, by both of its numbers.
+namespace a_took_one_second {
+
+std::array<double, 2> crossover(std::array<double, 2> a, int p, std::array<double, 2> b, int q) {
+    const double seconds = std::pow(b[1] * std::pow(b[0], q) / a[1], 1.0 / (q - p));
+    return {seconds, a[1] / std::pow(seconds, p)};
+}
+
+}  // namespace a_took_one_second
+
+// Says: How long B's run took is left out, as if it had been one second.
+// Hint: Let B's computer be twice as slow. Your lines would cross where they did.
+namespace b_took_one_second {
+
+std::array<double, 2> crossover(std::array<double, 2> a, int p, std::array<double, 2> b, int q) {
+    const double a_at_1 = a[1] * std::pow(a[0], p);
+    const double seconds = std::pow(b[1] / a_at_1, 1.0 / (q - p));
+    return {seconds, a_at_1 / std::pow(seconds, p)};
+}
+
+}  // namespace b_took_one_second
+
+// Says: You divide by the sum of the orders. Both lines fall, so their slopes must be subtracted.
+// Hint: Put the two lines equal, and bring both terms with log S to one side. A sign changes.
+namespace sum_of_orders {
+
+std::array<double, 2> crossover(std::array<double, 2> a, int p, std::array<double, 2> b, int q) {
+    const double a_at_1 = a[1] * std::pow(a[0], p), b_at_1 = b[1] * std::pow(b[0], q);
+    const double seconds = std::pow(b_at_1 / a_at_1, 1.0 / (q + p));
+    return {seconds, a_at_1 / std::pow(seconds, p)};
+}
+
+}  // namespace sum_of_orders
+
 // Says: Whatever was measured, the lines cross where they do in the example.
 // Hint: Begin with the seconds that A needs for any error.
 namespace example {

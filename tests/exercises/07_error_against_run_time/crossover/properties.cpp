@@ -114,3 +114,19 @@ PROPERTY("in milliseconds and centimetres the lines cross at the same place") {
                      roundoff));
     }
 }
+
+PROPERTY("it is right wherever the task allows: the least and the largest times and errors, runs nearly alike") {
+    Draw draw;
+    bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart
+    for (int i = 0; i < 400; ++i) {
+        const int p = draw.integer(1, 3), q = draw.integer(p + 1, 4);
+        const Run a{draw.log(1e-12, 1e6), draw.log(1e-15, 100)};
+        Run b{draw.log(1e-12, 1e6), draw.log(1e-15, 100)};
+        for (double* const number : {&b[0], &b[1]})  // nearly those of A, or the same
+            if (i % 4 == 0) *number = a[number == &b[1]] * (i % 8 == 0 ? 1 : 1 + draw.sign() * draw.log(1e-12, 1e-2));
+        const auto [seconds, error] = learner(a, p, b, q);
+        all &= (seconds > 0 && error > 0);
+        all &= close(at_error(a, p, error)[0], at_error(b, q, error)[0], roundoff);
+    }
+    REQUIRE(all);
+}

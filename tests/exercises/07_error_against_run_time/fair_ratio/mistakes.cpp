@@ -239,6 +239,32 @@ double fair_ratio(const std::vector<std::array<double, 3>>& rounds) {
 
 }  // namespace single_precision
 
+// Says: This is by how much longer A takes, as a share of B: one less than the ratio.
+// Hint: A solver beside itself has the ratio 1. What do you return there?
+namespace share_of_more {
+
+double fair_ratio(const std::vector<std::array<double, 3>>& rounds) {
+    std::array<double, 3> fastest = rounds[0];
+    for (const auto& round : rounds)
+        for (std::size_t i = 0; i < 3; ++i) fastest[i] = std::min(fastest[i], round[i]);
+    return (fastest[0] - fastest[1]) / (fastest[1] - fastest[2]);
+}
+
+}  // namespace share_of_more
+
+// Says: You have taken the loop's time off B, but not off A.
+// Hint: Both times have the loop and the clock in them.
+namespace loop_only_from_b {
+
+double fair_ratio(const std::vector<std::array<double, 3>>& rounds) {
+    std::array<double, 3> fastest = rounds[0];
+    for (const auto& round : rounds)
+        for (std::size_t i = 0; i < 3; ++i) fastest[i] = std::min(fastest[i], round[i]);
+    return fastest[0] / (fastest[1] - fastest[2]);
+}
+
+}  // namespace loop_only_from_b
+
 // Says: Whatever was measured, A takes twice as long for you, as in the example.
 // Hint: Begin with the fastest time of A.
 namespace example {

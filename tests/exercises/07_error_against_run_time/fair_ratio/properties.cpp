@@ -140,3 +140,27 @@ PROPERTY("A over B, and B over a third solver, together make A over the third") 
         REQUIRE(close(a_b * b_c, a_c, roundoff));
     }
 }
+
+PROPERTY("it is right wherever the task allows: from nanoseconds to a thousand seconds, solvers nearly alike") {
+    Draw draw;
+    bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart
+    for (int i = 0; i < 300; ++i) {
+        Costs costs(draw);
+        costs.loop = draw.log(1e-9, i % 2 == 0 ? 1 : 400);
+        // How much longer than the loop, but not a thousand times as long as the other: whoever finds a ratio as
+        // one plus a difference loses as many digits.
+        costs.solver[0] = std::min(costs.loop * draw.log(1e-3, 1e9), 500.0);
+        costs.solver[1] = std::clamp(costs.solver[0] * draw.log(1e-3, 1e3), 1e-3 * costs.loop, 500.0);
+        if (i % 4 == 0) costs.solver[1] = costs.solver[0] * (1 + draw.log(1e-6, 1e-2));
+        Rounds rounds(static_cast<std::size_t>(draw.integer(1, i < 100 ? 3 : 40)), costs.quiet());
+        const double most = std::max(costs.solver[0], costs.solver[1]) + costs.loop;
+        for (std::size_t column = 0; column < 3; ++column) {
+            const std::size_t spared = draw_place(draw, rounds.size());
+            for (std::size_t round = 0; round < rounds.size(); ++round)
+                if (round != spared) rounds[round][column] *= 1 + std::min(draw.log(1e-9, 1e3), 999 / most - 1);
+        }
+        const auto [a, b, empty] = costs.quiet();
+        all &= close(learner(rounds), (a - empty) / (b - empty), roundoff);
+    }
+    REQUIRE(all);
+}

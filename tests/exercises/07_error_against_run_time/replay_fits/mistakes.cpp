@@ -260,6 +260,46 @@ bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, 
 
 }  // namespace single_precision
 
+// Says: Yes and no have changed places: you return whether the replay is broken.
+// Hint: A perfect replay fits. What do you return for it?
+namespace turned_round {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return true;
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        if (!(std::fabs(x[mark] - exact[mark]) <= accuracy * size)) return true;
+    return false;
+}
+
+}  // namespace turned_round
+
+// Says: The error is cut to a whole number: half a size off counts as nothing.
+// Hint: Is there an int, or an abs without std:: before it?
+namespace whole_number_error {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        if (!(std::trunc(std::fabs(x[mark] - exact[mark]) / size) <= accuracy)) return false;
+    return true;
+}
+
+}  // namespace whole_number_error
+
+// Says: A little is added to the accuracy, against roundoff. A replay that is off by a little more than is
+//       allowed passes.
+// Hint: The task says what an error just as large is. It needs no epsilon.
+namespace forgiving {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        if (!(std::fabs(x[mark] - exact[mark]) / size <= accuracy + 1e-9)) return false;
+    return true;
+}
+
+}  // namespace forgiving
+
 // Says: Every replay is turned down, as in the example.
 // Hint: Begin with a loop over the marks, and the error at each.
 namespace example {

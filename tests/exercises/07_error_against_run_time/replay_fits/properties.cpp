@@ -174,3 +174,26 @@ PROPERTY("in another unit, or moved to another height, a replay fits as well as 
         REQUIRE(learner(x, flight.exact, flight.size, flight.accuracy) == within);
     }
 }
+
+PROPERTY("it is right wherever the task allows: small and large scenes, flights high up, accuracies from 1e-9 on") {
+    Draw draw;
+    bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart
+    for (int i = 0; i < 500; ++i) {
+        Flight flight(draw);
+        flight.size = draw.any_of(1e-4, 1e5, {1e-4, 1, 1e5});
+        flight.accuracy = draw.log(1e-9, 1);
+        flight.exact.resize(std::min<std::size_t>(flight.exact.size(), 5));
+        const double up = flight.size * draw.any_of(0, 300, {0, 300}), part = draw.log(1e-3, 1);
+        for (double& height : flight.exact) height = draw.sign() * up + flight.size * part * draw.real(-1, 1);
+        // Beside the border, or clearly to one of its sides: by how much, an epsilon would have to be known.
+        const double off = std::max(draw.log(1e-9, 1), 1e-12 / flight.accuracy);
+        const bool within = i % 2 == 0;
+        std::vector<double> x = flight.off(draw, within ? draw.real(0, 1) / (1 + off) : 0);
+        const std::size_t mark = draw_mark(draw, i, x.size());
+        const double side = draw.sign() * flight.accuracy * flight.size;
+        x[mark] = flight.exact[mark] + side * (within ? 1 / (1 + off) : 1 + off);
+        all &= learner(x, flight.exact, flight.size, flight.accuracy) == within;
+        all &= learner(x, flight.exact, flight.size, 0) == (x == flight.exact);
+    }
+    REQUIRE(all);
+}

@@ -151,6 +151,27 @@ double step_for_error(double error, double h, int order, double wanted) {
 
 }  // namespace single_precision
 
+// Says: C is the error over h, whatever the order. For order two it is the error over h squared.
+// Hint: The error is C h^order. Put the run that you know in: what is C?
+namespace constant_of_order_one {
+
+double step_for_error(double error, double h, int order, double wanted) {
+    const double constant = error / h;
+    return std::pow(wanted / constant, 1.0 / order);
+}
+
+}  // namespace constant_of_order_one
+
+// Says: The step is never made shorter, even where less error is wanted.
+// Hint: Is there a std::max in your answer? Who wants less error needs a shorter step.
+namespace never_shorter {
+
+double step_for_error(double error, double h, int order, double wanted) {
+    return std::max(h, h * std::pow(wanted / error, 1.0 / order));
+}
+
+}  // namespace never_shorter
+
 // Says: Whatever is asked, the step is that of the example.
 // Hint: How does the error grow with the step? Begin with the quotient of the two errors.
 namespace example {

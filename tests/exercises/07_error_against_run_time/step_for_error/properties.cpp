@@ -89,3 +89,16 @@ PROPERTY("a fall against the wind, run for real, is off by nearly what is wanted
         REQUIRE(close(error_of_run(learner(error, h, order, wanted), order), wanted, 0.1));
     }
 }
+
+PROPERTY("it is right wherever the task allows: any two errors, far apart or nearly the same, any step") {
+    Draw draw;
+    bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart
+    for (int i = 0; i < 400; ++i) {
+        const double error = draw.any_of(1e-12, 1e3, {1e-12, 1, 1e3}), h = draw.any_of(1e-6, 10, {1e-6, 10});
+        const double near = error * (1 + draw.sign() * draw.log(1e-12, 1e-2));
+        const double wanted = i % 2 == 0 ? near : draw.any_of(1e-12, 1e3, {1e-12, 1, 1e3});
+        const int order = draw.integer(1, 4);
+        all &= close(error * std::pow(learner(error, h, order, wanted) / h, order), wanted, 1e-11);
+    }
+    REQUIRE(all);
+}

@@ -23,7 +23,7 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
         if (!beaten) worth.push_back(i);
     }
     std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
+                     [&](int i, int j) { return points[i][0] < points[j][0]; });
     return worth;
 }
 
@@ -339,7 +339,7 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
         if (beaten && usable(points[i])) worth.push_back(i);
     }
     std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
+                     [&](int i, int j) { return points[i][0] < points[j][0]; });
     return worth;
 }
 
@@ -514,6 +514,102 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 }
 
 }  // namespace from_one_on
+
+// Says: You return every setting that did not blow up, the fastest first. Nobody is thrown out.
+// Hint: Go through them from the fastest on. Who takes longer must be more accurate than all before.
+namespace nobody_left_out {
+
+std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
+    std::vector<int> order;
+    for (int i = 0; i < int(points.size()); ++i)
+        if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int i, int j) { return points[i][0] < points[j][0]; });
+    return order;
+}
+
+}  // namespace nobody_left_out
+
+// Says: The places are those in your sorted list, and not those in the list that was given.
+// Hint: Sort the places by the points that they stand for, and leave the points where they are.
+namespace sorted_places {
+
+std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
+    std::vector<std::array<double, 2>> sorted;
+    for (const auto& point : points)
+        if (std::isfinite(point[0]) && std::isfinite(point[1])) sorted.push_back(point);
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<int> worth;
+    for (int i = 0; i < int(sorted.size()); ++i)
+        if (worth.empty() || sorted[i][1] < sorted[worth.back()][1]) worth.push_back(i);
+    return worth;
+}
+
+}  // namespace sorted_places
+
+// Says: From the fastest on you keep whoever has a larger error than all before. A larger error is worse.
+// Hint: Who takes longer is worth having if the error is smaller. Turn the comparison round.
+namespace ever_larger_errors {
+
+std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
+    std::vector<int> order;
+    for (int i = 0; i < int(points.size()); ++i)
+        if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int i, int j) { return points[i] < points[j]; });
+    std::vector<int> worth;
+    for (const int i : order)
+        if (worth.empty() || points[i][1] > points[worth.back()][1]) worth.push_back(i);
+    return worth;
+}
+
+}  // namespace ever_larger_errors
+
+// Says: Twins may change places: your sort does not keep the order of the list.
+// Hint: std::sort may swap what is equal, in lists longer than a few. Which sort does not?
+namespace unstable_twins {
+
+static bool beats(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+    return a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] || a[1] < b[1]);
+}
+std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
+    std::vector<int> worth;
+    for (int i = 0; i < int(points.size()); ++i)
+        if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) worth.push_back(i);
+    std::erase_if(worth, [&](int i) {
+        return std::any_of(points.begin(), points.end(), [&](const auto& other) {
+            return std::isfinite(other[0]) && std::isfinite(other[1]) && beats(other, points[i]);
+        });
+    });
+    std::sort(worth.begin(), worth.end(), [&](int i, int j) { return points[i][0] < points[j][0]; });
+    return worth;
+}
+
+}  // namespace unstable_twins
+
+// Says: Better by a billionth or less does not count for you. If only by the last bit, better is better.
+// Hint: Compare the numbers as they are, without an epsilon. Twins are equal to the last bit.
+namespace nearly_equal {
+
+static bool beats(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+    const double eps = 1e-9;
+    return a[0] <= b[0] + eps && a[1] <= b[1] + eps && (a[0] < b[0] - eps || a[1] < b[1] - eps);
+}
+std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
+    std::vector<int> worth;
+    for (int i = 0; i < int(points.size()); ++i)
+        if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) worth.push_back(i);
+    std::erase_if(worth, [&](int i) {
+        return std::any_of(points.begin(), points.end(), [&](const auto& other) {
+            return std::isfinite(other[0]) && std::isfinite(other[1]) && beats(other, points[i]);
+        });
+    });
+    std::stable_sort(worth.begin(), worth.end(),
+                     [&](int i, int j) { return points[i][0] < points[j][0]; });
+    return worth;
+}
+
+}  // namespace nearly_equal
 
 // Says: Numbers that differ a little are the same to you: they go through float before they are compared.
 // Hint: Better by the last bit is better. Compare doubles.

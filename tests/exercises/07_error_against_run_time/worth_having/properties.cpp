@@ -205,3 +205,34 @@ PROPERTY("a list in another order, or in other units, has the same settings wort
         REQUIRE(settings(learner(points), points) == before);
     }
 }
+
+// From the definition in the task, for whole lists.
+PROPERTY("it is right wherever the task allows: long lists, many twins, settings nearly alike, tiny ones, zeros") {
+    Draw draw;
+    bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart
+    for (int i = 0; i < 150; ++i) {
+        const bool many_twins = i % 12 == 6;  // so many that a sort which may swap them does
+        Points points(static_cast<std::size_t>(many_twins ? draw.integer(100, 200) : draw.integer(1, i < 50 ? 6 : 40)));
+        const double second = draw.log(1e-12, 1e6), metre = draw.log(1e-15, 1e3), gap = draw.log(1e-15, 1e-2);
+        const int kinds = many_twins ? 1 : draw.integer(1, 5);
+        const auto number = [&](double unit) {
+            const int steps = draw.integer(0, kinds);
+            if (i % 3 == 0) return unit * steps;              // ties and zeros
+            if (i % 3 == 1) return unit * (1 + gap * steps);  // nearly alike
+            return draw.any_of(0, unit, {0, unit});
+        };
+        for (auto& [seconds, error] : points) seconds = number(second), error = number(metre);
+        if (i % 5 == 4) points[draw_place(draw, points.size())][draw_place(draw, 2)] = i % 2 ? infinity : not_a_number;
+        std::vector<int> right;
+        for (int place = 0; place < static_cast<int>(points.size()); ++place) {
+            const Point& one = points[static_cast<std::size_t>(place)];
+            if (usable(one) && std::none_of(points.begin(), points.end(), [&](const Point& other) { return beats(other, one); }))
+                right.push_back(place);
+        }
+        std::stable_sort(right.begin(), right.end(), [&](int a, int b) {
+            return points[static_cast<std::size_t>(a)][0] < points[static_cast<std::size_t>(b)][0];
+        });
+        all &= learner(points) == right;
+    }
+    REQUIRE(all);
+}
