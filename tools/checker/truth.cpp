@@ -23,7 +23,7 @@ bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found
     if (found == right) return true;
     // Where roundoff decides how many numbers there are, or which whole one, anything is right.
     Numbers allowed(right.size());
-    const double scale = relative / (4 * std::numeric_limits<double>::epsilon());
+    const double scale = relative / (2 * std::numeric_limits<double>::epsilon());
     for (unsigned variation = 1; variation <= variations; ++variation) {
         const Numbers near = truth.nudged(arguments, variation);
         if (near.size() != right.size()) return true;

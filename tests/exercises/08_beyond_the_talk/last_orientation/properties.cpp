@@ -2,7 +2,8 @@
 
 #include "property_eigen.hpp"
 
-EXERCISE(last_orientation);
+// Cayley's rotation is right, and the exact one.
+EXERCISE_WITHIN(last_orientation, checker::many_are_right);
 
 namespace {
 
