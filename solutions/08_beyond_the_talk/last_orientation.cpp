@@ -34,8 +34,8 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
         // In the body's axes, so the turn stands on the right.
-        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
-        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+        const Vector3d turn = (times[i] - times[i - 1]) * mean;
+        now = (now * Eigen::AngleAxisd(turn.norm(), turn.normalized())).normalized();
     }
     return now;
     // [answer]

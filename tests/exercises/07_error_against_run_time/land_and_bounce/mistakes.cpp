@@ -178,7 +178,7 @@ namespace velocity_of_the_start {
 State<double> land_and_bounce(State<double> s, double g, double e, double h) {
     const double end = s.t + h;
     double left = h;
-    for (;;) {
+    for (int bounces = 0; bounces < 5000; ++bounces) {
         const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
         const double fall = (s.v + impact) / g;
         if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
@@ -187,6 +187,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
         s.v = e * std::fabs(s.v);
         if (2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
     }
+    return {end, 0, 0};
 }
 
 }  // namespace velocity_of_the_start
@@ -217,7 +218,7 @@ namespace thrown_as_dropped {
 State<double> land_and_bounce(State<double> s, double g, double e, double h) {
     const double end = s.t + h;
     double left = h;
-    for (;;) {
+    for (int bounces = 0; bounces < 5000; ++bounces) {
         const double impact = std::sqrt(2 * g * s.x);
         const double fall = impact / g;
         if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
@@ -226,6 +227,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
         s.v = e * impact;
         if (2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
     }
+    return {end, 0, 0};
 }
 
 }  // namespace thrown_as_dropped
@@ -237,7 +239,7 @@ namespace half_forgotten {
 State<double> land_and_bounce(State<double> s, double g, double e, double h) {
     const double end = s.t + h;
     double left = h;
-    for (;;) {
+    for (int bounces = 0; bounces < 5000; ++bounces) {
         const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
         const double fall = (s.v + impact) / g;
         if (fall > left) return {end, s.x + s.v * left - g * left * left, s.v - g * left};
@@ -246,6 +248,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
         s.v = e * impact;
         if (2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
     }
+    return {end, 0, 0};
 }
 
 }  // namespace half_forgotten
@@ -271,7 +274,7 @@ namespace energy_share {
 State<double> land_and_bounce(State<double> s, double g, double e, double h) {
     const double end = s.t + h;
     double left = h;
-    for (;;) {
+    for (int bounces = 0; bounces < 5000; ++bounces) {
         const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
         const double fall = (s.v + impact) / g;
         if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
@@ -280,6 +283,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
         s.v = std::sqrt(e) * impact;
         if (2 * s.v / g <= (1 - std::sqrt(e)) * left) return {end, 0, 0};
     }
+    return {end, 0, 0};
 }
 
 }  // namespace energy_share
@@ -291,7 +295,7 @@ namespace e_squared {
 State<double> land_and_bounce(State<double> s, double g, double e, double h) {
     const double end = s.t + h;
     double left = h;
-    for (;;) {
+    for (int bounces = 0; bounces < 5000; ++bounces) {
         const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
         const double fall = (s.v + impact) / g;
         if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
@@ -300,6 +304,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
         s.v = e * e * impact;
         if (2 * s.v / g <= (1 - e * e) * left) return {end, 0, 0};
     }
+    return {end, 0, 0};
 }
 
 }  // namespace e_squared
@@ -311,7 +316,7 @@ namespace loses_nothing {
 State<double> land_and_bounce(State<double> s, double g, double e, double h) {
     const double end = s.t + h;
     double left = h;
-    for (;;) {
+    for (int bounces = 0; bounces < 5000; ++bounces) {
         const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
         const double fall = (s.v + impact) / g;
         if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
@@ -320,6 +325,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
         s.v = impact;
         if (s.v == 0) return {end, 0, 0};
     }
+    return {end, 0, 0};
 }
 
 }  // namespace loses_nothing
@@ -368,7 +374,7 @@ namespace slow_bounces_left_out {
 State<double> land_and_bounce(State<double> s, double g, double e, double h) {
     const double end = s.t + h;
     double left = h;
-    for (;;) {
+    for (int bounces = 0; bounces < 5000; ++bounces) {
         const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
         const double fall = (s.v + impact) / g;
         if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
@@ -377,6 +383,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
         s.v = e * impact;
         if (s.v < 1 || 2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
     }
+    return {end, 0, 0};
 }
 
 }  // namespace slow_bounces_left_out
@@ -389,7 +396,7 @@ namespace rests_too_early {
 State<double> land_and_bounce(State<double> s, double g, double e, double h) {
     const double end = s.t + h;
     double left = h;
-    for (;;) {
+    for (int bounces = 0; bounces < 5000; ++bounces) {
         const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
         const double fall = (s.v + impact) / g;
         if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
@@ -398,6 +405,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
         s.v = e * impact;
         if (s.v / g <= (1 - e) * left) return {end, 0, 0};
     }
+    return {end, 0, 0};
 }
 
 }  // namespace rests_too_early
@@ -410,7 +418,7 @@ namespace rests_a_bounce_early {
 State<double> land_and_bounce(State<double> s, double g, double e, double h) {
     const double end = s.t + h;
     double left = h;
-    for (;;) {
+    for (int bounces = 0; bounces < 5000; ++bounces) {
         const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
         const double fall = (s.v + impact) / g;
         if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
@@ -419,6 +427,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
         s.v = e * impact;
         if (2 * s.v * e / g <= (1 - e) * left) return {end, 0, 0};
     }
+    return {end, 0, 0};
 }
 
 }  // namespace rests_a_bounce_early
@@ -434,7 +443,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
     if (s.x <= 0 && s.v <= 0) return fly(s, g, h);
     const double end = s.t + h;
     double left = h;
-    for (;;) {
+    for (int bounces = 0; bounces < 5000; ++bounces) {
         const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
         const double fall = (s.v + impact) / g;
         if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
@@ -443,6 +452,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
         s.v = e * impact;
         if (2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
     }
+    return {end, 0, 0};
 }
 
 }  // namespace sinks
@@ -454,7 +464,7 @@ namespace clock_of_the_rest {
 State<double> land_and_bounce(State<double> s, double g, double e, double h) {
     const double end = s.t + h;
     double left = h;
-    for (;;) {
+    for (int bounces = 0; bounces < 5000; ++bounces) {
         const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
         const double fall = (s.v + impact) / g;
         if (fall > left)
@@ -464,6 +474,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
         s.v = e * impact;
         if (2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
     }
+    return {end, 0, 0};
 }
 
 }  // namespace clock_of_the_rest
@@ -475,7 +486,7 @@ namespace clock_stands {
 State<double> land_and_bounce(State<double> s, double g, double e, double h) {
     const double end = s.t;
     double left = h;
-    for (;;) {
+    for (int bounces = 0; bounces < 5000; ++bounces) {
         const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
         const double fall = (s.v + impact) / g;
         if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
@@ -484,6 +495,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
         s.v = e * impact;
         if (2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
     }
+    return {end, 0, 0};
 }
 
 }  // namespace clock_stands
@@ -508,6 +520,85 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 }
 
 }  // namespace single_precision
+
+// Says: The ball stops where it lands: it does not bounce at all.
+// Hint: It leaves the ground with e times the speed that it came with.
+namespace stops_where_it_lands {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double impact = std::sqrt(s.v * s.v + 2 * g * s.x), fall = (s.v + impact) / g;
+    if (h < fall) return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+    const State<double> rest{s.t + h, 0, 0};
+    double left = h - fall, up = e * impact;
+    if (left >= 0) return rest;
+    return {s.t + h, up * left - g * left * left / 2, up - g * left};
+}
+
+}  // namespace stops_where_it_lands
+
+// Says: After the landing the whole step begins anew. The fall has used up a part of it.
+// Hint: How much time is left when the ball has landed? Only that much is for the bounces.
+namespace whole_step_after_landing {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double impact = std::sqrt(s.v * s.v + 2 * g * s.x), fall = (s.v + impact) / g;
+    if (h < fall) return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+    const State<double> rest{s.t + h, 0, 0};
+    double left = h, up = e * impact;
+    for (; up > 1e-8 && left > 2 * up / g; up *= e) left -= 2 * up / g;
+    if (up <= 1e-8) return rest;
+    return {s.t + h, up * left - g * left * left / 2, up - g * left};
+}
+
+}  // namespace whole_step_after_landing
+
+// Says: Only the first bounce loses speed. All later ones throw the ball as high as the first.
+// Hint: Each bounce multiplies the speed by e once more.
+namespace later_bounces_lose_nothing {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double impact = std::sqrt(s.v * s.v + 2 * g * s.x), fall = (s.v + impact) / g;
+    if (h < fall) return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+    const State<double> rest{s.t + h, 0, 0};
+    double left = h - fall, up = e * impact;
+    if (up == 0) return rest;
+    left = std::fmod(left, 2 * up / g);
+    return {s.t + h, up * left - g * left * left / 2, up - g * left};
+}
+
+}  // namespace later_bounces_lose_nothing
+
+// Says: In the time of the fall the velocity has the wrong sign: a ball that was thrown up lands sooner.
+// Hint: A ball that rises first takes longer. Check the root that you chose with a throw from the ground.
+namespace fall_with_wrong_sign {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double impact = std::sqrt(s.v * s.v + 2 * g * s.x), fall = (impact - s.v) / g;
+    if (h < fall) return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+    const State<double> rest{s.t + h, 0, 0};
+    double left = h - fall, up = e * impact;
+    for (; up > 1e-8 && left > 2 * up / g; up *= e) left -= 2 * up / g;
+    if (up <= 1e-8) return rest;
+    return {s.t + h, up * left - g * left * left / 2, up - g * left};
+}
+
+}  // namespace fall_with_wrong_sign
+
+// Says: A bounce takes the time to its top. The ball also comes down again.
+// Hint: It lands as fast as it left. By how much has its velocity changed, at g a second?
+namespace way_up_only {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double impact = std::sqrt(s.v * s.v + 2 * g * s.x), fall = (s.v + impact) / g;
+    if (h < fall) return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+    const State<double> rest{s.t + h, 0, 0};
+    double left = h - fall, up = e * impact;
+    for (; up > 1e-8 && left > up / g; up *= e) left -= up / g;
+    if (up <= 1e-8) return rest;
+    return {s.t + h, up * left - g * left * left / 2, up - g * left};
+}
+
+}  // namespace way_up_only
 
 // Says: Every step ends like that of the example.
 // Hint: Begin with a ball that does not land: where is it after h?

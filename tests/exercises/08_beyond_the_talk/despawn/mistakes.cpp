@@ -271,3 +271,71 @@ std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) 
 }
 
 }  // namespace narrow_packs
+
+// Says: It is the last body but one that takes the place: off by one. The last body is lost.
+// Hint: Bodies are counted from 0. Which number has the last of n?
+namespace last_but_one {
+
+std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
+    std::vector<std::array<double, 3>> bodies;
+    for (int b = 0; b < n; ++b) {
+        const double* const x = &packs[b / width * width * 3 + b % width];
+        bodies.push_back({x[0], x[width], x[2 * width]});
+    }
+    if (n > 1) bodies[i] = bodies[n - 2];
+    bodies.pop_back();
+    std::vector<double> result;
+    for (int first = 0; first < n - 1; first += width)
+        for (std::size_t part = 0; part < 3; ++part)
+            for (int lane = first; lane < first + width; ++lane)
+                result.push_back(bodies[std::min(lane, n - 2)][part]);
+    return result;
+}
+
+}  // namespace last_but_one
+
+// Says: The last body of the same pack takes the place, and the bodies behind it move up. It is the last body
+//       of all that must come.
+// Hint: Only one body moves: the one in the last lane that is used, of the last pack.
+namespace last_of_its_pack {
+
+std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
+    std::vector<std::array<double, 3>> bodies;
+    for (int b = 0; b < n; ++b) {
+        const double* const x = &packs[b / width * width * 3 + b % width];
+        bodies.push_back({x[0], x[width], x[2 * width]});
+    }
+    const int last = std::min((i / width + 1) * width, n) - 1;
+    bodies[i] = bodies[last];
+    bodies.erase(bodies.begin() + last);
+    std::vector<double> result;
+    for (int first = 0; first < n - 1; first += width)
+        for (std::size_t part = 0; part < 3; ++part)
+            for (int lane = first; lane < first + width; ++lane)
+                result.push_back(bodies[std::min(lane, n - 2)][part]);
+    return result;
+}
+
+}  // namespace last_of_its_pack
+
+// Says: The last pack is too short: it has no lanes left over, and its numbers stand closer together.
+// Hint: A pack always holds 3 * width numbers. What stands in the lanes that no body needs?
+namespace no_lanes_left_over {
+
+std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
+    std::vector<std::array<double, 3>> bodies;
+    for (int b = 0; b < n; ++b) {
+        const double* const x = &packs[b / width * width * 3 + b % width];
+        bodies.push_back({x[0], x[width], x[2 * width]});
+    }
+    bodies[i] = bodies.back();
+    bodies.pop_back();
+    std::vector<double> result;
+    for (int first = 0; first < n - 1; first += width)
+        for (std::size_t part = 0; part < 3; ++part)
+            for (int lane = first; lane < std::min(first + width, n - 1); ++lane)
+                result.push_back(bodies[std::min(lane, n - 2)][part]);
+    return result;
+}
+
+}  // namespace no_lanes_left_over

@@ -130,3 +130,19 @@ PROPERTY("bodies may go one after another, until none is left") {
         }
     }
 }
+
+PROPERTY("it is right wherever the task allows: each width, each number of bodies about it, and each of them goes") {
+    Draw draw;
+    bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart
+    for (const int width : {1, 2, 4, 8, 16})
+        for (int n = 1; n <= 2 * width + 2; ++n) {
+            const Bodies bodies = draw_bodies(draw, n, width);
+            for (int i = 0; i < n; i += width < 8 ? 1 : draw.integer(1, width / 2))
+                all &= bodies.without(i) == bodies.left(i).packs();
+            all &= bodies.without(n - 1) == bodies.left(n - 1).packs();
+        }
+    Bodies alike = draw_bodies(draw, draw.integer(2, 40), draw_width(draw));  // two of them equal
+    alike.spins.back() = alike.spins.front();
+    for (int i = 0; i < alike.size(); ++i) all &= alike.without(i) == alike.left(i).packs();
+    REQUIRE(all);
+}

@@ -208,6 +208,54 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 
 }  // namespace general_solve
 
+// Says: What is returned is the angular momentum I w2, and not the spin.
+// Hint: A step of zero must give w1 back. Divide each component by its moment.
+namespace momentum_returned {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d root = inertia.cwiseSqrt(), y = root.cwiseProduct(omega);
+    const Vector3d k = h / root.prod() * root.cwiseProduct(Vector3d(inertia.cwiseProduct(omega) + wheel));
+    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
+    return y2.cwiseProduct(root);
+}
+
+}  // namespace momentum_returned
+
+// Says: The moments are missing on the left: you solve w2 - w1 = h L1 x w2.
+// Hint: The equation begins with I. A heavy ship turns less.
+namespace no_moments_on_the_left {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d k = h * (inertia.cwiseProduct(omega) + wheel);
+    return (omega + k.cross(omega) + k.dot(omega) * k) / (1 + k.squaredNorm());
+}
+
+}  // namespace no_moments_on_the_left
+
+// Says: On the left the mean of the three moments stands for all of them. Only a ball has one moment.
+// Hint: Divide each component by its own moment: scale by their roots, and back.
+namespace mean_moment {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d k = h / inertia.mean() * (inertia.cwiseProduct(omega) + wheel);
+    return (omega + k.cross(omega) + k.dot(omega) * k) / (1 + k.squaredNorm());
+}
+
+}  // namespace mean_moment
+
+// Says: The divisor has h where h squared belongs: k is in it twice, and each k has an h.
+// Hint: Compute k with its h once, and use k.dot(k).
+namespace h_once_in_divisor {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d root = inertia.cwiseSqrt(), y = root.cwiseProduct(omega);
+    const Vector3d k = root.cwiseProduct(Vector3d(inertia.cwiseProduct(omega) + wheel)) / root.prod();
+    const Vector3d y2 = (y + h * k.cross(y) + h * h * k.dot(y) * k) / (1 + h * k.squaredNorm());
+    return y2.cwiseQuotient(root);
+}
+
+}  // namespace h_once_in_divisor
+
 // Says: The formula is right, but it is computed with about seven digits, as float has them.
 // Hint: Is there a float in your answer, or a number of few digits?
 namespace single_precision {

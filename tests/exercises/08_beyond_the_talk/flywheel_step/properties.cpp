@@ -109,3 +109,18 @@ PROPERTY("for the longest steps, too, the energy does not grow, to twelve digits
         REQUIRE(close(y2.dot(along), y1.dot(along), 0, 1e-12 * y1.norm()));
     }
 }
+
+PROPERTY("it is right wherever the task allows: small and large ships, slow and fast, tiny steps and pauses of days") {
+    Draw draw;
+    bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart
+    for (int i = 0; i < 300; ++i) {
+        Ship ship = draw_ship(draw, 1, 1);
+        const double least = draw.any_of(1e-5, 1e3, {1e-5, 1e3}), ratio = draw.log(1, 1000);
+        ship.inertia = Vector3d(least, least * draw.log(1, ratio), least * draw.log(1, ratio));
+        ship.omega = draw.any_of(0, 1000, {0, 1000}) * draw_direction(draw);
+        ship.wheel = i % 4 == 0 ? Vector3d::Zero() : Vector3d(draw.log(1e-9, 1e12) * draw_direction(draw));
+        ship.h = draw.any_of(0, 1e6, {0, 1.0 / 60, 60, 1e6});
+        all &= is_passive(ship, 1e-12);
+    }
+    REQUIRE(all);
+}

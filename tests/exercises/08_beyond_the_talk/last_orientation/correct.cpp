@@ -1,17 +1,17 @@
 #include "exercise_eigen.hpp"
 
-namespace by_angle_axis {
+namespace by_cayley {
 
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
-    Quaterniond turn = Quaterniond::Identity();
-    for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-        const Vector3d angle = (times[i + 1] - times[i]) * (0.5 * spins[i] + 0.5 * spins[i + 1]);
-        turn = turn * Eigen::AngleAxisd(angle.norm(), angle.normalized());
+    Quaterniond now = q;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d half = (times[i] - times[i - 1]) / 4 * (spins[i - 1] + spins[i]);
+        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
     }
-    return (q * turn).normalized();
+    return now;
 }
 
-}  // namespace by_angle_axis
+}  // namespace by_cayley
 
 namespace in_the_world {
 

@@ -9,7 +9,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = spins[i];
         const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
-        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
     }
     return now;
 }
@@ -25,7 +25,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = spins[i - 1];
         const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
-        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
     }
     return now;
 }
@@ -41,7 +41,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
         const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
-        now = (Quaterniond(1, half.x(), half.y(), half.z()) * now).normalized();
+        now = (Quaterniond(Eigen::AngleAxisd(2 * half.norm(), half.normalized())) * now).normalized();
     }
     return now;
 }
@@ -74,7 +74,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = spins[i - 1] + spins[i];
         const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
-        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
     }
     return now;
 }
@@ -91,7 +91,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
         const Vector3d half = (times[i] - times[i - 1]) / 4 * mean;
-        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
     }
     return now;
 }
@@ -109,7 +109,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
         const Vector3d half = gap / 2 * mean;
-        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
     }
     return now;
 }
@@ -126,7 +126,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
         const Vector3d half = gap / 2 * mean;
-        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
     }
     return now;
 }
@@ -142,7 +142,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
         const Vector3d half = times[i] / 2 * mean;
-        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
     }
     return now;
 }
@@ -158,7 +158,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
     for (std::size_t i = 1; i + 1 < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
         const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
-        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
     }
     return now;
 }
@@ -175,7 +175,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
         const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
-        now = (now * Quaterniond(1, -half.x(), -half.y(), -half.z())).normalized();
+        now = (now * Eigen::AngleAxisd(-2 * half.norm(), half.normalized())).normalized();
     }
     return now;
 }
@@ -191,7 +191,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
         const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
-        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
     }
     return now;
 }
@@ -243,7 +243,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
         const double gap = times[i] - times[i - 1];
         const Vector3d slope = (spins[i] - spins[i - 1]) / gap;
         const Vector3d half = gap / 2 * (spins[i - 1] + gap / 2 * slope);
-        now = (now * Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
     }
     return now;
 }

@@ -224,3 +224,57 @@ std::array<std::vector<int>, 2> sort_by_kind(const std::vector<int>& kinds, int 
 }
 
 }  // namespace last_kind_lost
+
+// Says: The two lists have changed places: first comes order, then begins.
+// Hint: Look at the example. Which of its lists has count + 1 numbers?
+namespace lists_swapped {
+
+std::array<std::vector<int>, 2> sort_by_kind(const std::vector<int>& kinds, int count) {
+    std::vector<int> order, begins;
+    for (int k = 0; k < count; ++k) {
+        begins.push_back(static_cast<int>(order.size()));
+        for (int i = 0; i < static_cast<int>(kinds.size()); ++i)
+            if (kinds[i] == k) order.push_back(i);
+    }
+    begins.push_back(static_cast<int>(order.size()));
+    return {begins, order};
+}
+
+}  // namespace lists_swapped
+
+// Says: begins ends with the highest kind that occurs. The kinds above it are missing.
+// Hint: How many numbers must begins have? That does not depend on the bodies.
+namespace begins_to_the_highest {
+
+std::array<std::vector<int>, 2> sort_by_kind(const std::vector<int>& kinds, int count) {
+    int most = -1;
+    for (const int kind : kinds) most = std::max(most, kind);
+    std::vector<int> order, begins;
+    for (int k = 0; k <= most; ++k) {
+        begins.push_back(static_cast<int>(order.size()));
+        for (int i = 0; i < static_cast<int>(kinds.size()); ++i)
+            if (kinds[i] == k) order.push_back(i);
+    }
+    begins.push_back(static_cast<int>(order.size()));
+    return {order, begins};
+}
+
+}  // namespace begins_to_the_highest
+
+// Says: begins is only set where a kind has a body. For a kind without one it stays zero.
+// Hint: Where does an empty group begin? Where the next one does: no body stands between.
+namespace empty_begin_at_zero {
+
+std::array<std::vector<int>, 2> sort_by_kind(const std::vector<int>& kinds, int count) {
+    std::vector<int> order, begins(count + 1);
+    for (int k = 0; k < count; ++k) {
+        const int begin = static_cast<int>(order.size());
+        for (int i = 0; i < static_cast<int>(kinds.size()); ++i)
+            if (kinds[i] == k) order.push_back(i);
+        if (static_cast<int>(order.size()) > begin) begins[k] = begin;
+    }
+    begins[count] = static_cast<int>(order.size());
+    return {order, begins};
+}
+
+}  // namespace empty_begin_at_zero

@@ -361,6 +361,118 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 
 }  // namespace rest_stays
 
+// Says: Each part acts once, for the whole step, gravity first. That has order one.
+// Hint: Halve every part but the one in the middle, and go back the way you came.
+namespace each_once {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h);
+    spin(0, h);
+    spin(1, h);
+    spin(2, h);
+    return {L, up};
+}
+
+}  // namespace each_once
+
+// Says: Nothing is halved: gravity and the spins about x and y act for two steps.
+// Hint: What comes twice must act for half of h each time. Only z comes once.
+namespace nothing_halved {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h);
+    spin(0, h);
+    spin(1, h);
+    spin(2, h);
+    spin(1, h);
+    spin(0, h);
+    kick(h);
+    return {L, up};
+}
+
+}  // namespace nothing_halved
+
+// Says: The angles are momentum times moment, where they should be momentum over moment.
+// Hint: A larger moment turns more slowly. Which way round is omega in the task?
+namespace times_inertia {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] * inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h / 2);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h);
+    spin(1, h / 2);
+    spin(0, h / 2);
+    kick(h / 2);
+    return {L, up};
+}
+
+}  // namespace times_inertia
+
+// Says: The step reads the same from both ends, but its order is another one: gravity stands in the middle.
+// Hint: The task says what comes first and last, and what is in the middle. Then the same game gives the same dance.
+namespace gravity_in_the_middle {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    spin(2, h / 2);
+    spin(1, h / 2);
+    spin(0, h / 2);
+    kick(h);
+    spin(0, h / 2);
+    spin(1, h / 2);
+    spin(2, h / 2);
+    return {L, up};
+}
+
+}  // namespace gravity_in_the_middle
+
+// Says: The spins come in the wrong order: z and y first, and x in the middle.
+// Hint: After gravity x acts, then y, and z in the middle of the step.
+namespace z_first {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    const auto spin = [&](int i, double s) {
+        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
+        L = back * L;
+        up = back * up;
+    };
+    kick(h / 2);
+    spin(2, h / 2);
+    spin(1, h / 2);
+    spin(0, h);
+    spin(1, h / 2);
+    spin(2, h / 2);
+    kick(h / 2);
+    return {L, up};
+}
+
+}  // namespace z_first
+
 // Says: The formula is right, but it is computed with about seven digits, as float has them.
 // Hint: Is there a float in your answer, or a number of few digits?
 namespace single_precision {

@@ -228,3 +228,17 @@ PROPERTY("what stays and what comes back does so to eleven digits") {
         REQUIRE(close(back.up, tame.up, 1e-11));
     }
 }
+
+PROPERTY("it is right wherever the task allows: any angle, forth and back, hardly a spin, hardly any gravity") {
+    Draw draw;
+    bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart
+    for (int i = 0; i < 400; ++i) {
+        Top top = draw_top(draw, i % 2 == 0 ? draw.real(0.1, 12) : draw.log(1e-6, 1000), draw.log(1e-6, 1));
+        if (i % 3 == 0) top.L = top.inertia.cwiseProduct(top.L.norm() / top.inertia[i % 2] * Vector3d::Unit(i / 3 % 3));
+        if (i % 5 == 1) top.L *= draw.any_of(0, 1, {0});
+        if (i % 5 == 2) top.mgl = 0;
+        if (i % 7 == 3) top.up = draw.sign() * Vector3d::Unit(i / 7 % 3);
+        all &= close(top.after().up.norm(), 1, 1e-13);
+    }
+    REQUIRE(all);
+}
