@@ -29,6 +29,25 @@ struct Shown {
     std::vector<Numbers> truth;  // of each of the wrong ones
 };
 
+// An answer that is not called wrong counts as such where it differs by more than `least` of the right one: where
+// many answers are right, the one that is not the course's says most.
+Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least) {
+    Shown shown;
+    for (const Call& call : calls) {
+        Numbers right = truth.answer(call.arguments);
+        double size = least > 0 ? 1 : 0;
+        for (const double number : right) size = std::max(size, std::fabs(number));
+        const bool differs = !call.right || apart(call.result, right) > least * size;
+        if (differs && shown.wrong.size() < enough) {
+            shown.wrong.push_back(&call);
+            shown.truth.push_back(std::move(right));
+        } else if (!differs && shown.right.size() < enough) {
+            shown.right.push_back(&call);
+        }
+    }
+    return shown;
+}
+
 // The share of calls in which the mistake does as the learner does.
 struct Fit {
     double where_wrong = 0, where_right = 0;
@@ -92,18 +111,9 @@ std::string family_of(const Shown& shown) {
 }  // namespace
 
 std::string diagnose(const std::string& exercise, const Truth& truth, const std::vector<Call>& calls) {
-    Shown shown;
-    for (const Call& call : calls) {
-        const Numbers right = truth.answer(call.arguments);
-        // Where any answer may be right, one that is not the course's says most.
-        const bool differs = !call.right || apart(call.result, right) > 1e-6 * std::max(1.0, std::fabs(right.empty() ? 0 : right[0]));
-        if (differs && shown.wrong.size() < enough) {
-            shown.wrong.push_back(&call);
-            shown.truth.push_back(right);
-        } else if (!differs && shown.right.size() < enough) {
-            shown.right.push_back(&call);
-        }
-    }
+    // Where nothing is wrong by more than roundoff, a property has seen more: what differs at all.
+    Shown shown = sorted(truth, calls, 1e-6);
+    if (shown.wrong.empty()) shown = sorted(truth, calls, 0);
     if (shown.wrong.empty()) return {};
     const bool yes_or_no = std::all_of(calls.begin(), calls.end(), [](const Call& call) {
         return call.result.size() == 1 && (call.result[0] == 0 || call.result[0] == 1);
