@@ -216,18 +216,12 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 namespace thrown_as_dropped {
 
 State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    const double end = s.t + h;
-    double left = h;
-    for (int bounces = 0; bounces < 5000; ++bounces) {
-        const double impact = std::sqrt(2 * g * s.x);
-        const double fall = impact / g;
-        if (fall > left) return {end, s.x + s.v * left - g * left * left / 2, s.v - g * left};
-        left -= fall;
-        s.x = 0;
-        s.v = e * impact;
-        if (2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
-    }
-    return {end, 0, 0};
+    const double impact = std::sqrt(2 * g * s.x), fall = impact / g;
+    if (h < fall) return {s.t + h, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+    double left = h - fall, up = e * impact;
+    for (; up > 1e-8 && left > 2 * up / g; up *= e) left -= 2 * up / g;
+    if (up <= 1e-8) return {s.t + h, 0, 0};
+    return {s.t + h, up * left - g * left * left / 2, up - g * left};
 }
 
 }  // namespace thrown_as_dropped
@@ -330,7 +324,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 
 }  // namespace loses_nothing
 
-// Says: After ten bounces in a step the ball is left lying, even if it would still jump.
+// Says: After a certain number of bounces in a step the ball is left lying, even if it would still jump.
 // Hint: A bound on the number is wise, but ten are few. When does a ball with this e really lie still?
 namespace ten_bounces {
 
@@ -367,7 +361,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 
 }  // namespace falls_at_last
 
-// Says: Bounces slower than 1 m/s are left out, as some engines do to calm their piles. Here they count.
+// Says: Slow bounces are left out, as some engines do to calm their piles. Here they count.
 // Hint: You see a ball of 0.5 m/s rise by a centimetre. The sum of a series says when it is over.
 namespace slow_bounces_left_out {
 
@@ -599,6 +593,42 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 }
 
 }  // namespace way_up_only
+
+// Says: The half before g t^2 is missing everywhere: in the height, in the time until the ball lands, and in the
+//       time of a bounce.
+// Hint: The mean velocity of a fall from rest is half of the last one. So how far is it after t?
+namespace half_forgotten_everywhere {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double fall = (s.v + std::sqrt(s.v * s.v + 4 * g * s.x)) / (2 * g);
+    if (h < fall) return {s.t + h, s.x + s.v * h - g * h * h, s.v - g * h};
+    double left = h - fall, up = e * std::fabs(s.v - g * fall);
+    for (int bounces = 0; bounces < 2000 && up > 1e-8 && left > up / g; ++bounces, up *= e) left -= up / g;
+    if (up <= 1e-8 || left > up / g) return {s.t + h, 0, 0};
+    return {s.t + h, up * left - g * left * left, up - g * left};
+}
+
+}  // namespace half_forgotten_everywhere
+
+// Says: A ball that begins the step on the ground and moves down is put to rest. It bounces at once.
+// Hint: Only a ball with velocity 0 lies on the ground. One that moves down has just come.
+namespace down_on_the_ground_rests {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t + h;
+    if (s.x <= 0 && s.v <= 0) return {end, 0, 0};
+    for (int bounces = 0; bounces < 5000; ++bounces) {
+        const double impact = std::sqrt(s.v * s.v + 2 * g * s.x), fall = (s.v + impact) / g;
+        if (fall > h) return {end, s.x + s.v * h - g * h * h / 2, s.v - g * h};
+        h -= fall;
+        s.x = 0;
+        s.v = e * impact;
+        if (2 * s.v / g <= (1 - e) * h) break;
+    }
+    return {end, 0, 0};
+}
+
+}  // namespace down_on_the_ground_rests
 
 // Says: Every step ends like that of the example.
 // Hint: Begin with a ball that does not land: where is it after h?

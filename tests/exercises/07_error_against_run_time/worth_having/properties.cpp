@@ -226,8 +226,8 @@ PROPERTY("it is right wherever the task allows: long lists, many twins, settings
         std::vector<int> right;
         for (int place = 0; place < static_cast<int>(points.size()); ++place) {
             const Point& one = points[static_cast<std::size_t>(place)];
-            if (usable(one) && std::none_of(points.begin(), points.end(), [&](const Point& other) { return beats(other, one); }))
-                right.push_back(place);
+            const auto beats_it = [&](const Point& other) { return beats(other, one); };
+            if (usable(one) && std::none_of(points.begin(), points.end(), beats_it)) right.push_back(place);
         }
         std::stable_sort(right.begin(), right.end(), [&](int a, int b) {
             return points[static_cast<std::size_t>(a)][0] < points[static_cast<std::size_t>(b)][0];

@@ -223,8 +223,11 @@ PROPERTY("it is right wherever the task allows: tiny turns, tiny gaps, spins of 
         for (int end = 0; end < 2; ++end)
             one.spins.push_back(draw.any_of(0, 1, {0, 1}) * angle / gap * draw_direction(draw));
         if (i % 4 == 0) one.spins[1] = draw.log(0.1, 1) * one.spins[0];
-        for (int pause = i % 3 == 0 ? draw.integer(1, 3) : 0; pause > 0; --pause)
-            one.times.insert(one.times.begin() + (i % 2), one.times[i % 2]), one.spins.insert(one.spins.begin() + (i % 2), one.spins[i % 2]);
+        for (int pause = i % 3 == 0 ? draw.integer(1, 3) : 0; pause > 0; --pause) {
+            const int frame = i % 2 == 0 ? 0 : static_cast<int>(one.times.size()) - 1;
+            one.times.insert(one.times.begin() + frame, one.times[frame]);
+            one.spins.insert(one.spins.begin() + frame, one.spins[frame]);
+        }
         const Vector3d turn = gap / 2 * (one.spins.front() + one.spins.back());
         const Quaterniond right = one.q * Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
         const double halves = gap * gap * one.spins.front().cross(one.spins.back()).norm() / 14;

@@ -111,7 +111,8 @@ PROPERTY("it is right wherever the task allows: any kinds, all of one kind, none
     Draw draw;
     bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart
     for (int i = 0; i < 120; ++i) {
-        const int count = i % 4 == 0 ? 100 : draw.integer(1, 100), n = static_cast<int>(draw.log(1, i < 5 ? 10001 : 200)) - 1;
+        const int count = i % 4 == 0 ? 100 : draw.integer(1, 100);
+        const int n = static_cast<int>(draw.log(1, i < 5 ? 10001 : 200)) - 1;
         const int first = i % 3 == 0 ? draw.integer(0, count - 1) : 0;
         Bodies bodies(draw, n, i % 2 == 0 ? count - first : draw.integer(1, count - first));
         for (int& kind : bodies.kinds) kind += first;
