@@ -86,3 +86,10 @@ TEST_CASE("a mistake is named where it answers as the learner does, and else by 
     CHECK(named(&twice) == "twice");
     CHECK(named([](double x0, double x1, double h) { return (x1 - x0) / h + x0 * x0; }).empty());
 }
+
+TEST_CASE("a list of another length is no negative of the right one") {
+    const auto three = +[](double x) { return std::vector<double>{x, x, x}; };
+    std::vector<Call> calls;
+    for (double x = 1; x < 10; ++x) calls.push_back({{x}, {2, x, x}, false});
+    CHECK(diagnose("no_such_exercise", truth_of(three), calls).empty());
+}

@@ -99,7 +99,7 @@ std::string family_of(const Shown& shown) {
         std::size_t fits = 0, misfits = 0;
         for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
             const double gap = apart(shown.wrong[i]->result, shown.truth[i]);
-            fits += apart(shown.wrong[i]->result, made_of(shown.truth[i])) <= 1e-6 * gap;
+            fits += gap < HUGE_VAL && apart(shown.wrong[i]->result, made_of(shown.truth[i])) <= 1e-6 * gap;
         }
         for (const Call* call : shown.right) misfits += apart(call->result, made_of(call->result)) > 1e-12;
         if (double(fits) >= 0.95 * double(shown.wrong.size()) && double(misfits) <= 0.05 * double(shown.wrong.size() + shown.right.size()))
