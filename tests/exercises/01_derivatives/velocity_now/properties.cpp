@@ -65,7 +65,7 @@ PROPERTY(
     "three frames of any size give a velocity: near or far, slow or fast, standing in one of them "
     "or not") {
     Draw draw;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 60; ++i) {
         const double length = draw.log(1e-9, 1e9), h = draw.log(1e-6, 1e6);
         std::array<double, 3> x{};
         for (double& one : x) one = length * draw.any_of(-5, 5, {0, 1});
