@@ -8,7 +8,7 @@ function(timestep_sanitize)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     list(APPEND flags -Wno-error)  # g++ warns of paths that only its sanitizers' own code makes
   endif()
-  foreach(target timestep_lab timestep_eigen_ready timestep_tests ${programs} ${studies})
+  foreach(target timestep_lab timestep_eigen_ready timestep_contest timestep_extremes timestep_tests ${programs} ${studies})
     target_compile_options(${target} PRIVATE -UNDEBUG ${flags})
     target_link_options(${target} PRIVATE ${flags})
   endforeach()

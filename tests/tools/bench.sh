@@ -134,7 +134,7 @@ test_bench_tells_people_and_names_what_is_not_installed() {
     expect 0 course bench --quick --scene spring --out there
     says out 'compiler  '
     says out 'cpu  '
-    says out 'a spring, one swing a second (spring)'
+    says out 'a spring, one oscillation a second (spring)'
     for accuracy in '10 %' '1 %' '0.1 %' 1e-6; do
         grep -qE "^  $accuracy  .*, .* [0-9.e+]+ +[0-9.]+ (ns|µs|ms)\$" out || fail "no line for $accuracy"
     done
