@@ -135,7 +135,7 @@ set xlabel "time t (s)"
 set ylabel "momentum / at the start"
 set yrange [0.7:1.5]
 set ytics 0.2
-set key at screen 0.55,0.09 center horizontal maxcols 3 reverse Left width 1
+set key at screen 0.55,0.075 center horizontal maxrows 3 reverse Left width -4
 plot 1 with lines @exact title "exact", \
      "tumble_explicit.tsv" using 1:6 with lines @explicit_gyroscopic title "explicit", \
      "tumble_dropped.tsv" using 1:6 with lines @no_gyroscopic title "dropped", \
@@ -153,7 +153,8 @@ set ytics autofreq
 set logscale xy
 set format y "10^{%T}"
 set xlabel "h|ω|\n "
-set ylabel "largest E_2/E_1 of a step"
+set lmargin 10
+set ylabel "largest E_2/E_1 of a step" offset -1.5,0
 set format x "%g"
 set xrange [0.1:10]
 set yrange [0.1:1e9]
@@ -164,6 +165,7 @@ plot 1 with lines @exact title "no gain", \
      "" using 1:5 with lines @passive_gyroscopic title "passive"
 
 # Where one iteration adds energy. A step without gain is white.
+unset lmargin
 call figure "map.svg" 640 520
 unset logscale
 set autoscale

@@ -19,7 +19,7 @@ plot "plane_free_explicit.tsv" using 1:2 with lines @explicit_gyroscopic, \
      "plane_free_passive.tsv" using 1:2 with lines @passive_gyroscopic
 set title "with rolling resistance" offset 0,-0.6
 set xlabel "time t (s)"
-set key at screen 0.55,0.075 center horizontal maxcols 3 reverse Left width 1
+set key at screen 0.55,0.075 center horizontal maxrows 3 reverse Left width -4
 plot "plane_rolling_explicit.tsv" using 1:2 with lines @explicit_gyroscopic title "explicit", \
      "plane_rolling_dropped.tsv" using 1:2 with lines @no_gyroscopic title "dropped", \
      "plane_rolling_lagged_inertia.tsv" using 1:2 with lines @lagged_inertia title "lagged inertia", \
@@ -46,7 +46,7 @@ plot "throws_middle_fine.tsv" using 1:2 with lines @exact, \
      "throws_start_passive.tsv" using 1:2 with lines @passive_gyroscopic
 set title "lever arms from its middle" offset 0,-0.6
 set xlabel "time t (s)"
-set key at screen 0.55,0.075 center horizontal maxcols 3 reverse Left width 1
+set key at screen 0.55,0.075 center horizontal maxrows 3 reverse Left width -4
 plot "throws_middle_fine.tsv" using 1:2 with lines @exact title "short steps", \
      "throws_middle_explicit.tsv" using 1:2 with lines @explicit_gyroscopic title "explicit", \
      "throws_middle_dropped.tsv" using 1:2 with lines @no_gyroscopic title "dropped", \
