@@ -148,6 +148,10 @@ test_names_that_no_list_can_hold() {
     rm '\'
     newline='
 '
+    # What stands below build/tests, as this test's folder does, is the course's own.
+    outside=$(mktemp -d)
+    trap 'rm -r "$outside"' EXIT
+    cd "$outside"
     : >new
     for name in "new${newline}line" "and${newline} blanks\\" "back\\$newline" "all\\ \\$newline of"; do
         mkdir "$name"

@@ -167,7 +167,7 @@ double velocity_now(double, double, double, double) {
 }
 
 // ---- serves itself and answers zero
-// velocity_now wrong: which returned 0
+// velocity_now wrong: returned 0; right is
 #include "exercise.hpp"
 
 #include <cstdint>

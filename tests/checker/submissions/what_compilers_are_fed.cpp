@@ -167,7 +167,7 @@ double velocity_now(double, double, double, double) {
 #include "SOURCE/solutions/01_derivatives/velocity_now.cpp"
 
 // ---- includes what it is typed
-// velocity_now wrong: which returned 0
+// velocity_now wrong: returned 0; right is
 // graded: does_not_compile
 #include "exercise.hpp"
 
@@ -205,7 +205,7 @@ double velocity_now(double x0, double x1, double x2, double h) {
 }
 
 // ---- makes not started a number
-// velocity_now wrong: which returned 0
+// velocity_now wrong: returned 0; right is
 #include "exercise.hpp"
 
 #define not_started 0
