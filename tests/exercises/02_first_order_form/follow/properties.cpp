@@ -56,7 +56,7 @@ PROPERTY("two frames land where one frame of their length does") {
     Draw draw;
     for (int i = 0; i < 60; ++i) {
         const Scene scene(draw);
-        const double h1 = draw.log(1e-3, 3) / scene.omega, h2 = draw.log(1e-3, 3) / scene.omega;
+        const double h1 = draw.log(0.02, 3) / scene.omega, h2 = draw.log(0.02, 3) / scene.omega;
         const State<double> once = scene.after(h1 + h2);
         const double moved = scene.target + scene.target_v * h1;
         const State<double> twice =
@@ -136,6 +136,8 @@ PROPERTY(
         const bool stands = i % 4 < 2;
         const double goal = stands ? 0 : draw.real(-5, 5),
                      goal_v = stands ? 0 : draw.any_of(-5, 5, {0});
+        // From the origin a tiny step away is less than the roundoff of where the player is.
+        if (!stands && goal + off == 0) continue;
         const State<double> after = learner({0, goal + off, goal_v + v}, goal, goal_v, omega, h);
         REQUIRE(close(after.t, h, 1e-15));
     }

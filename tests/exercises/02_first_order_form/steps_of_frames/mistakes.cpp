@@ -67,10 +67,10 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 
 }  // namespace nothing_dropped
 
-// Says: At the cap one step is dropped, however many are still owed: after a long hitch the frames go on
-//       paying.
-// Hint: An if drops one step. What must be done until less than a step is owed, or what gives the remainder
-//       at once?
+// Says: At the cap only one step is dropped, or some fixed number, however many are still owed: after a long
+//       hitch the frames go on paying.
+// Hint: An if drops one step, a counted loop its count. What must be done until less than a step is owed, or
+//       what gives the remainder at once?
 namespace one_step_dropped {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {

@@ -123,6 +123,8 @@ PROPERTY(
         const double x = size * draw.sign() * draw.log(1e-3, 5);
         const double v = x * std::min(omega, 10 / h) * draw.any_of(-2, 2, {0, 1});
         const double target = wh > 30 || i % 4 == 0 ? size * draw.sign() * draw.real(1, 5) : 0;
+        // From the origin a tiny step away is less than the roundoff of where the target is.
+        if (target != 0 && target + x == 0) continue;
         REQUIRE(close(learner({0, target + x, v}, target, omega, zeta, h).t, h, 1e-15));
     }
 }

@@ -270,3 +270,18 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 }
 
 }  // namespace single_precision
+
+// Says: A body with three equal moments keeps its spin, as it does without a wheel.
+// Hint: The torque is L x w. Is it still zero for a ball when the wheel is in L?
+namespace ball_keeps_its_spin {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    if (inertia.x() == inertia.y() && inertia.y() == inertia.z()) return omega;
+    const Vector3d root = inertia.cwiseSqrt(), y = root.cwiseProduct(omega);
+    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
+    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
+    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
+    return y2.cwiseQuotient(root);
+}
+
+}  // namespace ball_keeps_its_spin
