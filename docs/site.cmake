@@ -16,7 +16,7 @@ endif()
 
 set(heads "${theme}/head.html")
 set(styles "")
-set(scripts "${theme}/timestep.js" "${theme}/logo.svg")
+set(scripts "${theme}/timestep.js" "${theme}/live.js" "${theme}/logo.svg")
 if(AWESOME)
   foreach(part "" -sidebar-only -sidebar-only-darkmode-toggle)
     list(APPEND styles "${AWESOME}/doxygen-awesome${part}.css")
@@ -103,11 +103,12 @@ function(timestep_page chapter)
   set(index "${site}/index/${chapter}.tsv")
   timestep_runs_named_in("${input}" named)
   list(TRANSFORM named REPLACE "(.+)" "${PROJECT_BINARY_DIR}/chapters/\\1/run/done" OUTPUT_VARIABLE runs)
+  get_property(live GLOBAL PROPERTY TIMESTEP_LIVE_${chapter})
   add_custom_command(
     OUTPUT "${output}" "${index}"
     COMMAND ${fill} --figures "${site}/figures" --chapter ${chapter} --input "${input}"
             --output "${output}" --index "${index}" --depfile "${output}.d"
-    DEPENDS page "${input}" "${list_of_rooms}" ${runs} "${PROJECT_BINARY_DIR}/chapters/${chapter}/run/done"
+    DEPENDS page "${input}" "${list_of_rooms}" ${runs} "${PROJECT_BINARY_DIR}/chapters/${chapter}/run/done" ${live}
     DEPFILE "${output}.d" COMMENT "Filling the page of ${chapter}" VERBATIM)
   add_custom_target(page_${chapter} DEPENDS "${output}")
   foreach(run IN LISTS named ITEMS ${chapter})
@@ -129,11 +130,12 @@ set_property(GLOBAL APPEND PROPERTY JOB_POOLS growing_site=1)
 function(timestep_grows chapter)
   string(REGEX REPLACE "^0*([0-9]+)_.*" "\\1" number "${chapter}")
   set(shown "${site}/growing/shown_${chapter}")
+  get_property(live GLOBAL PROPERTY TIMESTEP_LIVE_${chapter})
   add_custom_command(OUTPUT "${shown}"
     COMMAND "${CMAKE_COMMAND}" "-DWHOLE=${site}" "-DROOT=${PROJECT_SOURCE_DIR}" "-DRUNS=${PROJECT_BINARY_DIR}/chapters"
             "-DPAGE=$<TARGET_FILE:page>" "-DSHOWN=${shown}" ${make_draft}
             -P "${PROJECT_SOURCE_DIR}/docs/grow_site.cmake"
-    DEPENDS "${PROJECT_BINARY_DIR}/chapters/${chapter}/run/done" page source_filter link_sources
+    DEPENDS "${PROJECT_BINARY_DIR}/chapters/${chapter}/run/done" ${live} page source_filter link_sources
     JOB_POOL growing_site COMMENT "Chapter ${number} can be read" VERBATIM)
   add_custom_target(grow_${chapter} DEPENDS "${shown}")
   string(REGEX REPLACE "^[0-9]+_" "run_" run "${chapter}")

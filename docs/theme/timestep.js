@@ -75,5 +75,6 @@ function fadeWhatGoesOn() {
 
 document.addEventListener("DOMContentLoaded", () => {
     addPlayButtons();
+    if (document.querySelector("figure[data-module]")) load("script", { src: "live.js" });
     typesetFormulas().finally(fadeWhatGoesOn);
 });

@@ -142,6 +142,8 @@ function(timestep_chapter chapter)
     endif()
   endforeach()
 
+  timestep_live(${chapter} "${needs}")
+
   set(run "${PROJECT_BINARY_DIR}/chapters/${chapter}/run")
   file(GLOB misuses CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" "${folder}/study/does_not_compile/*.cpp")
   set(misuse_paths ${misuses})

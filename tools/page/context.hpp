@@ -28,6 +28,7 @@ public:
     Context(std::filesystem::path root, std::filesystem::path runs);
 
     const std::filesystem::path& root() const { return root_; }
+    const std::filesystem::path& runs() const { return runs_; }
     const std::vector<Chapter>& chapters() const { return chapters_; }
 
     /// Makes this page the chapter's. Throws std::out_of_range when there is no such folder.

@@ -31,6 +31,10 @@ std::string check_markdown(Context& context, const Directive& directive);
 /// `{{figure file.svg N22 N24: caption}}`; `caption` is the filled caption.
 std::string figure_markdown(Context& context, const Directive& directive,
                             const std::string& caption);
+/// `{{live panel: caption}}`, `{{live 03_chapter/panel: caption}}`; `caption` is the filled caption.
+std::string live_markdown(Context& context, const Directive& directive, const std::string& caption);
+/// The caption's first sentence without marks, for those who cannot see the picture.
+std::string first_sentence(const std::string& caption);
 /// `{{code file tag}}`
 std::string code_markdown(Context& context, const Directive& directive);
 /// `{{run}}`, `{{run: Heading}}`

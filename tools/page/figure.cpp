@@ -8,10 +8,8 @@
 #include <stdexcept>
 
 namespace page {
-namespace {
 
-/// The caption's first sentence without marks, for those who cannot see the picture.
-std::string alternative(const std::string& caption) {
+std::string first_sentence(const std::string& caption) {
     std::string plain;
     bool in_tag = false;
     for (const char c : replace_all(caption, "\\f$", "")) {
@@ -24,6 +22,8 @@ std::string alternative(const std::string& caption) {
     const std::size_t end = plain.find(". ");
     return std::string{trim(end == std::string::npos ? plain : plain.substr(0, end + 1))};
 }
+
+namespace {
 
 /// A film may say in its file's name that it is one; its id and its title say so anyway.
 std::string figure_name(const std::filesystem::path& drawn, bool moves) {
@@ -73,7 +73,7 @@ std::string figure_markdown(Context& context, const Directive& directive,
 
     const ImageSize size = image_size(drawn);
     const std::string source = "figures/" + folder + "/" + file;
-    std::string image = "<img src=\"" + source + "\" alt=\"" + escape_html(alternative(caption)) +
+    std::string image = "<img src=\"" + source + "\" alt=\"" + escape_html(first_sentence(caption)) +
                         "\" width=\"" + std::to_string(size.width) + "\" height=\"" +
                         std::to_string(size.height) + "\" loading=\"lazy\">";
     if (moves) {

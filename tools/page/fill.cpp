@@ -189,7 +189,7 @@ private:
             return check_markdown(context_, directive);
         }
         static const std::set<std::string> blocks{"figure", "code",     "run",  "table",    "claims",
-                                                  "talks",  "chapters", "said", "exercises", "which", "program"};
+                                                  "talks",  "chapters", "said", "exercises", "which", "program", "live"};
         if (blocks.count(name) == 0) {
             if (!directive.arguments.empty() || !directive.text.empty()) {
                 throw std::invalid_argument{"there is no {{" + name + " …}}"};
@@ -199,14 +199,14 @@ private:
         if (!piece.own_line) {
             throw std::invalid_argument{"{{" + name + " …}} must stand on a line of its own"};
         }
-        if (name == "figure") {
+        if (name == "figure" || name == "live") {
             const std::size_t before = piece.text.size() - directive.text.size();
             const int lines_before = static_cast<int>(
                 std::count(piece.text.begin(),
                            piece.text.begin() + static_cast<std::ptrdiff_t>(before), '\n'));
             const std::vector<Piece> caption =
                 scan(directive.text, file_, piece.line + lines_before);
-            return figure_markdown(context_, directive, fill(caption));
+            return (name == "live" ? live_markdown : figure_markdown)(context_, directive, fill(caption));
         }
         if (name == "code") {
             return code_markdown(context_, directive);

@@ -1,0 +1,246 @@
+#pragma once
+// Words for a live panel: what a reader can set, how the scene steps, what is drawn. A panel is one short file,
+// chapters/NN_name/live/panel.cpp. Compiled to WebAssembly it moves in the page; compiled as any program, by
+//
+//   c++ -std=c++20 -O1 -Iinclude -Itools/live chapters/03_euler_variants/live/three_eulers.cpp -o panel && ./panel
+//
+// it takes the same steps and tells where they end. Nothing here allocates: a page that is left open must not grow.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "colours.hpp"
+
+namespace live {
+
+class Panel;
+
+// ---- What a reader sets, and reads ------------------------------------------------------------------
+
+// Each has a name for links and the shell, in small letters, and a label for the eye.
+struct Control {
+    enum Kind { slider, log_slider, choice, toggle };
+    Kind kind;
+    const char* name;
+    const char* label;
+    const char* unit;  // of a choice its options: "one|another"
+    double least, most, step, first;
+    double value = first;
+};
+
+// A number between two others, in steps; a log slider moves by factors and has three digits.
+struct Slider : Control {
+    Slider(Panel* panel, const char* name, const char* label, double least, double most, double step, double first,
+           const char* unit = "");
+    operator double() const { return value; }
+};
+struct LogSlider : Control {
+    LogSlider(Panel* panel, const char* name, const char* label, double least, double most, double first,
+              const char* unit = "");
+    operator double() const { return value; }
+};
+// One of several, "explicit|implicit": as a number from 0 on.
+struct Choice : Control {
+    Choice(Panel* panel, const char* name, const char* label, const char* options, int first = 0);
+    operator int() const { return static_cast<int>(value); }
+};
+struct Toggle : Control {
+    Toggle(Panel* panel, const char* name, const char* label, bool first = false);
+    operator bool() const { return value != 0; }
+};
+
+// A number below the picture. One whose label is a method's name has the method's colour beside it: the picture's key.
+struct Readout {
+    Readout(Panel* panel, const char* label, const char* unit = "");
+    void operator=(double v) { value = v; }
+    const char* label;
+    const char* unit;
+    double value = 0;
+};
+
+// Something that may blow up: what has is said once, "explicit Euler blew up at step 57", and is drawn no more.
+struct Fuse {
+    Fuse(Panel* panel, const char* name);
+    // Still sound? Once it is not, never again until a restart.
+    bool holds(bool sound);
+    operator bool() const { return blown_at < 0; }
+    Panel* panel;
+    const char* name;
+    long blown_at = -1;  // the step, or -1
+};
+
+// ---- The picture ---------------------------------------------------------------------------------------
+
+// Commands for the page, in the units of the scene, y upwards. A method's colour is asked for by its name, and is
+// that of the figures; "ink", "soft", "faint", "first" to "fourth" are no method's.
+class Picture {
+public:
+    // The part of the picture that is drawn in from here on, in shares from its lower left corner, and what it
+    // shows. With `equal` a metre is as long upwards as sideways: then at least this is shown.
+    void window(double left, double right, double bottom, double top, bool equal = false, double from_x = 0,
+                double to_x = 1, double from_y = 0, double to_y = 1) {
+        put({0, left, right, bottom, top, equal ? 1.0 : 0.0, from_x, to_x, from_y, to_y});
+    }
+    // With log axes the scene's units are powers of ten.
+    void axes(const char* x, const char* y, bool log_x = false, bool log_y = false) {
+        put({1, word(x), word(y), log_x ? 1.0 : 0.0, log_y ? 1.0 : 0.0});
+    }
+    void ink(const char* look, double width = 2, double strength = 1) { put({2, word(look), width, strength}); }
+    void move(double x, double y) { put({3, x, y}); }
+    void line(double x, double y) { put({4, x, y}); }
+    void stroke() { put({5}); }
+    void fill() { put({6}); }
+    void dot(double x, double y, double radius = 5) { put({7, x, y, radius}); }  // in pixels
+    void text(double x, double y, const char* words) { put({8, x, y, word(words)}); }
+    void segment(double x1, double y1, double x2, double y2) { move(x1, y1), line(x2, y2), stroke(); }
+
+    bool narrow = false;  // on a phone: one part above the other
+
+    void clear() { size_ = words_ = 0, broken_ = full_ = false; }
+    const double* commands() const { return commands_.data(); }
+    int size() const { return static_cast<int>(size_); }
+    const char* said(int i) const { return texts_[static_cast<std::size_t>(i)]; }
+    bool broken() const { return broken_; }  // a place was no number: nothing of the kind is drawn in silence
+    bool full() const { return full_; }
+
+private:
+    template <std::size_t n>
+    void put(const double (&command)[n]) {
+        for (const double number : command) broken_ = broken_ || !std::isfinite(number);
+        if (broken_ || size_ + n > commands_.size()) {
+            full_ = full_ || !broken_;
+            return;
+        }
+        for (const double number : command) commands_[size_++] = number;
+    }
+    double word(const char* text) {
+        std::size_t i = 0;
+        while (i < words_ && texts_[i] != text) ++i;
+        if (i == texts_.size()) return full_ = true, 0;
+        if (i == words_) texts_[words_++] = text;
+        return static_cast<double>(i);
+    }
+
+    std::array<double, 120'000> commands_{};
+    std::array<const char*, 64> texts_{};
+    std::size_t size_ = 0, words_ = 0;
+    bool broken_ = false, full_ = false;
+};
+
+// The last places of something that moves.
+template <std::size_t n>
+class Trail {
+public:
+    void clear() { size_ = 0; }
+    void add(double x, double y) { places_[size_++ % n] = {x, y}; }
+    void draw(Picture& picture) const {
+        const std::size_t first = size_ > n ? size_ - n : 0;
+        for (std::size_t i = first; i < size_; ++i) {
+            const auto& [x, y] = places_[i % n];
+            i == first ? picture.move(x, y) : picture.line(x, y);
+        }
+        picture.stroke();
+    }
+
+private:
+    std::array<std::array<double, 2>, n> places_{};
+    std::size_t size_ = 0;
+};
+
+// ---- The panel -----------------------------------------------------------------------------------------
+
+class Panel {
+public:
+    virtual ~Panel() = default;
+
+    virtual void restart() = 0;  // to the start, as the controls stand
+    virtual void step() = 0;
+    virtual void draw(Picture& picture) const = 0;
+    virtual double seconds() const { return 1.0 / 60; }  // of the reader's time that a step stands for
+    virtual bool restarts(const Control&) const { return true; }  // when the reader changes this one
+    // A finger: it takes hold of what is near (true: the page does not scroll), drags it, lets go.
+    virtual bool grab(double, double) { return false; }
+    virtual void drag(double, double) {}
+    virtual void let_go() {}
+    // Where the arrow keys take hold, if anything can be moved by them.
+    virtual bool handle(double&, double&) const { return false; }
+
+    const char* title = "";
+    double aspect = 0.6;  // height of the picture over its width
+    double aspect_narrow = 0.9;
+    long steps = 0;
+
+    std::array<Control*, 16> controls{};
+    std::array<Readout*, 16> readouts{};
+    std::array<Fuse*, 16> fuses{};
+
+    void begin() {
+        steps = 0;
+        for (Fuse* fuse : fuses)
+            if (fuse) fuse->blown_at = -1;
+        restart();
+    }
+    void go_on() { ++steps, step(); }
+    void set(Control& control, double value) {
+        control.value = std::fmin(std::fmax(value, control.least), control.most);
+        if (control.kind == Control::choice || control.kind == Control::toggle) control.value = std::floor(control.value);
+        if (restarts(control)) begin();
+    }
+};
+
+// The page's clock in ms, for a panel that measures.
+double clock();
+
+template <class Part>
+void add(std::array<Part*, 16>& parts, Part* part) {
+    for (Part*& place : parts)
+        if (!place) {
+            place = part;
+            return;
+        }
+}
+inline Slider::Slider(Panel* panel, const char* name, const char* label, double least, double most, double step,
+                      double first, const char* unit)
+    : Control{slider, name, label, unit, least, most, step, first} {
+    add<Control>(panel->controls, this);
+}
+inline LogSlider::LogSlider(Panel* panel, const char* name, const char* label, double least, double most, double first,
+                            const char* unit)
+    : Control{log_slider, name, label, unit, least, most, 0, first} {
+    add<Control>(panel->controls, this);
+}
+inline Choice::Choice(Panel* panel, const char* name, const char* label, const char* options, int first)
+    : Control{choice, name, label, options, 0, 0, 1, static_cast<double>(first)} {
+    for (const char* c = options; *c; ++c) most += *c == '|';
+    add<Control>(panel->controls, this);
+}
+inline Toggle::Toggle(Panel* panel, const char* name, const char* label, bool first)
+    : Control{toggle, name, label, "", 0, 1, 1, first ? 1.0 : 0.0} {
+    add<Control>(panel->controls, this);
+}
+inline Readout::Readout(Panel* panel, const char* label_, const char* unit_) : label(label_), unit(unit_) {
+    add(panel->readouts, this);
+}
+inline Fuse::Fuse(Panel* panel_, const char* name_) : panel(panel_), name(name_) { add(panel->fuses, this); }
+inline bool Fuse::holds(bool sound) {
+    if (!sound && blown_at < 0) blown_at = panel->steps;
+    return blown_at < 0;
+}
+
+Panel& the_panel();
+
+}  // namespace live
+
+// At the end of a panel's file: this is the one.
+#define LIVE_PANEL(Type)                                                                                               \
+    live::Panel& live::the_panel() {                                                                                   \
+        static Type panel;                                                                                             \
+        return panel;                                                                                                  \
+    }
+
+#ifdef __wasm__
+#include "module.hpp"
+#else
+#include "native.hpp"
+#endif
