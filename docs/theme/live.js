@@ -1,17 +1,14 @@
 // Live panels: the chapter's own C++, compiled to WebAssembly (tools/live), moves in the page. A panel's module is
-// a script of its own beside its still picture, live_NAME.js, loaded when the panel comes near the screen.
-
+// a script of its own beside its still picture, loaded when the panel comes near the screen.
 "use strict";
 
 const liveModules = {};  // what such a script hands over: liveModules[name] = base64
-const calmReader = window.matchMedia("(prefers-reduced-motion: reduce)");
 
-function element(tag, attributes = {}, ...children) {
+function make(tag, attributes = {}, ...children) {
     const made = Object.assign(document.createElement(tag), attributes);
     made.append(...children);
     return made;
 }
-
 const count = n => [...Array(n).keys()];
 
 // ---- The picture: draws the commands of tools/live/live.hpp, as still.hpp does --------------------------
@@ -44,8 +41,7 @@ class LiveCanvas {
     fit() {
         const part = this.part, [left, right, bottom, top, equal] = part.shown;
         const w = part.right - part.left, h = part.bottom - part.top;
-        part.fromX = left, part.fromY = bottom;
-        part.scaleX = w / (right - left), part.scaleY = h / (top - bottom);
+        Object.assign(part, { fromX: left, fromY: bottom, scaleX: w / (right - left), scaleY: h / (top - bottom) });
         if (!equal) return;
         part.scaleX = part.scaleY = Math.min(part.scaleX, part.scaleY);
         part.fromX -= (w / part.scaleX - (right - left)) / 2;
@@ -58,27 +54,30 @@ class LiveCanvas {
         pen.clearRect(0, 0, this.width, this.height);
         pen.save();
         for (let i = 0; i < commands.length; i += lengths[commands[i]]) {
-            const [what, a, b, c, d] = commands.subarray(i, i + 5);
-            if (what === 0) {
+            const a = commands[i + 1], b = commands[i + 2], c = commands[i + 3];
+            switch (commands[i]) {
+            case 0: {
                 const [left, right, bottom, top] = commands.subarray(i + 6, i + 10);
                 this.part = { shown: commands.slice(i + 1, i + 6), left: left * this.width + 8, right: right * this.width - 8,
                     bottom: (1 - bottom) * this.height - 8, top: (1 - top) * this.height + 8 };
-                this.main = this.main || this.part;
+                this.main ||= this.part;
                 this.fit();
                 this.clip();
-            } else if (what === 1) {
-                this.axes(this.text(a), this.text(b), c, d);
-                this.clip();
-            } else if (what === 2) {
+                break;
+            }
+            case 1: this.axes(this.text(a), this.text(b), c, commands[i + 4]); break;
+            case 2:
                 pen.strokeStyle = pen.fillStyle = this.text(a, "colour");
                 pen.setLineDash(this.text(a, "dashes").split(",").filter(Boolean).map(Number));
                 pen.lineWidth = b, pen.globalAlpha = c;
-            } else if (what === 3) pen.beginPath(), pen.moveTo(this.x(a), this.y(b));
-            else if (what === 4) pen.lineTo(this.x(a), this.y(b));
-            else if (what === 5) pen.stroke();
-            else if (what === 6) pen.fill();
-            else if (what === 7) pen.beginPath(), pen.arc(this.x(a), this.y(b), c, 0, 7), pen.fill();
-            else pen.fillText(this.text(c), this.x(a), this.y(b));
+                break;
+            case 3: pen.beginPath(), pen.moveTo(this.x(a), this.y(b)); break;
+            case 4: pen.lineTo(this.x(a), this.y(b)); break;
+            case 5: pen.stroke(); break;
+            case 6: pen.fill(); break;
+            case 7: pen.beginPath(), pen.arc(this.x(a), this.y(b), c, 0, 7), pen.fill(); break;
+            case 8: pen.fillText(this.text(c), this.x(a), this.y(b));
+            }
         }
         pen.restore();
     }
@@ -86,20 +85,24 @@ class LiveCanvas {
     // Nothing leaves its part of the picture.
     clip() {
         const { left, right, top, bottom } = this.part, pen = this.pen;
-        pen.restore(), pen.save();
+        this.fresh();
         pen.beginPath(), pen.rect(left, top, right - left, bottom - top), pen.clip();
-        pen.font = this.font(), pen.lineJoin = "round";
     }
-    font() { return (this.width < 500 ? 12 : 14) + "px sans-serif"; }
+    fresh() {
+        this.pen.restore(), this.pen.save();
+        this.pen.font = (this.width < 500 ? 12 : 14) + "px sans-serif", this.pen.lineJoin = "round";
+    }
 
     // Ticks at 1, 2 or 5 times a power of ten; on a log axis at whole powers.
-    ticks(from, to, log, most) {
-        let gap = 10 ** Math.floor(Math.log10((to - from) / 5));
-        if ((to - from) / gap > most) gap *= (to - from) / gap > 2.5 * most ? 5 : 2;
+    ticks(from, length, log, most) {
+        let gap = 10 ** Math.floor(Math.log10(length / 5));
+        if (length / gap > most) gap *= length / gap > 2.5 * most ? 5 : 2;
         if (log) gap = Math.max(1, Math.ceil(gap));
-        const all = [];
-        for (let n = Math.ceil(from / gap); n * gap <= to + gap / 1000; ++n) all.push(n * gap);
-        return all.map(at => [at, log ? "1e" + at : String(Number(at.toPrecision(6)))]);
+        const first = Math.ceil(from / gap);
+        return count(Math.max(0, Math.floor((from + length) / gap + .001) - first + 1)).map(n => {
+            const at = (first + n) * gap;
+            return [at, log ? "1e" + at : String(Number(at.toPrecision(6)))];
+        });
     }
 
     axes(wordX, wordY, logX, logY) {
@@ -108,16 +111,16 @@ class LiveCanvas {
             pen.strokeStyle = colour, pen.beginPath(), pen.moveTo(x1, y1), pen.lineTo(x2, y2), pen.stroke();
         };
         const write = (words, x, y, align) => { pen.textAlign = align, pen.fillText(words, x, y); };
-        pen.restore(), pen.save();
+        this.fresh();
         part.left += 48, part.bottom -= 38;
         this.fit();
-        const { left, right, top, bottom } = part, most = right - left < 300 ? 6 : 10;
-        pen.lineWidth = 1, pen.fillStyle = "#333", pen.font = this.font();
-        for (const [at, words] of this.ticks(part.fromX, part.fromX + (right - left) / part.scaleX, logX, most)) {
+        const { left, right, top, bottom } = part;
+        pen.lineWidth = 1, pen.fillStyle = "#333";
+        for (const [at, words] of this.ticks(part.fromX, (right - left) / part.scaleX, logX, right - left < 300 ? 6 : 10)) {
             line(this.x(at), top, this.x(at), bottom, "#ddd");
             write(words, this.x(at), bottom + 16, "center");
         }
-        for (const [at, words] of this.ticks(part.fromY, part.fromY + (bottom - top) / part.scaleY, logY, 10)) {
+        for (const [at, words] of this.ticks(part.fromY, (bottom - top) / part.scaleY, logY, 10)) {
             line(left, this.y(at), right, this.y(at), "#ddd");
             write(words, left - 5, this.y(at) + 5, "right");
         }
@@ -125,6 +128,7 @@ class LiveCanvas {
         line(left, top, left, bottom, "#333");
         write(wordX, (left + right) / 2, bottom + 33, "center");
         write(wordY, left + 6, top + 12, "left");
+        this.clip();
     }
 }
 
@@ -133,149 +137,141 @@ class LiveCanvas {
 class LivePanel {
     constructor(figure) {
         this.figure = figure;
-        this.name = figure.dataset.live;
-        this.plays = this.wanted = this.seen = false;
+        this.wanted = this.seen = this.plays = false;
     }
 
     async start() {
         await load("script", { src: this.figure.dataset.module });
-        const bytes = Uint8Array.from(atob(liveModules[this.name]), c => c.charCodeAt(0));
-        const none = () => { throw new Error("the module calls what a page has not"); };
-        const missing = new Proxy({}, { get: (_, name) => name === "clock" ? () => performance.now() : none });
-        const { instance } = await WebAssembly.instantiate(bytes, new Proxy({}, { get: () => missing }));
+        const bytes = Uint8Array.from(atob(liveModules[this.figure.dataset.live]), c => c.charCodeAt(0));
+        const { instance } = await WebAssembly.instantiate(bytes, new Proxy({}, { get: () => page }));
         this.of = instance.exports;
         this.of._initialize();
         this.of.begin();
         this.build();
-        this.settings(location.hash);
         this.shape();
+        this.settings();
         new ResizeObserver(() => this.shape()).observe(this.canvas);
-        this.play(!calmReader.matches);
+        this.play(!window.matchMedia("(prefers-reduced-motion: reduce)").matches);
         this.figure.classList.add("is-live");
     }
 
     words(at) {
-        const memory = new Uint8Array(this.of.memory.buffer);
-        let end = at;
-        while (memory[end] !== 0) ++end;
-        return new TextDecoder().decode(memory.subarray(at, end));
+        const bytes = new Uint8Array(this.of.memory.buffer);
+        return new TextDecoder().decode(bytes.subarray(at, bytes.indexOf(0, at)));
     }
 
-    // The native controls of what can be set.
+    // Native controls of all that can be set.
     build() {
-        this.canvas = element("canvas", { tabIndex: 0 });
-        this.canvas.setAttribute("role", "img");
-        this.canvas.setAttribute("aria-label", this.words(this.of.title()) + ". " +
-            (Number.isNaN(this.of.handle(0)) ? "" : "The arrow keys move the dot."));
-        this.picture = new LiveCanvas(this.canvas, (i, what = "said") => this.words(this.of[what](i)));
-        const form = element("form", { className: "live-controls", autocomplete: "off" });
-        form.addEventListener("submit", event => event.preventDefault());
-        this.controls = count(this.of.controls()).map(i => this.control(i, form));
-
-        const button = (words, action) => {
-            const made = element("button", { type: "button", className: "play", textContent: words });
+        const of = this.of, button = (words, action) => {
+            const made = make("button", { type: "button", className: "play", textContent: words });
             made.addEventListener("click", action);
             return made;
         };
+        this.canvas = make("canvas", { tabIndex: 0 });
+        this.canvas.setAttribute("role", "img");
+        this.canvas.setAttribute("aria-label", this.words(of.title()) +
+            (Number.isNaN(of.handle(0)) ? "" : ". The arrow keys move what can be dragged."));
+        this.picture = new LiveCanvas(this.canvas, (i, what = "said") => this.words(of[what](i)));
         this.playButton = button("", () => this.play(!this.wanted));
         this.linkButton = button("Link", () => this.link());
-        const buttons = element("div", { className: "live-buttons" }, this.playButton,
-            button("One step", () => { this.play(false), this.steps(1); }),
-            button("Restart", () => { this.of.begin(), this.show(); }), this.linkButton);
-
-        const list = element("dl", { className: "live-readouts" });
-        this.readouts = count(this.of.readouts()).map(i => {
-            const output = element("span", { className: "number" });
-            const [label, unit, colour] = [0, 1, 2].map(n => this.words(this.of.readout_text(i, n)));
-            const term = element("dt", { textContent: label });
+        this.status = make("p", { className: "live-status" });
+        this.status.setAttribute("role", "status");  // read aloud when it changes, and only then
+        const form = make("div", { className: "live-controls" });
+        const list = make("dl", { className: "live-readouts" });
+        this.controls = count(of.controls()).map(i => this.control(i, form));
+        this.readouts = count(of.readouts()).map(i => {
+            const output = make("span", { className: "number" });
+            const [label, unit, colour] = [0, 1, 2].map(n => this.words(of.readout_text(i, n)));
+            const term = make("dt", { textContent: label });
             if (colour) term.style.borderLeft = "14px solid " + colour;
-            list.append(element("div", {}, term, element("dd", {}, output, " " + unit)));
+            list.append(make("div", {}, term, make("dd", {}, output, " " + unit)));
             return output;
         });
-        this.status = element("p", { className: "live-status" });
-        this.status.setAttribute("role", "status");  // read aloud when it changes, and only then
-        this.figure.querySelector("a.card").replaceWith(element("div", { className: "live" }, this.canvas, buttons, this.status, form, list));
+        this.shell = make("code");
+        this.figure.querySelector("a.card").replaceWith(make("div", { className: "live" }, this.canvas,
+            make("div", { className: "live-buttons" }, this.playButton,
+                button("One step", () => { this.play(false), this.steps(1); }),
+                button("Restart", () => { of.begin(), this.show(); }), this.linkButton),
+            this.status, form, list, this.inShell()));
         this.touch();
     }
 
     control(i, form) {
-        const [kind, least, most, step, first] = [0, 1, 2, 3, 4].map(n => this.of.control_number(i, n));
-        const [name, label, unit] = [0, 1, 2].map(n => this.words(this.of.control_text(i, n)));
-        const id = `live-${this.name}-${name}`;
-        const control = { i, name, first, get: () => this.of.control_number(i, 5) };
-        const set = value => {
-            if (!Number.isFinite(value)) return;
-            this.of.set(i, value);
+        const of = this.of, [kind, least, most, step, first] = count(5).map(n => of.control_number(i, n));
+        const [name, label, unit] = count(3).map(n => this.words(of.control_text(i, n)));
+        const id = `${this.figure.id}-${name}`, row = make("div", { className: "live-control" });
+        const control = { name, first, get: () => of.control_number(i, 5), set: value => {
+            if (!Number.isNaN(value)) this.trying(() => of.set(i, value));
             control.show();
             this.show();
-        };
-        const row = element("div", { className: "live-control" }, element("label", { htmlFor: id, textContent: label }));
-        if (kind === 2) {
-            const list = element("select", { id });
-            unit.split("|").forEach((words, n) => list.append(element("option", { value: n, textContent: words })));
-            list.addEventListener("change", () => set(Number(list.value)));
+        } };
+        row.append(make("label", { htmlFor: id, textContent: label }));
+        if (kind === 2) {  // one of several
+            const list = make("select", { id }, ...unit.split("|").map((words, n) => make("option", { value: n, textContent: words })));
+            list.addEventListener("change", () => control.set(Number(list.value)));
             control.show = () => { list.value = control.get(); };
             row.append(list);
-        } else if (kind === 3) {
-            const box = element("input", { id, type: "checkbox" });
-            box.addEventListener("change", () => set(box.checked ? 1 : 0));
+        } else if (kind === 3) {  // on or off
+            const box = make("input", { id, type: "checkbox" });
+            box.addEventListener("change", () => control.set(Number(box.checked)));
             control.show = () => { box.checked = control.get() !== 0; };
             row.append(box);
-        } else {
-            const there = kind === 1 ? Math.log10 : x => x, back = kind === 1 ? x => Number((10 ** x).toPrecision(3)) : x => x;
-            const range = element("input", { id, type: "range", min: there(least), max: there(most),
-                step: kind === 1 ? 0.01 : step });
-            const typed = element("input", { type: "number", min: least, max: most, step: "any" });
-            typed.setAttribute("aria-label", label + " as a number" + (unit && ", " + unit));
-            range.addEventListener("input", () => set(Math.min(Math.max(back(Number(range.value)), least), most)));
-            typed.addEventListener("change", () => { set(typed.value === "" ? NaN : Number(typed.value)), control.show(); });
+        } else {  // a number, on a log slider by its logarithm
+            const there = x => kind === 1 ? Math.log10(x) : x, back = x => kind === 1 ? Number((10 ** x).toPrecision(3)) : x;
+            const range = make("input", { id, type: "range", min: there(least), max: there(most), step: kind === 1 ? .01 : step });
+            const typed = make("input", { type: "number", min: least, max: most, step: "any" });
+            typed.setAttribute("aria-label", label + " as a number");
+            range.addEventListener("input", () => control.set(back(Number(range.value))));
+            typed.addEventListener("change", () => control.set(typed.value === "" ? NaN : Number(typed.value)));
             control.show = () => {
                 range.value = there(control.get());
                 typed.value = Number(control.get().toPrecision(6));
             };
-            row.append(range, typed, element("span", { className: "unit", textContent: unit }));
+            row.append(range, typed, make("span", { className: "unit", textContent: unit }));
         }
-        control.set = set;
         control.show();
         form.append(row);
         return control;
     }
 
-    // A finger or the mouse; what is not taken hold of scrolls the page.
+    // A finger or the mouse; where there is nothing to take hold of, the page scrolls as ever.
     touch() {
+        const { canvas, of } = this, on = (where, names, action) => {
+            for (const name of names.split(" ")) where.addEventListener(name, action, { passive: false });
+        };
         let held = false;
-        const place = at => {
-            const box = this.canvas.getBoundingClientRect();
-            return this.picture.place(at.clientX - box.left, at.clientY - box.top);
+        const at = event => {
+            const box = canvas.getBoundingClientRect(), point = event.touches ? event.touches[0] : event;
+            return this.picture.place(point.clientX - box.left, point.clientY - box.top);
         };
-        const begin = (at, event) => {
-            held = this.of.grab(...place(at)) !== 0;
-            if (held) event.preventDefault(), this.show();
-        };
-        const move = at => { if (held) this.of.drag(...place(at)), this.moved(); };
-        const end = () => { if (held) held = false, this.of.let_go(), this.show(); };
-        this.canvas.addEventListener("touchstart", event => begin(event.touches[0], event), { passive: false });
-        this.canvas.addEventListener("touchmove", event => {
-            if (held) event.preventDefault(), move(event.touches[0]);
-        }, { passive: false });
-        for (const over of ["touchend", "touchcancel"]) this.canvas.addEventListener(over, end);
-        this.canvas.addEventListener("mousedown", event => { begin(event, event); if (held) this.canvas.focus(); });
-        window.addEventListener("mousemove", move);
-        window.addEventListener("mouseup", end);
-        const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-        this.canvas.addEventListener("keydown", event => {
-            const arrow = arrows[event.key], x = this.of.handle(0), y = this.of.handle(1);
-            if (!arrow || Number.isNaN(x) || !this.of.grab(x, y)) return;
+        const moved = () => { for (const control of this.controls) control.show(); this.show(); };
+        on(canvas, "touchstart mousedown", event => {
+            held = of.grab(...at(event)) !== 0;
+            if (!held) return;
             event.preventDefault();
-            const far = 10 / this.picture.main.scaleX;
-            this.of.drag(x + arrow[0] * far, y + arrow[1] * far);
-            this.of.let_go();
-            this.moved();
+            canvas.focus({ preventScroll: true });
+            moved();
         });
-    }
-    moved() {
-        for (const control of this.controls) control.show();
-        this.show();
+        const drag = event => {
+            if (!held) return;
+            event.preventDefault();
+            of.drag(...at(event));
+            moved();
+        };
+        on(canvas, "touchmove", drag);
+        on(window, "mousemove", drag);
+        const end = () => { if (held) held = false, of.let_go(), moved(); };
+        on(canvas, "touchend touchcancel", end);
+        on(window, "mouseup", end);
+        on(canvas, "keydown", event => {
+            const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+            const x = of.handle(0), y = of.handle(1), far = 10 / this.picture.main.scaleX;
+            if (!arrow || Number.isNaN(x) || !of.grab(x, y)) return;
+            event.preventDefault();
+            of.drag(x + arrow[0] * far, y + arrow[1] * far);
+            of.let_go();
+            moved();
+        });
     }
 
     // ---- Time
@@ -285,93 +281,105 @@ class LivePanel {
         this.playButton.textContent = wanted ? "■ Stop" : "▶ Play";
         this.look(this.seen);
     }
+    // Off screen nothing is done.
     look(seen) {
+        const before = this.plays;
         this.seen = seen;
-        const plays = Boolean(this.of) && this.wanted && seen;
-        if (plays && !this.plays) {
-            this.then = performance.now(), this.owed = 0;
-            requestAnimationFrame(now => this.frame(now));
-        }
-        this.plays = plays;
+        this.plays = this.wanted && seen;
+        if (!this.plays || before) return;
+        this.then = performance.now(), this.owed = 0;
+        requestAnimationFrame(now => this.frame(now));
     }
     // Chapter 2's loop: a frame pays what it owes in whole steps. After a hitch the rest is forgiven.
     frame(now) {
         if (!this.plays) return;
         const h = this.of.seconds() * 1000;
-        this.owed = Math.min(this.owed + Math.max(0, now - this.then), 10 * h);
+        this.owed = Math.min(this.owed + Math.max(0, now - this.then), Math.max(10 * h, 50));
         this.then = now;
-        let n = 0;
-        for (; this.owed >= h; this.owed -= h) ++n;
+        const n = Math.floor(this.owed / h);
+        this.owed -= n * h;
         if (n > 0) this.steps(n);
         requestAnimationFrame(next => this.frame(next));
     }
     steps(n) {
+        this.trying(() => { for (; n > 0; --n) this.of.step(); });
+        this.show();
+    }
+    trying(action) {
         try {
-            for (; n > 0; --n) this.of.step();
+            action();
         } catch (stopped) {
             this.play(false);
-            this.status.textContent = "The module stopped: it was asked for what the library refuses. Restart it.";
+            this.broke = "The library refused these settings: load the page again.";
         }
-        this.show();
     }
 
     // ---- What is shown
 
     shape() {
-        this.narrow = this.canvas.clientWidth < 500;
-        this.picture.resize(this.of.aspect(this.narrow ? 1 : 0));
+        this.narrow = Number(this.canvas.clientWidth < 500);
+        this.picture.resize(this.of.aspect(this.narrow));
         this.show();
     }
-    commands() {
-        const size = this.of.draw(this.narrow ? 1 : 0);
-        return new Float64Array(this.of.memory.buffer, this.of.commands(), size);
-    }
     show() {
-        if (!this.picture) return;
-        this.picture.draw(this.commands());
+        const of = this.of, size = of.draw(this.narrow);
+        this.picture.draw(new Float64Array(of.memory.buffer, of.commands(), size));
         this.readouts.forEach((output, i) => {
-            const value = this.of.readout(i), size = Math.abs(value);
-            output.textContent = !Number.isFinite(value) ? "no number" : size !== 0 && (size >= 1e6 || size < 1e-3)
-                ? value.toExponential(2) : Number(value.toPrecision(4)).toString();
+            const value = of.readout(i), length = Math.abs(value);
+            output.textContent = !Number.isFinite(value) ? "no number" : length >= 1e6 || (length < 1e-3 && length > 0)
+                ? value.toExponential(2) : String(Number(value.toPrecision(4)));
         });
-        const blown = count(this.of.fuses()).filter(i => this.of.fuse(i) >= 0)
-            .map(i => `${this.words(this.of.fuse_text(i))} blew up at step ${this.of.fuse(i)}.`);
-        if (this.of.broken()) blown.push(`At step ${this.of.steps()} a place is no number any more, and is not drawn.`);
-        if (this.status.textContent !== blown.join(" ")) this.status.textContent = blown.join(" ");
+        const said = count(of.fuses()).filter(i => of.fuse(i) >= 0)
+            .map(i => `${this.words(of.fuse_text(i))} blew up at step ${of.fuse(i)}.`);
+        if (of.broken()) said.push(`At step ${of.steps()} a place is no number any more, and is not drawn.`);
+        if (this.broke) said.push(this.broke);
+        if (this.status.textContent !== said.join(" ")) this.status.textContent = said.join(" ");
     }
 
-    // ---- A link that carries the settings: #live-NAME:omega_h=1.2,x=1
+    // ---- The settings, as words: in a link, #live-three_eulers:omega_h=1.2,x=1, and for the shell
 
+    set() {
+        return this.controls.filter(c => c.get() !== c.first).map(c => `${c.name}=${c.get()}`);
+    }
     link() {
-        const set = this.controls.filter(c => c.get() !== c.first).map(c => `${c.name}=${Number(c.get().toPrecision(12))}`);
-        history.replaceState(null, "", `#${this.figure.id}:${set.join(",")}`);
+        history.replaceState(null, "", `#${this.figure.id}:${this.set().join(",")}`);
+        const say = words => { this.linkButton.textContent = words; };
         const copied = navigator.clipboard ? navigator.clipboard.writeText(location.href) : Promise.reject();
-        copied.then(() => { this.linkButton.textContent = "Link copied"; },
-            () => { this.linkButton.textContent = "In the address bar"; });
-        setTimeout(() => { this.linkButton.textContent = "Link"; }, 2000);
+        copied.then(() => say("Link copied"), () => say("It is in the address bar"));
+        setTimeout(() => say("Link"), 2000);
     }
-    settings(hash) {
-        const [id, words = ""] = decodeURIComponent(hash.slice(1)).split(":");
+    settings() {
+        const [id, words = ""] = decodeURIComponent(location.hash.slice(1)).split(":");
         if (id !== this.figure.id) return;
         for (const [name, value] of words.split(",").map(word => word.split("=")))
             this.controls.find(control => control.name === name)?.set(Number(value));
-        this.figure.scrollIntoView();
+    }
+    inShell() {
+        const details = make("details", { className: "live-shell" }, make("summary", { textContent: "The same run in a shell" }), this.shell);
+        details.addEventListener("toggle", () => {
+            const source = `chapters/${this.figure.dataset.live.replace("/", "/live/")}.cpp`;
+            this.shell.textContent = `c++ -std=c++20 -Iinclude -Itools/live -I/usr/include/eigen3 ${source} -o panel && ` +
+                `./panel ${[...this.set(), `steps=${this.of.steps()}`].join(" ")}`;
+        });
+        return details;
     }
 }
 
+// What a module may ask of the page.
+const page = new Proxy({ clock: () => performance.now() }, {
+    get: (known, name) => known[name] || (() => { throw new Error("a page has no " + name); }),
+});
+
 function startLivePanels() {
-    const near = new IntersectionObserver(entries => {
-        for (const { target, isIntersecting } of entries) {
+    const on = new IntersectionObserver(all => all.forEach(one => one.target.live.look(one.isIntersecting)));
+    const near = new IntersectionObserver(all => {
+        for (const { target, isIntersecting } of all) {
             if (!isIntersecting || target.live) continue;
             target.live = new LivePanel(target);
             target.live.start().then(() => on.observe(target), () => target.classList.add("stands-still"));
         }
     }, { rootMargin: "200px" });
-    const on = new IntersectionObserver(entries => {
-        for (const { target, isIntersecting } of entries) target.live.look(isIntersecting);
-    });
     for (const figure of document.querySelectorAll("figure[data-module]")) near.observe(figure);
-    const named = location.hash.startsWith("#live-") && document.getElementById(location.hash.slice(1).split(":")[0]);
-    if (named) named.scrollIntoView();  // and so it starts
+    if (location.hash.startsWith("#live-")) document.getElementById(location.hash.slice(1).split(":")[0])?.scrollIntoView();
 }
 startLivePanels();

@@ -93,6 +93,16 @@ public:
     void fill() { put({6}); }
     void dot(double x, double y, double radius = 5) { put({7, x, y, radius}); }  // in pixels
     void text(double x, double y, const char* words) { put({8, x, y, word(words)}); }
+    // Round, without a sine: the browser's and ours differ in their last bits.
+    void circle(double x, double y, double radius) {
+        double c = radius, s = 0;
+        move(x + c, y + s);
+        for (int i = 0; i < 96; ++i) {
+            const double turned = 0.99785892323860348 * c - 0.065403129230143062 * s;  // by 2π/96
+            s = 0.065403129230143062 * c + 0.99785892323860348 * s, c = turned;
+            line(x + c, y + s);
+        }
+    }
     void segment(double x1, double y1, double x2, double y2) { move(x1, y1), line(x2, y2), stroke(); }
 
     bool narrow = false;  // on a phone: one part above the other

@@ -2,7 +2,6 @@
 // still: omega_h=0.17 steps=37
 
 #include <cmath>
-#include <numbers>
 
 #include <timestep/methods/explicit_euler.hpp>
 #include <timestep/methods/implicit_euler.hpp>
@@ -41,11 +40,7 @@ public:
         p.window(-3, 3, -2.4, 2.4, true);
         p.axes("x, m", "v/ω, m");
         p.ink("exact", 5, 0.6);
-        const double radius = std::sqrt(x * x + v * v);
-        for (int i = 0; i <= 90; ++i) {
-            const double angle = i * (std::numbers::pi / 45);
-            i == 0 ? p.move(radius, 0) : p.line(radius * std::cos(angle), radius * std::sin(angle));
-        }
+        p.circle(0, 0, length(x, v));
         p.stroke();
         draw(p, implicit_euler.name, implicit_state, implicit_trail);
         draw(p, semi_implicit_euler.name, semi_implicit_state, semi_implicit_trail);
@@ -55,7 +50,7 @@ public:
     }
 
     // The start can be dragged.
-    bool grab(double at_x, double at_v) override { return std::hypot(at_x - x, at_v - v) < 0.5; }
+    bool grab(double at_x, double at_v) override { return length(at_x - x, at_v - v) < 0.5; }
     void drag(double to_x, double to_v) override {
         set(x, to_x);
         set(v, to_v);
@@ -65,7 +60,8 @@ public:
 private:
     using Trail = live::Trail<400>;
 
-    static double amplitude(const State<double>& s) { return std::hypot(s.x, s.v); }
+    static double length(double x, double y) { return std::sqrt(x * x + y * y); }  // hypot has other bits elsewhere
+    static double amplitude(const State<double>& s) { return length(s.x, s.v); }
     void record() {
         if (explicit_holds) explicit_trail.add(explicit_state.x, explicit_state.v);
         implicit_trail.add(implicit_state.x, implicit_state.v);
