@@ -16,6 +16,14 @@ libcli11-dev         have_file include/CLI/CLI.hpp
 nlohmann-json3-dev   have_file include/nlohmann/json.hpp
 valgrind             have_one valgrind
 '
+# What lets the site's panels move: wished for where the site is made, and done without where a system has none.
+wishes='
+clang                    have_wasm
+lld                      have_wasm
+wasi-libc                have_wasm
+libc++-dev-wasm32        have_wasm
+libclang-rt-dev-wasm32   have_wasm
+'
 # What only some checks need, and the libraries that chapter 7 measures beside ours: installed by --all,
 # skipped by the tests where it is not there.
 extras='
@@ -49,6 +57,14 @@ have_cmake() {
     [ -n "$found" ] && { [ "${found% *}" -gt "$1" ] ||
         { [ "${found% *}" -eq "$1" ] && [ "${found#* }" -ge "$2" ]; }; }
 }
+# C++ for WebAssembly stands where Clang's version says.
+have_wasm() {
+    for place in $places; do
+        set -- "$place"/lib/llvm-*/include/wasm32-wasi/c++/v1
+        [ ! -e "$1" ] || return 0
+    done
+    return 1
+}
 have_sanitizers_of() {
     set -- "$("$1" -print-resource-dir 2>/dev/null)"/lib/*/libclang_rt.asan*
     [ -e "$1" ]
@@ -72,6 +88,21 @@ missing() {
     echo "$1" | while read -r package look; do
         [ -z "$package" ] || $look || printf '%s ' "$package"
     done
+}
+
+# The wishes that are not there and that this system has, or may have: one without lists of packages is not asked.
+missing_wishes() {
+    [ -z "$kit" ] && [ ! -e "$build/panels_stand_still" ] || return 0
+    for package in $(missing "$wishes"); do
+        case "$(candidate "$package")/$(candidate gnuplot-nox)" in
+        '(none)'/* | /?*) return 0 ;;
+        esac
+    done
+    missing "$wishes"
+}
+panels_stand_still() {
+    say "the site's panels stand still: $1. This lets them move: $apt_install $(missing "$wishes")"
+    mkdir -p "$build" && : >"$build/panels_stand_still"
 }
 
 # ---- Installing --------------------------------------------------------------------------------
@@ -123,6 +154,15 @@ catch2_from_backports() {
     return $status
 }
 
+# Installs what is needed alone, after the wishes have failed with it.
+without_wishes() {
+    [ -n "$wished" ] || return 1
+    panels_stand_still 'apt-get failed'
+    packages=${packages%"$wished"}
+    # shellcheck disable=SC2086  # a list of words
+    [ -z "$packages" ] || apt install --no-install-recommends $packages
+}
+
 # No right to install: says which command to give somebody who has it.
 refuse() {
     packages=$wanted
@@ -152,17 +192,28 @@ install() {
         sudo=
     elif have_one sudo; then
         sudo=sudo
+    elif [ "$wanted" = "$wished" ]; then
+        panels_stand_still 'you are not root, so I cannot install what they need'
+        return
     else
         refuse 'you are not root, so I cannot install it'
     fi
     if on_terminal && [ "$yes" = no ]; then
         printf 'course: install it now with apt-get? [Y/n] ' >&2
         read -r answer || answer=n
-        case $answer in '' | [yY]*) ;; *) refuse 'nothing was installed' ;; esac
+        case $answer in
+        '' | [yY]*) ;;
+        *)
+            [ "$wanted" != "$wished" ] || { panels_stand_still 'nothing was installed'; return; }
+            refuse 'nothing was installed'
+            ;;
+        esac
     fi
     if [ -n "$sudo" ]; then
-        if on_terminal; then sudo -v; else sudo -n true 2>/dev/null; fi ||
+        if on_terminal; then sudo -v; else sudo -n true 2>/dev/null; fi || {
+            [ "$wanted" != "$wished" ] || { panels_stand_still 'sudo does not let me install what they need'; return; }
             refuse 'sudo does not let me install it'
+        }
     fi
 
     log=$(mktemp)
@@ -171,7 +222,7 @@ install() {
     packages=$wanted
     offers_catch2 || packages=$(echo "$wanted" | sed 's/catch2 //')
     # shellcheck disable=SC2086  # a list of words
-    [ -z "$packages" ] || apt install --no-install-recommends $packages ||
+    [ -z "$packages" ] || apt install --no-install-recommends $packages || without_wishes ||
         stop 3 "apt-get failed: $(sed -n 's/^E: //p' "$log" | head -n 1) (all that it said: $log)"
     case $wanted in *"catch2 "*)
         have_catch2 || catch2_from_backports ||
@@ -200,6 +251,8 @@ set_up() {
         esac
     done
     installed=no
-    wanted=$(missing "$list")
+    wished=
+    case $command in tour | test | setup | kit) wished=$(missing_wishes) ;; esac
+    wanted=$(missing "$list")$wished
     [ -z "$wanted" ] || { install; installed=yes; }
 }

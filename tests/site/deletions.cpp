@@ -34,10 +34,12 @@ public:
             fs::copy(root / part, folder_ / part, fs::copy_options::recursive);
         }
         for (const auto& entry : fs::directory_iterator{runs}) {
-            const fs::path run = entry.path().filename() / "run";
-            if (fs::is_directory(runs / run)) {
-                fs::create_directories(folder_ / "runs" / run);
-                fs::copy(runs / run, folder_ / "runs" / run, fs::copy_options::recursive);
+            for (const char* part : {"run", "live"}) {
+                const fs::path run = entry.path().filename() / part;
+                if (fs::is_directory(runs / run)) {
+                    fs::create_directories(folder_ / "runs" / run);
+                    fs::copy(runs / run, folder_ / "runs" / run, fs::copy_options::recursive);
+                }
             }
         }
     }
@@ -156,6 +158,11 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
         in_run(words.at(1), "checks.tsv", false);
     } else if (kind == "figure" || kind == "table" || kind == "said") {
         in_run(words.at(1), "", true);
+    } else if (kind == "live") {
+        const auto nothing = [](const std::string&) { return std::string{}; };
+        const std::string name = words.at(1), source = "chapters/" + copy.chapter() + "/live/" + name + ".cpp";
+        deletions.try_without(source, copy.root() / source, nothing);
+        deletions.try_without(name + ", still", copy.run(copy.chapter(), "../live/" + name + ".svg"), nothing);
     } else if (kind == "run") {
         const std::string heading{colon == std::string::npos
                                       ? ""

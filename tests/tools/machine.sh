@@ -54,6 +54,7 @@ mkdir -p '$folder/usr/clang/lib/linux'; : >'$folder/usr/clang/lib/linux/libclang
     offer_file libsundials-dev include/arkode/arkode_erkstep.h
     offer_file libbullet-dev include/bullet/BulletDynamics/Dynamics/btRigidBody.h
     offer_file libode-dev include/ode/ode.h
+    offer_file libc++-dev-wasm32 lib/llvm-14/include/wasm32-wasi/c++/v1
     echo "cp '$folder/cmake_3.25.1' '$folder/bin/cmake'" >apt/cmake
     make_cmake 3.25.1
 }
@@ -65,7 +66,7 @@ offer_file() { echo "mkdir -p '$folder/usr/${2%/*}'; : >'$folder/usr/$2'" >"apt/
 have() { for package; do sh "$folder/apt/$package"; done; }
 have_all() {
     have g++ cmake ninja-build libeigen3-dev catch2 gnuplot-nox doxygen doxygen-awesome-css \
-        libjs-katex libcli11-dev nlohmann-json3-dev valgrind
+        libjs-katex libcli11-dev nlohmann-json3-dev valgrind libc++-dev-wasm32
 }
 
 # A CMake that configures by leaving a cache, and builds a course program that tells its arguments.

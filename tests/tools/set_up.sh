@@ -6,6 +6,7 @@ here=$(dirname "$0")
 
 everything='g++ cmake ninja-build libeigen3-dev catch2 gnuplot-nox doxygen doxygen-awesome-css'
 everything="$everything libjs-katex libcli11-dev nlohmann-json3-dev valgrind"
+panels='clang lld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32'
 
 test_root_installs_what_is_missing_then_builds_and_hands_over() {
     new_machine 0
@@ -38,6 +39,43 @@ test_only_what_is_missing_is_installed() {
     expect 7 course tour
     says err 'course: this machine lacks: gnuplot-nox libcli11-dev'
     says calls 'install --no-install-recommends gnuplot-nox libcli11-dev'
+}
+
+
+test_what_lets_panels_move_is_installed_with_the_rest() {
+    new_machine 0
+    have_all
+    rm -r bin/gnuplot usr/lib/llvm-14
+    expect 7 course tour
+    says err "course: this machine lacks: gnuplot-nox $panels"
+    says calls "install --no-install-recommends gnuplot-nox $panels"
+    rm -r usr/lib/llvm-14
+    expect 7 course check velocity_now
+    silent_on err lacks
+}
+
+test_where_nothing_lets_panels_move_the_site_is_made_all_the_same() {
+    new_machine 1000
+    have_all
+    rm -r usr/lib/llvm-14
+    expect 7 course tour
+    says err "course: the site's panels stand still: you are not root, so I cannot install what they need. This lets them move: apt-get install --yes --no-install-recommends $panels"
+    touch checkout/course
+    expect 7 course tour
+    silent_on err 'stand still'
+    # A system that has no such packages is not asked for them.
+    new_machine 0
+    have_all
+    rm -r usr/lib/llvm-14 checkout/build
+    fake apt-cache "case \$2 in gnuplot-nox) echo '  Candidate: 5.4' ;; *) echo '  Candidate: (none)' ;; esac"
+    expect 7 course tour
+    silent_on calls apt-get
+    # One whose packages cannot be installed goes without.
+    rm -r checkout/build
+    fake apt-cache "echo '  Candidate: 5.4'"
+    : >apt_fails
+    expect 7 course tour
+    says err "course: the site's panels stand still: apt-get failed. "
 }
 
 test_tools_from_elsewhere_count() {
@@ -108,7 +146,7 @@ test_setup_installs_and_builds_nothing() {
     silent_on calls 'cmake -S'
     silent_on calls chromium
     expect 0 course setup --all --yes
-    says err 'this machine lacks: bubblewrap clang libclang-rt-dev chromium chromium-driver python3-selenium libboost-dev libgsl-dev libsundials-dev libbullet-dev libode-dev'
+    says err 'this machine lacks: bubblewrap libclang-rt-dev chromium chromium-driver python3-selenium libboost-dev libgsl-dev libsundials-dev libbullet-dev libode-dev'
     : >calls
     expect 0 course setup --all
     is "$(lines calls)" 0
@@ -131,7 +169,7 @@ test_without_root_and_sudo_the_command_is_told() {
     have g++
     expect 3 course tour
     says err 'course: you are not root, so I cannot install it. This command installs what is missing:'
-    says err "  su -c 'apt-get update; apt-get install --yes --no-install-recommends ${everything#g++ }'"
+    says err "  su -c 'apt-get update; apt-get install --yes --no-install-recommends ${everything#g++ } $panels'"
     is "$(lines calls)" 0
     [ ! -e checkout/build ] || fail 'something was built'
 }

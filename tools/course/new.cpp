@@ -181,6 +181,7 @@ void new_chapter(const std::string& name) {
         {"chapter/chapter.md", room + "chapter.md", "the page"},
         {"chapter/program.cpp", room + name + ".cpp", "the program: one short file, its numbers to play with at the top"},
         {"chapter/figures.gp", room + "figures.gp", "its picture"},
+        {"chapter/live.cpp", room + "live/" + name + ".cpp", "a live panel: the same, in the reader's hand (or no folder live)"},
         {"chapter/study/study.cpp", room + "study/study.cpp", "what finds the page's numbers and checks"},
         {"chapter/study/figures.gp", room + "study/figures.gp", "more figures, from what the study finds"},
         {"chapter/test.cpp", "tests/chapters/" + folder + ".cpp", "what the chapter claims, as tests"}};

@@ -3,7 +3,8 @@
 //
 //   ./panel omega_h=1.2 steps=600 grab=0.5,0 drag=0.7,0.1 let_go steps=60 --still picture.svg
 //
-// It prints the readouts, who has blown up, and a hash of all bits that are drawn.
+// It prints the readouts, who has blown up, and a hash of all bits that are drawn; `--controls` alone prints what
+// can be set, from where to where.
 
 #include <chrono>
 #include <cstdint>
@@ -90,6 +91,11 @@ int main(int count, char** words) {
     panel.begin();
     for (int i = 1; i < count; ++i) {
         const std::string word = words[i];
+        if (word == "--controls" && count == 2) {
+            for (const Control* control : panel.controls)
+                if (control) std::printf("%s %.17g %.17g\n", control->name, control->least, control->most);
+            return 0;
+        }
         if (word != "--still") {
             const std::string wrong = carry_out(panel, word);
             if (!wrong.empty()) return complain(wrong);
