@@ -64,9 +64,8 @@ test_where_nothing_lets_panels_move_the_site_is_made_all_the_same() {
     expect 7 course tour
     silent_on err 'stand still'
     # A system that has no such packages is not asked for them.
-    new_machine 0
-    have_all
-    rm -r usr/lib/llvm-14 checkout/build
+    fake id 'echo 0'
+    rm -r checkout/build
     fake apt-cache "case \$2 in gnuplot-nox) echo '  Candidate: 5.4' ;; *) echo '  Candidate: (none)' ;; esac"
     expect 7 course tour
     silent_on calls apt-get
