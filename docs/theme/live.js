@@ -2,8 +2,6 @@
 // a script of its own beside its still picture, loaded when the panel comes near the screen.
 "use strict";
 
-const liveModules = {};  // what such a script hands over: liveModules[name] = base64
-
 function make(tag, attributes = {}, ...children) {
     const made = Object.assign(document.createElement(tag), attributes);
     made.append(...children);
@@ -141,9 +139,7 @@ class LivePanel {
     }
 
     async start() {
-        await load("script", { src: this.figure.dataset.module });
-        const bytes = Uint8Array.from(atob(liveModules[this.figure.dataset.live]), c => c.charCodeAt(0));
-        const { instance } = await WebAssembly.instantiate(bytes, new Proxy({}, { get: () => page }));
+        const { instance } = await WebAssembly.instantiate(await bytesOf(this.figure.dataset.module), new Proxy({}, { get: () => page }));
         this.of = instance.exports;
         this.of._initialize();
         this.of.begin();

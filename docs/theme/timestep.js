@@ -1,5 +1,4 @@
-// What the pages do themselves: typeset formulas, let a reader stop an animation, and show where a table
-// goes on.
+// What the pages do themselves: typeset formulas, show where a table goes on, and begin what moves.
 
 // Formulas come as \(…\) and \[…\]. KaTeX is loaded where there are some; where it is not to be had
 // they stay as they are. Listings are left alone: a backslash in a source file is no formula.
@@ -21,6 +20,13 @@ function load(tag, attributes) {
     });
 }
 
+// A page that is opened from its file may read scripts alone: NAME.js hands over the bytes of the file NAME.
+const pageBytes = {};
+async function bytesOf(name) {
+    if (!pageBytes[name]) await load("script", { src: name + ".js" });
+    return Uint8Array.from(atob(pageBytes[name]), c => c.charCodeAt(0));
+}
+
 async function typesetFormulas() {
     const contents = document.querySelector(".contents");
     if (typeof katexFolder === "undefined" || !contents || !/\\[(\[]/.test(contents.textContent)) return;
@@ -39,29 +45,6 @@ async function typesetFormulas() {
     if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView();
 }
 
-// A button below each animation: it shows the first frame, or the animation from its beginning.
-// Readers who asked for less motion begin with the first frame.
-function addPlayButtons() {
-    for (const figure of document.querySelectorAll("figure.animation")) {
-        const image = figure.querySelector("img");
-        const moving = image.getAttribute("src");
-        const still = moving.replace(/\.gif$/, ".still.gif");
-        const button = document.createElement("button");
-        let plays = !window.matchMedia("(prefers-reduced-motion: reduce)").matches;
-        figure.querySelector("source").remove();
-
-        function show() {
-            image.src = plays ? moving : still;
-            button.textContent = plays ? "■ Stop" : "▶ Play";
-        }
-        button.type = "button";
-        button.className = "play";
-        button.addEventListener("click", () => { plays = !plays; show(); });
-        figure.insertBefore(button, figure.querySelector("figcaption"));
-        show();
-    }
-}
-
 // What is wider than the page scrolls in itself. Its edge fades where it goes on.
 function fadeWhatGoesOn() {
     for (const box of document.querySelectorAll("table.markdownTable, p.formulaDsp, a.card, pre.run")) {
@@ -74,7 +57,7 @@ function fadeWhatGoesOn() {
 }
 
 document.addEventListener("DOMContentLoaded", () => {
-    addPlayButtons();
     if (document.querySelector("figure[data-module]")) load("script", { src: "live.js" });
+    if (document.querySelector("figure.animation")) load("script", { src: "film.js" });
     typesetFormulas().finally(fadeWhatGoesOn);
 });

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Do the live panels of the site work in a browser, with real events, and on the same bits as natively?
+"""Do the live panels and the films of the site work in a browser, with real events, and do panels end on the
+bits of the programs?
 
     live.py SITE BUILD [PANEL]    prints a line for each fault; exit status 0 when there is none, 1 when there is
                                   one, 77 (skipped) when Chromium, Selenium or a panel's module is not there
@@ -285,6 +286,75 @@ def two_at_once(pages, faults):
         faults.unless(page.wait(lambda: page.run(STEPS) > before), f"{page.id} stands beside another")
 
 
+# What the test asks of a film: a hash of each of these frames, as the canvas shows it.
+FRAMES = """
+const film = document.querySelectorAll("figure.animation")[arguments[0]].film, done = arguments[2];
+film.play(false);
+(async () => {
+    const hashes = [];
+    for (const k of arguments[1]) {
+        await film.show(Math.min(k, film.frames.length - 1));
+        const data = film.pen.getImageData(0, 0, film.canvas.width, film.canvas.height).data;
+        let sum = 0;
+        for (let i = 0; i < data.length; i += 4) sum = Math.imul(sum, 31) + data[i] + 7 * data[i + 1] | 0;
+        hashes.push(sum);
+    }
+    return hashes;
+})().then(done);"""
+
+
+def film_plays(on, i, faults):
+    """The page is open: its film number i plays, stops, shows each frame wherever it comes from, and stays calm."""
+    driver = on.driver
+    film = lambda what: driver.execute_script(f"const f = document.querySelectorAll('figure.animation')[arguments[0]]; {what}", i)
+    film("f.scrollIntoView({block: 'center'})")
+    wait = Page(on, "/", "").wait
+    if not wait(lambda: film("return f.classList.contains('is-film')")):
+        faults.append(f"film {i} does not start")
+        return
+    shown = film("return f.film.shown")
+    faults.unless(wait(lambda: film("return f.film.shown") != shown), f"film {i} does not play")
+    film("f.querySelector('button.play').click()")
+    time.sleep(0.2)
+    shown = film("return f.film.shown")
+    time.sleep(0.3)
+    faults.unless(film("return f.film.shown") == shown, f"film {i} plays on when it is stopped")
+    there, back, again, first, last = driver.execute_async_script(FRAMES, i, [40, 5, 40, 0, 1e6])
+    faults.unless(there == again, f"frame 40 of film {i} is another when it comes after frame 5")
+    faults.unless(len({there, back, first, last}) >= 3, f"film {i} stands still")
+    from selenium.webdriver.common.keys import Keys
+    slider = film("return f.querySelector('input[type=range]')")
+    slider.send_keys(Keys.HOME)
+    faults.unless(wait(lambda: film("return f.film.shown") == 0), f"Home does not lead film {i} to its start")
+    slider.send_keys(Keys.ARROW_RIGHT)
+    faults.unless(wait(lambda: film("return f.film.shown") == 1), f"an arrow does not move film {i} by a frame")
+    faults.unless(film("f.querySelector('select').value = 4; f.querySelector('select').dispatchEvent(new Event('change')); "
+                       "return f.film.speed") == 4, f"film {i} has no speed")
+
+
+def films(on, site, faults):
+    for file in sorted(pathlib.Path(site).glob("*.html")):
+        number = file.read_text(encoding="utf-8", errors="replace").count('class="picture animation"')
+        if number == 0:
+            continue
+        on.driver.get(file.resolve().as_uri())
+        found = Faults()
+        for i in range(number):
+            film_plays(on, i, found)
+        on.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]})
+        on.driver.get("about:blank")
+        on.driver.get(file.resolve().as_uri())
+        on.driver.execute_script("document.querySelector('figure.animation').scrollIntoView({block: 'center'})")
+        page = Page(on, file, "")
+        page.wait(lambda: on.driver.execute_script("return document.querySelector('figure.animation').classList.contains('is-film')"))
+        time.sleep(0.4)
+        found.unless(on.driver.execute_script("return document.querySelector('figure.animation').film.shown") == 0,
+                     "a film plays though the reader prefers reduced motion")
+        on.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+        found += ["console: " + entry["message"] for entry in on.driver.get_log("browser") if entry["level"] == "SEVERE"]
+        faults += [f"{file.name}: {fault}" for fault in found]
+
+
 def main():
     if len(sys.argv) not in (3, 4):
         sys.exit("usage: live.py SITE BUILD [PANEL]")
@@ -332,6 +402,8 @@ def main():
         for pages in by_page.values():
             if len(pages) > 1:
                 two_at_once(pages[:2], faults)
+        if len(sys.argv) == 3:
+            films(on, site, faults)
         for fault in faults:
             print(fault)
         count += len(faults)

@@ -1,5 +1,5 @@
 # Live panels: each chapters/NN_name/live/panel.cpp becomes a program (its steps are tested, and it draws the still
-# picture) and, where there is a compiler for it, a module of WebAssembly in a script. Both are left in
+# picture) and, where there is a compiler for it, a module of WebAssembly. Both are left in
 # ${build}/chapters/NN_name/live.
 
 # Clang, its linker, and a C and C++ library for WebAssembly: asked for by compiling something.
@@ -56,14 +56,13 @@ function(timestep_live chapter needs)
       DEPENDS ${native} COMMENT "Drawing the panel ${name}" VERBATIM)
     set(made "${still}")
     if(TIMESTEP_WASM)
-      add_custom_command(OUTPUT "${folder}/${name}.js"
+      add_custom_command(OUTPUT "${folder}/${name}.wasm"
         COMMAND "${CMAKE_COMMAND}" -E make_directory "${folder}"
         COMMAND "${WASM_CXX}" ${wasm_options} -O2 ${same_bits} ${includes} -MD -MF "${folder}/${name}.d"
-                -MT "${folder}/${name}.js" "${panel}" -o "${folder}/${name}.wasm" -Wl,--strip-all
-        COMMAND live_pack "${chapter}/${name}" "${folder}/${name}.wasm" "${folder}/${name}.js"
-        DEPENDS "${panel}" live_pack DEPFILE "${folder}/${name}.d"
+                -MT "${folder}/${name}.wasm" "${panel}" -o "${folder}/${name}.wasm" -Wl,--strip-all
+        DEPENDS "${panel}" DEPFILE "${folder}/${name}.d"
         COMMENT "Compiling the panel ${name} for the page" VERBATIM)
-      list(APPEND made "${folder}/${name}.js")
+      list(APPEND made "${folder}/${name}.wasm")
     endif()
     set_property(GLOBAL APPEND PROPERTY TIMESTEP_LIVE_${chapter} ${made})
     set_property(GLOBAL APPEND PROPERTY TIMESTEP_LIVE ${made})

@@ -36,7 +36,7 @@ const std::vector<Part> parts{
     {"tools/cmake", {".cmake", ".sh"}},
     {"tools/course", {".cpp", ".hpp", "CMakeLists.txt"}},
     {"tools/figures", {".gp"}},
-    {"tools/live", {".cpp", ".hpp", ".md", "CMakeLists.txt"}},
+    {"tools/live", {".hpp", ".md"}},
     {"tools/processes", {".cpp", ".hpp", "CMakeLists.txt"}},
 };
 const std::vector<std::string> single_files{".gitignore",           "CMakeLists.txt",

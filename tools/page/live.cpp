@@ -30,7 +30,7 @@ std::string live_markdown(Context& context, const Directive& directive, const st
         throw std::out_of_range{name + " is shown twice on this page"};
     }
     const std::filesystem::path made = context.runs() / folder / "live";
-    const std::filesystem::path still = made / (name + ".svg"), module = made / (name + ".js");
+    const std::filesystem::path still = made / (name + ".svg"), module = made / (name + ".wasm");
     if (!std::filesystem::exists(still) && context.draft) {
         ++context.gaps;
         return "\n<div class=\"gap\">(a live panel is to come here)</div>\n";
@@ -40,8 +40,9 @@ std::string live_markdown(Context& context, const Directive& directive, const st
     context.inputs.insert(still);
     std::string attributes;
     if (std::filesystem::exists(module)) {  // else there is no compiler for it here, and the picture stands still
-        context.figures.emplace(shown + ".js", module);
-        attributes = " data-live=\"" + folder + "/" + name + "\" data-module=\"figures/" + shown + ".js\"";
+        context.figures.emplace(shown + ".wasm", module);
+        context.inputs.insert(module);
+        attributes = " data-live=\"" + folder + "/" + name + "\" data-module=\"figures/" + shown + ".wasm\"";
     }
     const ImageSize size = image_size(still);
     return "\n\\htmlonly[block]<figure id=\"" + anchor + "\" class=\"picture live\"" + attributes + " style=\"--width:" +

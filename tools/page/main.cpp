@@ -55,11 +55,19 @@ bool parse(int argc, char** argv, Options& options) {
     return true;
 }
 
-/// Copies the figures that the page shows, and of every animation its first frame.
+/// Copies the figures that the page shows, and of every film its first frame. The frames of a film, and a live panel's
+/// module, come as scripts: `pageBytes["figures/…"] = "base64"`.
 void copy_figures(const page::Context& context, const fs::path& folder) {
     for (const auto& [name, drawn] : context.figures) {
         const std::string content = page::read_file(drawn);
-        page::write_file(folder / name, content);
+        const bool moves = drawn.extension() == ".wasm" || drawn.extension() == ".gif";
+        if (moves) {
+            page::write_file(folder / (name + ".js"),
+                             "pageBytes[\"figures/" + name + "\"] = \"" + page::base64(content) + "\";\n");
+        }
+        if (drawn.extension() != ".wasm") {
+            page::write_file(folder / name, content);
+        }
         if (drawn.extension() == ".gif") {
             fs::path still = folder / name;
             still.replace_extension(".still.gif");

@@ -136,6 +136,21 @@ std::string attribute(std::string_view text) {
     return replace_all(replace_all(std::string{text}, "\"", "'"), "|", "\u2223");
 }
 
+std::string base64(std::string_view bytes) {
+    const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        unsigned three = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            three = three << 8u | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            text += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63u] : '=';
+        }
+    }
+    return text;
+}
+
 bool is_row(std::string_view word) {
     return word.size() == 3 && (word[0] == 'N' || word[0] == 'I') &&
            std::isdigit(static_cast<unsigned char>(word[1])) != 0 &&

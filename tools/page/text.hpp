@@ -39,6 +39,9 @@ std::string escape_markdown(std::string_view text);
 /// only what would end the value, or a table's cell, is replaced.
 std::string attribute(std::string_view text);
 
+/// Any bytes as text: a script may hand them to a page that is opened from its file, which may read no other file.
+std::string base64(std::string_view bytes);
+
 /// A claim's id: N or I and two digits.
 bool is_row(std::string_view word);
 

@@ -33,6 +33,10 @@ TEST_CASE("page leaves the page, the index, the figures and what it depends on")
     CHECK(course.read("out/figures/03_springs/spiral.svg") ==
           course.read("runs/03_springs/run/spiral.svg"));
     CHECK(fs::exists(course / "out/figures/03_springs/sweep.still.gif"));
+    // Its frames as a script: "R0lGODlh" is GIF89a.
+    const std::string film = course.read("out/figures/03_springs/sweep.gif.js");
+    CHECK(film.starts_with("pageBytes[\"figures/03_springs/sweep.gif\"] = \"R0lGODlh"));
+    CHECK(film.ends_with("\";\n"));
     CHECK_THAT(course.read("out/page.d"),
                ContainsSubstring((course / "include/step.hpp").string()));
 }

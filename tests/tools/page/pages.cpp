@@ -89,6 +89,30 @@ TEST_CASE("a picture and a film of one name have ids and titles of their own") {
                ContainsSubstring("another figure on this page has the id fig-sweep-film"));
 }
 
+TEST_CASE("a live panel stands as a picture, and names its module where there is one") {
+    const Course course;
+    const std::string still = "runs/03_springs/live/swing.svg", module = "runs/03_springs/live/swing.wasm";
+    const std::string panel = "{{live swing: **Pull** at it. It swings to {{amplitude}}.}}";
+    CHECK(course.paragraph_error(panel) == "chapter.md:5: chapters/03_springs/live/swing.cpp: there is no such panel");
+    course.write("chapters/03_springs/live/swing.cpp", "// Swing.\n");
+    CHECK_THAT(course.paragraph_error(panel), ContainsSubstring("swing.svg"));
+    course.write(still, course.read("runs/03_springs/run/spiral.svg"));
+    const std::string stands = course.fill_paragraph(panel);
+    CHECK_THAT(stands, ContainsSubstring("<figure id=\"live-swing\" class=\"picture live\" style=\"--width:640px\">"));
+    CHECK_THAT(stands, ContainsSubstring("src=\"figures/03_springs/live_swing.svg\" alt=\"Pull at it.\""));
+    CHECK_THAT(stands, ContainsSubstring("It swings to <span"));
+    CHECK_THAT(stands, ContainsSubstring("Its C++"));
+
+    course.write(module, "bytes");
+    CHECK_THAT(course.fill_paragraph(panel), ContainsSubstring("data-live=\"03_springs/swing\" "
+                                                               "data-module=\"figures/03_springs/live_swing.wasm\""));
+    CHECK_THAT(course.fill_paragraph("{{live 03_springs/swing: Pull.}}"), ContainsSubstring("live-swing"));
+    CHECK_THAT(course.paragraph_error(panel + "\n\n{{live 03_springs/swing: Again.}}"), ContainsSubstring("swing is shown twice"));
+    for (const char* wrong : {"{{live swing}}", "{{live swing: }}", "{{live: Pull.}}", "{{live swing N22: Pull.}}"}) {
+        CHECK_THAT(course.paragraph_error(wrong), ContainsSubstring("a live panel is {{live panel: caption}}"));
+    }
+}
+
 TEST_CASE("a bar in a table's cell does not end the cell") {
     Course course;
     course.write("runs/03_springs/run/bars.tsv", "what\n|R| = 1 where $|x| < 2$\n");
