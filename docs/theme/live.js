@@ -111,7 +111,7 @@ class LiveCanvas {
         pen.restore(), pen.save();
         part.left += 48, part.bottom -= 38;
         this.fit();
-        const { left, right, top, bottom } = part, most = right - left < 300 ? 6 : 10;
+        const { left, right, top, bottom } = part, most = logX ? (right - left) / 50 : right - left < 300 ? 6 : 10;
         pen.lineWidth = 1, pen.fillStyle = "#333", pen.font = this.font();
         for (const [at, words] of this.ticks(part.fromX, part.fromX + (right - left) / part.scaleX, logX, most)) {
             line(this.x(at), top, this.x(at), bottom, "#ddd");
@@ -229,9 +229,11 @@ class LivePanel {
             typed.setAttribute("aria-label", label + " as a number" + (unit && ", " + unit));
             range.addEventListener("input", () => set(Math.min(Math.max(back(Number(range.value)), least), most)));
             typed.addEventListener("change", () => { set(typed.value === "" ? NaN : Number(typed.value)), control.show(); });
+            control.typed = typed;
             control.show = () => {
                 range.value = there(control.get());
-                typed.value = Number(control.get().toPrecision(6));
+                const value = Number(control.get().toPrecision(kind === 1 ? 3 : 6));
+                typed.value = kind === 1 && value < 1e-3 ? value.toExponential() : value;
             };
             row.append(range, typed, element("span", { className: "unit", textContent: unit }));
         }
@@ -252,7 +254,7 @@ class LivePanel {
             held = this.of.grab(...place(at)) !== 0;
             if (held) event.preventDefault(), this.show();
         };
-        const move = at => { if (held) this.of.drag(...place(at)), this.moved(); };
+        const move = at => { if (held) this.of.drag(...place(at)), this.show(); };
         const end = () => { if (held) held = false, this.of.let_go(), this.show(); };
         this.canvas.addEventListener("touchstart", event => begin(event.touches[0], event), { passive: false });
         this.canvas.addEventListener("touchmove", event => {
@@ -270,12 +272,8 @@ class LivePanel {
             const far = 10 / this.picture.main.scaleX;
             this.of.drag(x + arrow[0] * far, y + arrow[1] * far);
             this.of.let_go();
-            this.moved();
+            this.show();
         });
-    }
-    moved() {
-        for (const control of this.controls) control.show();
-        this.show();
     }
 
     // ---- Time
@@ -329,6 +327,11 @@ class LivePanel {
     show() {
         if (!this.picture) return;
         this.picture.draw(this.commands());
+        // What a finger or the panel itself has moved, but never under the reader's typing.
+        for (const control of this.controls) {
+            if (control.get() !== control.shown && (!control.typed || control.typed !== document.activeElement))
+                control.shown = control.get(), control.show();
+        }
         this.readouts.forEach((output, i) => {
             const value = this.of.readout(i), size = Math.abs(value);
             output.textContent = !Number.isFinite(value) ? "no number" : size !== 0 && (size >= 1e6 || size < 1e-3)
