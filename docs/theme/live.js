@@ -254,7 +254,7 @@ class LivePanel {
             held = this.of.grab(...place(at)) !== 0;
             if (held) event.preventDefault(), this.show();
         };
-        const move = at => { if (held) this.of.drag(...place(at)), this.show(); };
+        const move = at => { if (held) this.of.drag(...place(at)), this.moved(); };
         const end = () => { if (held) held = false, this.of.let_go(), this.show(); };
         this.canvas.addEventListener("touchstart", event => begin(event.touches[0], event), { passive: false });
         this.canvas.addEventListener("touchmove", event => {
@@ -272,8 +272,12 @@ class LivePanel {
             const far = 10 / this.picture.main.scaleX;
             this.of.drag(x + arrow[0] * far, y + arrow[1] * far);
             this.of.let_go();
-            this.show();
+            this.moved();
         });
+    }
+    moved() {
+        for (const control of this.controls) control.show();
+        this.show();
     }
 
     // ---- Time
@@ -327,11 +331,9 @@ class LivePanel {
     show() {
         if (!this.picture) return;
         this.picture.draw(this.commands());
-        // What a finger or the panel itself has moved, but never under the reader's typing.
-        for (const control of this.controls) {
-            if (control.get() !== control.shown && (!control.typed || control.typed !== document.activeElement))
+        for (const control of this.controls)  // what the panel itself has moved, but not under the reader's typing
+            if (control.get() !== control.shown && control.typed !== document.activeElement)
                 control.shown = control.get(), control.show();
-        }
         this.readouts.forEach((output, i) => {
             const value = this.of.readout(i), size = Math.abs(value);
             output.textContent = !Number.isFinite(value) ? "no number" : size !== 0 && (size >= 1e6 || size < 1e-3)

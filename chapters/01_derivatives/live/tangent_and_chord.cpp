@@ -41,7 +41,7 @@ public:
         for (std::size_t i = 1; i < sweep.size(); ++i) sweep[i] = sweep[i - 1] / 1.1547819846894582;  // 16 a decade
     }
 
-    void restart() override { h.value = sweep[place = 0], back = false; }
+    void restart() override { h.value = sweep[place = 5], back = false; }
     double seconds() const override { return 1.0 / 30; }
     bool restarts(const live::Control&) const override { return false; }
 
@@ -163,7 +163,7 @@ private:
     static double decade(double error) { return live::log10(std::max(error, 1e-13)); }
 
     static constexpr Bell bell{};
-    live::LogSlider h{this, "h", "step h", 1e-16, 1, 1};
+    live::LogSlider h{this, "h", "step h", 1e-16, 1, 0.487};
     live::Slider t{this, "t", "point t", -1.5, 1.5, 0.01, 0.8};
     live::Choice formula{this, "formula", "difference", "forward|central"};
     live::Choice in_float{this, "precision", "numbers", "double|float"};
