@@ -114,7 +114,7 @@ class LiveCanvas {
         this.fit();
         const { left, right, top, bottom } = part;
         pen.lineWidth = 1, pen.fillStyle = "#333";
-        for (const [at, words] of this.ticks(part.fromX, (right - left) / part.scaleX, logX, right - left < 300 ? 6 : 10)) {
+        for (const [at, words] of this.ticks(part.fromX, (right - left) / part.scaleX, logX, logX ? (right - left) / 50 : right - left < 300 ? 6 : 10)) {
             line(this.x(at), top, this.x(at), bottom, "#ddd");
             write(words, this.x(at), bottom + 16, "center");
         }
@@ -198,7 +198,6 @@ class LivePanel {
         const id = `${this.figure.id}-${name}`, row = make("div", { className: "live-control" });
         const control = { name, first, get: () => of.control_number(i, 5), set: value => {
             if (!Number.isNaN(value)) this.trying(() => of.set(i, value));
-            control.show();
             this.show();
         } };
         row.append(make("label", { htmlFor: id, textContent: label }));
@@ -218,10 +217,15 @@ class LivePanel {
             const typed = make("input", { type: "number", min: least, max: most, step: "any" });
             typed.setAttribute("aria-label", label + " as a number");
             range.addEventListener("input", () => control.set(back(Number(range.value))));
-            typed.addEventListener("change", () => control.set(typed.value === "" ? NaN : Number(typed.value)));
+            typed.addEventListener("change", () => {
+                control.typed = true;  // while it is being typed a number is left alone
+                control.set(typed.value === "" ? NaN : Number(typed.value));
+                control.show(), control.typed = false;
+            });
             control.show = () => {
                 range.value = there(control.get());
-                typed.value = Number(control.get().toPrecision(6));
+                const value = Number(control.get().toPrecision(kind === 1 ? 3 : 6));
+                if (document.activeElement !== typed || control.typed) typed.value = kind === 1 && value < 1e-3 ? value.toExponential() : value;
             };
             row.append(range, typed, make("span", { className: "unit", textContent: unit }));
         }
@@ -240,23 +244,22 @@ class LivePanel {
             const box = canvas.getBoundingClientRect(), point = event.touches ? event.touches[0] : event;
             return this.picture.place(point.clientX - box.left, point.clientY - box.top);
         };
-        const moved = () => { for (const control of this.controls) control.show(); this.show(); };
         on(canvas, "touchstart mousedown", event => {
             held = of.grab(...at(event)) !== 0;
             if (!held) return;
             event.preventDefault();
             canvas.focus({ preventScroll: true });
-            moved();
+            this.show();
         });
         const drag = event => {
             if (!held) return;
             event.preventDefault();
             of.drag(...at(event));
-            moved();
+            this.show();
         };
         on(canvas, "touchmove", drag);
         on(window, "mousemove", drag);
-        const end = () => { if (held) held = false, of.let_go(), moved(); };
+        const end = () => { if (held) held = false, of.let_go(), this.show(); };
         on(canvas, "touchend touchcancel", end);
         on(window, "mouseup", end);
         on(canvas, "keydown", event => {
@@ -266,7 +269,7 @@ class LivePanel {
             event.preventDefault();
             of.drag(x + arrow[0] * far, y + arrow[1] * far);
             of.let_go();
-            moved();
+            this.show();
         });
     }
 
@@ -320,6 +323,8 @@ class LivePanel {
     show() {
         const of = this.of, size = of.draw(this.narrow);
         this.picture.draw(new Float64Array(of.memory.buffer, of.commands(), size));
+        for (const control of this.controls)  // the panel may have moved it, too
+            if (control.get() !== control.shown) control.shown = control.get(), control.show();
         this.readouts.forEach((output, i) => {
             const value = of.readout(i), length = Math.abs(value);
             output.textContent = !Number.isFinite(value) ? "no number" : length >= 1e6 || (length < 1e-3 && length > 0)

@@ -24,6 +24,11 @@ inline constexpr Look looks[] = {
     {"third", "third", "#009e73", "4,4"},
     {"fourth", "fourth", "#b15a98", "10,4,3,4"},
 
+    {"forward", "", "#d55e00", ""},  // as in the first two chapters' figures
+    {"central", "", "#009e73", ""},
+    {"variable time step", "", "#d55e00", ""},
+    {"fixed time step", "", "#0072b2", ""},
+
     {"explicit Euler", "explicit_euler", "#d55e00", ""},
     {"implicit Euler", "implicit_euler", "#0072b2", "14,5"},
     {"semi-implicit Euler", "semi_implicit_euler", "#009e73", ""},

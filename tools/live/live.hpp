@@ -158,6 +158,17 @@ private:
     std::size_t size_ = 0;
 };
 
+// The place of x > 0 on a log axis. Of + − × ÷ alone, so it has the same bits in the page and in the shell, as
+// std::log10 need not have.
+inline double log10(double x) {
+    int twos = 0;
+    const double root = 0.70710678118654752, part = std::frexp(x, &twos);  // x = part · 2^twos, part from 1/2 to 1
+    const double z = (part - root) / (part + root);                       // ln(part/root) = 2 (z + z³/3 + z⁵/5 + …)
+    double series = 0;
+    for (int n = 17; n > 0; n -= 2) series = series * z * z + 1.0 / n;
+    return 0.30102999566398120 * (twos - 0.5) + 0.86858896380650366 * z * series;
+}
+
 // ---- The panel -----------------------------------------------------------------------------------------
 
 class Panel {
