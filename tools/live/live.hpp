@@ -51,11 +51,13 @@ struct Toggle : Control {
 };
 
 // A number below the picture. One whose label is a method's name has the method's colour beside it: the picture's key.
+// What is no method may name the look that it is drawn in.
 struct Readout {
-    Readout(Panel* panel, const char* label, const char* unit = "");
+    Readout(Panel* panel, const char* label, const char* unit = "", const char* look = nullptr);
     void operator=(double v) { value = v; }
     const char* label;
     const char* unit;
+    const char* look;
     double value = 0;
 };
 
@@ -240,7 +242,8 @@ inline Toggle::Toggle(Panel* panel, const char* name, const char* label, bool fi
     : Control{toggle, name, label, "", 0, 1, 1, first ? 1.0 : 0.0} {
     add<Control>(panel->controls, this);
 }
-inline Readout::Readout(Panel* panel, const char* label_, const char* unit_) : label(label_), unit(unit_) {
+inline Readout::Readout(Panel* panel, const char* label_, const char* unit_, const char* look_)
+    : label(label_), unit(unit_), look(look_ ? look_ : label_) {
     add(panel->readouts, this);
 }
 inline Fuse::Fuse(Panel* panel_, const char* name_) : panel(panel_), name(name_) { add(panel->fuses, this); }

@@ -67,7 +67,7 @@ EXPORTED(set) void live_set(int i, double value) {
 EXPORTED(readouts) int live_readouts() { return live::count(live::the_panel().readouts); }
 EXPORTED(readout_text) const char* live_readout_text(int i, int which) {
     const live::Readout& r = live::readout(i);
-    if (which == 2) return live::is_look(r.label) ? live::look_of(r.label).colour : "";
+    if (which == 2) return live::is_look(r.look) ? live::look_of(r.look).colour : "";
     return which == 0 ? r.label : r.unit;
 }
 EXPORTED(readout) double live_readout(int i) { return live::readout(i).value; }
