@@ -87,9 +87,9 @@ private:
                 colour + "\"/>\n";
     }
     // Ticks at 1, 2 or 5 times a power of ten; on a log axis at whole powers.
-    static double gap(double range, bool log) {
+    static double gap(double range, bool log, double most = 10) {
         double step = std::pow(10, std::floor(std::log10(range / 5)));
-        if (range / step > 10) step *= range / step > 25 ? 5 : 2;
+        if (range / step > most) step *= range / step > 2.5 * most ? 5 : 2;
         return log ? std::max(1.0, std::ceil(step)) : step;
     }
     std::string tick(double at, double step, bool log) const {
@@ -100,7 +100,7 @@ private:
         left_ += 48, bottom_ -= 38;
         fit();
         const double right = from_x_ + (right_ - left_) / scale_x_, top = from_y_ + (bottom_ - top_) / scale_y_;
-        const double dx = gap(right - from_x_, a[2] != 0), dy = gap(top - from_y_, a[3] != 0);
+        const double dx = gap(right - from_x_, a[2] != 0, right_ - left_ < 300 ? 6 : 10), dy = gap(top - from_y_, a[3] != 0);
         for (double at = std::ceil(from_x_ / dx) * dx; at <= right + dx / 1000; at += dx) {
             tick_line(x(at), top_, x(at), bottom_, "#dddddd");
             text(x(at), bottom_ + 16, tick(at, dx, a[2] != 0), "middle", "#333333");
