@@ -106,8 +106,8 @@ private:
     static void say(Run& run, Verdict verdict, double at) {
         const char* where = verdict == Verdict::stable ? "from" : verdict == Verdict::grows ? "below" : "at";
         if (run.has_limit() && std::isfinite(at))
-            std::snprintf(run.verdict, sizeof run.verdict, "%s %s %s Hz", words(verdict), where,
-                          detail::number(at).c_str());
+            std::snprintf(run.verdict, sizeof run.verdict, at < 1000 ? "%s %s %.4g Hz" : "%s %s %.0f Hz", words(verdict),
+                          where, at);
         else
             std::snprintf(run.verdict, sizeof run.verdict, "%s at every rate", words(verdict));
     }
