@@ -331,7 +331,7 @@ class LivePanel {
         this.picture.draw(this.commands());
         this.readouts.forEach((output, i) => {
             const value = this.of.readout(i), size = Math.abs(value);
-            output.textContent = !Number.isFinite(value) ? "no number" : size !== 0 && (size >= 1e6 || size < 1e-3)
+            output.textContent = size === Infinity ? (value < 0 ? "−∞" : "∞") : Number.isNaN(value) ? "no number" : size !== 0 && (size >= 1e6 || size < 1e-3)
                 ? value.toExponential(2) : Number(value.toPrecision(4)).toString();
         });
         const blown = count(this.of.fuses()).filter(i => this.of.fuse(i) >= 0)
