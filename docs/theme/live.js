@@ -327,7 +327,7 @@ class LivePanel {
             if (control.get() !== control.shown) control.shown = control.get(), control.show();
         this.readouts.forEach((output, i) => {
             const value = of.readout(i), length = Math.abs(value);
-            output.textContent = !Number.isFinite(value) ? "no number" : length >= 1e6 || (length < 1e-3 && length > 0)
+            output.textContent = length === Infinity ? (value < 0 ? "−∞" : "∞") : Number.isNaN(value) ? "no number" : length >= 1e6 || (length < 1e-3 && length > 0)
                 ? value.toExponential(2) : String(Number(value.toPrecision(4)));
         });
         const said = count(of.fuses()).filter(i => of.fuse(i) >= 0)

@@ -1,0 +1,219 @@
+// Will it blow up? Your own spring, mass, damper and rate: what each method's formula says, and what its steps do.
+// still: steps=60
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <tuple>
+
+#include <timestep/advise_verdict.hpp>  // what ./course advise says
+#include <timestep/stability.hpp>
+#include <timestep/stability_limit.hpp>
+
+#include "live.hpp"
+
+using namespace timestep;
+
+// Those that take a damper. Verlet, velocity Verlet and leapfrog do not; without one they go as semi-implicit Euler.
+constexpr std::tuple methods{explicit_euler, semi_implicit_euler, semi_implicit_euler_new_damping, midpoint,
+                             runge_kutta_4,  implicit_euler,      implicit_midpoint,               bdf2};
+constexpr std::size_t most_samples = 600;  // of a run
+constexpr double pi = 3.14159265358979;
+
+// A run of one method.
+struct Run {
+    template <class Method>
+    Run(live::Panel* panel, const Method& method)
+        : name(method.name), off{panel, name, "% off"}, holds{panel, name},
+          limit([](double zeta) { return stability_limit(Method{}, zeta).value; }) {}
+    // In a picture: std::hypot's last bit is not the same in every library.
+    double drawn_limit(double zeta) const { return static_cast<float>(limit(zeta)); }
+    bool has_limit() const { return std::isfinite(limit(0)); }
+
+    const char* name;
+    live::Readout off;  // under the method's name: how far from the truth it was in the first period
+    live::Fuse holds;
+    double (*limit)(double zeta);     // the longest stable ωh
+    char verdict[48] = "";
+    State<double> now{}, before{};    // BDF2 builds on two
+    double samples[most_samples]{};   // the last positions, in a ring
+    std::size_t end = 0;              // where they end: here, or where it blew up
+};
+
+class BlowUp : public live::Panel {
+public:
+    BlowUp() {
+        title = "Will it blow up?";
+        aspect = 0.95, aspect_narrow = 2;
+    }
+
+    void restart() override {
+        const DampedSpring<double> spring = this->spring();
+        h = 1 / rate, s = spring.omega * h;
+        omega_h = s, zeta = spring.zeta;
+        for (Run& run : runs) {
+            say(run, verdict(s, run.limit(zeta.value)), spring.omega / run.limit(zeta.value));
+            run.now = {0, 1, 0};  // let go at rest, a metre from its place
+            run.off = 0;
+        }
+        // We show six periods, but not fewer than 60 steps; of many short steps only some.
+        const double steps_shown = std::fmax(60, 12 * pi / s);
+        stride = static_cast<int>(std::ceil(steps_shown / most_samples));
+        shown = std::min(most_samples, static_cast<std::size_t>(steps_shown));
+        // As advise does, we compare the first period with the truth (beyond ζ = 1 that of the slow decay), and
+        // where fewer than three steps fit into it, eight steps.
+        const double slow = zeta.value < 1 ? 1 : 1 / (zeta.value + std::sqrt(zeta.value * zeta.value - 1));
+        compared = 2 * pi / (slow * s) < 3 ? 8 : 2 * pi / (slow * s);
+
+        // The exact motion without a sine: Runge-Kutta 4 with a millionth of the step, doubled twenty times.
+        exact_step = step_matrix(runge_kutta_4, spring, h / (1 << 20));
+        for (int i = 0; i < 20; ++i) {
+            const auto [xx, xv, vx, vv] = exact_step;
+            exact_step = {xx * xx + xv * vx, xx * xv + xv * vv, vx * xx + vv * vx, vx * xv + vv * vv};
+        }
+        exact = {0, 1, 0};
+        taken = 0, sampled = 0;
+        record();
+    }
+    double seconds() const override { return 4.0 / static_cast<double>(shown); }
+
+    void step() override {
+        for (int i = 0; i < stride; ++i) one_step();
+        record();
+    }
+
+    void draw(live::Picture& p) const override {
+        draw_map(p);
+        draw_runs(p);
+        if (!p.narrow) draw_plane(p);
+    }
+
+    // The dot on the map: sideways it sets the damper, upwards the rate.
+    bool grab(double x, double y) override { return std::fabs(x - dot_x()) < 0.2 && std::fabs(y - dot_y()) < 0.5; }
+    void drag(double x, double y) override {
+        set(c, 2 * std::clamp(x, 0.0, 2.0) * std::sqrt(k * m));
+        set(rate, spring().omega / std::clamp(y, 0.05, 5.0));
+    }
+    bool handle(double& x, double& y) const override { return x = dot_x(), y = dot_y(), true; }
+
+private:
+    DampedSpring<double> spring() const { return DampedSpring<double>::from_stiffness(k, c, m); }
+    double dot_x() const { return std::fmin(zeta.value, 2); }
+    double dot_y() const { return std::fmin(s, 5); }
+
+    // The verdict, and the rate at which it changes.
+    static void say(Run& run, Verdict verdict, double at) {
+        const char* where = verdict == Verdict::stable ? "from" : verdict == Verdict::grows ? "below" : "at";
+        if (run.has_limit() && std::isfinite(at))
+            std::snprintf(run.verdict, sizeof run.verdict, at < 1000 ? "%s %s %.4g Hz" : "%s %s %.0f Hz", words(verdict),
+                          where, at);
+        else
+            std::snprintf(run.verdict, sizeof run.verdict, "%s at every rate", words(verdict));
+    }
+    void one_step() {
+        const auto step_one = [this, damped = spring()](const auto& method, Run& run) {
+            if (!run.holds) return;
+            const State<double> last = run.now;
+            if constexpr (requires { method.step(damped, last, h); })
+                run.now = method.step(damped, last, h);
+            else
+                run.now = taken == 1 ? method.start(damped, last, h) : method.step(damped, run.before, last, h);
+            run.before = last;
+            if (!run.holds.holds(std::fabs(run.now.x) < 1e6)) return;
+            const double distance = 100 * std::fabs(run.now.x - exact.x);
+            if (static_cast<double>(taken) <= compared) run.off = std::fmax(run.off.value, distance);
+        };
+        ++taken;
+        exact = {exact.t + h, exact_step.xx * exact.x + exact_step.xv * exact.v,
+                 exact_step.vx * exact.x + exact_step.vv * exact.v};
+        std::size_t i = 0;
+        std::apply([&](const auto&... method) { (step_one(method, runs[i++]), ...); }, methods);
+    }
+    void record() {
+        exact_samples[sampled++ % most_samples] = exact.x;
+        for (Run& run : runs)
+            if (run.holds) run.samples[(sampled - 1) % most_samples] = run.now.x, run.end = sampled;
+    }
+
+    // The runs, one below the other, in front of the exact motion.
+    void draw_runs(live::Picture& p) const {
+        const double width = static_cast<double>(shown);
+        p.window(0, width, -4.0 * static_cast<double>(runs.size()), 0, false, 0, p.narrow ? 1 : 0.58, p.narrow ? 0.4 : 0, 1);
+        double middle = -2.5;
+        for (const Run& run : runs) {
+            p.ink("soft", 1);
+            p.segment(0, middle, width, middle);
+            p.ink("exact", 4, 0.5);
+            draw_run(p, exact_samples, sampled, middle);
+            p.ink(run.name, 1.5);
+            draw_run(p, run.samples, run.end, middle);
+            p.text(0, middle + 1.5, run.name == semi_implicit_euler_new_damping.name ? "new damping" : run.name);
+            p.ink("ink");
+            p.text(0.4 * width, middle + 1.5, run.verdict);
+            middle -= 4;
+        }
+    }
+    void draw_run(live::Picture& p, const double (&positions)[most_samples], std::size_t end, double middle) const {
+        const std::size_t from = sampled > shown ? sampled - shown : 0;
+        for (std::size_t n = from; n < end; ++n) {
+            const double x = static_cast<double>(n - from), y = std::clamp(positions[n % most_samples], -1.4, 1.4);
+            n == from ? p.move(x, middle + y) : p.line(x, middle + y);
+        }
+        if (end > from) p.stroke();
+    }
+
+    // Each method's longest stable step, against the damping.
+    void draw_map(live::Picture& p) const {
+        p.window(0, 2, 0, 5, false, p.narrow ? 0 : 0.58, 1, p.narrow ? 0 : 0.45, p.narrow ? 0.4 : 1);
+        p.axes("damping ratio ζ", "longest step, ωh");
+        for (const Run& run : runs) {
+            if (!run.has_limit()) continue;
+            p.ink(run.name, 2);
+            for (int n = 0; n <= 80; ++n) n == 0 ? p.move(0, run.drawn_limit(0)) : p.line(n / 40.0, run.drawn_limit(n / 40.0));
+            p.stroke();
+        }
+        p.ink("ink");
+        p.dot(dot_x(), dot_y(), 7);
+    }
+
+    // The plane of z = hλ. In the direction of each ζ a stability region ends where |z| = ωh is the limit.
+    void draw_plane(live::Picture& p) const {
+        p.window(-4, 0.6, -3.2, 3.2, true, 0.58, 1, 0, 0.45);
+        p.axes("real part of hλ", "imaginary part");
+        for (const Run& run : runs) {
+            if (!run.has_limit()) continue;
+            p.ink(run.name, 2);
+            for (const double side : {-1, 1}) {
+                for (int n = 0; n <= 40; ++n) {
+                    const double up = n / 40.0, x = up * up - 1, limit = run.drawn_limit(-x);
+                    const double y = side * limit * std::sqrt(1 - x * x);
+                    n == 0 ? p.move(limit * x, y) : p.line(limit * x, y);
+                }
+                p.stroke();
+            }
+        }
+        p.ink("ink");
+        const double inside = 1 - zeta.value * zeta.value, root = s * std::sqrt(std::fabs(inside));
+        for (const double apart : {-root, root})
+            p.dot(std::fmax(-zeta.value * s + (inside < 0 ? apart : 0), -1e4), inside < 0 ? 0 : apart, 6);
+    }
+
+    live::LogSlider k{this, "k", "stiffness k", 10, 1e6, 10000, "N/m"};
+    live::LogSlider m{this, "m", "mass m", 0.05, 100, 1, "kg"};
+    live::Slider c{this, "c", "damper c", 0, 1000, 0.5, 10, "N s/m"};
+    live::LogSlider rate{this, "rate", "steps a second", 10, 1000, 60, "Hz"};
+    live::Readout omega_h{this, "ωh"};
+    live::Readout zeta{this, "ζ"};
+    std::array<Run, std::tuple_size_v<decltype(methods)>> runs = std::apply(
+        [this](const auto&... method) { return std::array{Run(this, method)...}; }, methods);
+
+    double h = 0, s = 0, compared = 0;
+    int stride = 1;  // steps from one sample to the next
+    long taken = 0;
+    std::size_t shown = 60, sampled = 0;
+    StepMatrix<double> exact_step{};
+    State<double> exact{};
+    double exact_samples[most_samples]{};
+};
+LIVE_PANEL(BlowUp)
