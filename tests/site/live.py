@@ -204,6 +204,7 @@ def by_finger(page, faults):
         x, y = handle
         page.touch((x, y), (x + 10, y - 8), (x + 25, y - 20))
         faults.unless(state() != before, "a finger does not drag what can be dragged")
+        page.run(LIVE + "live.steps(60)")  # what is pulled follows
         before = state()
         page.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
         from selenium.webdriver import ActionChains
