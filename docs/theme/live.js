@@ -166,7 +166,7 @@ class LivePanel {
         this.canvas = element("canvas", { tabIndex: 0 });
         this.canvas.setAttribute("role", "img");
         this.canvas.setAttribute("aria-label", this.words(this.of.title()) + ". " +
-            (Number.isNaN(this.of.handle(0)) ? "" : "The arrow keys move the dot."));
+            (Number.isNaN(this.of.handle(0)) ? "" : "The arrow keys drag."));
         this.picture = new LiveCanvas(this.canvas, (i, what = "said") => this.words(this.of[what](i)));
         const form = element("form", { className: "live-controls", autocomplete: "off" });
         form.addEventListener("submit", event => event.preventDefault());
