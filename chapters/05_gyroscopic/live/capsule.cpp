@@ -25,7 +25,9 @@ public:
     }
     double seconds() const override { return 1 / rate; }
     // What the plane is like can be changed while they spin.
-    bool restarts(const live::Control& c) const override { return &c == &spin || &c == &lean || &c == &rate; }
+    bool restarts(const live::Control& c) const override {
+        return &c != &rolling && &c != &spinning && &c != &friction;
+    }
 
     void restart() override {
         const plane::Orientation leaning = plane::Orientation(1, lean / 2, 0, 0).normalized();
@@ -37,12 +39,10 @@ public:
     }
 
     void step() override {
-        const plane::Ground ground{9.81, friction, rolling, arms == 0 ? plane::Arms::start : plane::Arms::middle};
-        const double h = 1 / rate;
-        if (holds[0]) now[0] = plane::step(no_gyroscopic, capsule, ground, now[0], h, contacts);
-        if (holds[1]) now[1] = plane::step(lagged_inertia, capsule, ground, now[1], h, contacts);
-        if (holds[2]) now[2] = plane::step(implicit_gyroscopic, capsule, ground, now[2], h, contacts);
-        if (holds[3]) now[3] = plane::step(passive_gyroscopic, capsule, ground, now[3], h, contacts);
+        advance(no_gyroscopic, 0);
+        advance(lagged_inertia, 1);
+        advance(implicit_gyroscopic, 2);
+        advance(passive_gyroscopic, 3);
         measure();
     }
 
@@ -84,6 +84,19 @@ private:
     static constexpr const char* names[] = {no_gyroscopic.name, lagged_inertia.name, implicit_gyroscopic.name,
                                             passive_gyroscopic.name};
 
+    template <class Solver>
+    void advance(const Solver& solver, int i) {
+        if (!holds[i]) return;
+        const plane::Ground ground{9.81, friction, rolling, arms == 0 ? plane::Arms::start : plane::Arms::middle};
+        plane::Contacts contacts;
+        auto& [turning, x, v] = now[i] = plane::step(solver, capsule, ground, now[i], 1 / rate, contacts);
+        // Rolling resistance leaves the turning about the normal alone. Spinning resistance is the same for that
+        // axis: it stops this turning, or takes off as much of it as the load allows.
+        const V by_one = turning.q * capsule.inertia.velocity(turning.q.conjugate() * V::UnitZ());  // N m s
+        const double load = contacts.at[0].normal + contacts.at[1].normal, most = spinning * capsule.radius * load;
+        turning.omega -= std::clamp(turning.omega.z() / by_one.z(), -most, most) * by_one;
+    }
+
     void measure() {
         const bool record = now[0].turning.t >= next_record;
         if (record) next_record += shown / 600;
@@ -113,6 +126,7 @@ private:
     }
 
     live::Slider rolling{this, "rolling", "rolling resistance", 0, 0.3, 0.01, 0.1, "radii"};
+    live::Slider spinning{this, "spinning", "spinning resistance", 0, 0.1, 0.005, 0, "radii"};
     live::Slider friction{this, "friction", "friction", 0, 1, 0.05, 0.5};
     live::Choice arms{this, "arms", "contacts' lever arms", "start of the step, as engines do|middle of the step"};
     live::Slider spin{this, "spin", "spin at the start", 5, 60, 1, 40, "rad/s"};
@@ -126,7 +140,6 @@ private:
     // 90 cm long, 30 cm thick, 1 kg.
     const plane::Capsule<SymmetricInertia<double>> capsule{timestep::capsule(1.0, 0.15, 0.6), 1, 0.15, 0.3};
     std::array<plane::Motion, 4> now{};
-    plane::Contacts contacts;
     std::array<Trail, 4> spins;
     double next_record = 0;
     live::Solid solid;
