@@ -166,7 +166,7 @@ class LivePanel {
         this.canvas = make("canvas", { tabIndex: 0 });
         this.canvas.setAttribute("role", "img");
         this.canvas.setAttribute("aria-label", this.words(of.title()) +
-            (Number.isNaN(of.handle(0)) ? "" : ". The arrow keys move what can be dragged."));
+            (Number.isNaN(of.handle(0)) ? "" : ". The arrow keys drag."));
         this.picture = new LiveCanvas(this.canvas, (i, what = "said") => this.words(of[what](i)));
         this.playButton = button("", () => this.play(!this.wanted));
         this.linkButton = button("Link", () => this.link());

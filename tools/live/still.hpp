@@ -76,7 +76,6 @@ private:
         svg_ += "<path d=\"" + path_ + (fill == "none" ? "" : "Z") + "\" fill=\"" + fill + "\" stroke=\"" + line +
                 "\" stroke-width=\"" + stroke_ + "\" opacity=\"" + strength_ + "\" stroke-linejoin=\"round\"" +
                 (dashes_.empty() ? "" : " stroke-dasharray=\"" + dashes_ + "\"") + "/>\n";
-        path_.clear();
     }
     void text(double px, double py, const std::string& words, const std::string& anchor, const std::string& colour) {
         svg_ += "<text x=\"" + number(px) + "\" y=\"" + number(py) + "\" text-anchor=\"" + anchor + "\" fill=\"" + colour +
