@@ -54,6 +54,7 @@ class LiveCanvas {
 
     draw(commands) {
         const pen = this.pen, lengths = [10, 5, 4, 3, 3, 1, 1, 4, 4];
+        let path = false;  // is one begun? Moves before its stroke add to it
         this.main = null;
         pen.clearRect(0, 0, this.width, this.height);
         pen.save();
@@ -73,11 +74,13 @@ class LiveCanvas {
                 pen.strokeStyle = pen.fillStyle = this.text(a, "colour");
                 pen.setLineDash(this.text(a, "dashes").split(",").filter(Boolean).map(Number));
                 pen.lineWidth = b, pen.globalAlpha = c;
-            } else if (what === 3) pen.beginPath(), pen.moveTo(this.x(a), this.y(b));
-            else if (what === 4) pen.lineTo(this.x(a), this.y(b));
-            else if (what === 5) pen.stroke();
-            else if (what === 6) pen.fill();
-            else if (what === 7) pen.beginPath(), pen.arc(this.x(a), this.y(b), c, 0, 7), pen.fill();
+            } else if (what === 3) {
+                if (!path) pen.beginPath();
+                path = true, pen.moveTo(this.x(a), this.y(b));
+            } else if (what === 4) pen.lineTo(this.x(a), this.y(b));
+            else if (what === 5) path = false, pen.stroke();
+            else if (what === 6) path = false, pen.fill();
+            else if (what === 7) path = false, pen.beginPath(), pen.arc(this.x(a), this.y(b), c, 0, 7), pen.fill();
             else pen.fillText(this.text(c), this.x(a), this.y(b));
         }
         pen.restore();

@@ -61,10 +61,13 @@ function(timestep_live chapter needs)
       COMMAND ${native} ${words} --still "${still}" > "${folder}/${name}.txt"
       DEPENDS ${native} COMMENT "Drawing the panel ${name}" VERBATIM)
     set(made "${still}")
+    file(STRINGS "${panel}" more REGEX "^// wasm: ")  # options for the module alone
+    string(REGEX REPLACE "^// wasm: " "" more "${more}")
+    separate_arguments(more UNIX_COMMAND "${more}")
     if(TIMESTEP_WASM)
       add_custom_command(OUTPUT "${folder}/${name}.js"
         COMMAND "${CMAKE_COMMAND}" -E make_directory "${folder}"
-        COMMAND "${WASM_CXX}" ${wasm_options} -O2 ${same_bits} ${includes} -MD -MF "${folder}/${name}.d"
+        COMMAND "${WASM_CXX}" ${wasm_options} -O2 ${same_bits} ${more} ${includes} -MD -MF "${folder}/${name}.d"
                 -MT "${folder}/${name}.js" "${panel}" -o "${folder}/${name}.wasm" -Wl,--strip-all
         COMMAND live_pack "${chapter}/${name}" "${folder}/${name}.wasm" "${folder}/${name}.js"
         DEPENDS "${panel}" live_pack DEPFILE "${folder}/${name}.d"
