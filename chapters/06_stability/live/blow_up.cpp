@@ -55,7 +55,7 @@ public:
             say(run, verdict(s, run.limit(zeta.value)), spring.omega / run.limit(zeta.value));
             run.now = {0, 1, 0}, run.off = 0;  // let go at rest, a metre from its place
         }
-        // We show six periods, but not fewer than 60 steps; of many short steps only some.
+        // We show six periods, or 60 steps; of many short steps only some.
         const double period = 2 * 3.14159265358979 / s, steps_shown = std::fmax(60, 6 * period);  // in steps
         stride = static_cast<int>(std::ceil(steps_shown / most_samples));
         shown = std::min(most_samples, static_cast<std::size_t>(steps_shown));
@@ -75,12 +75,10 @@ public:
         for (int i = 0; i < stride; ++i) one_step();
         record();
     }
-
     void draw(live::Picture& p) const override {
         draw_map(p), draw_runs(p);
         if (!p.narrow) draw_plane(p);
     }
-
     // The dot on the map: sideways it sets the damper, upwards the rate.
     bool grab(double x, double y) override { return std::fabs(x - dot_x()) < 0.2 && std::fabs(y - dot_y()) < 0.5; }
     void drag(double x, double y) override {

@@ -73,8 +73,7 @@ public:
         p.window(0, wide, 0, wide, true, 0, p.narrow ? 1 : 0.6, p.narrow ? 0.39 : 0, 1);
         // Of every box its long axis. Those of one colour are one drawing.
         for (const Look each : {right, slower, faster}) {
-            p.ink(name(each), each == right ? 1 : 1.5);
-            p.move(0, 0);
+            p.ink(name(each), (size() < 500 ? 3 : 1) * (each == right ? 1 : 1.5)), p.move(0, 0);
             for (std::size_t i = 0; i < size(); ++i) {
                 if (!alive(i) || look_of(i) != each) continue;
                 const Quaternion<float> q = orientation(i);
