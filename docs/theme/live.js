@@ -48,6 +48,7 @@ class LiveCanvas {
 
     draw(commands) {
         const pen = this.pen, lengths = [10, 5, 4, 3, 3, 1, 1, 4, 4];
+        let path = false;  // is one begun? Moves before its stroke add to it
         this.main = null;
         pen.clearRect(0, 0, this.width, this.height);
         pen.save();
@@ -69,11 +70,14 @@ class LiveCanvas {
                 pen.setLineDash(this.text(a, "dashes").split(",").filter(Boolean).map(Number));
                 pen.lineWidth = b, pen.globalAlpha = c;
                 break;
-            case 3: pen.beginPath(), pen.moveTo(this.x(a), this.y(b)); break;
+            case 3:
+                if (!path) pen.beginPath();
+                path = true, pen.moveTo(this.x(a), this.y(b));
+                break;
             case 4: pen.lineTo(this.x(a), this.y(b)); break;
-            case 5: pen.stroke(); break;
-            case 6: pen.fill(); break;
-            case 7: pen.beginPath(), pen.arc(this.x(a), this.y(b), c, 0, 7), pen.fill(); break;
+            case 5: path = false, pen.stroke(); break;
+            case 6: path = false, pen.fill(); break;
+            case 7: path = false, pen.beginPath(), pen.arc(this.x(a), this.y(b), c, 0, 7), pen.fill(); break;
             case 8: pen.fillText(this.text(c), this.x(a), this.y(b));
             }
         }

@@ -61,10 +61,13 @@ function(timestep_live chapter needs)
       COMMAND ${native} ${words} --still "${still}" > "${folder}/${name}.txt"
       DEPENDS ${native} COMMENT "Drawing the panel ${name}" VERBATIM)
     set(made "${still}")
+    file(STRINGS "${panel}" more REGEX "^// wasm: ")  # options for the module alone
+    string(REGEX REPLACE "^// wasm: " "" more "${more}")
+    separate_arguments(more UNIX_COMMAND "${more}")
     if(TIMESTEP_WASM)
       add_custom_command(OUTPUT "${folder}/${name}.wasm"
         COMMAND "${CMAKE_COMMAND}" -E make_directory "${folder}"
-        COMMAND "${WASM_CXX}" ${wasm_options} -O2 ${same_bits} ${includes} -MD -MF "${folder}/${name}.d"
+        COMMAND "${WASM_CXX}" ${wasm_options} -O2 ${same_bits} ${more} ${includes} -MD -MF "${folder}/${name}.d"
                 -MT "${folder}/${name}.wasm" "${panel}" -o "${folder}/${name}.wasm" -Wl,--strip-all
         DEPENDS "${panel}" DEPFILE "${folder}/${name}.d"
         COMMENT "Compiling the panel ${name} for the page" VERBATIM)

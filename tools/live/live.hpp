@@ -89,6 +89,7 @@ public:
         put({1, word(x), word(y), log_x ? 1.0 : 0.0, log_y ? 1.0 : 0.0});
     }
     void ink(const char* look, double width = 2, double strength = 1) { put({2, word(look), width, strength}); }
+    // Lines, each begun by a move; they are drawn together by one stroke, or filled.
     void move(double x, double y) { put({3, x, y}); }
     void line(double x, double y) { put({4, x, y}); }
     void stroke() { put({5}); }

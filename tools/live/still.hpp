@@ -61,7 +61,7 @@ private:
             case 2: colour_ = look_of(word(a[0])).colour, dashes_ = look_of(word(a[0])).dashes;
                 stroke_ = number(a[1]), strength_ = number(a[2]);
                 return at + 4;
-            case 3: path_ = "M" + place(a); return at + 3;
+            case 3: path_ += "M" + place(a); return at + 3;
             case 4: path_ += "L" + place(a); return at + 3;
             case 5: path("none", colour_); return at + 1;
             case 6: path(colour_, "none"); return at + 1;

@@ -10,7 +10,6 @@
 #include <timestep/advise_verdict.hpp>  // what ./course advise says
 #include <timestep/stability.hpp>
 #include <timestep/stability_limit.hpp>
-
 #include "live.hpp"
 
 using namespace timestep;
@@ -19,7 +18,6 @@ using namespace timestep;
 constexpr std::tuple methods{explicit_euler, semi_implicit_euler, semi_implicit_euler_new_damping, midpoint,
                              runge_kutta_4,  implicit_euler,      implicit_midpoint,               bdf2};
 constexpr std::size_t most_samples = 600;  // of a run
-constexpr double pi = 3.14159265358979;
 
 // A run of one method.
 struct Run {
@@ -27,8 +25,7 @@ struct Run {
     Run(live::Panel* panel, const Method& method)
         : name(method.name), off{panel, name, "% off"}, holds{panel, name},
           limit([](double zeta) { return stability_limit(Method{}, zeta).value; }) {}
-    // In a picture: std::hypot's last bit is not the same in every library.
-    double drawn_limit(double zeta) const { return static_cast<float>(limit(zeta)); }
+    double drawn_limit(double zeta) const { return static_cast<float>(limit(zeta)); }  // std::hypot's last bit varies
     bool has_limit() const { return std::isfinite(limit(0)); }
 
     const char* name;
@@ -41,12 +38,14 @@ struct Run {
     std::size_t end = 0;              // where they end: here, or where it blew up
 };
 
+// Two steps in one.
+inline StepMatrix<double> twice(const StepMatrix<double>& a) {
+    return {a.xx * a.xx + a.xv * a.vx, a.xx * a.xv + a.xv * a.vv, a.vx * a.xx + a.vv * a.vx, a.vx * a.xv + a.vv * a.vv};
+}
+
 class BlowUp : public live::Panel {
 public:
-    BlowUp() {
-        title = "Will it blow up?";
-        aspect = 0.95, aspect_narrow = 2;
-    }
+    BlowUp() { title = "Will it blow up?", aspect = 0.95, aspect_narrow = 2; }
 
     void restart() override {
         const DampedSpring<double> spring = this->spring();
@@ -54,26 +53,20 @@ public:
         omega_h = s, zeta = spring.zeta;
         for (Run& run : runs) {
             say(run, verdict(s, run.limit(zeta.value)), spring.omega / run.limit(zeta.value));
-            run.now = {0, 1, 0};  // let go at rest, a metre from its place
-            run.off = 0;
+            run.now = {0, 1, 0}, run.off = 0;  // let go at rest, a metre from its place
         }
-        // We show six periods, but not fewer than 60 steps; of many short steps only some.
-        const double steps_shown = std::fmax(60, 12 * pi / s);
+        // We show six periods, or 60 steps; of many short steps only some.
+        const double period = 2 * 3.14159265358979 / s, steps_shown = std::fmax(60, 6 * period);  // in steps
         stride = static_cast<int>(std::ceil(steps_shown / most_samples));
         shown = std::min(most_samples, static_cast<std::size_t>(steps_shown));
         // As advise does, we compare the first period with the truth (beyond ζ = 1 that of the slow decay), and
         // where fewer than three steps fit into it, eight steps.
         const double slow = zeta.value < 1 ? 1 : 1 / (zeta.value + std::sqrt(zeta.value * zeta.value - 1));
-        compared = 2 * pi / (slow * s) < 3 ? 8 : 2 * pi / (slow * s);
-
+        compared = period / slow < 3 ? 8 : static_cast<long>(period / slow);
         // The exact motion without a sine: Runge-Kutta 4 with a millionth of the step, doubled twenty times.
         exact_step = step_matrix(runge_kutta_4, spring, h / (1 << 20));
-        for (int i = 0; i < 20; ++i) {
-            const auto [xx, xv, vx, vv] = exact_step;
-            exact_step = {xx * xx + xv * vx, xx * xv + xv * vv, vx * xx + vv * vx, vx * xv + vv * vv};
-        }
-        exact = {0, 1, 0};
-        taken = 0, sampled = 0;
+        for (int i = 0; i < 20; ++i) exact_step = twice(exact_step);
+        exact = {0, 1, 0}, taken = 0, sampled = 0;
         record();
     }
     double seconds() const override { return 4.0 / static_cast<double>(shown); }
@@ -82,13 +75,10 @@ public:
         for (int i = 0; i < stride; ++i) one_step();
         record();
     }
-
     void draw(live::Picture& p) const override {
-        draw_map(p);
-        draw_runs(p);
+        draw_map(p), draw_runs(p);
         if (!p.narrow) draw_plane(p);
     }
-
     // The dot on the map: sideways it sets the damper, upwards the rate.
     bool grab(double x, double y) override { return std::fabs(x - dot_x()) < 0.2 && std::fabs(y - dot_y()) < 0.5; }
     void drag(double x, double y) override {
@@ -105,11 +95,8 @@ private:
     // The verdict, and the rate at which it changes.
     static void say(Run& run, Verdict verdict, double at) {
         const char* where = verdict == Verdict::stable ? "from" : verdict == Verdict::grows ? "below" : "at";
-        if (run.has_limit() && std::isfinite(at))
-            std::snprintf(run.verdict, sizeof run.verdict, at < 1000 ? "%s %s %.4g Hz" : "%s %s %.0f Hz", words(verdict),
-                          where, at);
-        else
-            std::snprintf(run.verdict, sizeof run.verdict, "%s at every rate", words(verdict));
+        const char* form = !std::isfinite(at) || at == 0 ? "%s at every rate" : at < 1000 ? "%s %s %.4g Hz" : "%s %s %.0f Hz";
+        std::snprintf(run.verdict, sizeof run.verdict, form, words(verdict), where, at);
     }
     void one_step() {
         const auto step_one = [this, damped = spring()](const auto& method, Run& run) {
@@ -120,13 +107,11 @@ private:
             else
                 run.now = taken == 1 ? method.start(damped, last, h) : method.step(damped, run.before, last, h);
             run.before = last;
-            if (!run.holds.holds(std::fabs(run.now.x) < 1e6)) return;
-            const double distance = 100 * std::fabs(run.now.x - exact.x);
-            if (static_cast<double>(taken) <= compared) run.off = std::fmax(run.off.value, distance);
+            if (!run.holds.holds(std::fabs(run.now.x) < 1e6)) run.holds.blown_at = taken;
+            else if (taken <= compared) run.off = std::fmax(run.off.value, 100 * std::fabs(run.now.x - exact.x));
         };
         ++taken;
-        exact = {exact.t + h, exact_step.xx * exact.x + exact_step.xv * exact.v,
-                 exact_step.vx * exact.x + exact_step.vv * exact.v};
+        exact = {0, exact_step.xx * exact.x + exact_step.xv * exact.v, exact_step.vx * exact.x + exact_step.vv * exact.v};
         std::size_t i = 0;
         std::apply([&](const auto&... method) { (step_one(method, runs[i++]), ...); }, methods);
     }
@@ -142,15 +127,11 @@ private:
         p.window(0, width, -4.0 * static_cast<double>(runs.size()), 0, false, 0, p.narrow ? 1 : 0.58, p.narrow ? 0.4 : 0, 1);
         double middle = -2.5;
         for (const Run& run : runs) {
-            p.ink("soft", 1);
-            p.segment(0, middle, width, middle);
-            p.ink("exact", 4, 0.5);
-            draw_run(p, exact_samples, sampled, middle);
-            p.ink(run.name, 1.5);
-            draw_run(p, run.samples, run.end, middle);
+            p.ink("soft", 1), p.segment(0, middle, width, middle);
+            p.ink("exact", 4, 0.5), draw_run(p, exact_samples, sampled, middle);
+            p.ink(run.name, 1.5), draw_run(p, run.samples, run.end, middle);
             p.text(0, middle + 1.5, run.name == semi_implicit_euler_new_damping.name ? "new damping" : run.name);
-            p.ink("ink");
-            p.text(0.4 * width, middle + 1.5, run.verdict);
+            p.ink("ink"), p.text(0.4 * width, middle + 1.5, run.verdict);
             middle -= 4;
         }
     }
@@ -170,11 +151,11 @@ private:
         for (const Run& run : runs) {
             if (!run.has_limit()) continue;
             p.ink(run.name, 2);
-            for (int n = 0; n <= 80; ++n) n == 0 ? p.move(0, run.drawn_limit(0)) : p.line(n / 40.0, run.drawn_limit(n / 40.0));
+            p.move(0, run.drawn_limit(0));
+            for (int n = 1; n <= 80; ++n) p.line(n / 40.0, run.drawn_limit(n / 40.0));
             p.stroke();
         }
-        p.ink("ink");
-        p.dot(dot_x(), dot_y(), 7);
+        p.ink("ink"), p.dot(dot_x(), dot_y(), 7);
     }
 
     // The plane of z = hλ. In the direction of each ζ a stability region ends where |z| = ωh is the limit.
@@ -208,9 +189,9 @@ private:
     std::array<Run, std::tuple_size_v<decltype(methods)>> runs = std::apply(
         [this](const auto&... method) { return std::array{Run(this, method)...}; }, methods);
 
-    double h = 0, s = 0, compared = 0;
+    double h = 0, s = 0;
     int stride = 1;  // steps from one sample to the next
-    long taken = 0;
+    long taken = 0, compared = 0;
     std::size_t shown = 60, sampled = 0;
     StepMatrix<double> exact_step{};
     State<double> exact{};
