@@ -93,7 +93,8 @@ private:
     void draw(live::Picture& p, const char* look, bool holds, const Run& run) const {
         p.ink("exact", 4);
         line(p, true_run, 1.0 / finer);
-        if (!holds) return;
+        p.ink(look);
+        if (!holds) return p.text(1, -1.5, "blew up");
         p.ink(look, 1.5, 0.6);
         line(p, run, 1);
         p.ink(look);
