@@ -19,6 +19,7 @@ public:
 
     std::string svg() {
         for (const double *at = picture_.commands(), *end = at + picture_.size(); at < end;) at = carry_out(at);
+        unclip();
         return svg_ + "</svg>\n";
     }
 
@@ -48,6 +49,20 @@ private:
         from_y_ -= (h / scale_y_ - (shown_[3] - shown_[2])) / 2;
     }
 
+    // Nothing leaves its part of the picture.
+    void clip() {
+        unclip();
+        const std::string name = "part" + number(++parts_);
+        svg_ += "<clipPath id=\"" + name + "\"><rect x=\"" + number(left_) + "\" y=\"" + number(top_) + "\" width=\"" +
+                number(right_ - left_) + "\" height=\"" + number(bottom_ - top_) + "\"/></clipPath>\n<g clip-path=\"url(#" +
+                name + ")\">\n";
+        clipped_ = true;
+    }
+    void unclip() {
+        if (clipped_) svg_ += "</g>\n";
+        clipped_ = false;
+    }
+
     // One command, and where the next one begins. The numbers are those of Picture's functions.
     const double* carry_out(const double* at) {
         const double* a = at + 1;
@@ -56,8 +71,8 @@ private:
                 left_ = a[5] * width_ + 8, right_ = a[6] * width_ - 8;
                 bottom_ = (1 - a[7]) * height_ - 8, top_ = (1 - a[8]) * height_ + 8;
                 std::copy_n(a, 5, shown_);
-                return fit(), at + 10;
-            case 1: return axes(a), at + 5;
+                return fit(), clip(), at + 10;
+            case 1: return unclip(), axes(a), clip(), at + 5;
             case 2: colour_ = look_of(word(a[0])).colour, dashes_ = look_of(word(a[0])).dashes;
                 stroke_ = number(a[1]), strength_ = number(a[2]);
                 return at + 4;
@@ -121,6 +136,8 @@ private:
     double left_ = 0, right_ = 0, bottom_ = 0, top_ = 0;
     double from_x_ = 0, from_y_ = 0, scale_x_ = 1, scale_y_ = 1;
     double shown_[5] = {};
+    int parts_ = 0;
+    bool clipped_ = false;
 };
 
 inline bool write_still(const Picture& picture, const Panel& panel, const char* file) {

@@ -20,14 +20,13 @@ class Cloth : public live::Panel {
 public:
     Cloth() {
         title = "A cloth by Verlet";
-        aspect = 0.75, aspect_narrow = 0.95;
+        aspect = 0.8, aspect_narrow = 0.95;
     }
 
     void restart() override {
-        for (int i = 0; i < points; ++i)
-            before[i] = now[i] = {0, Vector3d(i % columns * link - width / 2, -(i / columns) * link, 0), Vector3d(0, 0, 0)};
+        for (int i = 0; i < points; ++i) before[i] = now[i] = {0, start(i), Vector3d(0, 0, 0)};
         whole_across.fill(true), whole_down.fill(true);
-        grabbed = -1, torn = 0, too_long = 0;
+        rail = Vector3d(0, 0, 0), grabbed = -1, torn = 0, too_long = 0;
         gust_before = gust = {0, 0.0, 0.0};
         gust.x = 0.03;
     }
@@ -40,60 +39,68 @@ public:
 
         std::array<State<Vector3d>, points> next;
         for (int i = 0; i < points; ++i) {
-            next[i] = verlet.step(Projectile<Vector3d>(Vector3d(0, -gravity, 0) + push_of_wind(i)), before[i], now[i], h);
+            const Projectile<Vector3d> force(Vector3d(0, -gravity, 0) + push_of_wind(i));
+            next[i] = verlet.step(force, before[i], now[i], h);
+            // What is held follows within some frames: so it has a speed when it is let go.
             if (i == grabbed) next[i].x = now[i].x + (finger - now[i].x) / 3;
-            if (hangs(i)) next[i].x = now[i].x;
+            if (hangs(i)) next[i].x = now[i].x + (start(i) + rail - now[i].x) / 3;
             if (next[i].x(1) < floor) next[i].x = {now[i].x(0), floor, now[i].x(2)};  // what is torn off lies there
         }
         before = now, now = next;
 
-        for (int k = 0; k < sweeps; ++k) {
-            each_link([&](bool whole, int a, int b) { if (whole) put_right(a, b); });
-        }
-        if (tears) each_link([&](bool& whole, int a, int b) { whole = whole && length(a, b) < tears_at * link; });
+        for (int k = 0; k < sweeps; ++k)
+            each_link([&](bool whole, int a, int b) { whole ? put_right(a, b) : void(); });
+        const double most = link * (1 + tears_at / 100);
+        each_link([&](bool& whole, int a, int b) { whole = whole && length(a, b) < most; });
         read();
     }
 
     void draw(live::Picture& p) const override {
-        p.window(-1, 1, -1.45, 0.1, true);
+        p.window(-0.9, 0.9, -1.45, 0.05, true);
         // A cell whose links are whole is a piece of cloth; the more it faces us, the stronger.
         for (int i = 0; i < points - columns; ++i) {
-            if (i % columns == columns - 1 || !whole_down[i] || !whole_down[i + 1] || !whole_across[i] || !whole_across[i + columns]) continue;
-            const Vector3d facing = direction(Vector3d((now[i + columns + 1].x - now[i].x).cross(now[i + 1].x - now[i + columns].x)));
-            p.ink("first", 1, 0.25 + 0.6 * std::fabs(facing(2)));
-            to(p, i, true), to(p, i + 1), to(p, i + columns + 1), to(p, i + columns);
+            const int right = i + 1, below = i + columns, opposite = below + 1;
+            if (right % columns == 0 || !whole_down[i] || !whole_down[right] || !whole_across[i] || !whole_across[below])
+                continue;
+            const Vector3d normal = (now[opposite].x - now[i].x).cross(now[right].x - now[below].x);
+            p.ink("first", 1, 0.25 + 0.6 * std::fabs(direction(normal)(2)));
+            to(p, i, true), to(p, right), to(p, opposite), to(p, below);
             p.fill();
         }
         p.ink("ink", 1, 0.6);
-        each_link([&](bool whole, int a, int b) { if (whole) to(p, a, true), to(p, b), p.stroke(); });
+        each_link([&](bool whole, int a, int b) { whole ? (to(p, a, true), to(p, b), p.stroke()) : void(); });
         p.ink("ink");
         for (int i = 0; i < points; ++i)
             if (hangs(i) || i == grabbed) p.dot(across(now[i].x), up(now[i].x), 4);
     }
 
-    // The finger takes the nearest point, and pulls it in the plane in which it is.
+    // The finger takes the nearest point, and pulls it in the plane in which it is; a ring takes the rail with it.
     bool grab(double x, double y) override {
         double nearest = 0.15;
         grabbed = -1;
         for (int i = 0; i < points; ++i) {
-            const double far = std::sqrt((across(now[i].x) - x) * (across(now[i].x) - x) + (up(now[i].x) - y) * (up(now[i].x) - y));
-            if (!hangs(i) && far < nearest) nearest = far, grabbed = i;
+            const double far = Eigen::Vector2d(across(now[i].x) - x, up(now[i].x) - y).norm();
+            if (far < nearest) nearest = far, grabbed = i;
         }
         if (grabbed >= 0) drag(x, y);
         return grabbed >= 0;
     }
     void drag(double x, double y) override {
+        if (grabbed < 0) return;  // started anew under the finger
         const double z = now[grabbed].x(2);
         finger = {std::fmin(std::fmax(x, -1.2), 1.2) - 0.35 * z, std::fmin(std::fmax(y, -1.5), 0.5) + 0.2 * z, z};
+        if (hangs(grabbed)) rail = finger - start(grabbed);
     }
     void let_go() override { grabbed = -1; }
+    bool handle(double& x, double& y) const override { return x = across(now[0].x), y = up(now[0].x), true; }
 
 private:
     static constexpr int columns = 14, rows = 10, points = columns * rows;
     static constexpr double link = 0.1, width = (columns - 1) * link, floor = -1.4;  // m
     static constexpr double h = 1.0 / 60;  // s
-    static constexpr double tears_at = 2;  // times its length
 
+    // Where a point is at the start; and is it a ring, which holds the cloth?
+    static Vector3d start(int i) { return {i % columns * link - width / 2, -(i / columns) * link, 0}; }
     static bool hangs(int i) { return i == 0 || i == 4 || i == 9 || i == columns - 1; }
 
     // Wind pushes along the normal, the more the more it is faced: that takes positions only, as Verlet must have it.
@@ -126,14 +133,12 @@ private:
         }
     }
     void read() {
-        double sum = 0;
-        int whole_links = 0, all = 0;
+        double longest = 0;
+        torn = 0;
         each_link([&](bool whole, int a, int b) {
-            ++all;
-            if (whole) ++whole_links, sum += length(a, b) / link - 1;
+            whole ? void(longest = std::fmax(longest, length(a, b))) : torn = torn.value + 1;
         });
-        too_long = whole_links > 0 ? 100 * sum / whole_links : 0;
-        torn = all - whole_links;
+        too_long = longest > 0 ? 100 * (longest / link - 1) : 0;
     }
 
     // The picture looks a little from above and from the side.
@@ -146,14 +151,14 @@ private:
     live::Slider sweeps{this, "sweeps", "iterations a step", 1, 40, 1, 8};
     live::Slider wind{this, "wind", "wind", 0, 20, 0.5, 6, "m/s²"};
     live::Slider gravity{this, "gravity", "gravity", 0, 20, 0.01, 9.81, "m/s²"};
-    live::Toggle tears{this, "tears", "tears at twice its length", true};
-    live::Readout too_long{this, "links on the mean", "% too long"};
+    live::Slider tears_at{this, "tears_at", "tears when too long by", 50, 300, 10, 150, "%"};
+    live::Readout too_long{this, "the longest link", "% too long"};
     live::Readout torn{this, "torn", "links"};
 
     std::array<State<Vector3d>, points> before, now;
     std::array<bool, points> whole_across, whole_down;
     State<double> gust_before{}, gust{};
-    Vector3d finger;
+    Vector3d finger, rail;
     int grabbed = -1;
 };
 LIVE_PANEL(Cloth)

@@ -24,7 +24,8 @@ public:
     void restart() override {
         hook = finger = Vector2d(0, 0), grabbed = -1;
         for (auto* rope : {&plain, &corrected})
-            for (int i = 0; i <= links; ++i) rope->before[i] = rope->now[i] = {0, Vector2d(i * link, 0), Vector2d(0, 0)};
+            for (int i = 0; i <= links; ++i)
+                rope->before[i] = rope->now[i] = {0, Vector2d(i * link, 0), Vector2d(0, 0)};
         chance = 1;
         dt_before = 1.0 / 60 / cuts;
         plain_too_long = 0, corrected_too_long = 0;
