@@ -166,6 +166,18 @@ def goes_and_stops(page, faults):
     faults.unless(page.wait(lambda: run(STEPS) > there), "does not go on when it is back on screen")
 
 
+def moves(page, action):
+    """Does the picture a few steps after a restart depend on what the action does before them?"""
+    restart, on = LIVE + "live.play(false); of.begin(); live.show()", LIVE + "live.steps(5)"
+    page.run(restart)
+    page.run(on)
+    without = page.run(PICTURE)
+    page.run(restart)
+    action()
+    page.run(on)
+    return page.run(PICTURE) != without
+
+
 def by_keyboard(page, faults):
     from selenium.webdriver.common.keys import Keys
     page.open()
@@ -184,9 +196,8 @@ def by_keyboard(page, faults):
         value = page.controls()[before.index(sliders[0])]["value"]
         faults.unless(value <= sliders[0]["most"], f"takes {value} for a number")
     if not page.run(LIVE + "return Number.isNaN(of.handle(0))"):
-        before = page.run(PICTURE)
-        page.part("canvas").send_keys(Keys.ARROW_RIGHT + Keys.ARROW_UP)
-        faults.unless(page.run(PICTURE) != before, "the arrow keys move nothing")
+        faults.unless(moves(page, lambda: page.part("canvas").send_keys(Keys.ARROW_RIGHT + Keys.ARROW_UP)),
+                      "the arrow keys move nothing")
 
 
 def by_finger(page, faults):
@@ -199,23 +210,26 @@ def by_finger(page, faults):
         before = page.controls()
         page.touch((left + width / 2, top + height / 2), (left + width * 0.8, top + height / 2))
         faults.unless(page.controls() != before, "a finger does not move its slider")
-    handle = page.run(LIVE + """live.canvas.scrollIntoView({block: 'center'}); if (Number.isNaN(of.handle(0))) return null;
-        const box = live.canvas.getBoundingClientRect(), p = live.picture; p.part = p.main;
-        return [box.left + p.x(of.handle(0)), box.top + p.y(of.handle(1))]""")
-    if handle:
-        before = page.run(PICTURE)
-        x, y = handle
+    if page.run(LIVE + "live.canvas.scrollIntoView({block: 'center'}); return Number.isNaN(of.handle(0))"):
+        return
+    held = lambda: page.run(LIVE + """const box = live.canvas.getBoundingClientRect(), p = live.picture; p.part = p.main;
+        return [p.x(of.handle(0)), p.y(of.handle(1)), box.left, box.top]""")
+
+    def finger():
+        x, y, left, top = held()
+        x, y = left + x, top + y
         page.touch((x, y), (x + 10, y - 8), (x + 25, y - 20))
-        faults.unless(page.run(PICTURE) != before, "a finger does not drag what can be dragged")
-        page.run(LIVE + "live.steps(60)")  # what is pulled follows
-        before = page.run(PICTURE)
-        page.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
+    faults.unless(moves(page, finger), "a finger does not drag what can be dragged")
+
+    def mouse():
         from selenium.webdriver import ActionChains
-        x, y = page.run(LIVE + "const p = live.picture; p.part = p.main; return [p.x(of.handle(0)), p.y(of.handle(1))]")
+        x, y, _, _ = held()
         canvas = page.part("canvas")
-        ActionChains(page.driver).move_to_element_with_offset(canvas, int(x - canvas.size["width"] / 2), int(y - canvas.size["height"] / 2)) \
+        ActionChains(page.driver).move_to_element_with_offset(
+            canvas, int(x - canvas.size["width"] / 2), int(y - canvas.size["height"] / 2)) \
             .click_and_hold().move_by_offset(-20, 15).release().perform()
-        faults.unless(page.run(PICTURE) != before, "the mouse does not drag what can be dragged")
+    page.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
+    faults.unless(moves(page, mouse), "the mouse does not drag what can be dragged")
     page.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True})
 
 
