@@ -321,6 +321,7 @@ class LivePanel {
 
     shape() {
         this.narrow = Number(this.canvas.clientWidth < 500);
+        this.canvas.parentElement.classList.toggle("is-narrow", this.canvas.clientWidth < 500);
         this.picture.resize(this.of.aspect(this.narrow));
         this.show();
     }

@@ -192,7 +192,7 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
                               [&](const std::string& content) {
                                   return page::replace_all(content, "[" + tag + "]", "");
                               });
-    } else if (kind != "end" && kind != "claims" && kind != "chapters" && kind != "talks" && kind != "exercises" && kind != "which") {
+    } else if (kind != "end" && kind != "claims" && kind != "chapters" && kind != "talks" && kind != "exercises" && kind != "which" && kind != "ask" && kind != "answered") {
         std::string name = kind;
         if (name.ends_with(".value")) {
             name.erase(name.size() - 6);

@@ -85,6 +85,13 @@ public:
         return page;
     }
 
+    /// To be asked when all of the page is filled.
+    void check_answered(int last_line) const {
+        if (asked_) {
+            throw Error{file_, last_line, "an {{ask: …}} without its {{answered}}"};
+        }
+    }
+
 private:
     /// "where" or "end" where the piece is one of those, else nothing.
     static std::string block_word(const Piece& piece) {
@@ -189,7 +196,7 @@ private:
             return check_markdown(context_, directive);
         }
         static const std::set<std::string> blocks{"figure", "code",     "run",  "table",    "claims",
-                                                  "talks",  "chapters", "said", "exercises", "which", "program", "live"};
+                                                  "talks",  "chapters", "said", "exercises", "which", "program", "live", "ask", "answered"};
         if (blocks.count(name) == 0) {
             if (!directive.arguments.empty() || !directive.text.empty()) {
                 throw std::invalid_argument{"there is no {{" + name + " …}}"};
@@ -198,6 +205,9 @@ private:
         }
         if (!piece.own_line) {
             throw std::invalid_argument{"{{" + name + " …}} must stand on a line of its own"};
+        }
+        if (name == "ask" || name == "answered") {
+            return fold(directive);
         }
         if (name == "figure" || name == "live") {
             const std::size_t before = piece.text.size() - directive.text.size();
@@ -236,6 +246,17 @@ private:
             name == "talks" ? talks_markdown(context_) : chapters_markdown(context_), piece);
     }
 
+    /// A question whose answer is folded: `{{ask: question}}`, the answer, `{{answered}}`.
+    std::string fold(const Directive& directive) {
+        const bool asks = directive.name == "ask";
+        if (asks == asked_ || !directive.arguments.empty() || directive.text.empty() == asks) {
+            throw std::invalid_argument{"{{ask: question}} and {{answered}} come by turns, with the answer between them"};
+        }
+        asked_ = asks;
+        return asks ? "\n\\htmlonly[block]<details class=\"ask\"><summary>" + escape_html(directive.text) + "</summary><div>\\endhtmlonly\n"
+                    : "\n\\htmlonly[block]</div></details>\\endhtmlonly\n";
+    }
+
     /// Takes the next part of the program, or the whole of it.
     std::string fill_program(const Directive& directive) {
         if (!directive.arguments.empty() || context_.chapter() == nullptr) {
@@ -266,6 +287,7 @@ private:
     std::size_t parts_shown_ = 0;
     Heading heading_{};
     bool below_heading_ = false;
+    bool asked_ = false;
 };
 
 /// A chapter shows all its figures and teaches all its rows.
@@ -330,6 +352,7 @@ std::string fill(Context& context, std::string_view source, const std::string& f
         }
         page = chapter_header(context) + body + chapter_footer(context);
     }
+    filler.check_answered(pieces.empty() ? 1 : pieces.back().line);
     return context.gaps > 0 ? with_notice(page) : page;
 }
 

@@ -113,6 +113,17 @@ TEST_CASE("a live panel stands as a picture, and names its module where there is
     }
 }
 
+TEST_CASE("a question folds its answer") {
+    const Course course;
+    const std::string page = course.fill_paragraph("{{ask: Is 1 < 2?}}\n\nTo {{amplitude}}.\n\n{{answered}}");
+    CHECK_THAT(page, ContainsSubstring("<details class=\"ask\"><summary>Is 1 &lt; 2?</summary><div>\\endhtmlonly"));
+    CHECK_THAT(page, ContainsSubstring("\\htmlonly[block]</div></details>"));
+    for (const char* wrong : {"{{answered}}", "{{ask}}", "{{ask: a}}\n\n{{ask: b}}", "{{ask: a}}\n\n{{answered: b}}"}) {
+        CHECK_THAT(course.paragraph_error(wrong), ContainsSubstring("come by turns"));
+    }
+    CHECK_THAT(course.paragraph_error("{{ask: a}}\n\nb"), ContainsSubstring("without its {{answered}}"));
+}
+
 TEST_CASE("a bar in a table's cell does not end the cell") {
     Course course;
     course.write("runs/03_springs/run/bars.tsv", "what\n|R| = 1 where $|x| < 2$\n");
