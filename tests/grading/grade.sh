@@ -275,6 +275,20 @@ test_without_bubblewrap_it_refuses() {
     says out 'without isolation'
 }
 
+# Grades that are written where the command is typed are no part of the course.
+test_grades_in_the_checkout_are_no_news_to_git() {
+    command -v git >/dev/null || exit 77
+    mkdir repository
+    cp "$source/.gitignore" repository
+    git init --quiet repository
+    cd repository || exit 1
+    expect 1 course grade ../class --trust
+    [ -s class.grades/grades.csv ] || fail 'no grades'
+    is "$(git status --short --untracked-files=all)" '?? .gitignore
+?? err
+?? out'
+}
+
 # For `env`: the course by its words.
 words() {
     echo "FIXTURE_SOURCE=$folder/source FIXTURE_BUILD=$folder/build FIXTURE_CMAKE=$(command -v true)" \
