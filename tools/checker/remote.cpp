@@ -235,7 +235,8 @@ std::string Remote::hear(Reply expected) {
     if (head.reply == Reply::mode_changed)
         throw Ended(Kind::wrong,
                     "the call leaves the processor as it found it: rounding to nearest, no tiny "
-                    "number flushed to zero, full precision");
+                    "number flushed to zero, full precision, no end of the program at 1/0, nothing "
+                    "left on the x87's stack");
     if (head.reply == Reply::crashed) crash(bytes);
     if (head.reply != expected)
         throw Ended(Kind::left_early, "The program wrote to the pipe that its answers go through");

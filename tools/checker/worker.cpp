@@ -119,22 +119,26 @@ void catch_crashes() {
     catch_crashes();
 }
 
-// Rounds to nearest, flushes nothing to zero, and with the x87 cuts nothing off: as every process
-// begins, and as every caller expects it after a call. The processor is asked itself, since a
+// Rounds to nearest, flushes nothing to zero, goes on after 1/0, and has of the x87 full precision and an empty stack:
+// as every process begins, and as every caller expects it after a call. The processor is asked itself, since a
 // learner's file may have a fegetenv of its own.
 bool calculates_as_usual() {
 #if defined(__x86_64__)
+    struct {
+        std::uint32_t control, status, tags, others[4];
+    } x87;
     std::uint32_t sse = 0;
-    std::uint16_t x87 = 0;
-    asm volatile("stmxcsr %0\n\tfnstcw %1" : "=m"(sse), "=m"(x87));
-    const unsigned rounding = 3u << 13, flush = 1u << 15, denormals_are_zero = 1u << 6;
-    const unsigned x87_mode = 0xf00, x87_usual = 0x300;
-    return (sse & (rounding | flush | denormals_are_zero)) == 0 && (x87 & x87_mode) == x87_usual;
+    // What stores the x87 masks its exceptions: it is loaded again.
+    asm volatile("stmxcsr %0\n\tfnstenv %1\n\tfldenv %1" : "=m"(sse), "=m"(x87));
+    const unsigned rounding = 3u << 13, flush = 1u << 15, denormals_are_zero = 1u << 6, masked = 0x3fu << 7;
+    const unsigned x87_mode = 0xf3f, x87_usual = 0x33f, x87_empty = 0xffff;
+    return (sse & (rounding | flush | denormals_are_zero | masked)) == masked && (x87.control & x87_mode) == x87_usual &&
+           (x87.tags & x87_empty) == x87_empty;
 #elif defined(__aarch64__)
     std::uint64_t now = 0;
     asm volatile("mrs %0, fpcr" : "=r"(now));
-    const unsigned rounding = 3u << 22, flush = 1u << 24;
-    return (now & (rounding | flush)) == 0;
+    const unsigned rounding = 3u << 22, flush = 1u << 24, traps = 0x9fu << 8;
+    return (now & (rounding | flush | traps)) == 0;
 #else
     return std::fegetround() == FE_TONEAREST;
 #endif
