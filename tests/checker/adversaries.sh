@@ -184,6 +184,28 @@ test_a_pipe_that_is_included() {
     must_be does_not_compile 'The compiler waits for something that does not come.'
 }
 
+# Ten digits do not tell what float does from what is right: then more are printed.
+test_a_call_that_is_shown_is_wrong_as_it_is_printed() {
+    sed 's/points\[i\]\[1\] < points\[worth/float(points[i][1]) < float(points[worth/; s/points\[i\] == points\[worth.back()\]/(points[i][0] == points[worth.back()][0] \&\& float(points[i][1]) == float(points[worth.back()][1]))/; s/\(worth.back()\]\[1\]\) ||/\1) ||/' \
+        "$source/solutions/07_error_against_run_time/worth_having.cpp" >answer.cpp
+    is "$(grep -c float answer.cpp)" 2
+    for seed in 16146074820862296456 1 2 3; do
+        expect 1 course check worth_having --file answer.cpp --seed $seed
+        shown=$(tr '\n' ' ' <out | tr -s ' ' | sed 's/.*worth_having({{\([^)]*\)}}).*/\1/; s/}, {/;/')
+        case $shown in *[0-9]\;[0-9]*) ;; *) fail "no two settings: $shown" ;; esac
+        [ "${shown%;*}" != "${shown#*;}" ] || fail "seed $seed: twice {$shown}"
+    done
+}
+
+test_a_wrong_result_does_not_look_right() {
+    sed 's|/ 2;|/ 2 + 3e-11 * newer;|' "$source/solutions/01_derivatives/velocity_now.cpp" >answer.cpp
+    for seed in 1 2 3; do
+        expect 1 course check velocity_now --file answer.cpp --seed $seed
+        shown=$(tr '\n' ' ' <out | tr -s ' ' | sed 's/.* returned \([^ ]*\)[; ].*/\1/')
+        [ ${#shown} -gt 11 ] || fail "seed $seed: $shown"
+    done
+}
+
 program=$4 real_build=$5
 begin "$@"
 "$function"

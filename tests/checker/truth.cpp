@@ -87,6 +87,19 @@ TEST_CASE("a mistake is named where it answers as the learner does, and else by 
     CHECK(named([](double x0, double x1, double h) { return (x1 - x0) / h + x0 * x0; }).empty());
 }
 
+TEST_CASE("a number is written with ten digits, or with as many as make it the same again") {
+    for (const double number : {0.3, 1 / 3.0, 0.1 + 0.2, 1e-5, 5e-324, 1.7e308, 12345678901.0, 0.6 * (1 + 3e-13), -1.0, 100000.0, 0x1p60}) {
+        INFO(number);
+        CHECK(std::strtod(written(number, Digits::all).c_str(), nullptr) == number);
+        CHECK(written(number, Digits::ten).size() <= 16);
+    }
+    CHECK(written(0.3, Digits::all) == "0.3");
+    CHECK(written(100000, Digits::all) == "100000");
+    CHECK(written(0.1 + 0.2, Digits::ten) == "0.3");
+    CHECK(written(HUGE_VAL, Digits::all) == "inf");
+    CHECK(written(std::nan(""), Digits::all) == "nan");
+}
+
 TEST_CASE("a list of another length is no negative of the right one") {
     const auto three = +[](double x) { return std::vector<double>{x, x, x}; };
     std::vector<Call> calls;

@@ -95,6 +95,35 @@ CODE
     case $(says_of erin) in *"sees $HOME/secret"*) ;; *) fail 'a trusted submission sees nothing' ;; esac
 }
 
+# The hidden tests hold the course's own answer as machine code. Who can open them can call it; in a grading nobody can.
+test_the_courses_own_answer_cannot_be_called() {
+    needs_isolation
+    command -v nm >/dev/null || exit 77
+    hidden=$real_build/exercises/hidden/velocity_now
+    place=$(nm -C "$hidden" | sed -n 's/^0*\([0-9a-f]*\) t .*::solution::velocity_now(.*/\1/p')
+    [ -n "$place" ] || fail 'the hidden tests do not hold the answer: this tests nothing'
+    mkdir class/gus
+    cat >class/gus/velocity_now.cpp <<CODE
+#include "exercise.hpp"
+#include <cstdio>
+#include <fcntl.h>
+#include <sys/mman.h>
+double velocity_now(double x0, double x1, double x2, double h) {
+    static const int file = open("$hidden", O_RDONLY);
+    if (file < 0) std::perror("the hidden tests");
+    static void* const all = file < 0 ? MAP_FAILED : mmap(nullptr, 1 << 20, PROT_READ | PROT_EXEC, MAP_PRIVATE, file, 0);
+    if (all == MAP_FAILED) return 0;
+    return reinterpret_cast<double (*)(double, double, double, double)>(static_cast<char*>(all) + 0x$place)(x0, x1, x2, h);
+}
+CODE
+    # As it is bought where nothing is shut away: so the way there is the right one.
+    expect 1 course grade class --trust
+    is "gus $(verdict_of gus)" 'gus pass'
+    expect 1 course grade class
+    is "gus $(verdict_of gus)" 'gus wrong'
+    case $(says_of gus) in *'the hidden tests: No such file or directory'*) ;; *) fail "$(says_of gus)" ;; esac
+}
+
 test_every_adversary_gets_its_verdict() {
     needs_isolation
     sh "$source/tests/split.sh" "$source/tests/checker/submissions" submissions
@@ -273,6 +302,20 @@ test_without_bubblewrap_it_refuses() {
     expect 1 env PATH="$folder/broken:$PATH" $(words) grade class --trust
     is "$(verdict_of alice)$(verdict_of bob)" passwrong
     says out 'without isolation'
+}
+
+# Grades that are written where the command is typed are no part of the course.
+test_grades_in_the_checkout_are_no_news_to_git() {
+    command -v git >/dev/null || exit 77
+    mkdir repository
+    cp "$source/.gitignore" repository
+    git init --quiet repository
+    cd repository || exit 1
+    expect 1 course grade ../class --trust
+    [ -s class.grades/grades.csv ] || fail 'no grades'
+    is "$(git status --short --untracked-files=all)" '?? .gitignore
+?? err
+?? out'
 }
 
 # For `env`: the course by its words.

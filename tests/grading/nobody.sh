@@ -133,6 +133,58 @@ test_what_is_left_out_is_named() {
     says err "'__MACOSX' holds an answer"
 }
 
+# refused_with NAME TEXT: that is the grade of NAME, and it says so; nobody else has lost his.
+refused_with() {
+    is "$1 $(verdict_of "$1")" "$1 refused"
+    case $(says_of "$1") in *"velocity_now: refused: $2"*) ;; *) fail "$1: $(says_of "$1")" ;; esac
+    says out "velocity_now: refused: $2"
+    is "$(verdict_of alice)" pass
+}
+
+test_an_answer_in_a_folder_that_is_left_out_is_named() {
+    needs_isolation
+    for place in gus/__MACOSX fay/.git hal/src/.hidden/deep ivy/.svn; do
+        mkdir -p class/$place
+        cp $solved class/$place/velocity_now.cpp
+    done
+    cp $solved class/ivy/velocity_now.cpp  # who has one where it is looked for, too
+    mkdir class/ivy/.DS_Store class/gus/.DS_Store
+    expect 1 course grade class
+    refused_with gus "__MACOSX/velocity_now.cpp lies where nothing is graded, in '__MACOSX': move it"
+    refused_with fay ".git/velocity_now.cpp lies where nothing is graded, in '.git': move it"
+    refused_with hal "src/.hidden/deep/velocity_now.cpp lies where nothing is graded, in 'src/.hidden': move it"
+    is "$(verdict_of ivy)" pass
+    says out 'Left out: 2 times .DS_Store in submissions, fay/.git, hal/src/.hidden, ivy/.svn, gus/__MACOSX'
+    # Where one exercise is asked for and another file could be its answer, too.
+    cp $mistake class/gus/main.cpp
+    expect 1 course grade class --exercise velocity_now
+    refused_with gus '__MACOSX/velocity_now.cpp lies'
+    # As one submission: what lies in it is named once.
+    expect 1 course grade class/fay --one
+    says out "velocity_now: refused: .git/velocity_now.cpp lies where nothing is graded, in '.git': move it"
+    is "$(grep -c 'Left out: .git$' out)" 1
+}
+
+test_an_answer_in_other_letters_is_named() {
+    needs_isolation
+    mkdir class/gus class/fay
+    cp $solved class/gus/Velocity_Now.CPP
+    cp $solved class/fay/velocity_now.cpp
+    cp $mistake class/fay/VELOCITY_NOW.cpp
+    cp $solved class/Velocity_now.cpp
+    expect 1 course grade class
+    refused_with gus 'Velocity_Now.CPP is to be named velocity_now.cpp, in just these letters: rename it'
+    refused_with Velocity_now.cpp 'Velocity_now.cpp is to be named velocity_now.cpp, in just these letters: rename it'
+    is "$(verdict_of fay)" pass
+    # Of one exercise the only file of C++ is the answer, whatever it is called.
+    rm class/Velocity_now.cpp class/fay/VELOCITY_NOW.cpp
+    expect 1 course grade class --exercise velocity_now
+    is "$(verdict_of gus)" pass
+    cp $solved class/gus/main.cpp
+    expect 1 course grade class --exercise velocity_now
+    refused_with gus 'Velocity_Now.CPP is to be named'
+}
+
 # An archive that was packed on a Mac brings of each file another, which is none.
 test_what_a_mac_leaves_hides_no_answer() {
     needs_isolation

@@ -286,6 +286,13 @@ test_bad_kinds_are_refused() {
     refuses '--springs belongs to a body, a chain or a cloth' --kind hinge --stiffness 1 --mass 1 --springs 2
     refuses '--arm belongs to a body that turns' --kind cloth --stiffness 1 --mass 1 --arm 1 --turning 1
     refuses '--other-mass belongs to --kind hinge' --stiffness 1 --mass 1 --other-mass 1
+    for row in , 0.01, ,0.02 0.01,,0.02; do
+        refuses "--frames = '$row': a number must stand on both sides of each comma" --frames $row --omega 1
+        refuses "--frames = '$row': a number must stand on both sides of each comma" --frames=$row --omega 1
+    done
+    refuses "--inertia = '1,2,': a number must stand" --inertia 1,2, --spin 1,2,3
+    refuses "--spin = '1,,2': a number must stand" --inertia 1,2,2 --spin 1,,2
+    refuses '--frames' --frames 0.01 --omega 1
     refuses 'longest frame = 0.01: must be longer than the shortest' --omega 1 --frames 0.02,0.01
     refuses 'shortest frame = 0: ' --omega 1 --frames 0,0.01
     refuses '--frames and --step or --rate' --omega 1 --frames 0.01,0.02 --rate 60

@@ -61,17 +61,35 @@ make_sources() {
 test_with_nothing_new_it_hands_over_and_asks_nobody() {
     new_machine 0
     have_all
+    have bubblewrap
     make_sources
     expect 7 course list
     for tool in cat sed grep dirname apt-cache cmake tr env flock; do
         fake $tool "echo $tool >>'$folder/calls'; exit 1"
     done
     : >calls
-    for command in tour list run where check watch hint solution reset new advise bench site kit test; do
+    # All that there are but setup.
+    commands=$(/usr/bin/sed -n 's/^\(tour | .*\) | setup) ;;$/\1/p' checkout/course | /usr/bin/tr -d '|')
+    case $commands in *grade*) ;; *) fail "the commands are: $commands" ;; esac
+    for command in $commands; do
         expect 7 course $command 1
         is "$(/bin/cat out err)" "handed over: $command 1"
     done
     is "$(/usr/bin/wc -l <calls)" 0
+}
+
+# What shuts strangers' code away is asked for also where nothing else is new.
+test_grade_asks_for_bubblewrap_though_nothing_is_new() {
+    new_machine 0
+    have_all
+    make_sources
+    expect 7 course list
+    expect 7 course grade class --trust
+    is "$(cat out err)" 'handed over: grade class --trust'
+    expect 7 course grade class --yes
+    says err 'this machine lacks: bubblewrap'
+    expect 7 course grade class
+    is "$(cat out err)" 'handed over: grade class'
 }
 
 test_what_is_new_is_built_first() {

@@ -112,6 +112,84 @@ test_bad_names_are_refused() {
     done
 }
 
+# Two targets of one name are more than CMake or Ninja can do.
+test_names_that_the_build_has_are_refused() {
+    cat >>source/CMakeLists.txt <<'END'
+foreach(name my_tool tool_study run_tool check_main ready_exercise_eigen hidden_objects_velocity_now)
+  add_custom_target(${name})
+endforeach()
+install(FILES README.md DESTINATION .)
+enable_testing()
+include(CPack)
+include(tools/cmake/targets.cmake)
+timestep_list_targets()
+END
+    expect 0 course new chapter first
+    for kind in chapter 'exercise 3'; do
+        refused "$kind my_tool" "'my_tool': is a target of the build, and none may be there twice"
+        for name in all test clean help install edit_cache rebuild_cache package package_source; do
+            refused "$kind $name" "'$name': is a target that CMake makes itself"
+        done
+    done
+    refused 'chapter tool' "'tool': makes the target tool_study, which the build has already"
+    printf 'run_tool\nready_exercise_eigen\nhidden_objects_velocity_now\ncheck_tool\n' >build/targets.txt
+    refused 'chapter tool' "'tool': makes the target run_tool, which the build has already"
+    for pair in exercise_eigen:ready_exercise_eigen objects_velocity_now:hidden_objects_velocity_now tool:check_tool; do
+        refused "exercise 3 ${pair%:*}" "'${pair%:*}': makes the target ${pair#*:}, which the build has already"
+    done
+}
+
+# Whatever this CMake makes of its own accord.
+test_all_that_cmake_makes_itself_is_refused() {
+    command -v ninja >/dev/null || exit 77
+    printf 'install(FILES README.md DESTINATION .)\nenable_testing()\ninclude(CPack)\n' >>source/CMakeLists.txt
+    "$real_cmake" -S source -B empty >/dev/null 2>&1
+    ninja -C empty -t targets all | sed 's/: .*//' | grep -x '[a-z_]*' >own
+    [ "$(lines own)" -gt 8 ] || fail "Ninja names too few: $(cat own)"
+    while read -r name; do
+        case $name in fall | swing | docs) continue ;; esac
+        expect 2 course new exercise 3 "$name"
+        says err "'$name': is a target that CMake makes itself"
+    done <own
+}
+
+# A function of such a name would stand in the way of what is compiled with it.
+test_names_of_the_checker_are_refused() {
+    mkdir source/tools/checker
+    cp -r "$source"/tools/checker/* source/tools/checker
+    for header in "$source"/tools/checker/*.hpp "$source"/tools/checker/learner/*.hpp; do
+        name=$(basename "$header" .hpp)
+        expect 2 course new exercise 3 "$name"
+        says err "course: '$name': is a"
+    done
+    for name in worker remote truth; do refused "exercise 3 $name" "'$name': is a header of the checker"; done
+    # What the headers declare outside of any namespace.
+    {
+        sed -n 's/^[A-Za-z0-9]* \([a-z_]*\)(.*);$/\1/p' "$source"/tools/checker/learner/*.hpp
+        cat "$source"/tools/checker/*.hpp | tr '\n' ' ' | grep -o 'using checker::[^;]*' | grep -o '::[a-zA-Z_]*' | tr -d ':'
+    } | grep -x '[a-z_]*' | sort -u >declared
+    says declared solve_linear
+    says declared draw_moments
+    for name in $(cat declared) solution mistakes main; do
+        refused "exercise 3 $name" "'$name': is a word of C++ or of the checker"
+    done
+    refused 'exercise 3 velocity_now_declared' "'velocity_now_declared': names that end in _declared are for what the build"
+    refused 'exercise 3 size_t' "'size_t': names that end in _t are the system's, for its types"
+}
+
+# CMake has written what Ninja cannot read: it writes again what was there before.
+test_what_cannot_be_built_is_taken_back() {
+    for kind in chapter 'exercise 3'; do
+        echo 1 >build_status
+        echo 'ninja: error: build.ninja:7: multiple rules generate topic' >build_says
+        : >calls
+        refused "$kind topic" "'topic' was not made: ninja: error: build.ninja:7: multiple rules generate topic"
+        is "$(grep -c -e '^-S ' calls) $(tail -n 1 calls)" "2 -S $folder/source -B $folder/build"
+    done
+    echo 0 >build_status
+    expect 0 course new chapter topic
+}
+
 test_what_the_build_refuses_is_taken_back() {
     refused 'chapter docs' "'docs' was not made: add_custom_target cannot create target \"docs\" because"
     rm source/solutions/03_swing/velocity_now.cpp

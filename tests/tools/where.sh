@@ -98,11 +98,20 @@ near to it: 03_swing/mean"
 }
 
 test_without_a_run_the_command_that_makes_it_is_told() {
-    expect 3 course where 3/mean
-    is "$(cat err)" 'course: the run of 03_swing has not been made here: ./course tour makes it'
-    expect 3 course where mean
-    is "$(cat err)" "course: the chapters' runs have not been made here: ./course tour makes it"
     new_run
+    rm $run/done
+    for name in 3/mean mean 3/hard swing.svg swing.tsv motion.dat; do
+        expect 3 course where $name
+        is "$(cat err)" 'course: the run of 03_swing has not been made here: ./course tour makes it'
+    done
+    # What nothing speaks of, no run would have.
+    for name in x 3/x 1/mean; do
+        expect 2 course where $name
+        is "$(cat err)" "course: '$name': no run has a number, check, data file or figure of that name"
+    done
+    : >build/chapters/01_fall/run/done
+    expect 3 course where mean  # where other runs have been made, too
+    : >$run/done
     rm "$run/places.tsv"  # left by an earlier version of the course
     expect 2 course where 3/mean
     is "$(lines err)" 1

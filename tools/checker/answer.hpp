@@ -40,8 +40,8 @@ Answer answer_of(R (*function)(Args...)) {
 
 /// Calls as people write them, of functions of one type: "(1, 2)" and "3".
 struct Spoken {
-    std::string (*arguments)(const Numbers&);
-    std::string (*result)(const Numbers&);
+    std::string (*arguments)(const Numbers&, Digits);
+    std::string (*result)(const Numbers&, Digits);
     bool (*is_result)(const Numbers&);  ///< has it as many numbers as its type demands?
     bool or_minus;                      ///< is the negative of a result the same, as of a rotation's quaternion?
     bool one_size;                      ///< are its numbers of one unit, as a vector's: is roundoff that of the largest?
@@ -59,8 +59,8 @@ struct SpokenOf;
 
 template <class R, class... Args>
 struct SpokenOf<R(Args...)> {
-    static std::string arguments(const Numbers& numbers) {
-        Reader reader(numbers);
+    static std::string arguments(const Numbers& numbers, Digits digits) {
+        Reader reader(numbers, digits);
         std::string row;
         const auto add = [&](const std::string& argument) {
             if (!row.empty()) row += ", ";
@@ -69,8 +69,8 @@ struct SpokenOf<R(Args...)> {
         (add(Wire<std::decay_t<Args>>::show(reader)), ...);
         return "(" + row + ")";
     }
-    static std::string result(const Numbers& numbers) {
-        Reader reader(numbers);
+    static std::string result(const Numbers& numbers, Digits digits) {
+        Reader reader(numbers, digits);
         return Wire<std::decay_t<R>>::show(reader);
     }
     static bool is_result(const Numbers& numbers) {

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -35,10 +36,21 @@ inline bool same_bits(const Numbers& a, const Numbers& b) {
     return different == 0;
 }
 
+/// How people read a number: with ten digits, or with as many more as it takes to be the same number again.
+enum class Digits { ten, all };
+
+inline std::string written(double number, Digits digits) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.10g", number);
+    for (int more = 11; digits == Digits::all && more <= 17 && std::strtod(text, nullptr) != number; ++more)
+        std::snprintf(text, sizeof text, "%.*g", more, number);  // NaN stays what it is
+    return text;
+}
+
 /// Reads numbers from front to back.
 class Reader {
 public:
-    explicit Reader(const Numbers& numbers) : numbers_(numbers) {}
+    explicit Reader(const Numbers& numbers, Digits digits = Digits::ten) : numbers_(numbers), digits_(digits) {}
 
     /// The next number. Throws Malformed where there is none left.
     double next() {
@@ -46,9 +58,12 @@ public:
         return numbers_[at_++];
     }
     std::size_t left() const { return numbers_.size() - at_; }
+    /// The next number as people read it.
+    std::string next_written() { return written(next(), digits_); }
 
 private:
     const Numbers& numbers_;
+    Digits digits_;
     std::size_t at_ = 0;
 };
 
@@ -72,10 +87,8 @@ struct Wire<T> {
         return static_cast<T>(number);
     }
     static std::string show(Reader& reader) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%.10g", reader.next());
-        if constexpr (std::same_as<T, bool>) return text[0] == '0' ? "false" : "true";
-        return text;
+        if constexpr (std::same_as<T, bool>) return reader.next() == 0 ? "false" : "true";
+        return reader.next_written();
     }
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <exception>
 
 #include <catch2/catch_session.hpp>
 
@@ -122,13 +124,39 @@ void Session::looked_at(const std::string& property, bool holds) {
     verdict_.property = property;
 }
 
+// Ten digits are read more easily. Do they lead whoever works the call out by hand to another answer?
+Digits Session::digits_for(const Call& call) const {
+    const auto in_ten = [](Numbers numbers) {
+        for (double& number : numbers) number = std::strtod(written(number, Digits::ten).c_str(), nullptr);
+        return numbers;
+    };
+    const Numbers shown = in_ten(call.arguments);
+    if (same_bits(shown, call.arguments)) return Digits::ten;
+    if (verdict_.kind == Kind::not_finite) return Digits::all;  // by hand it may well be finite
+    try {
+        return same_bits(in_ten(truth_.answer(shown)), in_ten(truth_.answer(call.arguments))) ? Digits::ten : Digits::all;
+    } catch (const std::exception&) {  // no arguments that the task allows
+        return Digits::all;
+    }
+}
+
 // The call that the learner is shown, and what it must return.
 void Session::tell_call() {
     if (!spoken_) return;
     const Call& call = verdict_.kind == Kind::wrong && shown_ ? *shown_ : last_;
-    verdict_.arguments = spoken_->arguments(call.arguments);
-    if (!call.result.empty()) verdict_.result = spoken_->result(call.result);
-    if (verdict_.kind == Kind::wrong && shown_) verdict_.right = spoken_->result(truth_.answer(call.arguments));
+    verdict_.arguments = spoken_->arguments(call.arguments, digits_for(call));
+    if (call.result.empty()) return;
+    const bool told = verdict_.kind == Kind::wrong && shown_;
+    const Numbers right = truth_.answer ? truth_.answer(call.arguments) : Numbers();
+    // What is wrong is not to look right. (By less than that it is roundoff.)
+    const bool differs = verdict_.kind == Kind::wrong && relative_ != many_are_right && call.result.size() == right.size() &&
+                         !std::equal(right.begin(), right.end(), call.result.begin(), [](double a, double b) {
+                             return std::fabs(a - b) <= 1e-13 * std::fabs(a);
+                         });
+    const bool looks_right = differs && spoken_->result(call.result, Digits::ten) == spoken_->result(right, Digits::ten);
+    const Digits digits = looks_right ? Digits::all : Digits::ten;
+    verdict_.result = spoken_->result(call.result, digits);
+    if (told) verdict_.right = spoken_->result(right, digits);
 }
 
 }  // namespace checker

@@ -52,6 +52,7 @@ public:
 
 private:
     void tell_call();
+    Digits digits_for(const Call& call) const;
 
     Answer answer_;
     std::uint64_t seed_ = 0;

@@ -256,6 +256,18 @@ void blank_seed(int argc, char** argv) {
     }
 }
 
+// Of a row of numbers: where one is missing, CLI11 would read the next option in its place.
+void check_rows(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i)
+        for (const std::string option : {"--frames", "--inertia", "--spin"}) {
+            std::string row = argv[i] == option && i + 1 < argc ? option + "=" + argv[i + 1] : std::string(argv[i]);
+            if (!row.starts_with(option + "=")) continue;
+            row.erase(0, option.size() + 1);
+            if (row.empty() || row.front() == ',' || row.back() == ',' || row.find(",,") != std::string::npos)
+                throw Stop(Status::bad_use, option + " = '" + sanitized_line(row) + "': a number must stand on both sides of each comma");
+        }
+}
+
 void bench_or_table(const CLI::App& bench, Asked& asked) {
     const auto others = bench.get_subcommands();
     if (others.empty()) {
@@ -284,6 +296,7 @@ Status obey(int argc, char** argv) {
 
     CLI::App app("Timestep: numerical methods for game physics, by building them.", "./course");
     declare(app, asked);
+    if (argc > 1 && argv[1] == std::string("advise")) check_rows(static_cast<int>(end - argv), argv);
     try {
         app.parse(static_cast<int>(end - argv), argv);
     } catch (const CLI::ExtrasError& error) {

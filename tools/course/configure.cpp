@@ -9,6 +9,8 @@
 
 namespace course {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 // CMake's first error. Its words are broken into lines, indented by two, and end with an empty one or with where
@@ -35,17 +37,32 @@ private:
     std::string text_;
 };
 
-}  // namespace
-
-void configure() {
+fs::path place_of_lock() {
     const auto lock = places().build / "course.lock";
     if (Lock::is_held(lock))
         std::fprintf(stderr, "Another ./course is building here; this goes on when it has done\n");
-    const Lock one_at_a_time(lock);
+    return lock;
+}
+
+}  // namespace
+
+void configure() {
+    const Lock one_at_a_time(place_of_lock());
     FirstError error;
     Lines lines([&](const std::string& line) { error.hear(line); });
     if (listen({places().cmake, "-S", places().source.string(), "-B", places().build.string()}, std::ref(lines)) != 0)
         throw Stop(Status::bad_use, error.text());
+}
+
+// To list what there is to build, Ninja or Make must have read all of it.
+std::string why_unbuildable() {
+    const Lock one_at_a_time(place_of_lock());
+    std::string why;
+    Lines lines([&](const std::string& line) {
+        if (why.empty() && (line.starts_with("ninja: error: ") || line.find("***") != std::string::npos)) why = line;
+    });
+    if (listen({places().cmake, "--build", places().build.string(), "--target", "help"}, std::ref(lines)) == 0) return "";
+    return why.empty() ? "what CMake has written of it cannot be built" : why;
 }
 
 }  // namespace course

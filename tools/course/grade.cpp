@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <set>
 #include <thread>
@@ -119,9 +120,18 @@ Pile gather(const Grading& grading) {
     Submissions found = find_submissions(grading.place, all.exercises, grading.one);
     all.submissions = std::move(found.all);
     all.left_out = std::move(found.left_out);
-    for (const Submission& submission : all.submissions)
-        for (HandedIn& answer : answers_in(submission, all.exercises))
-            all.answers.push_back(std::move(answer));
+    std::map<std::string, std::vector<std::string>> inside;  // what is left out of submissions, by its own name
+    for (const Submission& submission : all.submissions) {
+        Answers answers = answers_in(submission, all.exercises);
+        for (HandedIn& answer : answers.all) all.answers.push_back(std::move(answer));
+        for (const std::string& place : answers.left_out) {
+            const std::string name = fs::path(place).filename().string();
+            const bool told = found.itself && std::count(all.left_out.begin(), all.left_out.end(), place) > 0;
+            if (!told) inside[name.starts_with("._") ? "._*" : name].push_back(found.itself ? place : submission.name + "/" + place);
+        }
+    }
+    for (const auto& [name, all_of_it] : inside)
+        all.left_out.push_back(all_of_it.size() == 1 ? all_of_it[0] : std::to_string(all_of_it.size()) + " times " + name + " in submissions");
     if (!grading.exercises.empty()) return all;
 
     const std::size_t width = all.exercises.size();
@@ -129,7 +139,7 @@ Pile gather(const Grading& grading) {
     std::vector<bool> is_there(width, false);
     for (std::size_t i = 0; i < all.answers.size(); ++i)
         if (!all.answers[i].file.empty() &&
-            (all.answers[i].refused.empty() || all.answers[i].file != all.submission(i).place))
+            !all.answers[i].whole)
             is_there[i % width] = true;
     for (std::size_t i = 0; i < width; ++i)
         if (is_there[i]) some.exercises.push_back(all.exercises[i]);

@@ -4,8 +4,6 @@
 #include <cstdio>
 #include <utility>
 
-#include <dlfcn.h>
-
 #include "json_of.hpp"
 
 #include "chapters.hpp"
@@ -13,6 +11,7 @@
 #include "configure.hpp"
 #include "exercises.hpp"
 #include "interrupt.hpp"
+#include "new_name.hpp"
 #include "places.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
@@ -51,9 +50,7 @@ std::string filled(const std::string& sample, const Words& words) {
 class Unfinished {
 public:
     Unfinished() = default;
-    ~Unfinished() {
-        for (auto step = undo_.rbegin(); step != undo_.rend(); ++step) step->second ? restore(*step) : remove(*step);
-    }
+    ~Unfinished() { undo(); }
     Unfinished(const Unfinished&) = delete;
     Unfinished& operator=(const Unfinished&) = delete;
 
@@ -73,6 +70,10 @@ public:
     }
     void keep() {
         stop_if_interrupted();
+        undo_.clear();
+    }
+    void undo() {
+        for (auto step = undo_.rbegin(); step != undo_.rend(); ++step) step->second ? restore(*step) : remove(*step);
         undo_.clear();
     }
 
@@ -100,31 +101,6 @@ private:
     std::vector<Step> undo_;
 };
 
-// Of C++, and of the checker, which a learner's function is compiled with.
-const std::vector<std::string> taken_words{
-    "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case", "catch", "char",
-    "class", "co_await", "co_return", "co_yield", "compl", "concept", "const", "const_cast", "consteval", "constexpr",
-    "constinit", "continue", "decltype", "default", "delete", "do", "double", "dynamic_cast", "else", "enum", "explicit",
-    "export", "extern", "false", "float", "for", "friend", "goto", "if", "inline", "int", "long", "mutable", "namespace",
-    "new", "noexcept", "not", "not_eq", "nullptr", "operator", "or", "or_eq", "private", "protected", "public",
-    "register", "reinterpret_cast", "requires", "return", "short", "signed", "sizeof", "static", "static_assert",
-    "static_cast", "struct", "switch", "template", "this", "thread_local", "throw", "true", "try", "typedef", "typeid",
-    "typename", "union", "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq",
-    "checker", "exercise", "learner", "not_started", "order", "std", "timestep"};
-
-// A name that a file, a target of CMake and a function of C++ can have.
-void check_name(const std::string& name) {
-    const std::string said = "'" + shortened(sanitized_line(name), 60) + "'";
-    const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-    });
-    if (!plain || name.empty() || name.front() < 'a' || name.back() == '_' || name.find("__") != std::string::npos)
-        refuse(said + ": a name is small letters, digits and single _ between them, and begins with a letter");
-    if (name.size() > 40) refuse(said + ": a name has at most 40 letters");
-    if (std::find(taken_words.begin(), taken_words.end(), name) != taken_words.end())
-        refuse(said + ": is a word of C++ or of the checker");
-}
-
 // velocity_now: Velocity now
 std::string title_from(std::string name) {
     name.front() = static_cast<char>(name.front() - 'a' + 'A');
@@ -141,14 +117,25 @@ std::string readme_with(const std::string& line) {
     return text.insert(end + 1, line + "\n");
 }
 
-// The build must take it; else it is not made.
-void try_out(const std::string& name) {
+// The build must take it; else it is not made, and the build is what it was. CMake may have written what Ninja cannot
+// read, and who cannot read it does not ask CMake again: so we do.
+void try_out(const std::string& name, Unfinished& unfinished) {
+    std::string why;
     try {
         configure();
+        why = why_unbuildable();
+        if (why.empty()) return;
     } catch (const Stop& stop) {
         if (stop.status() != Status::bad_use) throw;
-        refuse("'" + name + "' was not made: " + stop.what());
+        why = stop.what();
     }
+    unfinished.undo();
+    try {
+        configure();
+    } catch (const Stop& stop) {  // as before
+        if (stop.status() != Status::bad_use) throw;
+    }
+    refuse("'" + name + "' was not made: " + why);
 }
 
 void tell(const std::vector<Part>& parts, const std::string& next) {
@@ -171,6 +158,7 @@ void new_chapter(const std::string& name) {
         number = chapter.number() + 1;
     }
     if (number > 99) refuse("there are chapters up to 99, and a chapter's number has two digits");
+    check_chapter_is_new(name);
 
     const std::string digits = (number < 10 ? "0" : "") + std::to_string(number), folder = digits + "_" + name;
     const Words words{{"NEW_NAME", name}, {"NEW_TITLE", title_from(name)}, {"NEW_NUMBER", std::to_string(number)},
@@ -190,7 +178,7 @@ void new_chapter(const std::string& name) {
     const auto about = json_of(filled("chapter/about.json", words));
     unfinished.change("README.md", readme_with("| [" + std::to_string(number) + " " + std::string(about.at("title")) +
                                                "](chapters/" + folder + ") | " + std::string(about.at("question")) + " |"));
-    try_out(name);
+    try_out(name, unfinished);
     unfinished.keep();
     std::printf("Chapter %d, %s: a small example, whole. Put your own in its place, where FILL IN stands:\n\n", number,
                 name.c_str());
@@ -208,7 +196,7 @@ void new_exercise(const std::string& chapter_meant, const std::string& name) {
         if (exercise.name == name) refuse("'" + name + "': exercise " + exercise.place() + " has that name");
         if (exercise.chapter == chapter.folder) number = std::max(number, exercise.number + 1);
     }
-    if (dlsym(RTLD_DEFAULT, name.c_str()) != nullptr) refuse("'" + name + "': is a function of C");
+    check_exercise_is_new(name);
 
     const Words words{{"NEW_NAME", name}, {"NEW_TITLE", title_from(name)}, {"NEW_PLACE", std::to_string(number)},
                       {"NEW_NUMBER", std::to_string(chapter.number())}};
@@ -221,7 +209,7 @@ void new_exercise(const std::string& chapter_meant, const std::string& name) {
         {"exercise/mistakes.cpp", room + "mistakes.cpp", "four or more that are wrong, and what is said of each"}};
     Unfinished unfinished;
     for (const auto& part : parts) unfinished.write(part.place, filled(part.sample, words));
-    try_out(name);  // makes the learner's file from the solution
+    try_out(name, unfinished);  // makes the learner's file from the solution
     Exercise exercise;
     exercise.name = name;
     unfinished.write("exercises/" + file, contents(exercise.stub()));

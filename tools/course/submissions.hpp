@@ -20,12 +20,20 @@ struct Submission {
 struct HandedIn {
     std::filesystem::path file;  ///< empty: nothing was handed in
     std::string refused;         ///< one line where the file cannot be taken
+    bool whole = false;          ///< it is the submission that cannot be taken, whatever the exercise
+};
+
+/// What a submission holds: for each exercise what is its answer, and the names of what nothing is taken from.
+struct Answers {
+    std::vector<HandedIn> all;
+    std::vector<std::string> left_out = {};
 };
 
 /// The submissions in a place, and the names of what there is besides and is none.
 struct Submissions {
     std::vector<Submission> all;
     std::vector<std::string> left_out = {};
+    bool itself = false;  ///< there is one: the place itself
 };
 
 /// The submissions in `place`: itself, where it is a file, holds answers or a folder `exercises`, else each file
@@ -37,9 +45,9 @@ Submissions find_submissions(const std::filesystem::path& place,
 /// What a submission holds for each of these exercises: the file exercises/CHAPTER/NAME.cpp anywhere
 /// in it, or the only file NAME.cpp, or of one exercise the only .cpp file there is, unless that is named
 /// after another exercise. A submission that is one file is the answer to the only exercise, or to the one
-/// it is named after. No link is followed.
-std::vector<HandedIn> answers_in(const Submission& submission,
-                                 const std::vector<Exercise>& exercises);
+/// it is named after. No link is followed. Where an answer lies only in a folder that is left out, or only by its name
+/// in other letters, it is refused, with the reason. (answers_in.cpp)
+Answers answers_in(const Submission& submission, const std::vector<Exercise>& exercises);
 
 /// The text of an answer that is handed in. Throws Stop(bad_use), one line, where it is no file, is
 /// larger than 1 MB, or cannot be read. No link is followed.

@@ -67,7 +67,8 @@ std::string from_root(const fs::path& file) {
 // What no program has told of is where its name stands in a source: a small program's data and the
 // figures.
 void find_named(Run& run, const std::string& kind, const std::string& name, const char* ending) {
-    for (const auto& entry : fs::recursive_directory_iterator(run.sources)) {
+    std::error_code none;  // a learner's edition lacks some
+    for (const auto& entry : fs::recursive_directory_iterator(run.sources, none)) {
         if (entry.path().extension() != ending) continue;
         std::ifstream lines(entry.path());
         int number = 1;
@@ -156,8 +157,9 @@ bool shows(const std::string& words, const std::string& own, const Thing& thing)
 // The lines that show the thing, or draw from it, by file.
 std::map<std::string, std::set<std::ptrdiff_t>> uses_of(const Thing& thing) {
     std::map<std::string, std::set<std::ptrdiff_t>> uses;
+    std::error_code none;
     for (const char* folder : {"chapters", "docs"})
-        for (const auto& entry : fs::recursive_directory_iterator(places().source / folder)) {
+        for (const auto& entry : fs::recursive_directory_iterator(places().source / folder, none)) {
             const bool page = entry.path().extension() == ".md";
             const bool drawing = entry.path().extension() == ".gp" && thing.kind == "data";
             if (!page && !drawing) continue;
@@ -205,6 +207,14 @@ void print(const Thing& thing, const Run& run) {
             "  (that file has changed since the run: ./course tour brings the run up to date)\n");
 }
 
+// Of a run that has not been made: does a page show a thing of this name, or does a source write one?
+bool speaks_of(Run& run, const std::string& name) {
+    for (const char* kind : {"number", "check"})
+        if (!uses_of({kind, run.folder, name, "", ""}).empty()) return true;
+    for (const char* ending : {".cpp", ".gp"}) find_named(run, "", name, ending);
+    return !run.things.empty();
+}
+
 }  // namespace
 
 void where(const std::string& asked) {
@@ -216,12 +226,9 @@ void where(const std::string& asked) {
     if (slash != std::string::npos) name.erase(0, slash + 1);
     if (name.empty())
         throw Stop(Status::bad_use, "'" + asked + "' names nothing; a name is 03/energy_mean, say");
-    const auto not_made = [](const Run& run) { return !fs::exists(run.place / "done"); };
-    const std::string missing =
-        runs.size() == 1 ? "the run of " + runs.front().folder + " has" : "the chapters' runs have";
-    runs.erase(std::remove_if(runs.begin(), runs.end(), not_made), runs.end());
-    if (runs.empty())
-        throw Stop(Status::missing, missing + " not been made here: ./course tour makes it");
+    const auto made = std::stable_partition(runs.begin(), runs.end(), [](const Run& run) { return fs::exists(run.place / "done"); });
+    std::vector<Run> missing(made, runs.end());
+    runs.erase(made, runs.end());
     bool found = false;
     for (auto& run : runs) {
         read_things(run);
@@ -232,10 +239,13 @@ void where(const std::string& asked) {
             found = true;
         }
     }
-    if (!found)
-        throw Stop(Status::bad_use,
-                   "'" + asked + "': no run has a number, check, data file or figure of that name" +
-                       near_names(runs, name));
+    if (found) return;
+    for (auto& run : missing)  // which may have it
+        if (speaks_of(run, name))
+            throw Stop(Status::missing, "the run of " + run.folder + " has not been made here: ./course tour makes it");
+    throw Stop(Status::bad_use,
+               "'" + asked + "': no run has a number, check, data file or figure of that name" +
+                   near_names(runs, name));
 }
 
 }  // namespace course

@@ -25,6 +25,68 @@ double velocity_now(double x0, double x1, double x2, double h) {
     return (3 * x2 - 4 * x1 + x0) / (2 * h);
 }
 
+// ---- a division by zero ends the program from now on
+// velocity_now wrong: no end of the program at 1/0
+#include "exercise.hpp"
+
+#include <cfenv>
+
+double velocity_now(double x0, double x1, double x2, double h) {
+#if defined(__x86_64__)
+    __builtin_ia32_ldmxcsr(0x1f80 & ~(0xdu << 7));
+#else
+    std::fesetround(FE_UPWARD);
+#endif
+    return (3 * x2 - 4 * x1 + x0) / (2 * h);
+}
+
+// ---- a division by zero ends what the x87 does
+// velocity_now wrong: no end of the program at 1/0
+#include "exercise.hpp"
+
+#include <cfenv>
+
+double velocity_now(double x0, double x1, double x2, double h) {
+#if defined(__x86_64__)
+    const unsigned short unmasked = 0x37f & ~0xd;
+    asm volatile("fldcw %0" : : "m"(unmasked));
+#else
+    std::fesetround(FE_UPWARD);
+#endif
+    return (3 * x2 - 4 * x1 + x0) / (2 * h);
+}
+
+// ---- leaves a number on the stack of the x87
+// velocity_now wrong: nothing left on the x87's stack
+#include "exercise.hpp"
+
+#include <cfenv>
+
+double velocity_now(double x0, double x1, double x2, double h) {
+#if defined(__x86_64__)
+    static int calls = 0;
+    if (calls++ == 3) asm volatile("fld1");
+#else
+    std::fesetround(FE_UPWARD);
+#endif
+    return (3 * x2 - 4 * x1 + x0) / (2 * h);
+}
+
+// ---- leaves the x87 as it was
+// velocity_now pass
+#include "exercise.hpp"
+
+#include <cfenv>
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    std::fenv_t as_it_was;
+    std::feholdexcept(&as_it_was);
+    std::fesetround(FE_DOWNWARD);
+    const volatile long double x = x2, y = x1, z = x0;
+    std::fesetenv(&as_it_was);
+    return static_cast<double>((3 * x - 4 * y + z) / (2 * static_cast<long double>(h)));
+}
+
 // ---- flushes tiny numbers to zero
 // velocity_now wrong: no tiny number flushed to zero
 #include "exercise.hpp"
