@@ -250,6 +250,7 @@ PROPERTY("no top is too light or too heavy for it, no spin too slow or too fast,
         Top top = draw_top(draw, 1, 1);
         const double least = draw.spread(1e-5, 100, i, 17), fall = draw.spread(1e-12, 1, i, 19);
         top.inertia = least * Vector3d(1, draw.log(1, 10), draw.log(1, 10));
+        if (i % 2 == 0) std::swap(top.inertia[0], top.inertia[1 + i / 2 % 2]);
         top.h = draw.sign() * angle / speed;
         top.L = top.inertia.cwiseProduct(speed * draw_direction(draw));
         top.mgl = draw.sign() * fall * least * speed * speed;
