@@ -135,7 +135,7 @@ PROPERTY("no damper is too hard for it and no spring too soft or too stiff, in f
     for (int i = 0; i < 420; ++i) {
         const double omega = draw.spread(1e-9, 1e9, i, 19), t = draw.sign() * draw.any_of(0, 1e6, {0});
         const double zeta = draw.spread(1e-12, 1e9, i, 20), damped = draw.spread(1e-9, 1e4, i, 21);
-        const double h = (zeta > 1 ? damped / zeta : std::min(damped, 30.0)) / omega;
+        const double h = std::min(zeta > 1 ? damped / zeta : damped, 30.0) / omega;
         const double x = draw.sign() * draw.log(1e-9, 1e9), v = omega * x * draw.real(-2, 2);
         REQUIRE(close(learner({t, x, v}, 0, omega, zeta, h).t, t + h, 1e-14));
     }
