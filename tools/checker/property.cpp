@@ -44,6 +44,11 @@ double Draw::any_of(double low, double high, std::initializer_list<double> speci
     }
 }
 
+double Draw::spread(double low, double high, int i, int parts) {
+    const double at = (i % parts + share()) / parts;
+    return std::clamp(std::exp(std::log(low) + at * (std::log(high) - std::log(low))), low, high);
+}
+
 int Draw::integer(int low, int high) {
     return low + static_cast<int>(share() * (high - low + 1));
 }

@@ -52,6 +52,9 @@ public:
     double log(double low, double high);
     /// Whatever a range holds, `special` among it: now and then one of those, else as often small as large.
     double any_of(double low, double high, std::initializer_list<double> special = {});
+    /// The i-th of `parts` equal parts of the range, in its logarithm, over and over: each seed draws from all of it.
+    /// Two arguments with parts that have no common divisor meet in every combination.
+    double spread(double low, double high, int i, int parts);
     /// −1 or 1.
     double sign() { return share() < 0.5 ? -1 : 1; }
     /// low, …, high.

@@ -116,3 +116,15 @@ PROPERTY(
         REQUIRE(std::isfinite(learner(x[0], x[1], x[2], h0, h1)));
     }
 }
+
+PROPERTY("intervals from a billionth of a millisecond to ages, and ways of atoms and of stars, have theirs, too") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double h0 = draw.spread(1e-12, 1e12, i, 20), h1 = draw.spread(1e-12, 1e12, i, 21);
+        const double length = draw.spread(1e-12, 1e12, i, 19);
+        std::array<double, 3> x{};
+        for (double& one : x) one = length * draw.any_of(-5, 5, {0, 1});
+        if (i % 4 == 0) x[i % 8 / 4] = x[1 + i % 8 / 4] * (1 + draw.sign() * draw.log(1e-12, 1e-2));
+        REQUIRE(std::isfinite(learner(x[0], x[1], x[2], h0, h1)));
+    }
+}

@@ -74,3 +74,11 @@ PROPERTY("on an oscillation with the worst noise, steps a tenth longer or shorte
         REQUIRE(error(h) < error(h / 1.1));
     }
 }
+
+PROPERTY("no noise and no snap is too small or too large for it") {
+    Draw draw;
+    for (int i = 0; i < 240; ++i) {
+        const double noise = draw.spread(1e-15, 1e15, i, 15), snap = draw.spread(1e-15, 1e15, i, 16);
+        REQUIRE(learner(noise, snap) > 0);
+    }
+}

@@ -127,3 +127,30 @@ PROPERTY(
         if (i % 16 == 1) REQUIRE(learner(frame, ball.noise, 0, most) == most);
     }
 }
+
+// Whoever tries every gap looks at as many as are kept.
+PROPERTY("tens of thousands of frames may be kept, and the best gap may be as many") {
+    Draw draw;
+    for (int i = 0; i < 8; ++i) {
+        const double ideal = draw.spread(4e3, 1e5, i, 8);
+        const int most = static_cast<int>(ideal * draw.real(0.5, 2)) + 1;
+        const Throw ball(draw.log(1e-9, 1e9), draw.log(1e-12, 1e12), ideal);
+        REQUIRE(ball.is_best(ball.answer(most), most));
+        if (i < 2) REQUIRE(learner(ball.frame, ball.noise, 0, most) == most);
+    }
+    for (int i = 0; i < 2; ++i) {
+        const int most = i == 0 ? 1'000'000 : draw.integer(100'000, 1'000'000);
+        const Throw ball(draw, draw.spread(1e5, 1e6, i, 2));
+        REQUIRE(ball.is_best(ball.answer(most), most));
+    }
+}
+
+PROPERTY("no time, no noise and no jerk is too small or too large for it") {
+    Draw draw;
+    for (int i = 0; i < 240; ++i) {
+        const double frame = draw.spread(1e-12, 1e12, i, 15), jerk = draw.spread(1e-12, 1e12, i, 16);
+        const int most = draw.integer(1, 100);
+        const Throw ball(frame, jerk, draw.log(0.1, 2.0 * most + 1));
+        REQUIRE(ball.is_best(ball.answer(most), most));
+    }
+}

@@ -103,3 +103,19 @@ PROPERTY(
         REQUIRE(std::isfinite(learner(coarse, fine, ratio, draw.integer(1, 12))));
     }
 }
+
+// Of order 30, a step a billionth as long has an error that is smaller by 10²⁷⁰: still a double.
+PROPERTY("no ratio and no order is too large for it, and no result too small or too large") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double coarse = draw.sign() * draw.spread(1e-12, 1e12, i, 19);
+        const double fine = coarse * (1 + draw.any_of(-0.5, 0.9, {0, 1e-6, -1e-6}));
+        const double ratio = i % 20 == 0 ? 1.001 : 1 + draw.spread(1e-3, 1e9, i, 20);
+        REQUIRE(std::isfinite(learner(coarse, fine, ratio, 1 + i % 21 + (i % 2 == 0 ? 9 : 0))));
+        // One of the two is zero, or they lie on two sides of it: of an error that falls a thousandfold at most.
+        const double near = 1 + draw.spread(1e-3, 1, i, 20);
+        const double other = coarse * draw.any_of(-3, 0, {0});
+        REQUIRE(std::isfinite(learner(coarse, other, near, draw.integer(1, 8))));
+        if (i % 4 == 0) REQUIRE(std::isfinite(learner(0, coarse, near, draw.integer(1, 8))));
+    }
+}

@@ -93,3 +93,15 @@ PROPERTY(
         REQUIRE(std::isfinite(learner(unit * r[0], unit * r[1], unit * r[2])));
     }
 }
+
+// The exact value is zero: nothing hides an error. Below zero it is the difference of results that are far larger
+// than the middle one, if somebody finds it first.
+PROPERTY("high orders and tiny ones, above zero and below, in any unit, are found as well") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double unit = draw.sign() * draw.spread(1e-12, 1e12, i, 20);
+        const double sign = draw.sign(), p = sign * draw.spread(1e-3, sign > 0 ? 30 : 10, i, 21);
+        const auto r = results(0, 1, p);
+        REQUIRE(close(learner(unit * r[0], unit * r[1], unit * r[2]), p, 1e-6));
+    }
+}

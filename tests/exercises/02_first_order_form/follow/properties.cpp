@@ -142,3 +142,21 @@ PROPERTY(
         REQUIRE(close(after.t, h, 1e-15));
     }
 }
+
+// In a tiny part of a swing a camera has hardly moved: seen from a player at rest at zero that shows, and it moves so
+// fast that its velocity keeps its digits.
+PROPERTY("no spring is too soft or too stiff for it, no frame too short, and no clock too late") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double omega = draw.spread(1e-9, 1e9, i, 20), h = draw.spread(1e-12, 3, i, 21) / omega;
+        const double x = draw.sign() * draw.log(1e-9, 1e9), v = omega * x * draw.sign() * draw.real(0.5, 5);
+        const double t = draw.sign() * draw.any_of(0, 1e6, {0});
+        REQUIRE(close(learner({t, x, v}, 0, 0, omega, h).t, t + h, 1e-14));
+    }
+    for (int i = 0; i < 60; ++i) {
+        const double omega = draw.spread(1e-9, 1e9, i, 20), h = draw.spread(1, 1e12, i, 21) / omega;
+        const double goal = draw.sign() * draw.log(1e-9, 1e9), goal_v = draw.sign() * draw.log(1e-9, 1e9) / h;
+        const State<double> start{0, goal * draw.real(1.1, 5), goal_v * draw.real(1.1, 5)};
+        REQUIRE(close(learner(start, goal, goal_v, omega, h).t, h, 1e-14));
+    }
+}

@@ -148,3 +148,15 @@ PROPERTY(
         REQUIRE(learner((length + stretch) * outwards, v, k, c, length).dot(outwards) <= 0);
     }
 }
+
+// So fast that the damper weighs as much as the spring.
+PROPERTY("no spring and no damper is too weak or too strong for it, and no leash too short or too long") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double k = draw.spread(1e-12, 1e12, i, 20), c = draw.spread(1e-12, 1e12, i, 21);
+        const double size = draw.spread(1e-12, 1e12, i, 19), length = size * draw.any_of(0, 5, {0, 1});
+        const double stretch = size * draw.log(1e-2, 10);
+        const Vector3d outwards = draw_direction(draw), v = k * stretch / c * draw_vector(draw, -2, 2);
+        REQUIRE(learner((length + stretch) * outwards, v, k, c, length).dot(outwards) <= 0);
+    }
+}

@@ -96,3 +96,15 @@ PROPERTY(
         REQUIRE(learner({0, angle, v}, g, length, drag)[0] == v);
     }
 }
+
+PROPERTY("no angle and no speed is too large for it, no cable too short or too long, and no air too thin or too thick") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double v = draw.sign() * draw.spread(1e-12, 1e9, i, 20), length = draw.spread(1e-9, 1e9, i, 21);
+        const double g = draw.spread(1e-9, 1e9, i, 19), angle = draw.sign() * draw.spread(1e-12, 1e6, i, 17);
+        // So much that the air brakes about as much as gravity pulls, or any.
+        const double drag = i % 2 == 0 ? g / (length * v * length * v) * draw.log(0.1, 10) : draw.log(1e-12, 1e12);
+        const State<double> s{draw.any_of(-1e6, 1e6, {0}), angle, v};
+        REQUIRE(learner(s, g, length, drag)[0] == v);
+    }
+}

@@ -202,3 +202,28 @@ PROPERTY("steps may last nanoseconds or days: the rule is the same for them") {
         }
     }
 }
+
+// All that the task allows at once: steps of picoseconds and of ages, caps of one and of millions, and frames of many
+// steps below the cap and beyond. Exact to the bit, as above.
+PROPERTY("a cap may be hundreds, or a million, and a replay thousands of frames long") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double unit = std::pow(2, i % 12 == 0 ? draw.integer(-20, 40) : i * 7 % 81 - 40);
+        const int ticks = draw.integer(1, 30), cap = static_cast<int>(draw.spread(1, 1000, i, 12));
+        const int most = i % 12 == 0 ? 1'000'000'000 : cap, count = i == 1 ? 4000 : i < 4 ? draw.integer(40, 1000) : 8;
+        std::vector<double> frames;
+        for (int k = 0; k < count; ++k) {
+            const int steps = k % 4 == 0 ? draw.integer(0, 2 * cap + 2) : k % 4 == 1 ? cap : draw.integer(0, cap);
+            frames.push_back((steps * ticks + draw.integer(0, ticks - 1)) * unit);
+        }
+        if (i == 0) frames[0] = 1e6 * ticks * unit, frames[1] = draw.integer(1000, 1'000'000) * ticks * unit;
+        const auto steps = learner(frames, ticks * unit, most);
+        REQUIRE(steps.size() == frames.size());
+        double owed = 0;
+        for (std::size_t k = 0; k < frames.size(); ++k) {
+            owed += frames[k] / unit;
+            REQUIRE(steps[k] == std::min(static_cast<int>(owed / ticks), most));
+            owed = std::fmod(owed, ticks);
+        }
+    }
+}

@@ -81,3 +81,12 @@ PROPERTY("cars of any size on any planet, with any damping, get their springs an
         REQUIRE(close(4 * k * sag, mass * g, 1e-12));
     }
 }
+
+PROPERTY("no car, no sag, no gravity and no damping is too small or too large for it") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double mass = draw.spread(1e-12, 1e12, i, 20), sag = draw.spread(1e-12, 1e12, i, 21);
+        const double g = draw.spread(1e-12, 1e12, i, 19), zeta = draw.spread(1e-12, 1e12, i, 17);
+        REQUIRE(learner(mass, sag, zeta, g)[1] > 0);
+    }
+}

@@ -93,3 +93,15 @@ PROPERTY("peaks that nearly agree and peaks of which hardly anything is left, in
         REQUIRE(zeta < 1);
     }
 }
+
+PROPERTY("a billion periods may lie between two peaks, and of the first hardly anything may be left") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double first = draw.sign() * draw.spread(1e-12, 1e12, i, 19);
+        const double part = i % 2 == 0 ? 1 - draw.spread(1e-11, 0.9, i / 2, 21) : draw.spread(1e-280, 1, i / 2, 21);
+        const int swings = static_cast<int>(draw.spread(1, 1e9, i, 20));
+        const double zeta = learner(first, part * first, i % 5 == 0 ? 1 : swings);
+        REQUIRE(zeta >= 0);
+        REQUIRE(zeta < 1);
+    }
+}

@@ -87,3 +87,12 @@ PROPERTY("for every omega h from a millionth to a thousand, in any unit of time,
         REQUIRE(learner(omega, wh / omega) > 0);
     }
 }
+
+PROPERTY("nor is any spring too soft or too stiff for it") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double omega = draw.spread(1e-12, 1e12, i, 20);
+        const double wh = i % 21 == 0 ? 1e-6 : i % 21 == 20 ? 1e3 : draw.spread(1e-6, 1e3, i, 21);
+        REQUIRE(learner(omega, wh / omega) > 0);
+    }
+}

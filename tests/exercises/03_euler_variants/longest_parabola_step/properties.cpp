@@ -94,3 +94,14 @@ PROPERTY(
         REQUIRE(growth(omega, zeta, longest * (1 + 2e-6)) > 1);
     }
 }
+
+PROPERTY("no spring is too soft or too stiff for it, with any damping or none") {
+    Draw draw;
+    for (int i = 0; i < 240; ++i) {
+        const double omega = draw.spread(1e-12, 1e12, i, 15), zeta = draw.spread(1e-4, 20, i, 16);
+        const double longest = learner(omega, zeta);
+        REQUIRE(growth(omega, zeta, longest * (1 - 2e-6)) < 1);
+        REQUIRE(growth(omega, zeta, longest * (1 + 2e-6)) > 1);
+        if (i % 4 == 0) REQUIRE(close(learner(omega, 0) * omega, 0, 0, 1e-5));
+    }
+}

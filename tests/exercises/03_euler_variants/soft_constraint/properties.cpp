@@ -108,3 +108,14 @@ PROPERTY(
         REQUIRE(beta <= 1 + 1e-12);
     }
 }
+
+PROPERTY("no mass, no spring and no damper is too small or too large for it, and no step") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double mass = draw.spread(1e-12, 1e12, i, 17), omega = draw.spread(1e-12, 1e12, i, 19);
+        const double zeta = i % 20 == 0 ? 0 : draw.spread(1e-12, 1e12, i, 20), wh = draw.spread(1e-12, 1e12, i, 21);
+        const auto [gamma, beta] = learner(mass, omega, zeta, wh / omega);
+        REQUIRE(gamma > 0);
+        REQUIRE(beta <= 1 + 1e-12);
+    }
+}

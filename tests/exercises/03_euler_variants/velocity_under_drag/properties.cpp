@@ -105,3 +105,15 @@ PROPERTY(
         REQUIRE(v2 * w >= 0);
     }
 }
+
+// Up to a drag that takes all but a millionth of a millionth of the velocity in a step.
+PROPERTY("no speed is too large for it, no air too thick and no step too long") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double h = draw.spread(1e-9, 1e9, i, 19), w = draw.sign() * draw.spread(1e-12, 1e12, i, 20);
+        const double taken = draw.spread(1e-12, 1e24, i, 21);  // h k |w|
+        const double gravity = i % 3 == 0 ? 0 : std::fabs(w) / h * draw.log(1e-12, 2);
+        const double v = w + h * gravity, k = i % 7 == 0 ? 0 : taken / (h * std::fabs(w));
+        REQUIRE(std::fabs(learner(v, gravity, k, h)) <= std::fabs(w) * (1 + 1e-9));
+    }
+}

@@ -99,3 +99,14 @@ PROPERTY("it is right wherever the task allows: at rest, nearly equal steps, tin
         REQUIRE(std::isfinite(learner(before, now, a, h_old, ratio * h_old)));
     }
 }
+
+PROPERTY("no step and no way is too small or too large for it") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double length = draw.spread(1e-12, 1e12, i, 19), h_old = draw.spread(1e-12, 1e12, i, 20);
+        const double h_new = std::clamp(h_old * draw.spread(1e-3, 1e3, i, 21), 1e-3 * h_old, 1e3 * h_old);
+        const double now = length * draw.any_of(-5, 5, {0}), longer = std::max(h_old, h_new);
+        const double a = length / (longer * longer) * draw.any_of(-9, 9, {0});
+        REQUIRE(std::isfinite(learner(now - length * draw.any_of(-5, 5, {0}), now, a, h_old, h_new)));
+    }
+}

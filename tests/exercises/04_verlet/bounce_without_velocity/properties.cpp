@@ -100,3 +100,13 @@ PROPERTY("it is right wherever the task allows: at rest, by a hair's breadth, wi
         REQUIRE(std::isfinite(learner(floor + above, now, floor, e)[1]));
     }
 }
+
+PROPERTY("no floor, no fall and no restitution is too small or too large for it") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double size = draw.spread(1e-12, 1e12, i, 20), e = draw.spread(1e-12, 1, i, 19);
+        const double floor = i % 2 == 0 ? 0 : size * draw.sign() * draw.log(1e-3, 1e3);
+        const double above = i % 5 == 0 ? 0 : size * draw.log(1e-2, 10), way = size * draw.log(1e-2, 10);
+        REQUIRE(std::isfinite(learner(floor + above, floor + (i % 4 == 3 ? way : -way), floor, e)[1]));
+    }
+}

@@ -133,3 +133,16 @@ PROPERTY("it is right wherever the task allows: at rest, for any drag or none, a
         REQUIRE(std::isfinite(learner(before, now, a, gamma, h)));
     }
 }
+
+PROPERTY("no drag is too strong for it, and no step too long") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double length = draw.spread(1e-12, 1e12, i, 19), gamma = draw.spread(0.01, 1e12, i, 20);
+        const double h = draw.spread(1e-6, 1e12, i, 21) / gamma;
+        const double now = length * draw.sign() * draw.real(1, 5), before = now - length * draw.any_of(-5, 5, {0});
+        const double a = length / h * gamma * draw.any_of(-9, 9, {0});
+        REQUIRE(std::isfinite(learner(before, now, a, gamma, h)));
+        const double step = draw.spread(1e-12, 1e12, i, 21), force = length / step / step * draw.real(-9, 9);
+        REQUIRE(std::isfinite(learner(before, now, force, 0, step)));
+    }
+}

@@ -160,3 +160,20 @@ PROPERTY("any step, slow or fast, forth or back, from any angle, ends near where
         REQUIRE(close(next.v, right.v, 0, force * std::pow(angle, 4) + roundoff / size));
     }
 }
+
+PROPERTY("no oscillation is too slow or too fast for it, no step too short, and no angle too large") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double omega = draw.spread(1e-9, 1e9, i, 19), size = draw.spread(1e-12, 1, i, 20) / omega;
+        const double h = draw.sign() * size, x = draw.sign() * draw.spread(1e-9, 1e4, i, 21);
+        const State<double> s{0, x, i % 3 == 0 ? 0 : draw.sign() * draw.log(1e-9, 10) / size};
+        const State<double> next = learner(s, omega, h), right = exact(s, omega, h, 100);
+        const double force = omega * omega * size, angle = std::max(omega * size, std::fabs(s.v * h));
+        const double roundoff = 1e-13 * (std::fabs(s.x) + angle);
+        REQUIRE(close(next.t, h, 1e-14));
+        REQUIRE(close(next.x, right.x, 0, force * size * std::pow(angle, 3) + roundoff));
+        REQUIRE(close(next.v, right.v, 0, force * std::pow(angle, 4) + roundoff / size));
+        const State<double> free = learner(s, 0, h);
+        REQUIRE((close(free.v, s.v, 1e-14) && close(free.x, s.x + h * s.v, 0, roundoff)));
+    }
+}

@@ -86,3 +86,12 @@ PROPERTY("it is right wherever the task allows: at rest, at zero, for tiny and f
         REQUIRE(std::isfinite(learner(x, v, a, h)));
     }
 }
+
+PROPERTY("no step, no way and no speed is too small or too large for it") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double length = draw.spread(1e-12, 1e12, i, 20), h = draw.spread(1e-12, 1e12, i, 21);
+        const double x = length * draw.any_of(-5, 5, {0}), v = length / h * draw.any_of(-5, 5, {0});
+        REQUIRE(std::isfinite(learner(x, v, length / (h * h) * draw.any_of(-9, 9, {0}), h)));
+    }
+}

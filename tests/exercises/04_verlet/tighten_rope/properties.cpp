@@ -109,10 +109,26 @@ PROPERTY("it is right wherever the task allows: any masses and walls, too long b
         const double size = draw.log(1e-9, 1e6), unit = draw.log(1e-12, 1e12);
         const Vector3d a = i % 2 == 0 ? Vector3d(0, 0, 0) : Vector3d(size * draw_vector(draw, -5, 5));
         const Vector3d b = a + (i % 20 == 19 ? 0 : size) * draw_direction(draw);
+        // A heavy end at zero hardly moves: whoever has its share as one less the other's has the roundoff of that.
+        if ((b.array() == 0 && a.array() != 0).any()) continue;
         const double hair = 1 + draw.sign() * draw.log(1e-11, 1e-2);
         const double length = size * (i % 3 == 0 ? hair : draw.log(1e-3, i % 3 == 1 ? 1 : 1e3));
         const double wa = unit * draw.any_of(0, 1, {0}), wb = unit * draw.any_of(0, 1, {0});
         const auto [new_a, new_b] = learner(a, b, wa, wb, length);
         REQUIRE((new_b - new_a).norm() <= (b - a).norm() * (1 + 1e-12) + 1e-15 * a.norm());
+    }
+}
+
+PROPERTY("no mass is too small or too large for it beside the other, no rope too short, and no place too far away") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double size = draw.spread(1e-12, 1e12, i, 19), far = i % 3 == 0 ? draw.log(1, 1e3) : 0;
+        const Vector3d a = far * size * draw_direction(draw), b = a + size * draw_direction(draw);
+        // An end that comes to where the other is held has lost the digits of the way: not so, where both move.
+        const double wa = draw.spread(1e-12, 1e12, i, 20);
+        const double wb = i % 2 == 0 ? draw.spread(1e-12, 1e12, i, 21) : wa * draw.log(1e-2, 1e2);
+        const double length = size * draw.log(i % 2 == 0 ? 1e-3 : 1e-12, 1.2);
+        const auto [new_a, new_b] = learner(a, b, wa, wb, length);
+        REQUIRE((new_b - new_a).norm() <= (b - a).norm() * (1 + 1e-12) + 1e-14 * a.norm());
     }
 }

@@ -155,3 +155,12 @@ PROPERTY("it is right for any body, tiny or huge, any plate, any spin or none, a
         REQUIRE(learner(inertia, Vector3d::Zero(), h).norm() == 0);
     }
 }
+
+PROPERTY("no moment and no spin is too small or too large for it, and no step too short or too long") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const Vector3d inertia = draw.spread(1e-12, 1e12, i, 19) * draw_moments(draw, 1000);
+        const double speed = draw.spread(1e-12, 1e12, i, 20), turn = draw.sign() * draw.spread(1e-9, 0.95, i, 21);
+        REQUIRE(learner(inertia, speed * draw_direction(draw), turn / speed).allFinite());
+    }
+}

@@ -178,7 +178,7 @@ PROPERTY("it is right for staffs and plates, and for what is not quite one, of a
         if (learner(inertia) != body) wrong.push_back(inertia);
     };
     for (int i = 0; i < 400; ++i) {
-        const double a = draw.log(1e-16, 1e16), b = draw.log(1e-2, 1) * a;
+        const double a = draw.spread(1e-17, 1e17, i, 40), b = draw.log(1e-2, 1) * a;
         const double hair = draw.log(4e-9, 0.01), more = draw.real(0.2, 0.8), far = draw.log(2, 100);
         const int place = draw.integer(0, 2), turn = draw.integer(1, 2);
         Vector3d inertia;
@@ -191,6 +191,36 @@ PROPERTY("it is right for staffs and plates, and for what is not quite one, of a
         if (i % 4 == 0) {
             inertia[place] = a;
             inertia[draw.integer(0, 2)] *= draw.integer(0, 1) == 0 ? 0 : -1;
+            ask(inertia, false);
+        }
+    }
+    if (!wrong.empty()) learner(wrong.front());  // the call that the learner is shown
+    REQUIRE(wrong.empty());
+}
+
+// A needle's third moment is far less than the other two, which differ by less than that. Which are nearly the same
+// is all that tells it from what no body has: by a billionth of them, and more.
+PROPERTY("it is right up to the ends of what the task allows: the least and the largest numbers, needles, slabs") {
+    Draw draw;
+    std::vector<Vector3d> wrong;
+    const auto ask = [&](const Vector3d& inertia, bool body) {
+        if (learner(inertia) != body) wrong.push_back(inertia);
+    };
+    for (int i = 0; i < 240; ++i) {
+        const double a = draw.spread(1e-20, 1e20, i, 40), thin = std::max(1e-20, a * draw.spread(1e-12, 1, i, 13));
+        const double b = thin < 1e-8 * a ? a : std::min(a + 0.5 * thin, 1e20);
+        const double more = draw.log(1e-8, 1) * a + thin, far = draw.spread(1e-20, 1e20, i, 29);
+        for (int place = 0; place < 3; ++place) {
+            Vector3d inertia;
+            inertia[place] = thin, inertia[(place + 1) % 3] = a, inertia[(place + 2) % 3] = b;
+            ask(inertia, true);
+            std::swap(inertia[(place + 1) % 3], inertia[(place + 2) % 3]);
+            ask(inertia, true);
+            if (a + more <= 1e20) inertia[(place + 1) % 3] = a, inertia[(place + 2) % 3] = a + more, ask(inertia, false);
+            inertia.setConstant(a);
+            inertia[place] = far;  // what is larger than two alike can be a body up to their sum
+            if (std::fabs(far - 2 * a) > 1e-6 * a) ask(inertia, far < 2 * a);
+            inertia[place] = -far;
             ask(inertia, false);
         }
     }

@@ -147,3 +147,14 @@ PROPERTY("it is right for any body, tiny or huge, any two spins or none, and any
         REQUIRE(learner(inertia, 0.1 * first, fast * draw_direction(draw), h).allFinite());
     }
 }
+
+// Whoever finds the slope by wide differences, one rad/s or more to either side, needs no slower spins.
+PROPERTY("no moment is too small or too large for it, no spin too fast, and no step too short or too long") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const Vector3d moments = draw.spread(1e-12, 1e12, i, 19) * draw_moments(draw, 100);
+        const double fast = draw.spread(1e-2, 1e12, i, 20), h = draw.spread(1e-9, 0.5, i, 21) / fast;
+        const Vector3d first = fast * draw_direction(draw), second = fast * draw.real(0.1, 1) * draw_direction(draw);
+        REQUIRE(learner(draw_inertia(draw, moments), first, second, h).allFinite());
+    }
+}

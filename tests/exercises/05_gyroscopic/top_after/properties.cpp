@@ -167,3 +167,13 @@ PROPERTY("it is right for any top, tiny or huge, nearly round or a needle, any s
         REQUIRE(close(learner(across, along, speed * omega, t).norm(), speed * omega.norm(), 1e-13));
     }
 }
+
+PROPERTY("no moment, no spin and no time is too small or too large for it, forth or back") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double across = draw.spread(1e-12, 1e12, i, 17), along = across * draw.spread(1e-12, 2, i, 19);
+        const double speed = draw.spread(1e-12, 1e12, i, 20), t = draw.sign() * draw.spread(1e-9, 1e6, i, 21) / speed;
+        const Vector3d omega = speed * draw_direction(draw);
+        REQUIRE(close(learner(across, along, omega, t).norm(), omega.norm(), 1e-13));
+    }
+}

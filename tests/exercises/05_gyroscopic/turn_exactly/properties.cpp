@@ -146,3 +146,13 @@ PROPERTY("it is right for any spin, however slow or fast, and any step, however 
         REQUIRE(close(spin.answer().norm(), 1, 1e-14));
     }
 }
+
+// Not a whole number of turns: who leaves the orientation as it is, is seen.
+PROPERTY("a spin of any size turns it by any angle, from a billionth to a hundred thousand turns, forth or back") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        const double speed = draw.spread(1e-30, 1e12, i, 20), turns = (i % 21 + draw.real(0, 1)) / 21;
+        const double angle = i % 2 == 0 ? draw.spread(1e-9, 6e5, i / 2, 21) : 2 * pi * 1e5 * turns;
+        REQUIRE(Spin(draw, speed, draw.sign() * angle).goes_round(draw));
+    }
+}

@@ -139,3 +139,15 @@ PROPERTY("it is right for any body, however it spins, and with any torque or non
         REQUIRE(body.acceleration().allFinite());
     }
 }
+
+PROPERTY("no moment, no spin and no torque is too small or too large for it") {
+    Draw draw;
+    for (int i = 0; i < 420; ++i) {
+        Body body(draw);
+        body.inertia = draw.spread(1e-12, 1e12, i, 19) * draw_moments(draw, 100);
+        const double speed = draw.spread(1e-12, 1e12, i, 20), strength = draw.spread(1e-12, 1e12, i, 21);
+        body.omega = speed * draw_direction(draw);
+        body.torque = strength * body.inertia.norm() * speed * speed * draw_direction(draw);
+        REQUIRE(body.acceleration().allFinite());
+    }
+}

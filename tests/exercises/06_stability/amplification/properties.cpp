@@ -155,3 +155,17 @@ PROPERTY("it is right wherever the task allows: slow and fast rates, steps of an
     }
     REQUIRE(all);
 }
+
+PROPERTY("no rate and no step is too small or too large for it, anywhere on the slider") {
+    Draw draw;
+    bool all = true;
+    for (int i = 0; i < 420; ++i) {
+        const double near = draw.spread(1e-12, 1, i / 3, 20);
+        const double theta = i % 3 == 0 ? near : i % 3 == 1 ? 1 - near : draw.real(0, 1);
+        const double h = draw.spread(1e-12, 1e12, i, 19), far = draw.spread(1e-12, 1e6, i, 21);
+        const Complex z = draw_z(draw, theta, far, far);
+        const double factor = size(z, theta, h), first = std::abs(1.0 + (1 - theta) * z);
+        all &= close(factor * std::abs(1.0 - theta * z), first, 1e-9, 1e-12 * (1 + (1 - theta) * std::abs(z)));
+    }
+    REQUIRE(all);
+}

@@ -185,3 +185,21 @@ PROPERTY("it is right wherever the task allows: one mass or sixty, soft or stiff
     }
     REQUIRE(all);
 }
+
+PROPERTY("no mass, no link and no step is too small or too large for it, in a chain of any length") {
+    Draw draw;
+    bool all = true;
+    for (int i = 0; i < 240; ++i) {
+        Chain chain(draw, 1 + (i * 7) % 60, draw.spread(1e-9, 1e6, i, 16));
+        const double longer = draw.spread(1e-9, 1e9, i, 17) / chain.h;
+        chain.m = draw.spread(1e-12, 1e12, i, 19);
+        chain.h *= longer;
+        for (auto& [t, x, v] : chain.s) t = 0, v /= longer;
+        const double size = draw.spread(1e-9, 1e9, i, 13);
+        for (auto& [t, x, v] : chain.s) x *= size, v *= size;
+        Masses next = chain.answer();
+        for (auto& [t, x, v] : next) all &= close(t, chain.h, 1e-14), t = chain.h;
+        all &= chain.is_step(next);
+    }
+    REQUIRE(all);
+}

@@ -156,3 +156,21 @@ PROPERTY("it is right wherever the task allows: results of any size, far apart o
     }
     REQUIRE(all);
 }
+
+// Numbers of which the difference is infinite among them: that error is larger than any.
+PROPERTY("no results are too small or too large for it, as long as they are numbers") {
+    Draw draw;
+    bool all = true;
+    for (int i = 0; i < 420; ++i) {
+        const double halves = draw.sign() * draw.spread(1e-300, 1.7e308, i, 21), gap = draw.log(1e-12, 1);
+        const double whole = i % 4 == 0 ? -halves : halves * (1 - gap), h = draw.spread(1e-9, 1e6, i, 20);
+        const double next = learner(whole, halves, h, draw_tolerance(draw), draw.integer(1, 8));
+        all &= (next >= h / 5 * (1 - 1e-12) && next <= 5 * h * (1 + 1e-12));
+        if (i % 3 == 0)
+            all &= close(learner(halves, halves, h, draw_tolerance(draw), draw.integer(1, 8)), 5 * h, 1e-12);
+        const double far = std::fabs(whole - halves);
+        if (far > 1e20) all &= close(next, h / 5, 1e-12);
+        if (far < 1e-25) all &= close(next, 5 * h, 1e-12);
+    }
+    REQUIRE(all);
+}

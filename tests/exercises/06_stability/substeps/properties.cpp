@@ -135,3 +135,20 @@ PROPERTY("it is right wherever the task allows: light and heavy crates, any coun
     }
     REQUIRE(all);
 }
+
+PROPERTY("each count of springs and of steps, each mass, frame and share that the task allows, is counted right") {
+    Draw draw;
+    bool all = true;
+    for (int i = 0; i < 240; ++i) {
+        const int whole = static_cast<int>(draw.spread(1, 99'999, i, 15));
+        const double off = draw.sign() * draw.log(1.5e-9, 1e-2 / whole);
+        Crate crate(draw, 1, draw.spread(0.01, 1, i, 16));
+        crate.mass = draw.spread(1e-6, 1e6, i, 17);
+        crate.springs = i % 7 == 0 ? 1000 : static_cast<int>(draw.spread(1, 1001, i, 13));
+        crate.frame = draw.spread(1e-4, 1, i, 11);
+        const double omega = 2 * crate.share * whole * (1 + off) / crate.frame;
+        crate.stiffness = crate.mass * omega * omega / crate.springs;
+        all &= crate.answer() == (off > 0 ? whole + 1 : whole);
+    }
+    REQUIRE(all);
+}

@@ -133,3 +133,18 @@ PROPERTY("it is right wherever the task allows: the least and the largest times 
     }
     REQUIRE(all);
 }
+
+PROPERTY("no time and no error that the task allows is too small or too large for it, with any two orders") {
+    Draw draw;
+    bool all = true;
+    for (int i = 0; i < 360; ++i) {
+        const int p = 1 + i % 3, q = draw.integer(p + 1, 4);
+        const Run a{draw.spread(1e-12, 1e6, i, 17), draw.spread(1e-15, 100, i, 19)};
+        const Run b{a[0] * draw.log(1e-3, 1e3), a[1] * draw.log(1e-3, 1e3)};
+        const Run in{std::clamp(b[0], 1e-12, 1e6), std::clamp(b[1], 1e-15, 100.0)};
+        const auto [seconds, error] = learner(a, p, in, q);
+        all &= (seconds > 0 && error > 0);
+        all &= close(at_error(a, p, error)[0], at_error(in, q, error)[0], roundoff);
+    }
+    REQUIRE(all);
+}

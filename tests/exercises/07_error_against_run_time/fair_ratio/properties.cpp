@@ -164,3 +164,32 @@ PROPERTY("it is right wherever the task allows: from nanoseconds to a thousand s
     }
     REQUIRE(all);
 }
+
+// In the first round, in the last or in any between, and the rounds that tell far apart.
+PROPERTY("hundreds of rounds may be disturbed, all but the one that tells") {
+    Draw draw;
+    for (int i = 0; i < 24; ++i) {
+        const Costs costs(draw);
+        const int rounds = static_cast<int>(draw.spread(20, 1500, i, 8));
+        REQUIRE(close(learner(disturbed(draw, costs.quiet(), rounds, rounds)), costs.ratio(), roundoff));
+        Rounds last(static_cast<std::size_t>(rounds), costs.quiet());
+        for (std::size_t round = 0; round + 1 < last.size(); ++round)
+            for (double& time : last[round]) time *= 1 + draw.log(1e-3, 10);
+        REQUIRE(close(learner(last), costs.ratio(), roundoff));
+    }
+}
+
+PROPERTY("no time that the task allows is too short or too long for it") {
+    Draw draw;
+    bool all = true;
+    for (int i = 0; i < 240; ++i) {
+        Costs costs(draw);
+        costs.loop = draw.spread(1e-9, 400, i, 15);
+        for (double& cost : costs.solver) cost = costs.loop * draw.log(1e-3, 1);
+        costs.solver[0] = std::min(costs.solver[1] * draw.spread(1, 1e3, i, 16), 500.0);
+        const auto [a, b, empty] = costs.quiet();
+        all &= close(learner({costs.quiet()}), (a - empty) / (b - empty), roundoff);
+        all &= close(learner({{b, a, empty}}), (b - empty) / (a - empty), roundoff);
+    }
+    REQUIRE(all);
+}

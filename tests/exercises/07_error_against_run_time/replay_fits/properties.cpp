@@ -197,3 +197,47 @@ PROPERTY("it is right wherever the task allows: small and large scenes, flights 
     }
     REQUIRE(all);
 }
+
+// Heights and errors are binary fractions, so that the last bit is all that is too much.
+PROPERTY("replays may have a thousand marks, of which one is too far off by the last bit") {
+    Draw draw;
+    bool all = true;
+    for (int i = 0; i < 66; ++i) {
+        const double size = std::ldexp(1, draw.integer(-13, 16));
+        const double accuracy = i % 4 == 0 ? 0 : std::ldexp(1, -draw.integer(0, 29));
+        const double error = size * accuracy, unit = accuracy > 0 ? error : size;
+        std::vector<double> exact(static_cast<std::size_t>(draw.spread(1, 1001, i, 11)));
+        for (double& height : exact) height = draw.integer(-1000, 1000) * unit;
+        std::vector<double> x = exact;
+        for (double& height : x) height += draw.integer(-1, 1) * error;
+        const std::size_t mark = draw_mark(draw, i, x.size());
+        exact[mark] = i % 4 == 2 ? 0 : draw.integer(1, 1000) * unit;  // at zero the last bit is that of the error
+        const double side = draw.sign(), just = exact[mark] + side * error;
+        x[mark] = just;
+        all &= learner(x, exact, size, accuracy);
+        x[mark] = std::nextafter(just, side * infinity);
+        if (x[mark] - exact[mark] != side * error) all &= !learner(x, exact, size, accuracy);
+        x[mark] = exact[mark] + side * (error + size * draw.log(1e-15, 1));
+        if (std::fabs(x[mark] - exact[mark]) > error) all &= !learner(x, exact, size, accuracy);
+        x[mark] = i % 3 == 0 ? not_a_number : side * infinity;
+        all &= !learner(x, exact, size, accuracy);
+        x.resize(x.size() - 1);
+        all &= !learner(x, exact, size, accuracy);
+    }
+    REQUIRE(all);
+}
+
+PROPERTY("no size of a scene and no accuracy that the task allows is too small or too large for it") {
+    Draw draw;
+    bool all = true;
+    for (int i = 0; i < 240; ++i) {
+        Flight flight(draw);
+        flight.size = draw.spread(1e-4, 1e5, i, 15);
+        flight.accuracy = i % 16 == 0 ? 1e-9 : i % 16 == 15 ? 1 : draw.spread(1e-9, 1, i, 16);
+        flight.exact.resize(std::min<std::size_t>(flight.exact.size(), 3));
+        for (double& height : flight.exact) height = flight.size * draw.real(-1, 1);
+        all &= learner(flight.off(draw, 0.999), flight.exact, flight.size, flight.accuracy);
+        all &= !learner(flight.off(draw, 1.001), flight.exact, flight.size, flight.accuracy);
+    }
+    REQUIRE(all);
+}

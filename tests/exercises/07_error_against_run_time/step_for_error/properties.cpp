@@ -102,3 +102,15 @@ PROPERTY("it is right wherever the task allows: any two errors, far apart or nea
     }
     REQUIRE(all);
 }
+
+PROPERTY("no error and no step that the task allows is too small or too large for it, with any order") {
+    Draw draw;
+    bool all = true;
+    for (int i = 0; i < 240; ++i) {
+        const double error = draw.spread(1e-12, 1e3, i, 15), wanted = draw.spread(1e-12, 1e3, i, 16);
+        const double h = draw.spread(1e-6, 10, i, 7);
+        const int order = 1 + i % 4;
+        all &= close(error * std::pow(learner(error, h, order, wanted) / h, order), wanted, 1e-11);
+    }
+    REQUIRE(all);
+}

@@ -236,3 +236,28 @@ PROPERTY("it is right wherever the task allows: long lists, many twins, settings
     }
     REQUIRE(all);
 }
+
+// Who is better by the last bit, in a list of up to two hundred, and whatever the numbers: none of them is computed with.
+PROPERTY("a last bit decides, in long lists too, for tiny numbers and for those that have all but blown up") {
+    Draw draw;
+    bool all = true;
+    for (int i = 0; i < 60; ++i) {
+        const double second = draw.spread(1e-300, 1e300, i, 20), metre = draw.spread(1e-300, 1e300, i, 19);
+        const Point good{second, metre}, slow{std::nextafter(second, infinity), metre};
+        const Point bad{second, std::nextafter(metre, infinity)}, both{slow[0], bad[1]};
+        all &= learner({good, slow}) == std::vector<int>{0} && learner({bad, good}) == std::vector<int>{1};
+        all &= learner({slow, bad}) == std::vector<int>{1, 0} && learner({both, slow}) == std::vector<int>{1};
+        // Each is slower than the one before and as good, or better; every seventh is beaten by a bit.
+        Points points;
+        std::vector<int> right;
+        for (int k = 0, n = i == 0 ? 200 : static_cast<int>(draw.spread(20, 201, i, 10)); k < n; ++k) {
+            const bool beaten = k % 7 == 3;
+            if (!beaten) right.push_back(k);
+            const double later = points.empty() ? second : std::nextafter(points.back()[0], infinity);
+            const double better = points.empty() ? metre : std::nextafter(points.back()[1], beaten ? infinity : 0.0);
+            points.push_back({later, k % 7 == 4 ? std::nextafter(std::nextafter(better, 0.0), 0.0) : better});
+        }
+        all &= learner(points) == right;
+    }
+    REQUIRE(all);
+}

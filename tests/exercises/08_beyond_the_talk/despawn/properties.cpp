@@ -146,3 +146,18 @@ PROPERTY("it is right wherever the task allows: each width, each number of bodie
     for (int i = 0; i < alike.size(); ++i) all &= alike.without(i) == alike.left(i).packs();
     REQUIRE(all);
 }
+
+PROPERTY("packs of hundreds of bodies, up to a thousand, are made by the same rules, whatever the numbers") {
+    Draw draw;
+    bool all = true;
+    for (int i = 0; i < 40; ++i) {
+        const int width = 1 << i % 5, n = i < 5 ? 1000 - i : static_cast<int>(draw.spread(30, 1001, i, 8));
+        Bodies bodies = draw_bodies(draw, n, width);
+        const double size = draw.spread(1e-300, 1e300, i, 13);
+        for (Spin& spin : bodies.spins)
+            for (double& number : spin) number *= size;
+        const int gone = i % 4 == 0 ? n - 1 : i % 4 == 1 ? n - 2 : draw.integer(0, n - 1);
+        all &= bodies.without(gone) == bodies.left(gone).packs();
+    }
+    REQUIRE(all);
+}

@@ -125,3 +125,20 @@ PROPERTY("it is right wherever the task allows: small and large ships, slow and 
     }
     REQUIRE(all);
 }
+
+PROPERTY("no spin is too slow for it, no wheel too slow or too fast, and no step too short or too long") {
+    Draw draw;
+    bool all = true;
+    for (int i = 0; i < 420; ++i) {
+        Ship ship = draw_ship(draw, 1, 1);
+        const double least = draw.spread(1e-5, 1e3, i, 17), ratio = draw.log(1, 1000);
+        ship.inertia = Vector3d(least, least * draw.log(1, ratio), least * draw.log(1, ratio));
+        ship.omega = draw.spread(1e-12, 1000, i, 20) * draw_direction(draw);
+        ship.wheel = draw.spread(1e-12, 1e12, i, 19) * draw_direction(draw);
+        ship.h = draw.spread(1e-12, 1e6, i, 21);
+        // Mostly so long a step that the wheel turns the spin by some radians.
+        if (i % 4 != 0) ship.h = std::min(least / ship.wheel.norm() * draw.log(1e-3, 1e3), 1e6);
+        all &= is_passive(ship, 1e-12);
+    }
+    REQUIRE(all);
+}

@@ -235,3 +235,23 @@ PROPERTY("it is right wherever the task allows: tiny turns, tiny gaps, spins of 
     }
     REQUIRE(all);
 }
+
+// Three spins in turn, of which no number of frames brings the body back; Cayley and halves as above, for each gap.
+PROPERTY("each of up to a thousand frames turns the body") {
+    Draw draw;
+    for (int i = 0; i < 8; ++i) {
+        const int frames = i == 0 ? 1000 : i == 1 ? 999 : static_cast<int>(draw.spread(20, 1001, i, 6));
+        Replay replay = draw_replay(draw, frames, draw.log(1e-3, 0.1));
+        const double begin = replay.times[0];
+        for (double& t : replay.times) t -= begin;
+        Quaterniond right = replay.q;
+        double allowed = 1e-9;
+        for (std::size_t k = 1; k < replay.times.size(); ++k) {
+            const double gap = replay.times[k] - replay.times[k - 1];
+            const Vector3d turn = gap / 2 * (replay.spins[k - 1] + replay.spins[k]);
+            right = (right * Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized()))).normalized();
+            allowed += std::pow(turn.norm(), 3) / 20 + gap * gap * replay.spins[k - 1].cross(replay.spins[k]).norm() / 14;
+        }
+        REQUIRE(apart(replay.answer(), right) <= allowed);
+    }
+}

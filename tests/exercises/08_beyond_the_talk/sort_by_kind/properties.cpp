@@ -123,3 +123,14 @@ PROPERTY("it is right wherever the task allows: any kinds, all of one kind, none
     }
     REQUIRE(all);
 }
+
+PROPERTY("thousands of bodies, of a few kinds or of a hundred, are sorted alike") {
+    Draw draw;
+    for (int i = 0; i < 12; ++i) {
+        const int n = i == 0 ? 10000 : static_cast<int>(draw.spread(200, 10001, i, 6));
+        const Bodies bodies(draw, n, static_cast<int>(draw.spread(1, 101, i, 5)));
+        const auto answer = learner(bodies.kinds, bodies.count);
+        REQUIRE(groups_hold(bodies, answer));
+        REQUIRE(in_order(bodies, answer[0]));
+    }
+}
