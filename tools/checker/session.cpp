@@ -127,8 +127,10 @@ void Session::tell_call() {
     if (!spoken_) return;
     const Call& call = verdict_.kind == Kind::wrong && shown_ ? *shown_ : last_;
     verdict_.arguments = spoken_->arguments(call.arguments);
-    if (!call.result.empty()) verdict_.result = spoken_->result(call.result);
-    if (verdict_.kind == Kind::wrong && shown_) verdict_.right = spoken_->result(truth_.answer(call.arguments));
+    const bool told = verdict_.kind == Kind::wrong && shown_;
+    const Numbers right = told ? without_roundoff(truth_, call.arguments) : Numbers();
+    if (!call.result.empty()) verdict_.result = spoken_->result(call.result, right);
+    if (told) verdict_.right = spoken_->result(right, call.result);
 }
 
 }  // namespace checker
