@@ -263,7 +263,7 @@ double velocity_under_drag(double v, double gravity, double k, double h) {
 
 // Says: The drag acts against the old velocity. Where the body turns round in the step, that is the wrong way, and
 //       nothing real may be left under the root.
-// Hint: The direction is that of the new velocity, and the velocity that gravity alone would give has it already.
+// Hint: No root of a negative number comes up where the drag is against the new velocity. Which sign has that?
 namespace old_direction_under_the_root {
 
 double velocity_under_drag(double v, double gravity, double k, double h) {

@@ -328,7 +328,7 @@ bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, 
 
 // Says: The error's share of the size is cut to a whole number: nearly every error counts as nothing, and NaN becomes some
 //       whole number that passes.
-// Hint: abs without std:: before it may be the one for whole numbers.
+// Hint: Look for abs without std:: before it, which may be the one for whole numbers, and for an int.
 namespace whole_share {
 
 bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
@@ -354,7 +354,7 @@ bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, 
 }  // namespace first_only
 
 // Says: Each error is divided by the true height at that mark, with its sign: below height zero everything passes.
-// Hint: The ground may be anywhere. Shares are of the size of the scene, the same at every mark.
+// Hint: What is a share of the size does not depend on how high the ball is, nor on where the ground is.
 namespace divided_by_the_height {
 
 bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
