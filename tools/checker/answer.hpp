@@ -41,7 +41,7 @@ Answer answer_of(R (*function)(Args...)) {
 /// Calls as people write them, of functions of one type: "(1, 2)" and "3".
 struct Spoken {
     std::string (*arguments)(const Numbers&, Digits);
-    std::string (*result)(const Numbers&, Digits);
+    std::string (*result)(const Numbers&, const Numbers& beside, Digits);  ///< shows also where the two differ
     bool (*is_result)(const Numbers&);  ///< has it as many numbers as its type demands?
     bool or_minus;                      ///< is the negative of a result the same, as of a rotation's quaternion?
     bool one_size;                      ///< are its numbers of one unit, as a vector's: is roundoff that of the largest?
@@ -69,8 +69,9 @@ struct SpokenOf<R(Args...)> {
         (add(Wire<std::decay_t<Args>>::show(reader)), ...);
         return "(" + row + ")";
     }
-    static std::string result(const Numbers& numbers, Digits digits) {
+    static std::string result(const Numbers& numbers, const Numbers& beside, Digits digits) {
         Reader reader(numbers, digits);
+        reader.beside(beside);
         return Wire<std::decay_t<R>>::show(reader);
     }
     static bool is_result(const Numbers& numbers) {

@@ -74,8 +74,31 @@ Fit fit_of(const Mistake& mistake, const Shown& shown) {
     return fit;
 }
 
+// Is what is wrong no more than single precision makes of the arguments, and more than lost digits of a double?
+bool is_single_precision(const Truth& truth, const Shown& shown) {
+    constexpr double most = 0x1p-22;
+    std::size_t fits = 0, large = 0;
+    for (std::size_t call = 0; call < shown.wrong.size(); ++call) {
+        const Numbers &found = shown.wrong[call]->result, &right = shown.truth[call];
+        Numbers off(right.size());
+        for (unsigned variation = 1; variation <= 12; ++variation) {
+            const Numbers near = truth.nudged(shown.wrong[call]->arguments, variation, most);
+            for (std::size_t i = 0; i < std::min(off.size(), near.size()); ++i) off[i] = std::max(off[i], std::fabs(near[i] - right[i]));
+        }
+        bool fit = found.size() == right.size(), is_large = false;
+        for (std::size_t i = 0; fit && i < found.size(); ++i) {
+            const bool counted = right[i] == std::floor(right[i]) && found[i] == std::floor(found[i]);
+            fit = std::fabs(found[i] - right[i]) <= (counted ? 1 : 4) * std::max(off[i], counted ? 0 : most * std::fabs(right[i]));
+            is_large |= std::fabs(found[i] - right[i]) > 1e-3 * off[i];
+        }
+        fits += fit;
+        large += is_large;
+    }
+    return double(fits) >= 0.95 * double(shown.wrong.size()) && 2 * large >= shown.wrong.size();
+}
+
 // Mistakes of a kind that every exercise knows: by what is the answer off?
-std::string family_of(const Shown& shown) {
+std::string family_of(const Truth& truth, const Shown& shown) {
     struct Family {
         const char* name;
         double (*makes)(double right);
@@ -105,7 +128,7 @@ std::string family_of(const Shown& shown) {
         if (double(fits) >= 0.95 * double(shown.wrong.size()) && double(misfits) <= 0.05 * double(shown.wrong.size() + shown.right.size()))
             return family.name;
     }
-    return {};
+    return is_single_precision(truth, shown) ? "single" : "";
 }
 
 }  // namespace
@@ -127,7 +150,7 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
             best = mistake.name;
         }
     }
-    return best.empty() ? family_of(shown) : best;
+    return best.empty() ? family_of(truth, shown) : best;
 }
 
 }  // namespace checker

@@ -2,6 +2,7 @@
 /// \file
 /// Values as rows of numbers: all that passes between the tests and a learner's code.
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -60,11 +61,27 @@ public:
     std::size_t left() const { return numbers_.size() - at_; }
     /// The next number as people read it.
     std::string next_written() { return written(next(), digits_); }
+    std::size_t at() const { return at_; }
+
+    /// Looks for the first two places at which another row of numbers has others: by more than roundoff, if there are
+    /// such. (The first may be a length; then the second is an element.)
+    void beside(const Numbers& other) {
+        for (const double roundoff : {1e-9, 0.0})
+            for (std::size_t i = 0; i < std::min(numbers_.size(), other.size()) && differing_[1] == nowhere; ++i)
+                if (i != differing_[0] && !(std::fabs(numbers_[i] - other[i]) <= roundoff * std::fabs(other[i])))
+                    differing_[differing_[0] == nowhere ? 0 : 1] = i;
+    }
+    /// Is one of those from `begin` to before `end`?
+    bool differs(std::size_t begin, std::size_t end) const {
+        return std::any_of(differing_.begin(), differing_.end(), [&](std::size_t i) { return i >= begin && i < end; });
+    }
 
 private:
+    static constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
     const Numbers& numbers_;
     Digits digits_;
     std::size_t at_ = 0;
+    std::array<std::size_t, 2> differing_{nowhere, nowhere};
 };
 
 /// How a type becomes numbers, how it is made of them again, and how people read it: `put`, `take`
@@ -92,15 +109,24 @@ struct Wire<T> {
     }
 };
 
-/// "a, b, c" of so many values.
+/// "a, b, c" of so many values; of many, the first, the last, and where they differ from what they are held beside,
+/// with its place: "a, b, …, [17]: c, …, d".
 template <class T>
 std::string show_row(Reader& reader, std::size_t size) {
     const std::size_t first = size > 20 ? 10 : size, last = size > 20 ? 2 : 0;
     std::string row;
+    bool left_out = false;
     for (std::size_t i = 0; i < size; ++i) {
+        const std::size_t at = reader.at();
         const std::string one = Wire<T>::show(reader);
-        const bool shown = i < first || i >= size - last;
-        if (shown || i == first) row += (i > 0 ? ", " : "") + (shown ? one : "…");
+        const bool end = i < first || i >= size - last;
+        if (end || reader.differs(at, reader.at())) {
+            row += (i > 0 ? ", " : "") + (end ? one : "[" + std::to_string(i) + "]: " + one);
+            left_out = false;
+        } else if (!left_out) {
+            row += ", …";
+            left_out = true;
+        }
     }
     return row;
 }
@@ -136,7 +162,10 @@ struct Wire<std::vector<T>> {
         return values;
     }
     static std::string show(Reader& reader) {
-        return "{" + show_row<T>(reader, static_cast<std::size_t>(reader.next())) + "}";
+        const bool of_another_length = reader.differs(reader.at(), reader.at() + 1);
+        const auto size = static_cast<std::size_t>(reader.next());
+        const std::string row = "{" + show_row<T>(reader, size) + "}";
+        return of_another_length ? row + " of length " + std::to_string(size) : row;
     }
 };
 

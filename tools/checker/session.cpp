@@ -147,16 +147,17 @@ void Session::tell_call() {
     verdict_.arguments = spoken_->arguments(call.arguments, digits_for(call));
     if (call.result.empty()) return;
     const bool told = verdict_.kind == Kind::wrong && shown_;
-    const Numbers right = truth_.answer ? truth_.answer(call.arguments) : Numbers();
+    const Numbers right = truth_.answer ? without_roundoff(truth_, call.arguments) : Numbers();
     // What is wrong is not to look right. (By less than that it is roundoff.)
     const bool differs = verdict_.kind == Kind::wrong && relative_ != many_are_right && call.result.size() == right.size() &&
                          !std::equal(right.begin(), right.end(), call.result.begin(), [](double a, double b) {
                              return std::fabs(a - b) <= 1e-13 * std::fabs(a);
                          });
-    const bool looks_right = differs && spoken_->result(call.result, Digits::ten) == spoken_->result(right, Digits::ten);
+    const bool looks_right = differs && spoken_->result(call.result, right, Digits::ten) ==
+                                            spoken_->result(right, call.result, Digits::ten);
     const Digits digits = looks_right ? Digits::all : Digits::ten;
-    verdict_.result = spoken_->result(call.result, digits);
-    if (told) verdict_.right = spoken_->result(right, digits);
+    verdict_.result = spoken_->result(call.result, told ? right : Numbers(), digits);
+    if (told) verdict_.right = spoken_->result(right, call.result, digits);
 }
 
 }  // namespace checker

@@ -25,7 +25,7 @@ bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found
     Numbers allowed(right.size());
     const double scale = relative / (2 * std::numeric_limits<double>::epsilon());
     for (unsigned variation = 1; variation <= variations; ++variation) {
-        const Numbers near = truth.nudged(arguments, variation);
+        const Numbers near = truth.nudged(arguments, variation, few_units);
         if (near.size() != right.size()) return true;
         for (std::size_t i = 0; i < right.size(); ++i) {
             const double apart = std::fabs(near[i] - right[i]);
@@ -43,6 +43,21 @@ bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found
     Numbers minus = found;
     for (double& number : minus) number = -number;
     return agree(minus, right, allowed);
+}
+
+Numbers without_roundoff(const Truth& truth, const Numbers& arguments) {
+    Numbers right = truth.answer(arguments);
+    std::vector<bool> is_roundoff(right.size());
+    for (unsigned variation = 1; variation <= variations; ++variation) {
+        const Numbers near = truth.nudged(arguments, variation, few_units);
+        if (near.size() != right.size()) return right;
+        for (std::size_t i = 0; i < right.size(); ++i)
+            // A whole number, or a yes or no, may flip by roundoff: that makes it no zero.
+            if (right[i] != std::floor(right[i]) && std::fabs(near[i] - right[i]) >= std::fabs(right[i])) is_roundoff[i] = true;
+    }
+    for (std::size_t i = 0; i < right.size(); ++i)
+        if (is_roundoff[i]) right[i] = 0;
+    return right;
 }
 
 }  // namespace checker

@@ -13,13 +13,13 @@
 
 namespace checker {
 
-/// Changes the real numbers in a value by a few units of roundoff each, as `next`, a number from -1 to 0, says.
+/// Changes the real numbers in a value as `next`, a share from -1 to 0, says.
 template <class T>
 struct Nudge {
     template <class Next>
     static void by(T& value, const Next& next) {
         if constexpr (std::floating_point<T>)
-            value *= 1 + 4 * std::numeric_limits<T>::epsilon() * T(next());
+            value *= 1 + T(next());
         else if constexpr (requires { value.begin(), value.end(); })
             for (auto& one : value) Nudge<std::decay_t<decltype(one)>>::by(one, next);
     }
@@ -33,22 +33,25 @@ struct Nudge<timestep::State<X>> {
     }
 };
 
-/// The right answer, and what becomes of it where its arguments are off by roundoff: as far as those lie apart,
-/// another way to write it may be off, too.
+/// A few units of roundoff.
+inline constexpr double few_units = 4 * std::numeric_limits<double>::epsilon();
+
+/// The right answer, and what becomes of it where its arguments are smaller by shares of them, each at most `most`. With
+/// a few units of roundoff: as far as those lie apart, another way to write it may be off, too.
 struct Truth {
     Answer answer;
-    std::function<Numbers(const Numbers& arguments, unsigned variation)> nudged;
+    std::function<Numbers(const Numbers& arguments, unsigned variation, double most)> nudged;
 };
 
 template <class R, class... Args>
 Truth truth_of(R (*function)(Args...)) {
-    return {answer_of(function), [function](const Numbers& numbers, unsigned variation) {
+    return {answer_of(function), [function](const Numbers& numbers, unsigned variation, double most) {
                 Reader reader(numbers);
                 std::tuple<std::decay_t<Args>...> arguments{Wire<std::decay_t<Args>>::take(reader)...};
                 std::uint64_t state = variation;
-                const auto next = [&state] {  // -1, …, 0: smaller, for what may be at most 1 may not be more
+                const auto next = [&state, most] {  // -1, …, 0: smaller, for what may be at most 1 may not be more
                     state = state * 6364136223846793005 + 1442695040888963407;
-                    return -static_cast<double>(state >> 33) * 0x1p-31;
+                    return -most * static_cast<double>(state >> 33) * 0x1p-31;
                 };
                 std::apply(
                     [&](auto&... values) {
@@ -64,6 +67,10 @@ Truth truth_of(R (*function)(Args...)) {
 /// Is `found` the right answer to this call, but for roundoff? What a change of the arguments by `relative` does to
 /// it is allowed.
 bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found, double relative, const Spoken& spoken);
+
+/// The right answer as it comes out by hand: where a number of it is no larger than what roundoff of the arguments
+/// does to it, as the sine of π is not, it is zero.
+Numbers without_roundoff(const Truth& truth, const Numbers& arguments);
 
 /// As `relative`: there are many right answers, and the course's is but one of them.
 inline constexpr double many_are_right = std::numeric_limits<double>::infinity();

@@ -84,11 +84,20 @@ const std::map<std::string, std::string>& families() {
         {"radians", "π/180 times the right one: radians instead of degrees?"},
         {"squared", "the square of the right one: a root is missing."},
         {"root", "the root of the right one."},
-        {"inverse", "one over the right one."}};
+        {"inverse", "one over the right one."},
+        {"single", "right to six or seven digits, and no farther: is there a float, a number with an f at its end, a "
+                   "constant with too few digits, or a tolerance?"}};
     return words;
 }
 
-std::string wrong(const Exercise& exercise, const Verdict& verdict) {
+// What crashes, or is wrong for no known reason, where an expression of Eigen's may have been kept by `auto`.
+std::string of_auto(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
+    if (!exercise.eigen || !verdict.misconception.empty() || contents(file).find("auto ") == std::string::npos) return {};
+    return "\n" + wrapped("With auto you may keep a sum or a product of Eigen's that is not worked out yet, and refers to "
+                          "what is gone by then. ./course check " + exercise.name + " --sanitize looks for that.", 2);
+}
+
+std::string wrong(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
     std::string text = "  This must hold, and does not:\n" + wrapped(verdict.property, 6) + "\n";
     if (!verdict.right.empty())
         text += "  For example\n" +
@@ -109,13 +118,13 @@ std::string wrong(const Exercise& exercise, const Verdict& verdict) {
             "This is none of the usual mistakes. Work the property out by hand for the numbers "
             "above.",
             2);
-    return text;
+    return text + of_auto(exercise, verdict, file);
 }
 
 std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
     const std::string& kind = verdict.kind;
     if (kind == "does_not_compile") return does_not_compile(exercise, verdict);
-    if (kind == "wrong") return wrong(exercise, verdict);
+    if (kind == "wrong") return wrong(exercise, verdict, file);
     if (kind == "not_finite") {
         std::string text = wrapped(call(exercise, verdict) + " returned " + verdict.result +
                                        ". Every answer "
@@ -123,7 +132,7 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
                                    2);
         const auto known = exercise.mistakes();
         const auto mistake = known.find(verdict.misconception);
-        return mistake == known.end() ? text
+        return mistake == known.end() ? text + of_auto(exercise, verdict, file)
                                       : text + "\n" + wrapped(mistake->second.says, 2) +
                                             wrapped("Hint: " + mistake->second.hint, 2);
     }
@@ -132,7 +141,7 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
         if (verdict.line > 0)
             text += "  Line " + std::to_string(verdict.line) + ":  " + line_of(file, verdict.line) +
                     "\n";
-        return text;
+        return text + of_auto(exercise, verdict, file);
     }
     if (kind == "too_slow" && verdict.detail == too_much_work_for_the_tests)
         return wrapped("The hidden tests have worked for a minute on what your function returned, and were not done. "

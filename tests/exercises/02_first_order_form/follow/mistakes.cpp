@@ -277,3 +277,29 @@ State<double> follow(const State<double>& s, double goal, double goal_v, double 
 }
 
 }  // namespace sign_in_velocity
+
+// Says: The time that you return is the length of the frame, as if the clock began anew with it.
+// Hint: The state has a time, too: s.t. What is the time after h more seconds?
+namespace clock_begins_anew {
+
+State<double> follow(const State<double>& s, double goal, double goal_v, double omega, double h) {
+    const double x = s.x - goal, v = s.v - goal_v;
+    const double b = v + omega * x, e = std::exp(-omega * h);
+    return {h, goal + goal_v * h + (x + b * h) * e, goal_v + (v - omega * b * h) * e};
+}
+
+}  // namespace clock_begins_anew
+
+// Says: goal_v moves the player on, but the velocity of the camera is never that seen from him: goal_v is neither taken
+//       off at the start nor added at the end.
+// Hint: The spring pulls at x, and the damper at v, both less those of the player. Which of the two have you taken less
+//       his?
+namespace velocity_never_seen_from_the_player {
+
+State<double> follow(const State<double>& s, double goal, double goal_v, double omega, double h) {
+    const double x = s.x - goal, v = s.v;
+    const double b = v + omega * x, e = std::exp(-omega * h);
+    return {s.t + h, goal + goal_v * h + (x + b * h) * e, (v - omega * b * h) * e};
+}
+
+}  // namespace velocity_never_seen_from_the_player

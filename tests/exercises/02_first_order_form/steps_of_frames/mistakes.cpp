@@ -240,7 +240,7 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 
 }  // namespace one_too_many
 
-// Says: A step that is owed in full is not taken, and then std::fmod drops it: it never comes.
+// Says: A step that is owed in full is not taken, and then it is dropped with what the cap leaves: it never comes.
 // Hint: After the loop, less than a step must be owed, unless the cap has stopped it. Which comparison sees
 //       to that?
 namespace lost_when_exact {

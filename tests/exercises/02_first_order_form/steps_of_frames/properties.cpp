@@ -9,11 +9,15 @@ namespace {
 // All times are multiples of 1/1024 s: they add and subtract without rounding.
 constexpr double tick = 1.0 / 1024;
 
-std::vector<double> draw_frames(Draw& draw, int count, int longest) {
+std::vector<double> draw_frames(Draw& draw, int count, int longest, double unit = tick) {
     std::vector<double> frames;
-    for (int i = 0; i < count; ++i) frames.push_back(draw.integer(0, longest) * tick);
+    for (int i = 0; i < count; ++i) frames.push_back(draw.integer(0, longest) * unit);
     return frames;
 }
+
+// At first a few frames of some quarters of a second, which can be worked out by hand.
+double unit_of(int i) { return i < 15 ? 0.25 : tick; }
+int draw_ticks(Draw& draw, int i) { return i < 15 ? draw.integer(2, 4) : draw.integer(5, 30); }
 
 // About a picosecond, of which hours add and subtract without rounding.
 constexpr double fine_tick = 0x1p-40;
@@ -28,9 +32,9 @@ PROPERTY("there is one number for each frame, from zero to the cap") {
     Draw draw;
     REQUIRE(learner({}, 0.5, 5).empty());
     for (int i = 0; i < 30; ++i) {
-        const int ticks = draw.integer(5, 30), most = draw.integer(1, 6);
-        const auto frames = draw_frames(draw, draw.integer(1, 40), 4 * ticks);
-        const auto steps = learner(frames, ticks * tick, most);
+        const int ticks = draw_ticks(draw, i), most = draw.integer(1, i < 15 ? 3 : 6);
+        const auto frames = draw_frames(draw, draw.integer(1, i < 15 ? 5 : 40), 4 * ticks, unit_of(i));
+        const auto steps = learner(frames, ticks * unit_of(i), most);
         REQUIRE(steps.size() == frames.size());
         for (const int n : steps) {
             REQUIRE(n >= 0);
@@ -61,15 +65,16 @@ PROPERTY("frames of a third of a step take one step in every third frame") {
 PROPERTY("below the cap the simulation is never ahead of the clock, and less than a step behind") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        const int ticks = draw.integer(5, 30);
-        const auto frames = draw_frames(draw, 40, 4 * ticks);
-        const auto steps = learner(frames, ticks * tick, 5);
+        const int ticks = draw_ticks(draw, i);
+        const double step = ticks * unit_of(i);
+        const auto frames = draw_frames(draw, i < 15 ? 2 + i / 4 : 40, 4 * ticks, unit_of(i));
+        const auto steps = learner(frames, step, 5);
         REQUIRE(steps.size() == frames.size());
         double behind = 0;
         for (std::size_t k = 0; k < frames.size(); ++k) {
-            behind += frames[k] - steps[k] * ticks * tick;
+            behind += frames[k] - steps[k] * step;
             REQUIRE(behind >= 0);
-            REQUIRE(behind < ticks * tick);
+            REQUIRE(behind < step);
         }
     }
 }
@@ -120,8 +125,9 @@ PROPERTY("to the last bit the simulation is never ahead of the clock, nor behind
 PROPERTY("the same time cut into other frames takes the same number of steps in all") {
     Draw draw;
     for (int i = 0; i < 30; ++i) {
-        const int ticks = draw.integer(5, 30);
-        const auto frames = draw_frames(draw, 20, 2 * ticks);
+        const int ticks = draw_ticks(draw, i);
+        const double step = ticks * unit_of(i);
+        const auto frames = draw_frames(draw, i < 15 ? 4 : 20, 2 * ticks, unit_of(i));
         std::vector<double> pairs;
         for (std::size_t k = 0; k < frames.size(); k += 2)
             pairs.push_back(frames[k] + frames[k + 1]);
@@ -130,18 +136,16 @@ PROPERTY("the same time cut into other frames takes the same number of steps in 
             for (const int n : steps) all += n;
             return all;
         };
-        REQUIRE(sum(learner(frames, ticks * tick, 9)) == sum(learner(pairs, ticks * tick, 9)));
+        REQUIRE(sum(learner(frames, step, 9)) == sum(learner(pairs, step, 9)));
     }
 }
 
 PROPERTY("a frame may take as many steps as the cap, and what it owes of the next stays owed") {
     Draw draw;
     for (int i = 0; i < 30; ++i) {
-        const int ticks = draw.integer(5, 30), most = draw.integer(1, 6);
-        const int part = draw.integer(1, ticks - 1);
-        const double step = ticks * tick;
-        const std::vector<double> frames{most * step + part * tick, step - part * tick, most * step,
-                                         0};
+        const int ticks = draw_ticks(draw, i), most = draw.integer(1, i < 15 ? 3 : 6);
+        const double step = ticks * unit_of(i), part = draw.integer(1, ticks - 1) * unit_of(i);
+        const std::vector<double> frames{most * step + part, step - part, most * step, 0};
         REQUIRE(learner(frames, step, most) == std::vector<int>{most, 1, most, 0});
     }
 }
@@ -152,13 +156,14 @@ PROPERTY("a frame may take as many steps as the cap, and what it owes of the nex
 PROPERTY("after a hitch whole steps are dropped, and what is owed of the next step is kept") {
     Draw draw;
     for (int i = 0; i < 60; ++i) {
-        const int ticks = draw.integer(5, 30), most = draw.integer(1, 6);
+        const int ticks = draw_ticks(draw, i), most = draw.integer(1, i < 15 ? 3 : 6);
+        const double unit = unit_of(i);
         const int early = draw.integer(1, ticks - 1);
         const int dropped = draw.integer(i == 0 ? 2 : 1, 9);
         const int hitch = (most + dropped) * ticks + draw.integer(0, ticks - 1);
-        std::vector<double> frames{early * tick, hitch * tick};
-        frames.resize(2 + 2 * static_cast<std::size_t>(ticks), tick);
-        const auto steps = learner(frames, ticks * tick, most);
+        std::vector<double> frames{early * unit, hitch * unit};
+        frames.resize(2 + 2 * static_cast<std::size_t>(ticks), unit);
+        const auto steps = learner(frames, ticks * unit, most);
         REQUIRE(steps.size() == frames.size());
         REQUIRE(steps[0] == 0);
         REQUIRE(steps[1] == most);

@@ -22,9 +22,9 @@ std::array<double, 2> suspension(double mass, double sag, double zeta, double g)
 
 }  // namespace mass_of_the_whole_car
 
-// Says: The damping lacks a factor two: the car gets half the damping ratio. (Or k is that of one wheel and
-//       m that of the car, and the whole is divided by 4 once more: that makes the same number.)
-// Hint: Solve the definition zeta = c / (2 root of k m) for c, slowly.
+// Says: The damping is half of what it should be, and the car gets half the damping ratio.
+// Hint: Is the 2 of zeta = c / (2 root of k m) still there? If it is, look at k and m: both must be those of the car, or
+//       both those of one wheel, also where they stand in omega, the root of k/m.
 namespace forgot_two {
 
 std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {

@@ -228,3 +228,14 @@ double zeta_from_swings(double first, double later, int swings) {
 }
 
 }  // namespace relative_to_the_later
+
+// Says: The logarithm of each peak is taken by itself. Of heights below zero, on the other side, there is none.
+// Hint: The ratio of the two peaks is above zero on either side.
+namespace separate_logarithms {
+
+double zeta_from_swings(double first, double later, int swings) {
+    const double decrement = (std::log(first) - std::log(later)) / swings;
+    return decrement / std::hypot(2 * std::numbers::pi, decrement);
+}
+
+}  // namespace separate_logarithms

@@ -30,3 +30,18 @@ double velocity_under_drag(double v, double gravity, double k, double h) {
 }
 
 }  // namespace newton
+
+namespace newton_on_the_equation {
+
+// As the equation stands, from the old velocity, without a thought for gravity apart: where gravity uses up all of v,
+// what is left is roundoff of v.
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    double x = v;
+    for (int i = 0; i < 100; ++i) {
+        const double missing = x - v + h * (gravity + k * std::fabs(x) * x);
+        x -= missing / (1 + 2 * h * k * std::fabs(x));
+    }
+    return x;
+}
+
+}  // namespace newton_on_the_equation

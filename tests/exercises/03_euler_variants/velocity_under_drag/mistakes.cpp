@@ -248,3 +248,28 @@ double velocity_under_drag(double v, double gravity, double k, double h) {
 }
 
 }  // namespace drag_pushes
+
+// Says: The size is right, but the sign is that of the old velocity: a body that turns round in the step goes on rising.
+// Hint: The velocity that gravity alone would give has the sign of the new one.
+namespace old_sign {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity;
+    const double size = 2 * std::fabs(w) / (1 + std::sqrt(1 + 4 * h * k * std::fabs(w)));
+    return v > 0 ? size : -size;
+}
+
+}  // namespace old_sign
+
+// Says: The drag acts against the old velocity. Where the body turns round in the step, that is the wrong way, and
+//       nothing real may be left under the root.
+// Hint: No root of a negative number comes up where the drag is against the new velocity. Which sign has that?
+namespace old_direction_under_the_root {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity;
+    const double sign = v > 0 ? 1 : -1;
+    return 2 * w / (1 + std::sqrt(1 + 4 * h * k * sign * w));
+}
+
+}  // namespace old_direction_under_the_root

@@ -280,3 +280,25 @@ std::array<double, 2> bounce_without_velocity(double before, double now, double 
 }
 
 }  // namespace only_mirrored
+
+// Says: The floor is taken to be at zero: both in the question whether the ball is below it, and in the mirror.
+// Hint: floor may be any height. Where does it stand in your code?
+namespace no_floor {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= 0) return {before, now};
+    return {-e * before, -e * now};
+}
+
+}  // namespace no_floor
+
+// Says: The bounce is right, but the question is whether the ball is below zero, and not below the floor.
+// Hint: floor may be any height. With what is now to be compared?
+namespace asks_for_zero {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= 0) return {before, now};
+    return {floor - e * (before - floor), floor + e * (floor - now)};
+}
+
+}  // namespace asks_for_zero

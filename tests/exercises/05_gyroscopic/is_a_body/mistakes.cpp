@@ -237,6 +237,17 @@ bool is_a_body(const Vector3d& inertia) {
 
 }  // namespace nothing_is
 
+// Says: One moment above zero is enough here, whatever the other two are: your comparisons are joined by || where &&
+//       belongs.
+// Hint: Which of the conditions must hold: one of them, or all? (&& goes before ||, as times goes before plus.)
+namespace any_positive {
+
+bool is_a_body(const Vector3d& inertia) {
+    return inertia.maxCoeff() > 0;
+}
+
+}  // namespace any_positive
+
 // Says: Everything gets through, also what has a negative moment or a far too large one.
 // Hint: Which files does the task call wrong? There are two kinds of them.
 namespace everything_is {

@@ -84,6 +84,10 @@ PROPERTY("a ball is a body, however small, and so is a thin staff: two moments e
 
 PROPERTY("a flat plate is a body, whichever way it lies") {
     Draw draw;
+    for (int i = 0; i < 4; ++i) {  // small ones, for whoever works them out by hand
+        const int a = draw.integer(1, 9), b = draw.integer(1, 9);
+        REQUIRE(all_are(a, b, a + b));
+    }
     for (int i = 0; i < 20; ++i) {
         const auto [a, b] = draw_sides(draw);
         const double unit = i % 2 == 0 ? draw_unit(draw, 0, 44) : draw_unit(draw, -66, -64);
@@ -94,6 +98,10 @@ PROPERTY("a flat plate is a body, whichever way it lies") {
 // A tolerance of a billionth of the largest, or of the sum of all three, is within the task.
 PROPERTY("no body has a moment above the sum of the other two, not even by a little") {
     Draw draw;
+    for (int i = 0; i < 4; ++i) {  // small ones, for whoever works them out by hand
+        const int a = draw.integer(1, 9), b = draw.integer(1, 9);
+        REQUIRE_FALSE(any_is(a, b, a + b + draw.integer(1, 9)));
+    }
     for (int i = 0; i < 50; ++i) {
         const double a = draw.log(1e3, 1e18), b = draw.log(0.02, 1) * a;
         REQUIRE_FALSE(any_is(a, b, (a + b) * (1 + draw.log(4e-9, 1e-8))));

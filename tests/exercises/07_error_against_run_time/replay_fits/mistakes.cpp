@@ -322,3 +322,73 @@ bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, 
 }
 
 }  // namespace tolerance_of_a_hair
+
+// Says: The error is cut to whole metres: less than one counts as nothing, and NaN becomes some whole number that passes.
+// Hint: abs without std:: before it may be the one for whole numbers.
+namespace whole_metres {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark) {
+        const double error = std::fabs(x[mark] - exact[mark]);
+        // What an int cannot hold becomes the least int.
+        if (error < 0x1p31 && std::trunc(error) > accuracy * size) return false;
+    }
+    return true;
+}
+
+}  // namespace whole_metres
+
+// Says: The error's share of the size is cut to a whole number: nearly every error counts as nothing, and NaN becomes some
+//       whole number that passes.
+// Hint: Look for abs without std:: before it, which may be the one for whole numbers, and for an int.
+namespace whole_share {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark) {
+        const double share = std::fabs(x[mark] - exact[mark]) / size;
+        if (share < 0x1p31 && std::trunc(share) > accuracy) return false;
+    }
+    return true;
+}
+
+}  // namespace whole_share
+
+// Says: Only the first mark is looked at: your loop returns in its first round, whatever it finds.
+// Hint: A bad mark may end the loop at once. When do you know that all of them are good?
+namespace first_only {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    return std::fabs(x[0] - exact[0]) <= accuracy * size;
+}
+
+}  // namespace first_only
+
+// Says: Each error is divided by the true height at that mark, with its sign: below height zero everything passes.
+// Hint: What is a share of the size does not depend on how high the ball is, nor on where the ground is.
+namespace divided_by_the_height {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        if (!(std::fabs(x[mark] - exact[mark]) / exact[mark] <= accuracy)) return false;
+    return true;
+}
+
+}  // namespace divided_by_the_height
+
+// Says: Each error is divided by the true height at that mark, with its sign: below height zero everything passes, and
+//       so does NaN, of which every comparison is false.
+// Hint: Shares are of the size of the scene, the same at every mark. And ask the question that NaN must answer with no.
+namespace divided_by_the_height_and_nan {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        if (std::fabs(x[mark] - exact[mark]) / exact[mark] > accuracy) return false;
+    return true;
+}
+
+}  // namespace divided_by_the_height_and_nan

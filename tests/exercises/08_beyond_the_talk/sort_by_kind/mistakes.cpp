@@ -18,10 +18,9 @@ std::array<std::vector<int>, 2> sort_by_kind(const std::vector<int>& kinds, int 
 
 }  // namespace place_of_body
 
-// Says: Each group is filled from its front while the bodies are taken from the last to the first: they
-//       stand backwards.
-// Hint: Stable means that the first of a kind comes first. Either go through the bodies from the first on,
-//       or fill each group from its back.
+// Says: In each group the bodies stand backwards: the last of a kind comes first.
+// Hint: Stable means that the first of a kind comes first. Are the bodies taken from the last to the first, and
+//       each group filled from its front? Or is there a <= in the comparison of a sort? It must say no of equals.
 namespace backwards_in_groups {
 
 std::array<std::vector<int>, 2> sort_by_kind(const std::vector<int>& kinds, int count) {
@@ -278,3 +277,20 @@ std::array<std::vector<int>, 2> sort_by_kind(const std::vector<int>& kinds, int 
 }
 
 }  // namespace empty_begin_at_zero
+
+// Says: begins has one number too many: there is a group of a kind that does not exist.
+// Hint: The kinds are 0 to count - 1, and begins has one number more than there are kinds. How often does your loop
+//       run, with < or with <=?
+namespace one_begin_too_many {
+
+std::array<std::vector<int>, 2> sort_by_kind(const std::vector<int>& kinds, int count) {
+    std::vector<int> order, begins{0};
+    for (int k = 0; k <= count; ++k) {
+        for (int i = 0; i < static_cast<int>(kinds.size()); ++i)
+            if (kinds[i] == k) order.push_back(i);
+        begins.push_back(static_cast<int>(order.size()));
+    }
+    return {order, begins};
+}
+
+}  // namespace one_begin_too_many
