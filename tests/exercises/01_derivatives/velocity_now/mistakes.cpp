@@ -172,3 +172,14 @@ double velocity_now(double x0, double x1, double x2, double h) {
 }
 
 }  // namespace against_time
+
+// Says: Where the step is short you return zero, to be safe from a division. It is above zero, and that is enough.
+// Hint: A short step comes with short ways, and their quotient is a velocity as any other.
+namespace short_step_is_none {
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    if (h < 1e-6) return 0;
+    return (3 * x2 - 4 * x1 + x0) / (2 * h);
+}
+
+}  // namespace short_step_is_none

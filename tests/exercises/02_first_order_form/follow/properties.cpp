@@ -155,7 +155,7 @@ PROPERTY("no spring is too soft or too stiff for it, no frame too short, and no 
     }
     for (int i = 0; i < 60; ++i) {
         const double omega = draw.spread(1e-9, 1e9, i, 20), h = draw.spread(1, 1e12, i, 21) / omega;
-        const double goal = draw.sign() * draw.log(1e-3, 1e3), goal_v = draw.sign() * draw.log(1e-3, 1e3) / h;
+        const double goal = draw.sign() * draw.log(1e-9, 1e9), goal_v = draw.sign() * draw.log(1e-9, 1e9) / h;
         const State<double> start{0, goal * draw.real(1.1, 5), goal_v * draw.real(1.1, 5)};
         REQUIRE(close(learner(start, goal, goal_v, omega, h).t, h, 1e-14));
     }

@@ -340,3 +340,21 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 }
 
 }  // namespace rounded_up
+
+// Says: No frame takes more than twenty steps, or some other number of your own, whatever most_steps says.
+// Hint: The cap is an argument, and may be large. Where else do you end the loop?
+namespace own_cap {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        const double due = std::floor(owed / step);
+        steps.push_back(static_cast<int>(std::min<double>(due, std::min(most_steps, 20))));
+        owed = std::fmod(owed, step);
+    }
+    return steps;
+}
+
+}  // namespace own_cap

@@ -213,7 +213,7 @@ PROPERTY("steps may last nanoseconds or days: the rule is the same for them") {
 PROPERTY("a cap may be hundreds, or a million, and a replay thousands of frames long") {
     Draw draw;
     for (int i = 0; i < 60; ++i) {
-        const double unit = std::pow(2, draw.integer(i % 12 == 0 ? -20 : -40, 40));
+        const double unit = std::pow(2, i % 12 == 0 ? draw.integer(-20, 40) : i * 7 % 81 - 40);
         const int ticks = draw.integer(1, 30), cap = static_cast<int>(draw.spread(1, 1000, i, 12));
         const int most = i % 12 == 0 ? 1'000'000'000 : cap, count = i == 1 ? 4000 : i < 4 ? draw.integer(40, 1000) : 8;
         std::vector<double> frames;

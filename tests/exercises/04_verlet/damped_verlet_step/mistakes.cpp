@@ -213,3 +213,17 @@ double damped_verlet_step(double before, double now, double a, double gamma, dou
 }
 
 }  // namespace times_gamma
+
+// Says: In a step so long that the drag leaves nothing of the velocity, you let the body stay where it is. But the
+//       force goes on acting.
+// Hint: What is left is the velocity at which the drag balances the force. How far does that take the body in h?
+namespace long_step_stays {
+
+double damped_verlet_step(double before, double now, double a, double gamma, double h) {
+    if (gamma == 0) return 2 * now - before + h * h * a;
+    if (gamma * h > 40) return now;
+    const double kept = std::exp(-gamma * h);
+    return now + kept * (now - before) + (1 - kept) * h * a / gamma;
+}
+
+}  // namespace long_step_stays

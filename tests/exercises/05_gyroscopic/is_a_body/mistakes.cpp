@@ -257,3 +257,13 @@ bool is_a_body(const Vector3d& inertia) {
 }
 
 }  // namespace everything_is
+
+// Says: A needle is a body, too: you refuse one whose least moment is far less than its largest.
+// Hint: The mass may be spread in any way that gives three moments above zero. How thin may a staff be?
+namespace needle_refused {
+
+bool is_a_body(const Vector3d& inertia) {
+    return inertia.minCoeff() > 1e-5 * inertia.maxCoeff() && 2 * inertia.maxCoeff() <= inertia.sum();
+}
+
+}  // namespace needle_refused

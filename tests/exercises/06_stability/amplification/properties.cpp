@@ -160,7 +160,8 @@ PROPERTY("no rate and no step is too small or too large for it, anywhere on the 
     Draw draw;
     bool all = true;
     for (int i = 0; i < 420; ++i) {
-        const double theta = i % 3 == 0 ? draw.spread(1e-12, 1, i / 3, 20) : draw.real(0, 1);
+        const double near = draw.spread(1e-12, 1, i / 3, 20);
+        const double theta = i % 3 == 0 ? near : i % 3 == 1 ? 1 - near : draw.real(0, 1);
         const double h = draw.spread(1e-12, 1e12, i, 19), far = draw.spread(1e-12, 1e6, i, 21);
         const Complex z = draw_z(draw, theta, far, far);
         const double factor = size(z, theta, h), first = std::abs(1.0 + (1 - theta) * z);

@@ -365,3 +365,16 @@ double next_step(double whole, double halves, double h, double tolerance, int or
 }
 
 }  // namespace example
+
+// Says: Results that are huge are taken for results that are not finite, even where they agree to the last bit.
+// Hint: The results may have any size. What does std::isfinite say of 1e300?
+namespace huge_is_not_finite {
+
+double next_step(double whole, double halves, double h, double tolerance, int order) {
+    if (!(std::fabs(whole) < 1e30 && std::fabs(halves) < 1e30)) return h / 5;
+    const double error = std::fabs(whole - halves) / (std::exp2(order) - 1);
+    if (error == 0) return 5 * h;
+    return h * std::clamp(0.9 * std::pow(tolerance / error, 1.0 / (order + 1)), 0.2, 5.0);
+}
+
+}  // namespace huge_is_not_finite

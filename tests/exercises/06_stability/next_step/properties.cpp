@@ -166,6 +166,11 @@ PROPERTY("no results are too small or too large for it, as long as they are numb
         const double whole = i % 4 == 0 ? -halves : halves * (1 - gap), h = draw.spread(1e-9, 1e6, i, 20);
         const double next = learner(whole, halves, h, draw_tolerance(draw), draw.integer(1, 8));
         all &= (next >= h / 5 * (1 - 1e-12) && next <= 5 * h * (1 + 1e-12));
+        if (i % 3 == 0)
+            all &= close(learner(halves, halves, h, draw_tolerance(draw), draw.integer(1, 8)), 5 * h, 1e-12);
+        const double far = std::fabs(whole - halves);
+        if (far > 1e20) all &= close(next, h / 5, 1e-12);
+        if (far < 1e-25) all &= close(next, 5 * h, 1e-12);
     }
     REQUIRE(all);
 }

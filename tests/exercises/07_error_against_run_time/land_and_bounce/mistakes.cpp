@@ -325,7 +325,8 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 }  // namespace loses_nothing
 
 // Says: After a certain number of bounces in a step the ball is left lying, even if it would still jump.
-// Hint: A bound on the number is wise, but ten are few. When does a ball with this e really lie still?
+// Hint: A bound on the number is wise, but it must let all through that the task allows. When does a ball with this
+//       e really lie still?
 namespace ten_bounces {
 
 State<double> land_and_bounce(State<double> s, double g, double e, double h) {

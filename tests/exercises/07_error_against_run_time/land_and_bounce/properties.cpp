@@ -226,3 +226,30 @@ PROPERTY("it is right wherever the task allows: from the ground or 2000 m up, sl
     }
     REQUIRE(all);
 }
+
+// A short step from any place: the ball flies, or bounces once.
+PROPERTY("no step is too short for it, at any time of the clock") {
+    Draw draw;
+    bool all = true;
+    for (int i = 0; i < 240; ++i) {
+        Ball ball(draw);
+        const double h = draw.spread(1e-12, 1e-2, i, 20), share = draw.real(0.1, 0.9), g = ball.g;
+        ball.s.t = draw.sign() * draw.any_of(0, 1e6, {0});
+        ball.e = i % 3 == 0 ? 1 : draw.real(0.5, 0.95);
+        if (i % 2 == 0) {
+            const double x = ball.s.x + ball.s.v * h - g * h * h / 2, v = ball.s.v - g * h;
+            if (ball.fall() > 2 * h) all &= is_at(ball, ball.after(h), ball.s.t + h, x, v);
+            continue;
+        }
+        const double down = draw.real(10, 100);  // so fast that it does not come down again in h
+        ball.s.x = share * h * down, ball.s.v = -down;
+        const double impact = ball.impact(), fall = 2 * ball.s.x / (impact + down);
+        const double since = h - fall, up = ball.e * impact, right = up * since - g * since * since / 2;
+        const double off = 1e-14 * impact / g;  // roundoff of a fall that is found as a difference of speeds
+        const State<double> s = ball.after(h);
+        if (since < 0.01 * h + off || fall < off) continue;
+        all &= close(s.t, ball.s.t + h, 1e-12);
+        all &= close(s.x, right, 1e-9, up * off) && close(s.v, up - g * since, 1e-9);
+    }
+    REQUIRE(all);
+}

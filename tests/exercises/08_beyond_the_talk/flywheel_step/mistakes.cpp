@@ -285,3 +285,19 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 }
 
 }  // namespace ball_keeps_its_spin
+
+// Says: A slow spin is taken for none and left as it is. But the wheel turns a slow spin just as it turns a fast one.
+// Hint: The step is linear in the spin, but for L1, to which the wheel adds. Nothing in it needs the spin to be large.
+namespace slow_spin_stays {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    if (omega.norm() < 1e-9) return omega;
+    const Vector3d root = inertia.cwiseSqrt();
+    const Vector3d y = root.cwiseProduct(omega);
+    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
+    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
+    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
+    return y2.cwiseQuotient(root);
+}
+
+}  // namespace slow_spin_stays

@@ -246,10 +246,12 @@ PROPERTY("no top is too light or too heavy for it, no spin too slow or too fast,
     Draw draw;
     bool all = true;
     for (int i = 0; i < 420; ++i) {
-        const double speed = draw.spread(1e-9, 1e9, i, 20), angle = draw.spread(1e-9, 1000, i, 21);
+        const double speed = draw.spread(1e-9, 1e9, i, 20), near = draw.real(900, 1000);
+        const double angle = i % 21 == 20 ? near : draw.spread(1e-9, 1000, i, 21);
         Top top = draw_top(draw, 1, 1);
         const double least = draw.spread(1e-5, 100, i, 17), fall = draw.spread(1e-12, 1, i, 19);
         top.inertia = least * Vector3d(1, draw.log(1, 10), draw.log(1, 10));
+        if (i % 2 == 0) std::swap(top.inertia[0], top.inertia[1 + i / 2 % 2]);
         top.h = draw.sign() * angle / speed;
         top.L = top.inertia.cwiseProduct(speed * draw_direction(draw));
         top.mgl = draw.sign() * fall * least * speed * speed;
