@@ -16,6 +16,10 @@ double other_way(double x0, double x1, double h) { return x1 / h - x0 / h; }
 double snaps(double x0, double x1, double h) { return std::fabs(x1 - x0) < 1e-9 ? 0 : (x1 - x0) / h; }
 double backwards(double x0, double x1, double h) { return (x0 - x1) / h; }
 double twice(double x0, double x1, double h) { return 2 * (x1 - x0) / h; }
+double in_float(double x0, double x1, double h) { return float(x1 - x0) / float(h); }
+double loses_digits(double x0, double x1, double h) { return (x1 - x0) / h * (1 + 1e-11); }
+double off_by_a_thousandth(double x0, double x1, double h) { return (x1 - x0) / h * 1.001; }
+double sine(double angle) { return std::sin(angle); }
 double forgets_h(double x0, double x1, double) { return x1 - x0; }
 int whole(double share) { return static_cast<int>(std::floor(share)); }
 Eigen::Quaterniond itself(const Eigen::Quaterniond& q) { return q; }
@@ -105,4 +109,38 @@ TEST_CASE("a list of another length is no negative of the right one") {
     std::vector<Call> calls;
     for (double x = 1; x < 10; ++x) calls.push_back({{x}, {2, x, x}, false});
     CHECK(diagnose("no_such_exercise", truth_of(three), calls).empty());
+}
+
+TEST_CASE("what is right to seven digits is single precision; less wrong or more is not") {
+    CHECK(named(&in_float) == "single");
+    CHECK(named(&loses_digits) == "");
+    CHECK(named(&off_by_a_thousandth) == "");
+}
+
+TEST_CASE("what is nothing but roundoff is told as zero, as it comes out by hand") {
+    const Truth truth = truth_of(&sine);
+    CHECK(without_roundoff(truth, {std::acos(-1)}) == Numbers{0});
+    CHECK(without_roundoff(truth, {0}) == Numbers{0});
+    CHECK(without_roundoff(truth, {1e-12}) == Numbers{std::sin(1e-12)});
+    CHECK(without_roundoff(truth, {3}) == Numbers{std::sin(3.0)});
+}
+
+TEST_CASE("of long rows the place is shown where two differ, and a length that does") {
+    using Rows = std::array<std::vector<int>, 2>;
+    const auto spoken = [](const Rows& rows, const Rows& beside) {
+        Numbers one, other;
+        Wire<Rows>::put(one, rows);
+        Wire<Rows>::put(other, beside);
+        return SpokenOf<Rows()>::spoken.result(one, other);
+    };
+    Rows right{std::vector<int>(30), {1, 2}}, wrong = right;
+    CHECK(spoken(right, right) == "{{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, …, 0, 0}, {1, 2}}");
+    wrong[0][17] = 4;
+    CHECK(spoken(wrong, right) == "{{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, …, [17]: 4, …, 0, 0}, {1, 2}}");
+    CHECK(spoken(right, wrong) == "{{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, …, [17]: 0, …, 0, 0}, {1, 2}}");
+    wrong = right;
+    wrong[1].push_back(3);
+    right[0].resize(2), wrong[0].resize(2);
+    CHECK(spoken(wrong, right) == "{{0, 0}, {1, 2, 3} of length 3}");
+    CHECK(spoken(right, wrong) == "{{0, 0}, {1, 2} of length 2}");
 }

@@ -56,7 +56,7 @@ Numbers without_roundoff(const Truth& truth, const Numbers& arguments) {
             if (right[i] != std::floor(right[i]) && std::fabs(near[i] - right[i]) >= std::fabs(right[i])) is_roundoff[i] = true;
     }
     for (std::size_t i = 0; i < right.size(); ++i)
-        if (is_roundoff[i]) right[i] = 0;
+        if (is_roundoff[i] || right[i] == 0) right[i] = 0;  // no -0
     return right;
 }
 

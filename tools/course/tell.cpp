@@ -85,8 +85,8 @@ const std::map<std::string, std::string>& families() {
         {"squared", "the square of the right one: a root is missing."},
         {"root", "the root of the right one."},
         {"inverse", "one over the right one."},
-        {"single", "right to six or seven digits, and no farther: is there a float, a number with an f at its end, a "
-                   "constant with too few digits, or a tolerance?"}};
+        {"single", "off by as much as numbers of six or seven digits make it: is there a float, a number with an f at "
+                   "its end, a constant with too few digits, or a tolerance?"}};
     return words;
 }
 

@@ -46,7 +46,7 @@ PROPERTY("there is one number for each frame, from zero to the cap") {
 PROPERTY("frames that are some steps long take just so many, and a frame of no time takes none") {
     Draw draw;
     for (int i = 0; i < 30; ++i) {
-        const double step = draw.integer(5, 30) * tick;
+        const double step = draw_ticks(draw, i) * unit_of(i);
         const int most = draw.integer(4, 7), n = draw.integer(2, most - 1);
         const std::vector<double> frames{step, n * step, 0, step, (n - 1) * step, 0, step};
         REQUIRE(learner(frames, step, most) == std::vector<int>{1, n, 0, 1, n - 1, 0, 1});
@@ -56,7 +56,7 @@ PROPERTY("frames that are some steps long take just so many, and a frame of no t
 PROPERTY("frames of a third of a step take one step in every third frame") {
     Draw draw;
     for (int i = 0; i < 20; ++i) {
-        const double third = draw.integer(2, 20) * tick;
+        const double third = draw.integer(i < 15 ? 1 : 2, i < 15 ? 3 : 20) * unit_of(i);
         const auto steps = learner(std::vector<double>(6, third), 3 * third, draw.integer(2, 6));
         REQUIRE(steps == std::vector<int>{0, 0, 1, 0, 0, 1});
     }

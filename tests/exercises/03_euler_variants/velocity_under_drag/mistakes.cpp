@@ -273,3 +273,16 @@ double velocity_under_drag(double v, double gravity, double k, double h) {
 }
 
 }  // namespace old_direction_under_the_root
+
+// Says: The size is right, but the sign is that of the old velocity, and a body that was at rest rises.
+// Hint: Gravity may turn the velocity round in the step, and at rest it decides alone. Ask for the sign once gravity has
+//       been at work.
+namespace old_sign_and_up_from_rest {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity;
+    const double size = 2 * std::fabs(w) / (1 + std::sqrt(1 + 4 * h * k * std::fabs(w)));
+    return v >= 0 ? size : -size;
+}
+
+}  // namespace old_sign_and_up_from_rest

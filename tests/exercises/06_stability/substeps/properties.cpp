@@ -67,7 +67,8 @@ PROPERTY("a crate so slow that the whole frame is a short step takes one step a 
 PROPERTY("with the answer omega h is at most 2 share") {
     Draw draw;
     for (int i = 0; i < 200; ++i) {
-        const Crate crate(draw, draw_steps(draw, i % 2 == 0 ? 1 : 100, i % 2 == 0 ? 20 : 1e5));
+        const bool few = i < 40 || i % 2 == 0;  // at first, counts that can be worked out by hand
+        const Crate crate(draw, draw_steps(draw, few ? 1 : 100, few ? 20 : 1e5));
         const int steps = crate.answer();
         REQUIRE(steps >= 1);
         REQUIRE(crate.wh(steps) <= 2 * crate.share * (1 + 1e-9));
@@ -77,7 +78,8 @@ PROPERTY("with the answer omega h is at most 2 share") {
 PROPERTY("with one step fewer omega h is above 2 share") {
     Draw draw;
     for (int i = 0; i < 200; ++i) {
-        const Crate crate(draw, draw_steps(draw, i % 2 == 0 ? 1 : 100, i % 2 == 0 ? 20 : 1e5));
+        const bool few = i < 40 || i % 2 == 0;  // at first, counts that can be worked out by hand
+        const Crate crate(draw, draw_steps(draw, few ? 1 : 100, few ? 20 : 1e5));
         const int steps = crate.answer();
         REQUIRE((steps == 1 || crate.wh(steps - 1) > 2 * crate.share * (1 - 1e-9)));
     }

@@ -310,19 +310,6 @@ bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, 
 
 }  // namespace example
 
-// Says: An error that is larger than the accuracy by a hair gets through: there is a tolerance in your comparison.
-// Hint: The accuracy is the tolerance. Just as large is within, and larger by the last bit is not.
-namespace tolerance_of_a_hair {
-
-bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
-    if (x.size() != exact.size()) return false;
-    for (std::size_t mark = 0; mark < x.size(); ++mark)
-        if (!(std::fabs(x[mark] - exact[mark]) <= accuracy * size * (1 + 1e-10))) return false;
-    return true;
-}
-
-}  // namespace tolerance_of_a_hair
-
 // Says: The error is cut to whole metres: less than one counts as nothing, and NaN becomes some whole number that passes.
 // Hint: abs without std:: before it may be the one for whole numbers.
 namespace whole_metres {
@@ -392,3 +379,16 @@ bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, 
 }
 
 }  // namespace divided_by_the_height_and_nan
+
+// Says: An error that is larger than the accuracy by a hair gets through: there is a tolerance in your comparison.
+// Hint: The accuracy is the tolerance. Just as large is within, and larger by the last bit is not.
+namespace tolerance_of_a_hair {
+
+bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
+    if (x.size() != exact.size()) return false;
+    for (std::size_t mark = 0; mark < x.size(); ++mark)
+        if (!(std::fabs(x[mark] - exact[mark]) <= accuracy * size * (1 + 1e-10))) return false;
+    return true;
+}
+
+}  // namespace tolerance_of_a_hair
