@@ -131,7 +131,7 @@ TEST_CASE("of long rows the place is shown where two differ, and a length that d
         Numbers one, other;
         Wire<Rows>::put(one, rows);
         Wire<Rows>::put(other, beside);
-        return SpokenOf<Rows()>::spoken.result(one, other, checker::Digits::ten);
+        return SpokenOf<Rows(int)>::spoken.result(one, other, checker::Digits::ten);
     };
     Rows right{std::vector<int>(30), {1, 2}}, wrong = right;
     CHECK(spoken(right, right) == "{{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, …, 0, 0}, {1, 2}}");

@@ -62,7 +62,7 @@ struct SpokenOf<R(Args...)> {
     static std::string arguments(const Numbers& numbers, Digits digits) {
         Reader reader(numbers, digits);
         std::string row;
-        [[maybe_unused]] const auto add = [&](const std::string& argument) {
+        const auto add = [&](const std::string& argument) {
             if (!row.empty()) row += ", ";
             row += argument;
         };

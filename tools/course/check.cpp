@@ -128,8 +128,9 @@ void check(const std::string& name, const std::optional<std::string>& file, bool
     const fs::path answer = file ? fs::path(*file) : exercise.file();
     answer_in(exercise, answer);  // or one clear line, before anything is built
     bring_up_to_date({exercise});
-    const Verdict verdict = sanitize ? check_sanitized(exercise, answer, seed_or_new(seed))
-                                     : check_file(exercise, answer, seed_or_new(seed));
+    Verdict verdict = sanitize ? check_sanitized(exercise, answer, seed_or_new(seed))
+                               : check_file(exercise, answer, seed_or_new(seed));
+    verdict.watched = sanitize;
     if (verdict.kind == "pass" && !file) remember_pass(exercise);
     if (json)
         std::printf("%s\n", as_json(exercise, verdict).c_str());

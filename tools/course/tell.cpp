@@ -92,7 +92,9 @@ const std::map<std::string, std::string>& families() {
 
 // What crashes, or is wrong for no known reason, where an expression of Eigen's may have been kept by `auto`.
 std::string of_auto(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
-    if (!exercise.eigen || !verdict.misconception.empty() || contents(file).find("auto ") == std::string::npos) return {};
+    if (!exercise.eigen || verdict.watched || !verdict.misconception.empty() ||
+        contents(file).find("auto ") == std::string::npos)
+        return {};
     return "\n" + wrapped("With auto you may keep a sum or a product of Eigen's that is not worked out yet, and refers to "
                           "what is gone by then. ./course check " + exercise.name + " --sanitize looks for that.", 2);
 }

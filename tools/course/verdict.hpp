@@ -25,6 +25,7 @@ struct Verdict {
     std::string compiler;       ///< what the compiler said, warnings included
     std::string printed;        ///< what the learner's code printed
     std::string remark;         ///< on the check itself
+    bool watched = false;       ///< was it asked for what the sanitizers see?
     bool in_time = true;        ///< false where compiler or answer had not come to an end
     int line = 0;               ///< of the learner's file where it crashed
     std::uint64_t seed = 0;

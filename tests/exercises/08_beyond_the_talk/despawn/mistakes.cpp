@@ -339,3 +339,18 @@ std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) 
 }
 
 }  // namespace no_lanes_left_over
+
+// Says: The list is as long as before: where the last pack loses its only body, it stays, with what stood in it.
+// Hint: How many numbers do the packs of n - 1 bodies have? The list of n bodies must shrink to that, by resize say.
+namespace length_kept {
+
+std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
+    for (int row = 0; row < 3; ++row) {
+        const auto at = [&](int body) { return body / width * 3 * width + row * width + body % width; };
+        packs[at(i)] = packs[at(n - 1)];
+        for (int body = n - 1; body % width != 0; ++body) packs[at(body)] = packs[at(n - 2)];
+    }
+    return packs;
+}
+
+}  // namespace length_kept
