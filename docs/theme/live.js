@@ -320,7 +320,7 @@ class LivePanel {
     // ---- What is shown
 
     shape() {
-        this.narrow = Number(this.canvas.clientWidth < 500);
+        this.narrow = Number(this.canvas.clientWidth < 620);
         this.canvas.parentElement.classList.toggle("is-narrow", this.canvas.clientWidth < 500);
         this.picture.resize(this.of.aspect(this.narrow));
         this.show();
@@ -355,7 +355,7 @@ class LivePanel {
         setTimeout(() => say("Link"), 2000);
     }
     settings() {
-        const [id, words = ""] = decodeURIComponent(location.hash.slice(1)).split(":");
+        const [id, words = ""] = location.hash.slice(1).split(":");
         if (id !== this.figure.id) return;
         for (const [name, value] of words.split(",").map(word => word.split("=")))
             this.controls.find(control => control.name === name)?.set(Number(value));
@@ -386,6 +386,9 @@ function startLivePanels() {
         }
     }, { rootMargin: "200px" });
     for (const figure of document.querySelectorAll("figure[data-module]")) near.observe(figure);
+    window.addEventListener("hashchange", () => {
+        for (const figure of document.querySelectorAll("figure.is-live")) figure.live.settings();
+    });
     if (location.hash.startsWith("#live-")) document.getElementById(location.hash.slice(1).split(":")[0])?.scrollIntoView();
 }
 startLivePanels();

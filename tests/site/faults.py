@@ -80,12 +80,12 @@ class Links(SiteCase):
         self.assertEqual(self.faults(), ["there is no index.html"])
 
     def test_a_site_that_is_too_large(self):
-        self.write("large.bin", bytes(32_000_000))
-        self.assertEqual(self.faults(), ["the site has 32.0 MB, more than 32 MB"])
+        self.write("large.bin", bytes(44_000_000))
+        self.assertEqual(self.faults(), ["the site has 44.0 MB, more than 44 MB"])
         for chapter in range(1, 10):
             self.write(f"chapter_{chapter:02}.html", b"")
         self.assertEqual(self.faults(), [])
-        self.write("larger.bin", bytes(4_000_000))
+        self.write("larger.bin", bytes(5_500_000))
         self.assertEqual(self.faults(), ["the site has 36.0 MB, more than 36 MB"])
 
 

@@ -208,7 +208,7 @@ public:
     void go_on() { ++steps, step(); }
     void set(Control& control, double value) {
         control.value = std::fmin(std::fmax(value, control.least), control.most);
-        if (control.kind == Control::choice || control.kind == Control::toggle) control.value = std::floor(control.value);
+        if (control.step >= 1) control.value = std::floor(control.value);  // what is counted is whole
         if (restarts(control)) begin();
     }
 };

@@ -76,7 +76,10 @@ private:
             case 2: colour_ = look_of(word(a[0])).colour, dashes_ = look_of(word(a[0])).dashes;
                 stroke_ = number(a[1]), strength_ = number(a[2]);
                 return at + 4;
-            case 3: path_ += "M" + place(a); return at + 3;
+            case 3:
+                if (!begun_) path_.clear();
+                begun_ = true, path_ += "M" + place(a);
+                return at + 3;
             case 4: path_ += "L" + place(a); return at + 3;
             case 5: path("none", colour_); return at + 1;
             case 6: path(colour_, "none"); return at + 1;
@@ -91,6 +94,7 @@ private:
         svg_ += "<path d=\"" + path_ + (fill == "none" ? "" : "Z") + "\" fill=\"" + fill + "\" stroke=\"" + line +
                 "\" stroke-width=\"" + stroke_ + "\" opacity=\"" + strength_ + "\" stroke-linejoin=\"round\"" +
                 (dashes_.empty() ? "" : " stroke-dasharray=\"" + dashes_ + "\"") + "/>\n";
+        begun_ = false;  // it may be drawn once more, but the next move begins another
     }
     void text(double px, double py, const std::string& words, const std::string& anchor, const std::string& colour) {
         svg_ += "<text x=\"" + number(px) + "\" y=\"" + number(py) + "\" text-anchor=\"" + anchor + "\" fill=\"" + colour +
@@ -132,6 +136,7 @@ private:
 
     const Picture& picture_;
     const double width_ = 640, height_;
+    bool begun_ = false;  // is a path?
     std::string svg_, path_, colour_ = "#333333", dashes_, stroke_ = "2", strength_ = "1";
     double left_ = 0, right_ = 0, bottom_ = 0, top_ = 0;
     double from_x_ = 0, from_y_ = 0, scale_x_ = 1, scale_y_ = 1;

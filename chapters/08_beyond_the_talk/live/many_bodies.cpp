@@ -135,9 +135,9 @@ private:
             if (!alive(i)) continue;
             living += 1, sum += left(i), lost += look_of(i) == slower;
         }
-        prices[static_cast<std::size_t>(solver)].holds.holds(living >= count);
+        prices[static_cast<std::size_t>(solver)].holds.holds(living >= size());
         mean = living > 0 ? 100 * sum / living : 0;
-        slowed = 100 * lost / count, gone = count - living;
+        slowed = 100.0 * lost / size(), gone = static_cast<double>(size() - living);
         if (steps % 30 == 0 || !alive(shown)) shown = worst();
         of_shown = alive(shown) ? 100 * left(shown) : 0;
     }
