@@ -42,13 +42,14 @@ step("the commands in README.md" sh -e -c "${CMAKE_MATCH_1}")
 set(chapter 02_my_topic)  # here it is the second
 set(study "${WORK}/build/chapters/my_topic_study")
 step("build and run" "${CMAKE_COMMAND}" --build "${WORK}/build" --parallel 2
-  --target run_my_topic timestep_tests self_test)
+  --target run_my_topic live_of_${chapter} timestep_tests self_test)
 step("the chapter's tests" "${WORK}/build/tests/timestep_tests" "my_topic: *")
 foreach(script one_line bad_options full_disk extremes)
   step("${script}" "${CMAKE_COMMAND}" "-DROOT=${fixture}" -DCHAPTER=${chapter} -DNAME=my_topic "-DCOMPILER=${COMPILER}"
     "-DPROGRAM=${study}" "-DROOM=${fixture}/chapters/${chapter}/study" -DEVERY_WAY=ON "-DWORK=${WORK}/${script}"
     -P "${ROOT}/tests/programs/${script}.cmake")
 endforeach()
+step("the panel" sh "${ROOT}/tests/live/extremes.sh" "${WORK}/build/chapters/live_my_topic")
 step("page" "${PAGE}" --source "${fixture}" --runs "${WORK}/build/chapters" --chapter ${chapter}
   --figures "${WORK}/figures" --input chapters/${chapter}/chapter.md --output "${WORK}/page.md"
   --index "${WORK}/index.tsv")

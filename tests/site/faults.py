@@ -86,7 +86,7 @@ class Links(SiteCase):
             self.write(f"chapter_{chapter:02}.html", b"")
         self.assertEqual(self.faults(), [])
         self.write("larger.bin", bytes(5_500_000))
-        self.assertEqual(self.faults(), ["the site has 36.0 MB, more than 36 MB"])
+        self.assertEqual(self.faults(), ["the site has 49.5 MB, more than 50 MB"])
 
 
 @unittest.skipIf(browser.missing(), browser.missing())

@@ -25,9 +25,9 @@ public:
         p.window(-1, 1, -12, 1);
         p.axes("", "height, m");
         p.ink("exact");
-        p.dot(0.2, exact, 9);
+        p.dot(0.2, exact.value, 9);
         p.ink(explicit_euler.name);
-        p.dot(-0.2, stepped, 9);
+        p.dot(-0.2, stepped.value, 9);
     }
 
 private:
