@@ -47,6 +47,9 @@ function(timestep_live chapter needs)
     # What measures is optimised; all else is compiled quickly.
     file(STRINGS "${panel}" measures REGEX "live::clock\\(\\)")
     set(optimised -O0)
+    if("eigen" IN_LIST needs)  # whose every product is a call without it
+      set(optimised -O1)
+    endif()
     if(measures)
       set(optimised -O2)
     endif()
