@@ -1,25 +1,25 @@
 #pragma once
 /// \file
 /// Inputs are checked once, where models and runs are made, so that a step stays a bare formula.
-/// Each check returns the value it was given, or throws `std::invalid_argument` with one line that
-/// names the value and the rule it breaks.
+/// Each check returns the value it was given, or refuses (refuse.hpp: throws `std::invalid_argument`) with
+/// one line that names the value and the rule it breaks.
 
 #include <cmath>
 #include <cstdio>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 
+#include <timestep/refuse.hpp>
 #include <timestep/state.hpp>
 
 namespace timestep {
 
-/// Throws `std::invalid_argument`: "name = value: must be rule".
+/// Refuses: "name = value: must be rule".
 template <class Real>
 [[noreturn]] void refuse(const char* name, Real value, const char* rule) {
     char text[64];
     std::snprintf(text, sizeof text, "%g", static_cast<double>(value));
-    throw std::invalid_argument(std::string(name) + " = " + text + ": must be " + rule);
+    refuse(std::string(name) + " = " + text + ": must be " + rule);
 }
 
 /// \cond

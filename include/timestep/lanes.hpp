@@ -35,7 +35,7 @@ inline constexpr int register_bytes = 16;
 // Where the compiler knows no vectors: an array, and the hope that it sees through the loops.
 template <class Real, int N>
 struct ArrayPack {
-    Real number[N];
+    Real number[std::size_t(N)];
     Real operator[](int i) const { return number[i]; }
     Real& operator[](int i) { return number[i]; }
     template <class Operation>

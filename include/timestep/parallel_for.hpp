@@ -24,11 +24,15 @@ void parallel_for(std::size_t count, unsigned threads, const Work& work) {
     std::vector<std::thread> others;
     others.reserve(threads - 1);  // so that nothing is thrown once a thread is under way
     for (unsigned i = 0; i + 1 < threads; ++i) {
+#if defined(__cpp_exceptions)
         try {
             others.emplace_back(share, i);
         } catch (const std::exception&) {  // no thread to be had, or no memory for one
             share(i);
         }
+#else
+        others.emplace_back(share, i);  // ends the program where there is none
+#endif
     }
     share(threads - 1);
     for (std::thread& other : others) other.join();

@@ -28,8 +28,8 @@ public:
     /// `std::invalid_argument`.
     Rope(const X& top, const X& along, std::size_t links, Real link, const Projectile<X>& gravity)
         : gravity_(gravity), link_(positive("link", link)) {
-        if (links == 0) throw std::invalid_argument("links: must be one or more");
-        if (!is_finite(top)) throw std::invalid_argument("top: must be a finite place");
+        if (links == 0) refuse("links: must be one or more");
+        if (!is_finite(top)) refuse("top: must be a finite place");
         positive("length of the direction", Real(along.norm()));
         for (std::size_t i = 0; i <= links; ++i) {
             const X x = top + Real(i) * link * direction(along);

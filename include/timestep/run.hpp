@@ -67,7 +67,7 @@ S run(const Method& method, const Model& model, const S& start, real_of<S> h, Co
     [[maybe_unused]] const detail::RunTypes<Method, Model, S, Count, Observe> types_fit;
     positive("step", h);
     not_negative("steps", static_cast<double>(steps));
-    if (!is_finite(start)) throw std::invalid_argument("start: must be a finite state");
+    if (!is_finite(start)) refuse("start: must be a finite state");
     detail::check_step(model, start, h);
 
     observe(start);

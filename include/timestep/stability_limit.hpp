@@ -119,7 +119,7 @@ inline StabilityLimit stability_limit(const RungeKutta4&, double zeta) {
     if (zeta >= 1) {
         // R = 1 again at the z with 1 + z/2 + z²/6 + z³/24 = 0, some −2.785.
         const double z = detail::rising_root(
-            [](double z) { return ((z / 24 - 1.0 / 6) * z + 1.0 / 2) * z - 1; });
+            [](double s) { return ((s / 24 - 1.0 / 6) * s + 1.0 / 2) * s - 1; });
         return {z / detail::fast_decay(zeta), "2.785 / (ζ + √(ζ² − 1))"};
     }
     // |R|² is the sum of all zʲ z̄ᵏ / (j! k!), and Re zʲ z̄ᵏ = s^(j+k) cos (j − k)φ with cos φ = −ζ.

@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <timestep/refuse.hpp>
 
 namespace timestep {
 
@@ -124,11 +125,11 @@ inline const std::vector<Choice>& choices() {
     return all;
 }
 
-/// The answer of this name. Throws `std::out_of_range` where there is none.
+/// The answer of this name. Throws `std::invalid_argument` where there is none.
 inline const Choice& choice(std::string_view name) {
     for (const Choice& each : choices())
         if (each.name == name) return each;
-    throw std::out_of_range("there is no answer \"" + std::string(name) + "\" to which method");
+    refuse("there is no answer \"" + std::string(name) + "\" to which method");
 }
 
 /// What must be known of a spring to choose.

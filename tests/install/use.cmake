@@ -66,6 +66,35 @@ foreach(project with_eigen headers_only)
   endif()
 endforeach()
 
+# The same with the library's source inside a project, on a machine without Eigen: it settles nothing for its host, and
+# installs nothing.
+set(build "${WORK}/subproject")
+execute(_ "${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${CMAKE_CURRENT_LIST_DIR}/subproject" -B "${build}"
+        "-DLIBRARY=${INCLUDE}/.." "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_MAKE_PROGRAM=${MAKE}"
+        -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON)
+execute(_ "${CMAKE_COMMAND}" --build "${build}")
+find_program(ball_subproject ball PATHS "${build}" "${build}/Debug" NO_DEFAULT_PATH REQUIRED)
+execute(answer "${ball_subproject}")
+if(NOT answer STREQUAL answer_headers_only)
+  message(FATAL_ERROR "subproject: the answer is ${answer}, must be ${answer_headers_only}")
+endif()
+execute(_ "${CMAKE_COMMAND}" --install "${build}" --prefix "${build}/installed")
+file(GLOB_RECURSE installed "${build}/installed/*")
+if(installed)
+  message(FATAL_ERROR "as a subproject timestep installs ${installed}")
+endif()
+
+# The version that the headers say is the package's.
+file(WRITE "${WORK}/version/version.cpp" "#include <timestep/version.h>
+#include <cstdio>
+int main() { std::printf(\"%d.%d.%d\", TIMESTEP_VERSION_MAJOR, TIMESTEP_VERSION_MINOR, TIMESTEP_VERSION_PATCH); }
+")
+execute(_ "${COMPILER}" "-I${WORK}/moved/include" "${WORK}/version/version.cpp" -o "${WORK}/version/version")
+execute(answer "${WORK}/version/version")
+if(NOT answer STREQUAL VERSION)
+  message(FATAL_ERROR "the headers say version ${answer}, CMake ${VERSION}")
+endif()
+
 # A version that is too new is refused.
 file(WRITE "${WORK}/newer/CMakeLists.txt"
   "cmake_minimum_required(VERSION 3.25)\nproject(newer LANGUAGES NONE)\n"

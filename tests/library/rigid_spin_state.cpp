@@ -3,8 +3,15 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
+#include <timestep/gyroscopic.hpp>
+#include <timestep/gyroscopic/calm_half_step.hpp>
+#include <timestep/gyroscopic/cayley_gyroscopic.hpp>
 #include <timestep/rigid/spin_state.hpp>
+#include <timestep/rigid/strang.hpp>
+#include <timestep/rigid/symmetric_remainder.hpp>
 
 using namespace timestep;
 using V = Vector3<double>;
@@ -31,3 +38,33 @@ TEST_CASE("a turn by a vector is Eigen's, and none by none", "[library][ch8]") {
         CHECK((turn_by(v).coeffs() - expected.coeffs()).norm() < 4 * epsilon);
     }
 }
+
+namespace {
+
+// Does the call compile?
+template <class State>
+concept Turns = requires(PrincipalInertia<double> I, State s) { turn(calm_half_step, I, s, 0.1); };
+template <class State>
+concept Flies = requires(PrincipalInertia<double> I, State s) { symmetric_remainder_2.step(I, s, 0.1); };
+template <class A, class B>
+constexpr bool becomes = std::is_constructible_v<B, A> || std::is_convertible_v<A, B>;
+
+}  // namespace
+
+// ω of the world and ω of the body: the type of the state says which, and no call takes the one for the other.
+static_assert(Turns<RigidState<double>> && !Turns<Spin>);
+static_assert(Flies<Spin> && !Flies<RigidState<double>>);
+static_assert(!becomes<Spin, RigidState<double>> && !becomes<RigidState<double>, Spin>);
+
+// What only computes cannot throw.
+template <class... Solvers>
+constexpr bool all_quiet = (noexcept(Solvers{}.step(std::declval<const PrincipalInertia<double>&>(), std::declval<V>(), 0.1)) && ...) &&
+                           (noexcept(Solvers{}.step(std::declval<const SymmetricInertia<double>&>(), std::declval<V>(), 0.1)) && ...) &&
+                           (noexcept(Solvers{}.step(std::declval<const FullInertia<double>&>(), std::declval<V>(), 0.1)) && ...);
+static_assert(all_quiet<PassiveGyroscopic, CalmHalfStep, CayleyGyroscopic, ImplicitGyroscopic, ExplicitGyroscopic, NoGyroscopic>);
+static_assert(noexcept(HalfStepJacobian{}.step(std::declval<const PrincipalInertia<double>&>(), std::declval<V>(), 0.1)));
+static_assert(noexcept(Strang{}.step(std::declval<const PrincipalInertia<double>&>(), std::declval<Spin>(), 0.1)));
+static_assert(noexcept(SymmetricRemainder2{}.step(std::declval<const RemainderInertia<double>&>(), std::declval<Spin>(), 0.1)));
+static_assert(noexcept(SymmetricRemainder4{}.step(std::declval<const RemainderInertia<double>&>(), std::declval<Spin>(), 0.1)));
+static_assert(noexcept(turned(std::declval<Quaternion<double>>(), std::declval<V>(), 0.1)) && noexcept(turned_in_body(std::declval<Quaternion<double>>(), std::declval<V>(), 0.1)));
+static_assert(noexcept(in_world(std::declval<Spin>())) && noexcept(in_body(std::declval<RigidState<double>>())));

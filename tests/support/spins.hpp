@@ -13,7 +13,7 @@ inline timestep::SpinState<double> spinning(const timestep::Vector3<double>& ome
 }
 
 template <class Method>
-timestep::SpinState<double> after(const Method& method, const timestep::PrincipalInertia<double>& I,
+timestep::SpinState<double> after(Method method, const timestep::PrincipalInertia<double>& I,
                                   timestep::SpinState<double> s, double h, long steps = 1) {
     for (long n = 0; n < steps; ++n) s = method.step(I, s, h);
     return s;

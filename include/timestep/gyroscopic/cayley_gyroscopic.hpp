@@ -32,7 +32,7 @@ struct CayleyGyroscopic {
     template <class Real>
     TIMESTEP_INLINE
     Vector3<Real> step(const PrincipalInertia<Real>& inertia,
-                       const Vector3<Real>& omega, Real h) const {
+                       const Vector3<Real>& omega, Real h) const noexcept {
         const Vector3<Real>& U = inertia.unit;
         const Vector3<Real>& a = inertia.ratio;
         const Vector3<Real> V = U.cwiseInverse();
@@ -56,13 +56,13 @@ struct CayleyGyroscopic {
     template <class Real>
     TIMESTEP_INLINE
     Vector3<Real> step(const SymmetricInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const {
+                       Real h) const noexcept {
         return passive_gyroscopic.step(inertia, omega, h);
     }
 
     /// The same in any axes: there and back by way of the principal ones.
     template <class Real>
-    Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega, Real h) const {
+    Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega, Real h) const noexcept {
         const Vector3<Real> turned = inertia.axes.transpose() * omega;
         return inertia.axes * step(inertia.principal, turned, h);
     }

@@ -17,7 +17,7 @@ struct ExplicitGyroscopic {
     /// [step]
     template <class Inertia, class Real>
     TIMESTEP_INLINE
-    Vector3<Real> step(const Inertia& inertia, const Vector3<Real>& omega, Real h) const {
+    Vector3<Real> step(const Inertia& inertia, const Vector3<Real>& omega, Real h) const noexcept {
         const Vector3<Real> torque = -omega.cross(inertia.momentum(omega));
         return omega + h * inertia.velocity(torque);
     }

@@ -29,7 +29,7 @@ struct HalfStepJacobian {
     template <class Real>
     TIMESTEP_INLINE
     Vector3<Real> step(const FullInertia<Real>& inertia,
-                       const Vector3<Real>& omega, Real h) const {
+                       const Vector3<Real>& omega, Real h) const noexcept {
         const Matrix3<Real>& I = inertia.unit;
         const Vector3<Real> L = I * omega;
         const Vector3<Real> residual = h * omega.cross(L);
@@ -43,7 +43,7 @@ struct HalfStepJacobian {
     template <class Real>
     TIMESTEP_INLINE
     Vector3<Real> step(const PrincipalInertia<Real>& inertia,
-                       const Vector3<Real>& omega, Real h) const {
+                       const Vector3<Real>& omega, Real h) const noexcept {
         const Real half = h / 2;
         const Vector3<Real> a = half * inertia.ratio;
         const Real x = omega.x(), y = omega.y(), z = omega.z();
@@ -62,7 +62,7 @@ struct HalfStepJacobian {
     template <class Real>
     TIMESTEP_INLINE
     Vector3<Real> step(const SymmetricInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const {
+                       Real h) const noexcept {
         return passive_gyroscopic.step(inertia, omega, h);
     }
 };

@@ -23,7 +23,7 @@ struct ImplicitGyroscopic {
     template <class Real>
     TIMESTEP_INLINE
     Vector3<Real> step(const FullInertia<Real>& inertia,
-                       const Vector3<Real>& omega, Real h) const {
+                       const Vector3<Real>& omega, Real h) const noexcept {
         const Matrix3<Real>& I = inertia.unit;  // so scaled that no determinant underflows
         const Vector3<Real> L = I * omega;
         const Vector3<Real> residual = h * omega.cross(L);
@@ -42,7 +42,7 @@ struct ImplicitGyroscopic {
     template <class Real>
     TIMESTEP_INLINE
     Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const {
+                       Real h) const noexcept {
         const Vector3<Real> a = h * inertia.ratio;
         const Real x = omega.x(), y = omega.y(), z = omega.z();
         const Vector3<Real> residual(a.x() * y * z, a.y() * z * x, a.z() * x * y);
@@ -61,7 +61,7 @@ struct ImplicitGyroscopic {
     template <class Real>
     TIMESTEP_INLINE
     Vector3<Real> step(const SymmetricInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const {
+                       Real h) const noexcept {
         const Real angle = h * inertia.wobble * omega.z();
         const Real share = 1 / (1 + angle * angle);
         return {share * (omega.x() - angle * omega.y()), share * (omega.y() + angle * omega.x()),

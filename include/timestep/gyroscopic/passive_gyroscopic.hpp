@@ -33,7 +33,7 @@ struct PassiveGyroscopic {
     template <class Real>
     TIMESTEP_INLINE
     Vector3<Real> step(const PrincipalInertia<Real>& inertia,
-                       const Vector3<Real>& omega, Real h) const {
+                       const Vector3<Real>& omega, Real h) const noexcept {
         const Vector3<Real>& U = inertia.unit;
         const Vector3<Real> a = h * inertia.ratio;
         const Vector3<Real> l = h * U.cwiseProduct(omega);
@@ -60,7 +60,7 @@ struct PassiveGyroscopic {
     template <class Real>
     TIMESTEP_INLINE
     Vector3<Real> step(const SymmetricInertia<Real>& inertia,
-                       const Vector3<Real>& omega, Real h) const {
+                       const Vector3<Real>& omega, Real h) const noexcept {
         const Real u = h / 2 * inertia.wobble * omega.z();  // θ/2
         const Real p = u * u / 3;
         const Real t = u / (1 - p + p * p);
@@ -74,7 +74,7 @@ struct PassiveGyroscopic {
     /// The same in any axes: there and back by way of the principal ones.
     template <class Real>
     TIMESTEP_INLINE
-    Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega, Real h) const {
+    Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega, Real h) const noexcept {
         const Vector3<Real> turned = inertia.axes.transpose() * omega;
         return inertia.axes * step(inertia.principal, turned, h);
     }

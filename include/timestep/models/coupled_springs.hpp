@@ -48,7 +48,7 @@ public:
         }
         slope_x_ = -(masses.cwiseInverse().asDiagonal() * stiffness);
         if (!is_finite(slope_x_))
-            throw std::invalid_argument("stiffness / mass: must be finite for every mass");
+            refuse("stiffness / mass: must be finite for every mass");
         find_modes(masses, stiffness, free_pieces(stiffnesses));
     }
 

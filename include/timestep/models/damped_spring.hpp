@@ -18,6 +18,12 @@ struct DampedSpring {
     Real omega;  ///< angular frequency without damping, rad/s
     Real zeta;   ///< damping ratio, no unit
 
+    /// What the constructor takes, and without an exception.
+    static bool valid(Real omega_, Real zeta_) noexcept {
+        return std::isfinite(omega_) && omega_ >= 0 && std::isfinite(omega_ * omega_) && std::isfinite(zeta_) &&
+               zeta_ >= 0 && std::isfinite(2 * zeta_ * omega_);
+    }
+
     /// `omega` in rad/s and `zeta`, both zero or more; ω² and 2ζω finite.
     /// Throws `std::invalid_argument`.
     DampedSpring(Real omega_, Real zeta_)

@@ -15,7 +15,7 @@ struct Projectile {
 
     /// Throws `std::invalid_argument` where gravity is not finite.
     explicit Projectile(const X& gravity_) : gravity(gravity_) {
-        if (!is_finite(gravity)) throw std::invalid_argument("gravity: must be finite");
+        if (!is_finite(gravity)) refuse("gravity: must be finite");
     }
 
     /// Gravity, wherever the body is and however it moves.

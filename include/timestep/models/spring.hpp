@@ -17,6 +17,9 @@ template <class Real>
 struct Spring {
     Real omega;  ///< angular frequency, rad/s
 
+    /// What the constructor takes, and without an exception.
+    static bool valid(Real omega_) noexcept { return std::isfinite(omega_) && omega_ >= 0 && std::isfinite(omega_ * omega_); }
+
     /// `omega` in rad/s, zero or more, its square finite. Throws `std::invalid_argument`.
     explicit Spring(Real omega_) : omega(not_negative("omega", omega_)) {
         for_each_number(

@@ -2,12 +2,22 @@
 /// \file
 /// A body that turns: its state, and one step of it with any way to treat the gyroscopic torque.
 
+#include <type_traits>
+
 #include <timestep/inline.hpp>
 #include <timestep/rigid/inertia.hpp>
 
 namespace timestep {
 
-/// The state of a body that turns about its centre of mass.
+/// \cond
+namespace detail {
+template <class Inertia, class Real>
+inline constexpr bool one_real = std::is_same_v<typename Inertia::Scalar, Real>;
+}
+/// \endcond
+
+/// The state of a body that turns about its centre of mass, with ω in WORLD coordinates. SpinState has it in the
+/// body's; they are two types, and neither is taken for the other: in_body() and in_world() lead across.
 template <class Real>
 struct RigidState {
     using Scalar = Real;   ///< the real number type
@@ -49,6 +59,8 @@ Vector3<Real> gyroscopic_change(const Gyroscopic& solver,
                                 const Inertia& inertia,
                                 const Matrix3<Real>& R,
                                 const Vector3<Real>& omega, Real h) {
+    static_assert(detail::one_real<Inertia, Real>,
+                  "timestep: the inertia and the state hold one kind of number: both float, or both double");
     if constexpr (!Inertia::gyroscopic) {
         return Vector3<Real>::Zero();
     } else {
@@ -93,6 +105,8 @@ Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver, const Inertia& i
 template <class Gyroscopic, class Inertia, class Real>
 RigidState<Real> turn(const Gyroscopic& solver, const Inertia& inertia, const RigidState<Real>& s1,
                       Real h) {
+    static_assert(detail::one_real<Inertia, Real>,
+                  "timestep: the inertia and the state hold one kind of number: both float, or both double");
     const Vector3<Real> omega2 = after_gyroscopic_torque(solver, inertia, s1.q, s1.omega, h);
     return {s1.t + h, turned(s1.q, omega2, h), omega2};
 }
@@ -108,6 +122,8 @@ template <class Gyroscopic, class Inertia, class Real>
 RigidState<Real> turn(const Gyroscopic& solver, const Inertia& inertia,
                       const RigidState<Real>& s1,
                       const Vector3<Real>& torque, Real h) {
+    static_assert(detail::one_real<Inertia, Real>,
+                  "timestep: the inertia and the state hold one kind of number: both float, or both double");
     const Vector3<Real> in_body = s1.q.conjugate() * torque;
     const Vector3<Real> push = s1.q * inertia.velocity(in_body);
     const Vector3<Real> driven = s1.omega + h * push;

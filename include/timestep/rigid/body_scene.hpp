@@ -48,7 +48,7 @@ const Body& checked(const Body& body) {
 template <class Real>
 const Motion<Real>& checked(const Motion<Real>& m) {
     if (!is_finite(m.turning) || !is_finite(m.x) || !is_finite(m.v))
-        throw std::invalid_argument("motion: must be finite, its orientation not zero");
+        refuse("motion: must be finite, its orientation not zero");
     for (const Real speed : {m.v.stableNorm(), m.turning.omega.stableNorm()})
         if (!is_finite(speed * speed)) refuse("speed", speed, "so low that its square is a number");
     return m;

@@ -59,18 +59,27 @@ struct RodInertia {
 
 /// \cond
 namespace detail {
+template <class Real>
+bool is_positive(Real I) {
+    return std::isfinite(I) && I > 0;
+}
+
 // Mass is never negative, so no moment exceeds the sum of the other two: with moments
 // ∫(y² + z²), ∫(z² + x²), ∫(x² + y²) the difference is twice ∫x², ∫y² or ∫z². An exact plate has
 // equality, so roundoff is allowed for.
 template <class Real>
+bool is_triangle(Real I1, Real I2, Real I3) {
+    const Real allowance = 1 + 8 * std::numeric_limits<Real>::epsilon();
+    const Real largest = std::max({I1, I2, I3});
+    const Real others = largest == I1 ? I2 + I3 : largest == I2 ? I3 + I1 : I1 + I2;
+    return largest <= others * allowance;
+}
+template <class Real>
 void triangle_rule(Real a, Real b, Real c) {
     for_each_number(
         [](auto I1, auto I2, auto I3) {
-            const auto allowance = 1 + 8 * std::numeric_limits<decltype(I1)>::epsilon();
-            const auto largest = std::max({I1, I2, I3});
-            const auto others = largest == I1 ? I2 + I3 : largest == I2 ? I3 + I1 : I1 + I2;
-            if (!(largest <= others * allowance))
-                refuse("moment of inertia", largest, "at most the sum of the other two moments");
+            if (!is_triangle(I1, I2, I3))
+                refuse("moment of inertia", std::max({I1, I2, I3}), "at most the sum of the other two moments");
         },
         a, b, c);
 }
@@ -79,14 +88,21 @@ void triangle_rule(Real a, Real b, Real c) {
 // are further apart than numbers reach have none, and of subnormal moments it has lost digits: then
 // the product is not one. (64 ε is what three cube roots may be off by, cubed.)
 template <class Real>
+bool is_comparable(Real I1, Real I2, Real I3) {
+    return std::isfinite(std::max({I1, I2, I3}) / std::min({I1, I2, I3}));
+}
+template <class Real>
+bool is_one(Real product) {
+    return std::abs(product - 1) <= 64 * std::numeric_limits<Real>::epsilon();
+}
+template <class Real>
 void scale_rule(const Vector3<Real>& moments, const Vector3<Real>& unit) {
     for_each_number(
         [](auto I1, auto I2, auto I3, auto U1, auto U2, auto U3) {
-            const auto roundoff = std::numeric_limits<decltype(I1)>::epsilon();
             const auto least = std::min({I1, I2, I3});
-            if (!std::isfinite(std::max({I1, I2, I3}) / least))
+            if (!is_comparable(I1, I2, I3))
                 refuse("moment of inertia", least, "so large that the largest over it is finite");
-            if (!(std::abs(U1 * U2 * U3 - 1) <= 64 * roundoff))
+            if (!is_one(U1 * U2 * U3))
                 refuse("moment of inertia", least,
                        "such that the moments over their geometric mean have the product one");
         },
@@ -104,7 +120,13 @@ struct SymmetricInertia {
     Real along;                               ///< about z, kg m²
     Real wobble;                              ///< (along − across) / across: see rate()
 
-    /// Moments in kg m², above zero, `along` at most 2 `across`. Throws `std::invalid_argument`.
+    /// Is there a body with these moments? What the constructor takes, and without an exception.
+    static bool valid(Real across_, Real along_) noexcept {
+        return detail::is_positive(across_) && detail::is_positive(along_) && detail::is_triangle(across_, across_, along_);
+    }
+
+    /// Moments in kg m², above zero, `along` at most 2 `across`. Throws `std::invalid_argument`. A body whose odd axis
+    /// is x or y, or known only when it is loaded, is AnyInertia's.
     SymmetricInertia(Real across_, Real along_)
         : across(positive("moment of inertia", across_)),
           along(positive("moment of inertia", along_)),
@@ -137,15 +159,23 @@ struct PrincipalInertia {
     Vector3<Real> unit;                       ///< U₁, U₂, U₃ = I₁, I₂, I₃ over ∛(I₁I₂I₃)
     Vector3<Real> ratio;  ///< a₁ = (I₃ − I₂)/I₁ and so on round: ω̇₁ = −a₁ ω₂ ω₃
 
+    /// Is there a body with these moments? What the constructor takes, and without an exception.
+    static bool valid(Real I1, Real I2, Real I3) noexcept {
+        using detail::is_positive;
+        if (!(is_positive(I1) && is_positive(I2) && is_positive(I3))) return false;
+        const Vector3<Real> unit = over_their_mean(Vector3<Real>(I1, I2, I3));
+        return detail::is_triangle(I1, I2, I3) && detail::is_comparable(I1, I2, I3) &&
+               detail::is_one(unit.x() * unit.y() * unit.z());
+    }
+
     /// Moments in kg m², above zero, none larger than the sum of the others; the ratio of any two,
     /// and their geometric mean, must be numbers that `Real` can hold with all digits.
     /// Throws `std::invalid_argument`.
     PrincipalInertia(Real I1, Real I2, Real I3) : moments(I1, I2, I3) {
-        using std::cbrt;
         for (const Real I : {I1, I2, I3}) positive("moment of inertia", I);
         detail::triangle_rule(I1, I2, I3);
         ratio = {(I3 - I2) / I1, (I1 - I3) / I2, (I2 - I1) / I3};
-        unit = moments / (cbrt(I1) * cbrt(I2) * cbrt(I3));
+        unit = over_their_mean(moments);
         detail::scale_rule(moments, unit);
     }
 
@@ -153,6 +183,12 @@ struct PrincipalInertia {
     Vector3<Real> momentum(const Vector3<Real>& omega) const { return moments.cwiseProduct(omega); }
     /// The angular velocity of the angular momentum L, I⁻¹L, rad/s.
     Vector3<Real> velocity(const Vector3<Real>& L) const { return L.cwiseQuotient(moments); }
+
+private:
+    static Vector3<Real> over_their_mean(const Vector3<Real>& I) noexcept {
+        using std::cbrt;
+        return I / (cbrt(I.x()) * cbrt(I.y()) * cbrt(I.z()));
+    }
 };
 
 /// A symmetric matrix: the inertia in whatever axes the modeller has used. It knows its principal
@@ -167,6 +203,15 @@ struct FullInertia {
     Matrix3<Real> inverse;                    ///< its inverse
     Matrix3<Real> axes;                       ///< the principal axes, in its columns
     PrincipalInertia<Real> principal;         ///< the moments about those axes
+
+    /// Is there a body with this matrix? What the constructor takes, and without an exception.
+    static bool valid(const Matrix3<Real>& I) noexcept {
+        if (!is_finite(I) || !is_symmetric(I)) return false;
+        Matrix3<Real> turned = I;
+        const Matrix3<Real> axes = eigenvectors(turned);
+        const Vector3<Real> found = turned.diagonal(), m = no_thinner_than_a_plate(found);
+        return is_known(found) && PrincipalInertia<Real>::valid(m.x(), m.y(), m.z()) && is_finite(inverse_of(axes, m));
+    }
 
     /// A symmetric matrix in kg m² whose eigenvalues are what PrincipalInertia asks for, none below
     /// 100 ε of the largest: in `float` a needle's least moment must be 1e-5 of its others or more.
@@ -184,7 +229,7 @@ private:
         : matrix(I), axes(eigenvectors(turned)), principal(of(turned.diagonal())) {
         if (axes.determinant() < 0) axes.col(0) = -axes.col(0);  // a rotation, no reflection
         unit = matrix / std::exp2(Real(std::ilogb(matrix.cwiseAbs().maxCoeff())));
-        inverse = axes * principal.moments.cwiseInverse().asDiagonal() * axes.transpose();
+        inverse = inverse_of(axes, principal.moments);
         if (!is_finite(inverse))
             refuse("least moment of inertia", principal.moments.minCoeff(),
                    "so large that the inverse of the matrix is finite");
@@ -192,10 +237,15 @@ private:
     static const Matrix3<Real>& checked(const Matrix3<Real>& I) {
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) finite("inertia", I(i, j));
-        const Real unlike = (I - I.transpose()).cwiseAbs().maxCoeff();
-        if (unlike > 8 * std::numeric_limits<Real>::epsilon() * I.cwiseAbs().maxCoeff())
-            refuse("inertia's asymmetry", unlike, "zero: the matrix equals its transpose");
+        if (!is_symmetric(I)) refuse("inertia's asymmetry", asymmetry(I), "zero: the matrix equals its transpose");
         return I;
+    }
+    static Real asymmetry(const Matrix3<Real>& I) { return (I - I.transpose()).cwiseAbs().maxCoeff(); }
+    static bool is_symmetric(const Matrix3<Real>& I) {
+        return !(asymmetry(I) > 8 * std::numeric_limits<Real>::epsilon() * I.cwiseAbs().maxCoeff());
+    }
+    static Matrix3<Real> inverse_of(const Matrix3<Real>& axes, const Vector3<Real>& moments) {
+        return axes * moments.cwiseInverse().asDiagonal() * axes.transpose();
     }
     // From the eigenvalues, rising. Each is off by as much as the matrix at the worst (Weyl), and that
     // is some ε of the LARGEST: up to 4 ε by the products that turned the body into these axes, and up
@@ -204,14 +254,20 @@ private:
     // A plate has I₃ = I₁ + I₂. What it seems to have more, 2I₃ minus the trace, is at most twice that
     // error; 32 ε are taken off, in case there are worse bodies. A least moment of 100 ε is known to a
     // sixth; of a smaller one no digit would be right, and the body would wobble by chance.
+    static bool is_known(const Vector3<Real>& I) {
+        return !(std::abs(I.x()) < 100 * (std::numeric_limits<Real>::epsilon() * I.z()));
+    }
+    static Vector3<Real> no_thinner_than_a_plate(const Vector3<Real>& I) {
+        const Real others = I.x() + I.y(), roundoff = std::numeric_limits<Real>::epsilon() * I.z();
+        return {I.x(), I.y(), I.z() > others + 32 * roundoff ? I.z() : std::min(I.z(), others)};
+    }
     static PrincipalInertia<Real> of(const Vector3<Real>& I) {
-        const Real roundoff = std::numeric_limits<Real>::epsilon() * I.z();
-        if (std::abs(I.x()) < 100 * roundoff)
+        if (!is_known(I))
             refuse("least moment of inertia", I.x(),
                    "100 roundoffs of the largest or more, or no digit of it is right: give "
                    "PrincipalInertia its moments, or use double");
-        const Real others = I.x() + I.y();
-        return {I.x(), I.y(), I.z() > others + 32 * roundoff ? I.z() : std::min(I.z(), others)};
+        const Vector3<Real> m = no_thinner_than_a_plate(I);
+        return {m.x(), m.y(), m.z()};
     }
 };
 

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <tuple>
 #include <vector>
 
@@ -89,7 +88,7 @@ public:
     template <template <class> class Kind>
     void add(const Kind<Real>& inertia, const Quaternion<Real>& q, const Vector3<Real>& omega) {
         if (!is_finite(RigidState<Real>{Real(t), q, omega}))
-            throw std::invalid_argument("body: its state must be finite, its orientation not zero");
+            refuse("body: its state must be finite, its orientation not zero");
         const Real speed = std::hypot(omega.x(), omega.y(), omega.z());
         if (!is_finite(speed * speed)) refuse("speed", speed, "so low that its square is a number");
         const Quaternion<Real> orientation = as_rotation(q);

@@ -4,7 +4,6 @@
 /// treat the gyroscopic torque. `step` is a whole physics engine for one body.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <timestep/gyroscopic/lagged_inertia.hpp>
@@ -63,7 +62,7 @@ struct Contact {
 };
 /// And to all of it.
 struct Contacts {
-    std::array<Contact, 2> at;    ///< the ends
+    Contact at[2];                ///< the ends
     int count = 0;                ///< how many there are
     Flat rolling = Flat::Zero();  ///< angular impulse, N m s
     double sunk = 0;              ///< how far the body had to be lifted out of the plane, m
@@ -127,7 +126,7 @@ inline Flat within(double limit, const Flat& impulse) {
 inline void solve(Contacts& contacts, double mass, const M& inverse_inertia, const Ground& ground,
                   double radius, double h, V& v, V& omega) {
     const Eigen::Matrix2d roll = inverse_inertia.topLeftCorner<2, 2>().inverse();
-    std::array<Eigen::Matrix2d, 2> slide;
+    Eigen::Matrix2d slide[2];
     for (int i = 0; i < contacts.count; ++i) {
         Contact& c = contacts.at[i];
         const M arm = skew(c.arm);

@@ -22,7 +22,7 @@ using Quaternion = Eigen::Quaternion<Real>;  ///< a rotation from body to world 
 /// The matrix that does what the cross product does: skew(a) b = a × b (N47).
 /// [skew]
 template <class Real>
-Matrix3<Real> skew(const Vector3<Real>& a) {
+Matrix3<Real> skew(const Vector3<Real>& a) noexcept {
     Matrix3<Real> s;
     s << 0, -a.z(), a.y(),
          a.z(), 0, -a.x(),
@@ -35,7 +35,7 @@ Matrix3<Real> skew(const Vector3<Real>& a) {
 /// a matrix. Spelt out, as at -O2 a compiler may call Eigen's product for each of the three.
 template <class Real>
 TIMESTEP_INLINE
-Vector3<Real> in_world(const Matrix3<Real>& R, const Vector3<Real>& v) {
+Vector3<Real> in_world(const Matrix3<Real>& R, const Vector3<Real>& v) noexcept {
     const Real x = v.x(), y = v.y(), z = v.z();
     return {R(0, 0) * x + R(0, 1) * y + R(0, 2) * z, R(1, 0) * x + R(1, 1) * y + R(1, 2) * z,
             R(2, 0) * x + R(2, 1) * y + R(2, 2) * z};
@@ -44,7 +44,7 @@ Vector3<Real> in_world(const Matrix3<Real>& R, const Vector3<Real>& v) {
 /// A vector in body coordinates whose world coordinates are `v`: Rᵀ v.
 template <class Real>
 TIMESTEP_INLINE
-Vector3<Real> in_body(const Matrix3<Real>& R, const Vector3<Real>& v) {
+Vector3<Real> in_body(const Matrix3<Real>& R, const Vector3<Real>& v) noexcept {
     const Real x = v.x(), y = v.y(), z = v.z();
     return {R(0, 0) * x + R(1, 0) * y + R(2, 0) * z, R(0, 1) * x + R(1, 1) * y + R(2, 1) * z,
             R(0, 2) * x + R(1, 2) * y + R(2, 2) * z};
@@ -61,7 +61,7 @@ Real apart(const Quaternion<Real>& p, const Quaternion<Real>& q) {
 /// lanes do not answer; here the result is then not a number.)
 template <class Real>
 TIMESTEP_INLINE
-Quaternion<Real> over_its_length(const Quaternion<Real>& q) {
+Quaternion<Real> over_its_length(const Quaternion<Real>& q) noexcept {
     using std::sqrt;
     return Quaternion<Real>(q.coeffs() / sqrt(q.squaredNorm()));
 }
@@ -74,7 +74,7 @@ Quaternion<Real> over_its_length(const Quaternion<Real>& q) {
 /// `is_finite` of a state refuses.
 /// [orientation]
 template <class Real>
-Quaternion<Real> turned(const Quaternion<Real>& q1, const Vector3<Real>& omega, Real h) {
+Quaternion<Real> turned(const Quaternion<Real>& q1, const Vector3<Real>& omega, Real h) noexcept {
     const Vector3<Real> half = h / 2 * omega;
     const Quaternion<Real> rate = Quaternion<Real>(0, half.x(), half.y(), half.z()) * q1;
     return over_its_length(Quaternion<Real>(q1.coeffs() + rate.coeffs()));
@@ -91,7 +91,7 @@ Quaternion<Real> turned(const Quaternion<Real>& q1, const Vector3<Real>& omega, 
 template <class Real>
 TIMESTEP_INLINE
 Quaternion<Real> turned_in_body(const Quaternion<Real>& q1,
-                                const Vector3<Real>& omega, Real h) {
+                                const Vector3<Real>& omega, Real h) noexcept {
     const Real half = h / 2;
     const Vector3<Real> v = half * omega;
     const Quaternion<Real> cayley(1, v.x(), v.y(), v.z());
@@ -103,7 +103,7 @@ Quaternion<Real> turned_in_body(const Quaternion<Real>& q1,
 /// [exponential]
 template <class Real>
 TIMESTEP_INLINE
-Quaternion<Real> turn_by(const Vector3<Real>& v) {
+Quaternion<Real> turn_by(const Vector3<Real>& v) noexcept {
     using std::cos, std::sin;
     const Real half = v.norm() / 2;
     const Real share = half > 0 ? sin(half) / half / 2 : Real(0.5);

@@ -28,6 +28,14 @@ PrincipalInertia<Real> box(Real mass, Real a, Real b, Real c) {
     return {share * (b * b + c * c), share * (c * c + a * a), share * (a * a + b * b)};
 }
 
+/// The same box by its half extents, as most engines keep them: from its centre to its faces along x, y and z.
+template <class Real>
+PrincipalInertia<Real> box_of_half_extents(Real mass, Real hx, Real hy, Real hz) {
+    positive("mass", mass);
+    for (const Real half : {hx, hy, hz}) positive("half extent", half);
+    return box(mass, 2 * hx, 2 * hy, 2 * hz);
+}
+
 /// A cylinder along z: m r²/2 about it, m (3r² + l²)/12 across.
 template <class Real>
 SymmetricInertia<Real> cylinder(Real mass, Real radius, Real length) {

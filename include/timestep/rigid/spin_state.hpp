@@ -21,13 +21,13 @@ struct SpinState {
 
 /// The same state with ω in body coordinates.
 template <class Real>
-SpinState<Real> in_body(const RigidState<Real>& s) {
+SpinState<Real> in_body(const RigidState<Real>& s) noexcept {
     return {s.t, s.q, s.q.conjugate() * s.omega};
 }
 
 /// The same state with ω in world coordinates.
 template <class Real>
-RigidState<Real> in_world(const SpinState<Real>& s) {
+RigidState<Real> in_world(const SpinState<Real>& s) noexcept {
     return {s.t, s.q, s.q * s.omega};
 }
 

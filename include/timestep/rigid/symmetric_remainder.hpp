@@ -91,7 +91,7 @@ struct SymmetricRemainder2 {
     template <class Real>
     TIMESTEP_INLINE
     SpinState<Real> step(const RemainderInertia<Real>& inertia,
-                         const SpinState<Real>& s1, Real h) const {
+                         const SpinState<Real>& s1, Real h) const noexcept {
         detail::RemainderStep<Real> part(inertia, s1, h);
         part.a(Real(0.5));
         part.b(Real(1));
@@ -102,6 +102,8 @@ struct SymmetricRemainder2 {
     /// The same for who has not made the remainder beforehand.
     template <class Inertia, class Real>
     SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s1, Real h) const {
+        static_assert(detail::one_real<Inertia, Real>,
+                      "timestep: the inertia and the state hold one kind of number: both float, or both double");
         return step(RemainderInertia<Real>(inertia), s1, h);
     }
 };
@@ -118,7 +120,7 @@ struct SymmetricRemainder4 {
     template <class Real>
     TIMESTEP_INLINE
     SpinState<Real> step(const RemainderInertia<Real>& inertia,
-                         const SpinState<Real>& s1, Real h) const {
+                         const SpinState<Real>& s1, Real h) const noexcept {
         constexpr Real a1 = Real(0.0792036964311957L),
                        a2 = Real(0.353172906049774L),
                        a3 = Real(-0.0420650803577195L),
@@ -136,6 +138,8 @@ struct SymmetricRemainder4 {
     /// The same for who has not made the remainder beforehand.
     template <class Inertia, class Real>
     SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s1, Real h) const {
+        static_assert(detail::one_real<Inertia, Real>,
+                      "timestep: the inertia and the state hold one kind of number: both float, or both double");
         return step(RemainderInertia<Real>(inertia), s1, h);
     }
 };

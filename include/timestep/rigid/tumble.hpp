@@ -22,6 +22,8 @@ struct Tumble {
     TIMESTEP_INLINE
     SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s1,
                          Real h) const {
+        static_assert(detail::one_real<Inertia, Real>,
+                      "timestep: the inertia and the state hold one kind of number: both float, or both double");
         const Vector3<Real> omega2 = Solver{}.step(inertia, s1.omega, h);
         const Vector3<Real> mean = s1.omega / 2 + omega2 / 2;
         return {s1.t + h, turned_in_body(s1.q, mean, h), omega2};

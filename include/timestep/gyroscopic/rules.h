@@ -1,0 +1,283 @@
+/// \file
+/// What stands behind gyroscopic.h, for one kind of real number: bodies, rules for ω, limits. gyroscopic.h includes it
+/// twice, with TIMESTEP_REAL float and double; nobody else does. Each formula is explained where the library has it: in
+/// inertia.hpp, passive_gyroscopic.hpp, half_step_jacobian.hpp and calm_half_step.hpp.
+
+/// \cond
+static inline TIMESTEP_BODY TIMESTEP_NAME(gyroscopic_from_moments)(TIMESTEP_REAL x, TIMESTEP_REAL y, TIMESTEP_REAL z) {
+    TIMESTEP_BODY body = {0, 2, 0, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}, 2097152};  // a ball; 2²¹ rad
+    TIMESTEP_REAL moment[3];
+    TIMESTEP_REAL largest = 0, middle, steepest = 1, mean;
+    int i;
+    moment[0] = x, moment[1] = y, moment[2] = z;
+    for (i = 0; i < 3; ++i) {
+        if (!(moment[i] >= TIMESTEP_SMALLEST && moment[i] <= TIMESTEP_LARGEST)) return body;  // a locked axis
+        if (moment[i] > largest) largest = moment[i];
+    }
+    for (i = 0; i < 3; ++i) moment[i] = TIMESTEP_NAME(fmax)(moment[i], TIMESTEP_NUMBER(1e-12) * largest);
+
+    body.kind = 2;
+    for (i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        if (TIMESTEP_NAME(fabs)(moment[i] - moment[j]) <= 8 * TIMESTEP_EPSILON * moment[i]) {
+            moment[j] = moment[i];
+            body.kind = 1;
+            body.odd = k;
+        }
+    }
+    if (moment[0] == moment[1] && moment[1] == moment[2]) {
+        body.kind = 0;
+        return body;
+    }
+    mean = TIMESTEP_NAME(cbrt)(moment[0]) * TIMESTEP_NAME(cbrt)(moment[1]) * TIMESTEP_NAME(cbrt)(moment[2]);
+    for (i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        body.ratio[i] = (moment[k] - moment[j]) / moment[i];
+        body.unit[i] = moment[i] / mean;
+        steepest = TIMESTEP_NAME(fmax)(steepest, TIMESTEP_NAME(fabs)(body.ratio[i]));
+    }
+    for (i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        body.circling[i] = TIMESTEP_NAME(fabs)(body.ratio[j] * body.ratio[k]);
+        middle = body.unit[i];
+        if (TIMESTEP_NAME(fmin)(body.unit[j], body.unit[k]) <= middle &&
+            middle <= TIMESTEP_NAME(fmax)(body.unit[j], body.unit[k]))
+            body.middle = i;
+    }
+    body.longest = body.longest / steepest;  // above one only for moments that no body has
+    return body;
+}
+
+static inline TIMESTEP_BODY TIMESTEP_NAME(gyroscopic_from_inverse_moments)(TIMESTEP_REAL x, TIMESTEP_REAL y,
+                                                                           TIMESTEP_REAL z) {
+    if (!(x > 0 && y > 0 && z > 0)) return TIMESTEP_NAME(gyroscopic_from_moments)(0, 0, 0);  // never divides by zero
+    return TIMESTEP_NAME(gyroscopic_from_moments)(1 / x, 1 / y, 1 / z);
+}
+
+TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_on_axis)(const TIMESTEP_REAL w[3]) {
+    return w[0] == 0 ? w[1] == 0 || w[2] == 0 : w[1] == 0 && w[2] == 0;
+}
+// The same the other way round, of numbers: one comparison each where == takes two.
+TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_off_axis)(const TIMESTEP_REAL w[3]) {
+    const TIMESTEP_REAL x = TIMESTEP_NAME(fabs)(w[0]), y = TIMESTEP_NAME(fabs)(w[1]), z = TIMESTEP_NAME(fabs)(w[2]);
+    return x > 0 ? y > 0 || z > 0 : y > 0 && z > 0;
+}
+TIMESTEP_C_INLINE int TIMESTEP_NAME(gyroscopic_idle)(const TIMESTEP_BODY* body, const TIMESTEP_REAL omega[3]) {
+    return body->kind == 0 || TIMESTEP_NAME(timestep_on_axis)(omega) || (body->kind == 1 && omega[body->odd] == 0);
+}
+
+// ω over the largest of its numbers, so that squares neither overflow nor vanish; gives back that number.
+TIMESTEP_C_INLINE TIMESTEP_REAL TIMESTEP_NAME(timestep_scaled)(const TIMESTEP_REAL w[3], TIMESTEP_REAL n[3]) {
+    const TIMESTEP_REAL size = TIMESTEP_NAME(fmax)(
+        TIMESTEP_NAME(fabs)(w[0]), TIMESTEP_NAME(fmax)(TIMESTEP_NAME(fabs)(w[1]), TIMESTEP_NAME(fabs)(w[2])));
+    const TIMESTEP_REAL by = size > 0 ? size : 1;
+    n[0] = w[0] / by, n[1] = w[1] / by, n[2] = w[2] / by;
+    return size;
+}
+
+// The rules are homogeneous: a step of h with ω is a step of ch with ω/c, times c. So ω and h can be brought to where no
+// product overflows. Are they there already, as in every game? (Where not, taming() finds whether they really are not.)
+TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_tame)(const TIMESTEP_BODY* body, const TIMESTEP_REAL w[3],
+                                                  TIMESTEP_REAL h) {
+    return TIMESTEP_NAME(fabs)(h) <= 1 &&
+           TIMESTEP_NAME(fabs)(w[0]) + TIMESTEP_NAME(fabs)(w[1]) + TIMESTEP_NAME(fabs)(w[2]) <= body->longest;
+}
+// Brings them there. Gives back c; zero where ω is beyond all bounds.
+static inline TIMESTEP_REAL TIMESTEP_NAME(timestep_taming)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
+                                                           TIMESTEP_REAL* h) {
+    const TIMESTEP_REAL step = TIMESTEP_NAME(fabs)(*h);
+    const TIMESTEP_REAL size =
+        TIMESTEP_NAME(fabs)(w[0]) + TIMESTEP_NAME(fabs)(w[1]) + TIMESTEP_NAME(fabs)(w[2]);
+    TIMESTEP_REAL c = 1;
+    if (!(size <= TIMESTEP_TOO_FAST)) return 0;
+    if (step * size > body->longest) *h = TIMESTEP_NAME(copysign)(body->longest / size, *h);
+    if (size > 1048576) c = TIMESTEP_NUMBER(18446744073709551616.0);                   // 2⁶⁴
+    if (step > 1048576 && size <= 1) c = 1 / TIMESTEP_NUMBER(18446744073709551616.0);
+    w[0] /= c, w[1] /= c, w[2] /= c, *h *= c;
+    return c;
+}
+
+// Two equal moments: a turn about the odd axis, in three shears (PassiveGyroscopic).
+TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_symmetric)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
+                                                        TIMESTEP_REAL h) {
+    const int k = body->odd, i = (k + 1) % 3, j = (k + 2) % 3;
+    const TIMESTEP_REAL u = h / 2 * body->ratio[i] * w[k];
+    const TIMESTEP_REAL p = u * u / 3;
+    const TIMESTEP_REAL t = u / (1 - p + p * p);
+    const TIMESTEP_REAL s = 2 * t / (1 + t * t);
+    const TIMESTEP_REAL x = w[i] - t * w[j];
+    const TIMESTEP_REAL y = w[j] + s * x;
+    w[i] = x - t * y;
+    w[j] = y;
+}
+
+TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_passive)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3], TIMESTEP_REAL h) {
+    const TIMESTEP_REAL* U = body->unit;
+    const TIMESTEP_REAL a0 = h * body->ratio[0], a1 = h * body->ratio[1], a2 = h * body->ratio[2];
+    const TIMESTEP_REAL l0 = h * (U[0] * w[0]), l1 = h * (U[1] * w[1]), l2 = h * (U[2] * w[2]);
+    const TIMESTEP_REAL x = w[0], y = w[1], z = w[2];
+    const TIMESTEP_REAL share = 1 / (1 + (U[0] * l0 * l0 + U[1] * l1 * l1 + U[2] * l2 * l2));
+    const TIMESTEP_REAL l_l = l0 * l0 + (l1 * l1 + l2 * l2);
+    w[0] = share * x - a0 * y * (share * z) + l_l * U[0] * (share * x);
+    w[1] = share * y - a1 * z * (share * x) + l_l * U[1] * (share * y);
+    w[2] = share * z - a2 * x * (share * y) + l_l * U[2] * (share * z);
+}
+
+TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_half_step)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
+                                                        TIMESTEP_REAL h) {
+    const TIMESTEP_REAL half = h / 2;
+    const TIMESTEP_REAL a0 = half * body->ratio[0], a1 = half * body->ratio[1], a2 = half * body->ratio[2];
+    const TIMESTEP_REAL x = w[0], y = w[1], z = w[2];
+    const TIMESTEP_REAL r0 = 2 * (a0 * y * z), r1 = 2 * (a1 * z * x), r2 = 2 * (a2 * x * y);
+    // The columns a, b, c of the Jacobian, and Cramer's rule.
+    const TIMESTEP_REAL ay = a1 * z, az = a2 * y, bx = a0 * z, bz = a2 * x, cx = a0 * y, cy = a1 * x;
+    const TIMESTEP_REAL bc0 = 1 - bz * cy, bc1 = bz * cx - bx, bc2 = bx * cy - cx;
+    const TIMESTEP_REAL ca0 = cy * az - ay, ca1 = 1 - cx * az, ca2 = cx * ay - cy;
+    const TIMESTEP_REAL ab0 = ay * bz - az, ab1 = az * bx - bz, ab2 = 1 - ay * bx;
+    const TIMESTEP_REAL volume = bc0 + (ay * bc1 + az * bc2);
+    const TIMESTEP_REAL share = volume != 0 ? 1 / volume : 0;
+    w[0] = x - share * (r0 * bc0 + (r1 * bc1 + r2 * bc2));
+    w[1] = y - share * (r0 * ca0 + (r1 * ca1 + r2 * ca2));
+    w[2] = z - share * (r0 * ab0 + (r1 * ab1 + r2 * ab2));
+}
+
+TIMESTEP_C_INLINE TIMESTEP_REAL TIMESTEP_NAME(timestep_energy)(const TIMESTEP_BODY* body, const TIMESTEP_REAL w[3],
+                                                              TIMESTEP_REAL h) {
+    const TIMESTEP_REAL x = h * w[0], y = h * w[1], z = h * w[2];
+    return body->unit[0] * (x * x) + (body->unit[1] * (y * y) + body->unit[2] * (z * z));
+}
+
+TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_calm_half_step)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
+                                                             TIMESTEP_REAL h) {
+    const TIMESTEP_REAL x = h * w[0], y = h * w[1], z = h * w[2];
+    const TIMESTEP_REAL circled2 =
+        body->circling[0] * (x * x) + (body->circling[1] * (y * y) + body->circling[2] * (z * z));
+    TIMESTEP_REAL part = h, parts = 1, n, E1, E2, share;
+    TIMESTEP_REAL before[3];
+    before[0] = w[0], before[1] = w[1], before[2] = w[2];
+    if (circled2 > TIMESTEP_NUMBER(0.25)) {  // half a radian
+        const TIMESTEP_REAL wanted = TIMESTEP_NAME(ceil)(TIMESTEP_NAME(sqrt)(circled2) / TIMESTEP_NUMBER(0.5));
+        part = h / wanted;
+        parts = wanted < 32 ? wanted : 32;
+    }
+    for (n = 0; n < parts; n += 1) TIMESTEP_NAME(timestep_half_step)(body, w, part);
+    E1 = TIMESTEP_NAME(timestep_energy)(body, before, part);
+    E2 = TIMESTEP_NAME(timestep_energy)(body, w, part);
+    share = E2 > 0 ? (E1 - E2) / (E2 + TIMESTEP_NAME(sqrt)(E1 * E2)) : 0;
+    w[0] = w[0] + share * w[0];
+    w[1] = w[1] + share * w[1];
+    w[2] = w[2] + share * w[2];
+}
+
+// The rule of this number. (No pointer to a function: some compilers then cannot inline what they are told to.)
+TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_rule)(int rule, const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
+                                                   TIMESTEP_REAL h) {
+    if (rule == 0)
+        TIMESTEP_NAME(timestep_passive)(body, w, h);
+    else if (rule == 1)
+        TIMESTEP_NAME(timestep_half_step)(body, w, h);
+    else
+        TIMESTEP_NAME(timestep_calm_half_step)(body, w, h);
+}
+// What is rare: two equal moments, and numbers to be tamed.
+TIMESTEP_C_RARE int TIMESTEP_NAME(timestep_take_with_care)(int rule, const TIMESTEP_BODY* body,
+                                                         TIMESTEP_REAL w[3], TIMESTEP_REAL h) {
+    TIMESTEP_REAL c;
+    if (h == 0 || TIMESTEP_NAME(gyroscopic_idle)(body, w)) return 0;
+    c = TIMESTEP_NAME(timestep_taming)(body, w, &h);
+    if (c == 0) return 0;
+    if (body->kind == 1)
+        TIMESTEP_NAME(timestep_symmetric)(body, w, h);
+    else
+        TIMESTEP_NAME(timestep_rule)(rule, body, w, h);
+    w[0] *= c, w[1] *= c, w[2] *= c;
+    return 1;
+}
+
+// A rule with all that every rule asks before and does after. Has ω changed?
+TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_take)(int rule, const TIMESTEP_BODY* body,
+                                                   TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
+    TIMESTEP_REAL w[3];  // a copy, which may stay in registers
+    if (body->kind != 2) return body->kind == 0 ? 0 : TIMESTEP_NAME(timestep_take_with_care)(rule, body, omega, h);
+    w[0] = omega[0], w[1] = omega[1], w[2] = omega[2];
+    if (!TIMESTEP_NAME(timestep_tame)(body, w, h))
+        return TIMESTEP_NAME(timestep_take_with_care)(rule, body, omega, h);
+    if (!TIMESTEP_NAME(timestep_off_axis)(w)) return 0;
+    TIMESTEP_NAME(timestep_rule)(rule, body, w, h);
+    omega[0] = w[0], omega[1] = w[1], omega[2] = w[2];
+    return 1;
+}
+
+// Rounded, R is no exact rotation: only the change of ω goes back through it (after_gyroscopic_torque()).
+TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_take_in_world)(int rule, const TIMESTEP_BODY* body, const TIMESTEP_REAL q[4],
+                                                            TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
+    if (body->kind == 0) return;
+    const TIMESTEP_REAL tx = 2 * q[0], ty = 2 * q[1], tz = 2 * q[2];
+    const TIMESTEP_REAL twx = tx * q[3], twy = ty * q[3], twz = tz * q[3];
+    const TIMESTEP_REAL txx = tx * q[0], txy = ty * q[0], txz = tz * q[0];
+    const TIMESTEP_REAL tyy = ty * q[1], tyz = tz * q[1], tzz = tz * q[2];
+    const TIMESTEP_REAL R00 = 1 - (tyy + tzz), R01 = txy - twz, R02 = txz + twy;
+    const TIMESTEP_REAL R10 = txy + twz, R11 = 1 - (txx + tzz), R12 = tyz - twx;
+    const TIMESTEP_REAL R20 = txz - twy, R21 = tyz + twx, R22 = 1 - (txx + tyy);
+    TIMESTEP_REAL x = R00 * omega[0] + R10 * omega[1] + R20 * omega[2];
+    TIMESTEP_REAL y = R01 * omega[0] + R11 * omega[1] + R21 * omega[2];
+    TIMESTEP_REAL z = R02 * omega[0] + R12 * omega[1] + R22 * omega[2];
+    TIMESTEP_REAL w[3];
+    w[0] = x, w[1] = y, w[2] = z;
+    if (!TIMESTEP_NAME(timestep_take)(rule, body, w, h)) return;
+    x = w[0] - x, y = w[1] - y, z = w[2] - z;
+    omega[0] += R00 * x + R01 * y + R02 * z;
+    omega[1] += R10 * x + R11 * y + R12 * z;
+    omega[2] += R20 * x + R21 * y + R22 * z;
+}
+
+static inline void TIMESTEP_NAME(gyroscopic_passive)(const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
+    TIMESTEP_NAME(timestep_take)(0, body, omega, h);
+}
+static inline void TIMESTEP_NAME(gyroscopic_half_step)(const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3],
+                                                       TIMESTEP_REAL h) {
+    TIMESTEP_NAME(timestep_take)(1, body, omega, h);
+}
+static inline void TIMESTEP_NAME(gyroscopic_calm_half_step)(const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3],
+                                                            TIMESTEP_REAL h) {
+    TIMESTEP_NAME(timestep_take)(2, body, omega, h);
+}
+static inline void TIMESTEP_NAME(gyroscopic_passive_in_world)(const TIMESTEP_BODY* body, const TIMESTEP_REAL q[4],
+                                                              TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
+    TIMESTEP_NAME(timestep_take_in_world)(0, body, q, omega, h);
+}
+static inline void TIMESTEP_NAME(gyroscopic_half_step_in_world)(const TIMESTEP_BODY* body, const TIMESTEP_REAL q[4],
+                                                                TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
+    TIMESTEP_NAME(timestep_take_in_world)(1, body, q, omega, h);
+}
+static inline void TIMESTEP_NAME(gyroscopic_calm_half_step_in_world)(const TIMESTEP_BODY* body,
+                                                                     const TIMESTEP_REAL q[4], TIMESTEP_REAL omega[3],
+                                                                     TIMESTEP_REAL h) {
+    TIMESTEP_NAME(timestep_take_in_world)(2, body, q, omega, h);
+}
+
+// On the curve of its energy and |L|, |ω|² is largest where the component about the intermediate axis r is zero, and is
+// then |ω|² + c_r ω_r², with c_r the circling of r.
+static inline TIMESTEP_REAL TIMESTEP_NAME(gyroscopic_fastest)(const TIMESTEP_BODY* body, const TIMESTEP_REAL omega[3]) {
+    const int r = body->middle;
+    TIMESTEP_REAL x, y, z, n[3];
+    const TIMESTEP_REAL size = TIMESTEP_NAME(timestep_scaled)(omega, n);
+    x = n[0] * n[0], y = n[1] * n[1], z = n[2] * n[2];
+    return size * TIMESTEP_NAME(sqrt)(x + y + z + body->circling[r] * (n[r] * n[r]));
+}
+
+// The half-step Jacobian's determinant is 1 − h² p/4 with p = c_r ω_r², of which the curve's largest value is
+// p + min(c_i ω_i², c_j ω_j²). Where h² times that is at most ¼ the determinant is 15/16 or more, and as the step keeps
+// the energy over it, the energy is at most 16/15 of the first.
+static inline TIMESTEP_REAL TIMESTEP_NAME(gyroscopic_half_step_limit)(const TIMESTEP_BODY* body,
+                                                                      const TIMESTEP_REAL omega[3]) {
+    const int r = body->middle, i = (r + 1) % 3, j = (r + 2) % 3;
+    const TIMESTEP_REAL* c = body->circling;
+    TIMESTEP_REAL n[3], p, limit;
+    const TIMESTEP_REAL size = TIMESTEP_NAME(timestep_scaled)(omega, n);
+    p = c[r] * (n[r] * n[r]) + TIMESTEP_NAME(fmin)(c[i] * (n[i] * n[i]), c[j] * (n[j] * n[j]));
+    if (!(size > 0 && p > 0)) return TIMESTEP_LARGEST;
+    limit = TIMESTEP_NUMBER(0.5) / TIMESTEP_NAME(sqrt)(p) / size;
+    return limit <= TIMESTEP_LARGEST ? limit : TIMESTEP_LARGEST;
+}
+/// \endcond

@@ -1,0 +1,131 @@
+// The functions for C do what the library's templates do, bit for bit.
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "of.hpp"
+#include "random_inertia.hpp"
+
+using namespace timestep;
+
+namespace {
+
+// Random bodies and spins, h|ω| from 1e-6 to 1e6: calls look(I, body, ω, q, h).
+template <class Real, class Look>
+void for_each_throw(unsigned long seed, const Look& look) {
+    RandomInertia random(seed);
+    std::mt19937 numbers(seed);
+    std::normal_distribution<double> normal;
+    for (int i = 0; i < 20000; ++i) {
+        const auto I = random.inertia<Real>(i % 2 ? 10 : 1000);
+        const Real h = i % 5 ? Real(1) / 60 : Real(-1);
+        const double angle = std::pow(10, -6 + 12 * (i / 20000.0));
+        const Vector3<Real> w = Real(angle / double(std::fabs(h))) * random.direction<Real>();
+        Quaternion<Real> q(Real(normal(numbers)), Real(normal(numbers)), Real(normal(numbers)), Real(normal(numbers)));
+        q.normalize();
+        const Body<Real> body = of<Real>().from_moments(I.moments.x(), I.moments.y(), I.moments.z());
+        INFO("I = " << I.moments.transpose() << ", w = " << w.transpose() << ", h = " << h);
+        REQUIRE(body.kind == 2);
+        look(I, body, w, q, h);
+    }
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("in C a rule has the library's bits, in the body and in the world", "[c]", float, double) {
+    using Vec = Vector3<TestType>;
+    int compared = 0;
+    for_each_throw<TestType>(1, [&](const auto& I, const auto& body, const Vec& w, const auto& q, TestType h) {
+        for_each_rule([&](int i, const auto& rule) {
+            const Vec expected = rule.step(I, w, h);
+            Vec after = w;
+            of<TestType>().rule[i](&body, after.data(), h);
+            if (of<TestType>().idle(&body, w.data())) {  // not even rounded
+                REQUIRE(after == w);
+                return;
+            }
+            REQUIRE(after.allFinite());
+            if (!expected.allFinite()) return;  // a singular half step
+            REQUIRE(after == expected);
+
+            const Vec in_world = after_gyroscopic_torque(rule, I, q, w, h);
+            Vec turned = w;
+            of<TestType>().rule_in_world[i](&body, q.coeffs().data(), turned.data(), h);
+            if (in_world.allFinite()) REQUIRE(turned == in_world);
+            ++compared;
+        });
+    });
+    CHECK(compared > 50000);
+}
+
+TEMPLATE_TEST_CASE("in C two equal moments have the library's bits, whichever axis is the odd one", "[c]", float, double) {
+    using Vec = Vector3<TestType>;
+    for_each_throw<TestType>(2, [&](const auto& I, const auto&, const Vec& w, const auto&, TestType h) {
+        const TestType across = I.moments.x(), along = std::min(I.moments.y(), 2 * across);
+        for (int odd = 0; odd < 3; ++odd) {
+            Vec moments = Vec::Constant(across);
+            moments[odd] = along;
+            const auto body = of<TestType>().from_moments(moments.x(), moments.y(), moments.z());
+            REQUIRE(body.kind == 1);
+            REQUIRE(body.odd == odd);
+            const int i = (odd + 1) % 3, j = (odd + 2) % 3;
+            const SymmetricInertia<TestType> symmetric(across, along);
+            for_each_rule([&](int rule, const auto& ours) {
+                const Vec expected = ours.step(symmetric, Vec(w[i], w[j], w[odd]), h);
+                Vec after = w;
+                of<TestType>().rule[rule](&body, after.data(), h);
+                REQUIRE(Vec(after[i], after[j], after[odd]) == expected);
+            });
+        }
+    });
+}
+
+TEMPLATE_TEST_CASE("in C what flies has the library's bits", "[c]", float, double) {
+    using Vec = Vector3<TestType>;
+    const TestType epsilon = std::numeric_limits<TestType>::epsilon();
+    for_each_throw<TestType>(3, [&](const auto& I, const auto& body, const Vec& w, const auto& q, TestType h) {
+        for (const int four : {0, 1}) {
+            const SpinState<TestType> start{0, q, w};
+            const auto flown = [&](const SpinState<TestType>& s) {
+                return four ? symmetric_remainder_4.step(I, s, h) : symmetric_remainder_2.step(I, s, h);
+            };
+            const auto expected = flown(start);
+            Quaternion<TestType> turned = q;
+            Vec after = w;
+            of<TestType>().fly[four](&body, turned.coeffs().data(), after.data(), h);
+            if (of<TestType>().idle(&body, w.data())) {
+                REQUIRE(after == w);
+                // The angle of a long step is rounded, too: each of its parts some ten times, with the moments' root and A.
+                REQUIRE(apart(turned, expected.q) < (16 + 16 * std::fabs(h) * w.norm()) * epsilon);
+                continue;
+            }
+            REQUIRE(after == expected.omega);
+            REQUIRE(turned.coeffs() == expected.q.coeffs());
+
+            const auto in_the_world = in_world(flown(in_body(RigidState<TestType>{0, q, w})));
+            Quaternion<TestType> turned2 = q;
+            Vec after2 = w;
+            of<TestType>().fly_in_world[four](&body, turned2.coeffs().data(), after2.data(), h);
+            REQUIRE(after2 == in_the_world.omega);
+            REQUIRE(turned2.coeffs() == in_the_world.q.coeffs());
+        }
+    });
+}
+
+// The inverse of a rounded inverse is off by a roundoff or two.
+TEMPLATE_TEST_CASE("in C a body may be made from one over its moments", "[c]", float, double) {
+    const TestType epsilon = std::numeric_limits<TestType>::epsilon();
+    RandomInertia random(4);
+    for (int n = 0; n < 1000; ++n) {
+        const auto I = random.inertia<TestType>(100);
+        const auto body = of<TestType>().from_inverse_moments(1 / I.moments.x(), 1 / I.moments.y(), 1 / I.moments.z());
+        for (int i = 0; i < 3; ++i) {
+            const TestType others = (I.moments.sum() - I.moments[i]) / I.moments[i];
+            CHECK(std::fabs(body.unit[i] / I.unit[i] - 1) <= 16 * epsilon);
+            CHECK(std::fabs(body.ratio[i] - I.ratio[i]) <= 8 * epsilon * others);
+        }
+    }
+}

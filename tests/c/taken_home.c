@@ -1,0 +1,15 @@
+/* What docs/engines/in_your_engine.md shows: a rule in an engine's step, in C. */
+#include "taken_home.h"
+
+// [taken]
+void after_loading(Body* b) {
+    b->gyroscopic = gyroscopic_from_inverse_momentsf(b->inverse_moments[0], b->inverse_moments[1], b->inverse_moments[2]);
+}
+
+void step(Body* b, float h) {
+    gyroscopic_calm_half_step_in_worldf(&b->gyroscopic, b->q, b->omega, h / 2);
+    solve_contacts_and_joints(b, h);
+    gyroscopic_calm_half_step_in_worldf(&b->gyroscopic, b->q, b->omega, h / 2);
+    turn(b, h);
+}
+// [taken]

@@ -1,0 +1,94 @@
+// What an engine asks before it makes a body or a spring of data that it has read: valid(), and half extents by name.
+#include <catch2/catch_template_test_macros.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_exception.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <timestep/models/damped_spring.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/rigid/shapes.hpp>
+
+using namespace timestep;
+
+namespace {
+
+// How often `make` agreed to make it, and how often it refused; valid() must have said so.
+struct Said {
+    int yes = 0, no = 0;
+    template <class Make>
+    void compare(bool valid, const Make& make) {
+        bool made = true;
+        try {
+            make();
+        } catch (const std::invalid_argument&) {
+            made = false;
+        }
+        REQUIRE(valid == made);
+        ++(made ? yes : no);
+    }
+};
+
+template <class Real>
+std::array<Real, 15> awkward() {
+    using N = std::numeric_limits<Real>;
+    return {N::quiet_NaN(), N::infinity(), -N::infinity(), N::max(), std::sqrt(N::max()), Real(2), Real(1) + N::epsilon(),
+            Real(1), Real(1e-6), Real(50) * N::epsilon(), N::min(), N::denorm_min(), Real(0), -Real(0), Real(-1)};
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("valid() says what the constructor takes", "[library]", float, double) {
+    using Real = TestType;
+    Said spring, damped, symmetric, principal, full;
+    for (const Real a : awkward<Real>()) {
+        spring.compare(Spring<Real>::valid(a), [&] { Spring<Real>{a}; });
+        for (const Real b : awkward<Real>()) {
+            damped.compare(DampedSpring<Real>::valid(a, b), [&] { DampedSpring<Real>(a, b); });
+            symmetric.compare(SymmetricInertia<Real>::valid(a, b), [&] { SymmetricInertia<Real>(a, b); });
+            for (const Real c : awkward<Real>()) {
+                principal.compare(PrincipalInertia<Real>::valid(a, b, c), [&] { PrincipalInertia<Real>(a, b, c); });
+                const Matrix3<Real> I = Vector3<Real>(a, b, c).asDiagonal();
+                full.compare(FullInertia<Real>::valid(I), [&] { FullInertia<Real>{I}; });
+            }
+        }
+    }
+    // In any axes, about where a body ends: a plate that is a little too thin, a needle, a matrix a little askew, sizes
+    // without an inverse.
+    std::mt19937_64 random(21);
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const double eps = std::numeric_limits<Real>::epsilon(), least = std::numeric_limits<Real>::min();
+    for (int i = 0; i < 20000; ++i) {
+        const double needle = i % 2 ? 0.3 : 100 * eps * (1 + unit(random));
+        const Vector3<double> m(needle, 1, 1 + needle + (i % 4 == 1 ? 100 * eps * unit(random) : i % 4 == 3 ? 0 : -needle));
+        const Quaternion<double> q(normal(random), normal(random), normal(random), normal(random));
+        const Matrix3<double> R = q.normalized().toRotationMatrix();
+        const double size = i % 8 == 7 ? least * std::exp2(unit(random)) : 1;
+        Matrix3<Real> I = (R * Vector3<double>(size * m).asDiagonal() * R.transpose()).template cast<Real>();
+        I = ((I + I.transpose()) / 2).eval();
+        if (i % 16 == 3) I(0, 1) += Real(16 * eps * unit(random));
+        full.compare(FullInertia<Real>::valid(I), [&] { FullInertia<Real>{I}; });
+        const Vector3<Real> p = (size * m).template cast<Real>();
+        principal.compare(PrincipalInertia<Real>::valid(p.x(), p.y(), p.z()),
+                          [&] { PrincipalInertia<Real>(p.x(), p.y(), p.z()); });
+    }
+    // Neither answer was given by rote.
+    for (const Said& said : {spring, damped, symmetric, principal, full}) {
+        CHECK(said.yes >= 5);
+        CHECK(said.no >= 5);
+    }
+    CHECK(full.yes >= 1000);
+    CHECK(full.no >= 1000);
+}
+
+TEST_CASE("a box by its half extents is the box of twice as much", "[library]") {
+    const PrincipalInertia<double> half = box_of_half_extents(12.0, 0.5, 1.0, 1.5), whole = box(12.0, 1.0, 2.0, 3.0);
+    CHECK(half.moments == whole.moments);
+    CHECK(half.moments == Vector3<double>(13, 10, 5));
+    CHECK_THROWS_MATCHES(box_of_half_extents(1.0, 1.0, 0.0, 1.0), std::invalid_argument,
+                         Catch::Matchers::Message("half extent = 0: must be finite and greater than zero"));
+}
