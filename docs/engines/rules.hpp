@@ -4,8 +4,10 @@
 
 #include <tuple>
 
+#include "adams_bashforth.hpp"
 #include "box3d.hpp"
 #include "bullet.hpp"
+#include "buss.hpp"
 #include "explicit_euler.hpp"
 #include "godot.hpp"
 #include "jolt.hpp"
@@ -29,7 +31,8 @@ void for_each_engine(const Visit& visit) {
 template <class Visit>
 void for_each_book(const Visit& visit) {
     std::apply([&](const auto&... method) { (visit(method), ...); },
-               std::tuple{midpoint_spin, moser_veselov_2, moser_veselov_4, magnus_taylor});
+               std::tuple{midpoint_spin, moser_veselov_2, moser_veselov_4, magnus_taylor,
+                          buss_2, buss_augmented, AdamsBashforthSpin<double>{}});
 }
 
 /// Calls `visit(method)` for each method of the appendix.

@@ -1,0 +1,120 @@
+// The adapter for ODE, in ODE.
+
+#include <cmath>
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <timestep/gyroscopic/calm_half_step.hpp>
+
+#include "engines/ode_adapter.hpp"
+
+namespace {
+
+using timestep::Vector3;
+
+constexpr double h = 1.0 / 60;
+
+// A world without gravity, one body in it, and the adapter.
+struct Alone {
+    dWorldID world;
+    dBodyID body;
+    timestep::OdeGyroscopic<> gyroscopic;
+
+    explicit Alone(const Vector3<double>& omega, double I12 = 0) {
+        dInitODE2(0);
+        world = dWorldCreate();
+        body = dBodyCreate(world);
+        dMass mass;
+        dMassSetParameters(&mass, 12, 0, 0, 0, 13, 10, 5, I12, 0, 0);
+        dBodySetMass(body, &mass);
+        dBodySetAngularVel(body, omega.x(), omega.y(), omega.z());
+    }
+    ~Alone() {
+        dWorldDestroy(world);
+        dCloseODE();
+    }
+    Alone(const Alone&) = delete;
+    void steps(int n) {
+        for (int i = 0; i < n; ++i)
+            gyroscopic.step([](dWorldID w, dReal step) { dWorldQuickStep(w, step); }, world, h);
+    }
+    Vector3<double> omega() const {
+        const dReal* w = dBodyGetAngularVel(body);
+        return {w[0], w[1], w[2]};
+    }
+    Vector3<double> in_body() const {
+        const dReal* w = dBodyGetAngularVel(body);
+        dVector3 local;
+        dBodyVectorFromWorld(body, w[0], w[1], w[2], local);
+        return {local[0], local[1], local[2]};
+    }
+    double energy(double I12 = 0) const {
+        timestep::Matrix3<double> I;
+        I << 13, I12, 0, I12, 10, 0, 0, 0, 5;
+        return in_body().dot(I * in_body()) / 2;
+    }
+};
+
+const Vector3<double> tumbling(0.1, 10, 0.1);
+
+}  // namespace
+
+TEST_CASE("In ODE a box tumbles for a minute and keeps its energy; by ODE's own it does not", "[engines]") {
+    for (const double I12 : {0.0, 0.5}) {  // principal axes are the body's, or turned in it
+        Alone ours(tumbling, I12), odes(tumbling, I12);
+        ours.gyroscopic.add(ours.body);
+        const double first = ours.energy(I12);
+        double off = 0, least = 0;
+        for (int n = 0; n < 3600; ++n) {
+            ours.steps(1), odes.steps(1);
+            off = std::max(off, std::fabs(ours.energy(I12) / first - 1));
+            least = std::min(least, ours.in_body().y());
+        }
+        CHECK(least < -9);   // it has flipped
+        CHECK(off < 1e-11);  // 3600 steps of some roundoffs each
+        CHECK(odes.energy(I12) < 0.9 * first);
+    }
+}
+
+TEST_CASE("One step in ODE is two halves of the rule's, the turn is by its spin, and nothing else acts", "[engines]") {
+    Alone scene({1, 2, 3});
+    scene.gyroscopic.add(scene.body);
+    const timestep::PrincipalInertia<double> inertia(13, 10, 5);
+    Vector3<double> expected(1, 2, 3);
+    for (int half = 0; half < 2; ++half) expected = timestep::calm_half_step.step(inertia, expected, h / 2);
+    scene.steps(1);
+    CHECK((scene.omega() - expected).norm() < 1e-14);
+    const timestep::Quaternion<double> turned = timestep::turn_by(Vector3<double>(h * expected));
+    const dReal* q = dBodyGetQuaternion(scene.body);
+    CHECK(timestep::apart(turned, timestep::Quaternion<double>(q[0], q[1], q[2], q[3])) < 1e-14);
+}
+
+TEST_CASE("Where the rule has no business in ODE, the spin stays", "[engines]") {
+    const Vector3<double> spin(1, 2, 3);
+    Alone scene(spin);
+    scene.gyroscopic.add(scene.body);
+    SECTION("kinematic") {
+        dBodySetKinematic(scene.body);
+        scene.steps(3);
+        CHECK(scene.omega() == spin);
+    }
+    SECTION("disabled") {
+        dBodyDisable(scene.body);
+        scene.steps(3);
+        CHECK(scene.omega() == spin);
+    }
+    SECTION("let go, it has no gyroscopic torque at all") {
+        scene.gyroscopic.remove(scene.body);
+        scene.steps(3);
+        CHECK((scene.omega() - spin).norm() < 1e-14);
+    }
+    SECTION("added twice, it is one body") {
+        scene.gyroscopic.add(scene.body);
+        scene.steps(1);
+        Alone once(spin);
+        once.gyroscopic.add(once.body);
+        once.steps(1);
+        CHECK(scene.omega() == once.omega());
+        CHECK(scene.omega() != spin);
+    }
+}

@@ -1,0 +1,26 @@
+# Copies FILES of the CHECKOUT into WORK and applies PATCH to them; without PATCH they are copied as they are.
+# INSTEAD: what the first of them then has, and what shall stand there.
+foreach(file IN LISTS FILES)
+  get_filename_component(folder "${WORK}/${file}" DIRECTORY)
+  file(COPY "${CHECKOUT}/${file}" DESTINATION "${folder}")
+endforeach()
+if(PATCH)
+  get_filename_component(above "${WORK}" DIRECTORY)  # else git would look for a repository around it
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env "GIT_CEILING_DIRECTORIES=${above}" git apply "${PATCH}"
+    WORKING_DIRECTORY "${WORK}" RESULT_VARIABLE status ERROR_VARIABLE words)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${PATCH} does not apply to ${CHECKOUT}: ${words}")
+  endif()
+endif()
+if(INSTEAD)
+  list(GET INSTEAD 0 from)
+  list(GET INSTEAD 1 to)
+  list(GET FILES 0 file)
+  file(READ "${WORK}/${file}" text)
+  string(FIND "${text}" "${from}" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "${PATCH}: does not write ${from}")
+  endif()
+  string(REPLACE "${from}" "${to}" text "${text}")
+  file(WRITE "${WORK}/${file}" "${text}")
+endif()

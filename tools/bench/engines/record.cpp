@@ -1,0 +1,266 @@
+// What a page takes of a run: its numbers by name, its tables, and the sentences that hold in it.
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+
+#include "scenes.hpp"
+
+namespace fs = std::filesystem;
+
+namespace engines {
+
+namespace {
+
+using Row = Numbers::Row;
+
+// "Box3D, 4 substeps" becomes box3d_4_substeps.
+std::string id(const std::string& words) {
+    std::string name;
+    for (const char c : words)
+        if (std::isalnum(static_cast<unsigned char>(c))) name += char(std::tolower(static_cast<unsigned char>(c)));
+        else if (!name.empty() && name.back() != '_') name += '_';
+    while (!name.empty() && name.back() == '_') name.pop_back();
+    return name;
+}
+
+std::string text(double value, int digits) {
+    if (!std::isfinite(value)) return "blown up";
+    char words[40];
+    if (std::fabs(value) >= 1e4) std::snprintf(words, sizeof words, "%.1e", value);
+    else std::snprintf(words, sizeof words, "%.*f", digits, value);
+    return words;
+}
+
+// The rules that the page compares; the others stand in a table of their own.
+const std::vector<std::string> main_rules{"without, as by default",       "as it is",
+                                          "passive, before",              "half-step Jacobian, before",
+                                          "calm half-step, before",       "calm half-step, after",
+                                          "calm half-step, halves",         "calm, after or in halves"};
+
+struct Column {
+    const char *head, *scene, *which, *what;
+    int digits;
+};
+
+class Record {
+public:
+    explicit Record(const Numbers& numbers) : rows_(numbers.rows()) {}
+
+    const double* find(const Column& column, const std::string& engine, const std::string& rule) const {
+        for (const Row& r : rows_)
+            if (r.scene == column.scene && r.which == column.which && r.what == column.what && r.engine == engine &&
+                r.rule == rule)
+                return &r.value;
+        return nullptr;
+    }
+
+    // Of the rules that the page compares, what it may name in a sentence.
+    std::string numbers() const {
+        const std::vector<std::string> named{"energy left", "true flips", "most energy", "restless, of a hundred",
+                                             "true largest lean, rad"};
+        std::string lines = "name\tvalue\tunit\tmeaning\n";
+        for (const Row& r : rows_) {
+            if (std::find(named.begin(), named.end(), r.what) == named.end() ||
+                std::find(main_rules.begin(), main_rules.end(), r.rule) == main_rules.end() ||
+                !(r.which.starts_with("box 1 x") || r.which == "capsule, 30 rad/s" || r.scene == "top"))
+                continue;
+            const std::size_t comma = r.what.rfind(", ");
+            const bool unit = comma != std::string::npos && r.what.size() - comma < 5;
+            lines += id(r.scene) + "_" + id(r.which) + "_" + id(r.engine) + "_" + id(r.rule) + "_" +
+                     id(unit ? r.what.substr(0, comma) : r.what) + "\t" + text(r.value, std::fabs(r.value) < 10 ? 3 : 0) +
+                     "\t" + (unit ? r.what.substr(comma + 2) : "") + "\t" + r.engine + ", " + r.rule + ": " + r.which +
+                     ", " + r.what + "\n";
+        }
+        return lines;
+    }
+
+    // A row for each engine and rule of `rules`, in the order of the run; of no `rules`, for each rule.
+    std::string table(const std::vector<std::string>& rules, const std::vector<Column>& columns) const {
+        std::string lines = "engine\trule";
+        for (const Column& column : columns) lines += std::string("\t") + column.head;
+        lines += "\n";
+        std::vector<std::pair<std::string, std::string>> done;
+        for (const Row& r : rows_) {
+            const std::pair<std::string, std::string> key(r.engine, r.rule);
+            if (std::find(done.begin(), done.end(), key) != done.end()) continue;
+            if (!rules.empty() && std::find(rules.begin(), rules.end(), r.rule) == rules.end()) continue;
+            std::string line = r.engine + "\t" + r.rule;
+            bool any = false;
+            for (const Column& column : columns) {
+                const double* value = find(column, r.engine, r.rule);
+                any = any || value;
+                line += "\t" + (fell(column, r) ? "fell over" : value ? text(*value, column.digits) : std::string("–"));
+            }
+            if (any) lines += line + "\n", done.push_back(key);
+        }
+        return lines;
+    }
+
+private:
+    // A top that hangs below its joint goes round somehow: by how much is no matter.
+    bool fell(const Column& column, const Row& row) const {
+        if (std::string(column.what) != "off, %") return false;
+        const double* lean = find({"", column.scene, column.which, "largest lean, rad", 2}, row.engine, row.rule);
+        return lean && *lean > 1.57;
+    }
+
+    const std::vector<Row>& rows_;
+};
+
+// Whole, or not at all.
+void write(const fs::path& file, const std::string& words) {
+    const fs::path part = file.string() + ".part";
+    std::ofstream out(part);
+    out << words;
+    out.close();
+    std::error_code error;
+    if (out) fs::rename(part, file, error);
+    if (!out || error) throw std::invalid_argument("--out " + file.parent_path().string() + ": cannot write there");
+}
+
+// The energy that a tumbling box has left, a column for each engine as it is and one for the recommended rule.
+std::string energies(const Record& of) {
+    const std::vector<std::string> engines{"Box3D, 4 substeps", "Bullet", "ODE", "Jolt"};
+    std::string lines = "spin";
+    for (const std::string& engine : engines) lines += "\t" + engine + "\t" + engine + ", halves";
+    lines += "\n";
+    for (const char* spin : {"3", "10", "30"}) {
+        const std::string which = std::string("box 1 x 2 x 3, ") + spin + " rad/s";
+        lines += spin;
+        for (const std::string& engine : engines)
+            for (const char* rule : {"as it is", "calm half-step, halves"}) {
+                const double* left = of.find({"", "alone", which.c_str(), "energy left", 3}, engine, rule);
+                lines += "\t" + (left ? text(*left, 4) : std::string("NaN"));
+            }
+        lines += "\n";
+    }
+    return lines;
+}
+
+// One number of each engine by the place of the rule: a line for each place, a column for each engine.
+std::string places(const Record& of, const char* scene, const char* which, const char* what) {
+    const std::vector<std::string> rules[] = {{"as it is"},
+                                              {"calm half-step, before", "half-step Jacobian, before"},
+                                              {"calm half-step, halves"},
+                                              {"calm half-step, after"}};
+    std::string lines = "place\tBox3D\tBullet\tODE\tJolt\n";
+    for (std::size_t place = 0; place < std::size(rules); ++place) {
+        lines += std::to_string(place);
+        for (const char* engine : {"Box3D, 4 substeps", "Bullet", "ODE", "Jolt"}) {
+            const double* value = nullptr;
+            for (const std::string& rule : rules[place])
+                if (!value) value = of.find({"", scene, which, what, 3}, engine, rule);
+            lines += "\t" + (value ? text(*value, 3) : std::string("NaN"));
+        }
+        lines += "\n";
+    }
+    return lines;
+}
+
+// The sentences of the page that this run confirms: one that it does not is missing, and the page is not made.
+std::string checks(const Record& of) {
+    std::string lines = "name\tstatement\n";
+    const auto check = [&](const char* name, bool holds, const char* statement) {
+        if (holds) lines += std::string(name) + "\t" + statement + "\n";
+        else std::fprintf(stderr, "does not hold: %s (%s)\n", statement, name);
+    };
+    const auto value = [&](const char* scene, const char* which, const char* what, const char* engine, const char* rule) {
+        const double* found = of.find({"", scene, which, what, 3}, engine, rule);
+        return found ? *found : NAN;
+    };
+    const auto energy = [&](const char* engine, const char* rule) {  // of the capsules, at most
+        return value("throws", "capsule, 30 rad/s", "most energy", engine, rule);
+    };
+    const auto off = [&](const char* engine, const char* rule) {  // the top, %
+        return std::fmax(value("top", "20 rad/s", "off, %", engine, rule), value("top", "30 rad/s", "off, %", engine, rule));
+    };
+    const auto keeps = [&](const char* engine, const char* rule) {  // the box's energy
+        bool all = true;
+        for (const char* which : {"box 1 x 2 x 3, 3 rad/s", "box 1 x 2 x 3, 10 rad/s", "box 1 x 2 x 3, 30 rad/s"})
+            all = all && std::fabs(value("alone", which, "energy left", engine, rule) - 1) < 0.01;
+        return all;
+    };
+    const char *const four = "Box3D, 4 substeps", *const halves = "calm half-step, halves";
+    bool right = true;
+    for (const char* engine : {"Bullet", "ODE"})
+        right = right && keeps(engine, halves) && energy(engine, halves) < 1.01 && off(engine, halves) < 5 &&
+                value("throws", "capsule, 30 rad/s", "restless, of a hundred", engine, halves) == 0;
+    check("halves", right,
+          "Bullet and ODE, half and half: the box keeps its energy to a percent, the top's precession is right to 5 %, no thrown "
+          "capsule is restless and none gains a percent");
+    check("before", energy("Bullet", "calm half-step, before") > 2 && energy(four, "half-step Jacobian, before") > 2 &&
+                        energy("Jolt", "calm half-step, before") > 2,
+          "in Bullet, Box3D and Jolt a thrown capsule gets more than twice its energy with all of the rule before the contacts");
+    const char* const after = "calm half-step, after";
+    check("after", std::fmin(off("Bullet", after), std::fmin(off(four, after), off("Jolt", after))) > 50,
+          "in Bullet, Box3D and Jolt the top's precession is off by more than half with all of the rule after the joints");
+    check("halves_gain", energy(four, halves) > 1.2 && energy("Jolt", halves) > 1.2,
+          "in Box3D and Jolt a thrown capsule gains more than a fifth of its energy half and half");
+    check("token", keeps(four, "half-step Jacobian, before") && value("cost", "512 boxes", "of the first", four, "half-step Jacobian, before") < 1.1,
+          "Box3D with the one token keeps the box's energy to a percent, and its step takes at most a tenth longer");
+    const char* const both = "calm, after or in halves";
+    check("after_or_halves", keeps(four, both) && energy(four, both) < 1.1 && off(four, both) < 20,
+          "Box3D, after the contacts or in halves: the box keeps its energy to a percent, no thrown capsule gains a tenth, and the "
+          "top's precession is off by less than a fifth");
+    return lines;
+}
+
+}  // namespace
+
+void record(const fs::path& folder, const Numbers& numbers) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    const Record of(numbers);
+    const char* const box = "box 1 x 2 x 3, 10 rad/s";
+    write(folder / "numbers.tsv", of.numbers());
+    write(folder / "checks.tsv", checks(of));
+    write(folder / "energies.tsv", energies(of));
+    write(folder / "top_places.tsv", places(of, "top", "20 rad/s", "off, %"));
+    write(folder / "throw_places.tsv", places(of, "throws", "capsule, 30 rad/s", "most energy"));
+    write(folder / "alone.tsv",
+          of.table(main_rules, {{"box, 3 rad/s: energy", "alone", "box 1 x 2 x 3, 3 rad/s", "energy left", 3},
+                                {"10 rad/s", "alone", box, "energy left", 3},
+                                {"30 rad/s", "alone", "box 1 x 2 x 3, 30 rad/s", "energy left", 3},
+                                {"right for, s", "alone", box, "right for, s", 1},
+                                {"flips", "alone", box, "flips", 0},
+                                {"staff: energy", "alone", "staff, 10 rad/s", "energy left", 3},
+                                {"plate", "alone", "plate, 10 rad/s", "energy left", 3},
+                                {"capsule", "alone", "capsule, 10 rad/s", "energy left", 3}}));
+    write(folder / "top.tsv", of.table(main_rules, {{"20 rad/s: off by, %", "top", "20 rad/s", "off, %", 0},
+                                                    {"leans by, rad", "top", "20 rad/s", "largest lean, rad", 2},
+                                                    {"30 rad/s: off by, %", "top", "30 rad/s", "off, %", 0},
+                                                    {"leans by, rad", "top", "30 rad/s", "largest lean, rad", 2}}));
+    const std::vector<Column> thrown{
+        {"capsule: restless", "throws", "capsule, 30 rad/s", "restless, of a hundred", 0},
+        {"most energy", "throws", "capsule, 30 rad/s", "most energy", 2},
+        {"half at rest, s", "throws", "capsule, 30 rad/s", "half at rest, s", 1},
+        {"box: most energy", "throws", "box, 30 rad/s", "most energy", 2},
+        {"half at rest, s", "throws", "box, 30 rad/s", "half at rest, s", 1},
+        {"plate: most energy", "throws", "plate, 30 rad/s", "most energy", 2},
+        {"half at rest, s", "throws", "plate, 30 rad/s", "half at rest, s", 1},
+        {"deepest, m", "throws", "plate, 30 rad/s", "deepest, m", 2}};
+    write(folder / "throws.tsv", of.table(main_rules, thrown));
+    write(folder / "piles.tsv",
+          of.table(main_rules, {{"stacks that stand, %", "stack", "twenty boxes", "standing, of a hundred", 0},
+                                {"asleep after, s", "stack", "twenty boxes", "asleep after, s", 1},
+                                {"sunk, m", "stack", "twenty boxes", "top has sunk, m", 2},
+                                {"chain: most energy", "chain", "ten capsules", "most energy", 2},
+                                {"energy after 10 s", "chain", "ten capsules", "energy left", 2},
+                                {"widest gap, m", "chain", "ten capsules", "widest gap, m", 3}}));
+    write(folder / "cost.tsv", of.table(main_rules, {{"ns a body", "cost", "512 boxes", "ns", 0},
+                                                     {"over as it is", "cost", "512 boxes", "of the first", 2}}));
+    write(folder / "others.tsv", of.table({}, {{"box, 30 rad/s: energy", "alone", "box 1 x 2 x 3, 30 rad/s", "energy left", 3},
+                                               {"right for, s", "alone", "box 1 x 2 x 3, 30 rad/s", "right for, s", 1},
+                                               {"top, 20 rad/s: off by, %", "top", "20 rad/s", "off, %", 0},
+                                               {"capsules: restless", "throws", "capsule, 30 rad/s", "restless, of a hundred", 0},
+                                               {"most energy", "throws", "capsule, 30 rad/s", "most energy", 2},
+                                               {"over as it is", "cost", "512 boxes", "of the first", 2}}));
+}
+
+}  // namespace engines
