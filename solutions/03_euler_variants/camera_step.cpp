@@ -11,7 +11,7 @@
 //   target   where the player is at the end of the step, m
 //   omega    angular frequency of the spring, rad/s (above zero)
 //   zeta     damping ratio, no unit (zero or more)
-//   h        length of the frame, s (zero or more; omega h may be large)
+//   h        length of the frame, s (zero, or omega h is a millionth or more; it may be large)
 //   returns  the state a time h later, State<double>{t, x, v}: time, position, velocity
 //
 // Example: from t = 0, x = 0, v = 0 with target = 1, omega = 2, zeta = 1 and h = 0.5, the velocity

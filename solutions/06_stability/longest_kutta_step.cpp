@@ -12,8 +12,8 @@
 //
 //   omega    angular frequency of the spring, rad/s (1e-6 to 1e6)
 //   zeta     damping ratio, no unit (zero, or 1e-4 to 1e4)
-//   returns  the longest step h, in seconds, up to which no run grows, whatever its start. One part
-//            in a billion off is near enough; where zeta is 1 and both decays are one, 4 in 10⁸
+//   returns  the longest step h, in seconds, up to which no run grows, whatever its start. Four
+//            parts in 10⁸ off is near enough
 //
 // Example: longest_kutta_step(10, 0.25) is 0.24393 s, and longest_kutta_step(10, 4) is 0.031916 s.
 //

@@ -70,6 +70,10 @@ int main(int argc, char** argv) {
         Remote remote(argv[2], argc > 3 ? argv[3] : "/dev/null", launcher, limits);
         remote.await();
         verdict = session().check(argv[1], std::ref(remote), seed);
+        if (verdict.kind == Kind::pass && limits.watch == Watch::nobody) {
+            verdict.arguments = at_the_end;
+            remote.await_end();
+        }
         if (verdict.kind != Kind::crash) remote.close_down();
     } catch (const Ended& ended) {
         verdict.kind = ended.kind;

@@ -51,20 +51,20 @@ Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least) {
 // The share of calls in which the mistake does as the learner does.
 struct Fit {
     double where_wrong = 0, where_right = 0;
-    // Of two answers, yes and no, many agree by chance.
-    bool good(bool yes_or_no) const { return where_wrong >= 0.9 && where_right >= (yes_or_no ? 0.98 : 0.75); }
+    // Of yes and no, or of two counts, many agree by chance.
+    bool good(bool counted) const { return where_wrong >= 0.9 && where_right >= (counted ? 0.98 : 0.75); }
 };
 
 Fit fit_of(const Mistake& mistake, const Shown& shown) {
     Fit fit;
     for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
         const Call& call = *shown.wrong[i];
-        const double gap = apart(call.result, shown.truth[i]), miss = apart(call.result, mistake.answer(call.arguments));
+        const double gap = apart(call.result, shown.truth[i]), miss = apart(call.result, mistake.made.answer(call.arguments));
         // A thousandth of what is wrong: what another way to write the same mistake makes of it is far less.
         fit.where_wrong += gap < HUGE_VAL ? miss <= 1e-3 * gap : miss == 0;
     }
     for (const Call* call : shown.right) {
-        const Numbers answer = mistake.answer(call->arguments);
+        const Numbers answer = mistake.made.answer(call->arguments);
         double size = 0;
         for (const double number : call->result) size = std::max(size, std::fabs(number));
         fit.where_right += apart(call->result, answer) <= 1e-9 * size;
@@ -72,6 +72,36 @@ Fit fit_of(const Mistake& mistake, const Shown& shown) {
     fit.where_wrong /= double(shown.wrong.size());
     fit.where_right = shown.right.empty() ? 1 : fit.where_right / double(shown.right.size());
     return fit;
+}
+
+// Is the mistake one that loses digits, and does the learner lose about as many? Which, another order of operations
+// decides: so the two are off by other amounts of one size.
+bool loses_as_many_digits(const Mistake& mistake, const Truth& truth, const Shown& shown) {
+    std::size_t fits = 0, many = 0;
+    for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
+        const Call& call = *shown.wrong[i];
+        double lost = 0, least = HUGE_VAL;
+        for (unsigned variation = 1; variation <= 8; ++variation) {
+            const Numbers each = lost_by(mistake.made, truth, call.arguments, variation);
+            const double one = each.empty() ? 0 : *std::max_element(each.begin(), each.end());
+            lost = std::max(lost, one);
+            least = std::min(least, one);
+        }
+        const double gap = apart(call.result, shown.truth[i]);
+        // What is always off by as much is off by more than roundoff: there the two must agree.
+        const bool is_roundoff = lost < HUGE_VAL && least < 0.7 * lost;
+        const bool agrees = gap < HUGE_VAL && apart(call.result, mistake.made.answer(call.arguments)) <= 1e-3 * gap;
+        fits += agrees || (is_roundoff && gap <= 4 * lost);
+        many += agrees || (is_roundoff && gap >= 0.05 * lost);
+    }
+    std::size_t alike = 0;
+    for (const Call* call : shown.right) {
+        double size = 0;
+        for (const double number : call->result) size = std::max(size, std::fabs(number));
+        alike += apart(call->result, mistake.made.answer(call->arguments)) <= 1e-5 * size;
+    }
+    return double(fits) >= 0.9 * double(shown.wrong.size()) && double(many) >= 0.6 * double(shown.wrong.size()) &&
+           double(alike) >= 0.75 * double(shown.right.size());
 }
 
 // Is what is wrong no more than single precision makes of the arguments, and more than lost digits of a double?
@@ -89,12 +119,44 @@ bool is_single_precision(const Truth& truth, const Shown& shown) {
         for (std::size_t i = 0; fit && i < found.size(); ++i) {
             const bool counted = right[i] == std::floor(right[i]) && found[i] == std::floor(found[i]);
             fit = std::fabs(found[i] - right[i]) <= (counted ? 1 : 4) * std::max(off[i], counted ? 0 : most * std::fabs(right[i]));
-            is_large |= std::fabs(found[i] - right[i]) > 1e-3 * off[i];
+            is_large |= std::fabs(found[i] - right[i]) > 0.06 * off[i];
         }
         fits += fit;
         large += is_large;
     }
     return double(fits) >= 0.95 * double(shown.wrong.size()) && 2 * large >= shown.wrong.size();
+}
+
+constexpr double little = 2e-3;  // of the right answer: more than 3.14 for π costs, and its square
+
+// Is each number that is wrong the right one times a number near one, and that always the same?
+bool is_nearly_one_share(const Shown& shown) {
+    double share = 0;
+    std::size_t fits = 0;
+    for (std::size_t call = 0; call < shown.wrong.size(); ++call) {
+        const Numbers &found = shown.wrong[call]->result, &right = shown.truth[call];
+        bool fit = found.size() == right.size();
+        for (std::size_t i = 0; fit && i < found.size(); ++i) {
+            if (found[i] == right[i]) continue;
+            const double off = found[i] / right[i] - 1;
+            const bool is_little = std::fabs(off) <= little && std::fabs(off) > 1e-13;
+            if (share == 0 && is_little) share = off;
+            fit = is_little && std::fabs(off - share) <= 1e-2 * std::fabs(share);
+        }
+        fits += fit;
+    }
+    return double(fits) >= 0.95 * double(shown.wrong.size());
+}
+
+// Is the answer wrong by a small part of it in most calls?
+bool is_off_by_little(const Shown& shown) {
+    std::size_t fits = 0;
+    for (std::size_t call = 0; call < shown.wrong.size(); ++call) {
+        double size = 0;
+        for (const double number : shown.truth[call]) size = std::max(size, std::fabs(number));
+        fits += apart(shown.wrong[call]->result, shown.truth[call]) <= little * size;
+    }
+    return double(fits) >= 0.8 * double(shown.wrong.size());
 }
 
 // Mistakes of a kind that every exercise knows: by what is the answer off?
@@ -128,7 +190,9 @@ std::string family_of(const Truth& truth, const Shown& shown) {
         if (double(fits) >= 0.95 * double(shown.wrong.size()) && double(misfits) <= 0.05 * double(shown.wrong.size() + shown.right.size()))
             return family.name;
     }
-    return is_single_precision(truth, shown) ? "single" : "";
+    if (is_nearly_one_share(shown)) return "constant";
+    if (is_single_precision(truth, shown)) return "single";
+    return is_off_by_little(shown) ? "digits" : "";
 }
 
 }  // namespace
@@ -138,19 +202,22 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
     Shown shown = sorted(truth, calls, 1e-6);
     if (shown.wrong.empty()) shown = sorted(truth, calls, 0);
     if (shown.wrong.empty()) return {};
-    const bool yes_or_no = std::all_of(calls.begin(), calls.end(), [](const Call& call) {
-        return call.result.size() == 1 && (call.result[0] == 0 || call.result[0] == 1);
+    const bool counted = std::all_of(calls.begin(), calls.end(), [](const Call& call) {
+        return call.result.size() == 1 && call.result[0] == std::floor(call.result[0]);
     });
     std::string best;
     double most = 0;
     for (const Mistake& mistake : mistakes_of(exercise)) {
         const Fit fit = fit_of(mistake, shown);
-        if (fit.good(yes_or_no) && fit.where_wrong + fit.where_right > most) {
+        if (fit.good(counted) && fit.where_wrong + fit.where_right > most) {
             most = fit.where_wrong + fit.where_right;
             best = mistake.name;
         }
     }
-    return best.empty() ? family_of(truth, shown) : best;
+    if (!best.empty() || counted) return best.empty() ? family_of(truth, shown) : best;
+    for (const Mistake& mistake : mistakes_of(exercise))
+        if (loses_as_many_digits(mistake, truth, shown)) return mistake.name;
+    return family_of(truth, shown);
 }
 
 }  // namespace checker

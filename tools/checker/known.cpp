@@ -18,8 +18,8 @@ std::map<std::string, Truth>& truths() {
     return known;
 }
 
-std::map<std::string, double>& tolerances() {
-    static std::map<std::string, double> known;
+std::map<std::string, Within>& tolerances() {
+    static std::map<std::string, Within> known;
     return known;
 }
 
@@ -38,11 +38,11 @@ const Truth& truth_of_exercise(const std::string& exercise) {
     return truths()[exercise];
 }
 
-bool know_within(const std::string& exercise, double relative) {
-    return tolerances().emplace(exercise, relative).second;
+bool know_within(const std::string& exercise, Within within) {
+    return tolerances().emplace(exercise, std::move(within)).second;
 }
 
-double within(const std::string& exercise) {
+const Within& within(const std::string& exercise) {
     return tolerances()[exercise];
 }
 

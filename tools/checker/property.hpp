@@ -28,9 +28,15 @@
 
 /// The same, where the learner's answers must be the course's to what a change of the arguments by `relative` makes
 /// of them; `checker::many_are_right` where they need not be.
-#define EXERCISE_WITHIN(name, relative)                                        \
+#define EXERCISE_WITHIN(name, relative) EXERCISE_TOLD(name, (checker::Within{relative}))
+
+/// The same, where another way to write the answer, `way`, loses digits to cancellation, and is right all the same: as
+/// many as it loses in a call may be lost there.
+#define EXERCISE_BESIDE(name, relative, way) EXERCISE_TOLD(name, (checker::Within{relative, checker::function_of(&way)}))
+
+#define EXERCISE_TOLD(name, within)                                            \
     static constexpr const char* exercise_tag = "[" #name "]";                 \
-    static const bool is_within = checker::know_within(#name, relative);       \
+    static const bool is_within = checker::know_within(#name, within);         \
     static const checker::Typed<decltype(::name)> learner(                     \
         [](const checker::Numbers& arguments, const checker::Spoken& spoken) { \
             return checker::session().call(arguments, spoken);                 \
@@ -66,6 +72,21 @@ private:
     int simple_ = 48;  // the first numbers are round ones: what fails early can be worked out by hand
 };
 
+/// Several checks, all of which are made, also behind one that fails: their calls tell mistakes apart. The call before
+/// the first that fails is the one that the learner is shown.
+class Every {
+public:
+    Every& operator&=(bool holds) {
+        if (!holds && holds_) session().show_last();
+        holds_ = holds_ && holds;
+        return *this;
+    }
+    explicit operator bool() const { return holds_; }
+
+private:
+    bool holds_ = true;
+};
+
 /// Do two numbers agree to `relative` of the larger, or to `absolute`? An infinite one agrees with
 /// none.
 bool close(double a, double b, double relative, double absolute = 0);
@@ -75,4 +96,4 @@ double order(double error, double error_of_half);
 
 }  // namespace checker
 
-using checker::close, checker::Draw, checker::order;
+using checker::close, checker::Draw, checker::Every, checker::order;

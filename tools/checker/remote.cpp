@@ -97,9 +97,20 @@ Remote::Remote(const std::string& program, const std::string& printed,
 
 Remote::~Remote() {
     end();
-    close(calls_);
+    if (calls_ >= 0) close(calls_);
     close(answers_);
     if (log_ >= 0) close(log_);
+}
+
+// No more calls: the worker returns from its main, global variables are destroyed, and the pipe of answers ends.
+void Remote::await_end() {
+    begin_call();
+    close(std::exchange(calls_, -1));
+    try {
+        hear(Reply::ready);
+    } catch (const Ended& ended) {  // it has left, as it should; and who speaks out of turn now has answered all
+        if (ended.kind == Kind::crash || ended.kind == Kind::too_slow) throw;
+    }
 }
 
 void Remote::close_down() {

@@ -48,6 +48,9 @@ public:
     void await();
     /// What the learner's code answers. Throws Ended where it does not.
     Numbers operator()(const Numbers& arguments);
+    /// The last call has been made: what the learner's code does at its end, it does now. Throws Ended where that is a
+    /// crash, or takes too much.
+    void await_end();
     /// Ends the worker. Throws Ended where memcheck has found something.
     void close_down();
 

@@ -41,9 +41,9 @@ void test(const std::string& exercise, std::uint64_t seeds) {
     for (const auto& [name, answer] : all.correct)
         for (std::uint64_t seed = 1; seed <= seeds; ++seed)
             expect(name, seed, session().check(exercise, answer, seed), Kind::pass, "");
-    for (const auto& [name, answer] : mistakes_of(exercise))
+    for (const auto& [name, made] : mistakes_of(exercise))
         for (std::uint64_t seed = 1; seed <= seeds / 10; ++seed)
-            expect(name, seed, session().check(exercise, answer, seed), Kind::wrong, name);
+            expect(name, seed, session().check(exercise, made.answer, seed), Kind::wrong, name);
     const auto print = [](std::uint64_t number) { return static_cast<unsigned long long>(number); };
     std::printf("%s: %zu right answers, %llu seeds each; %zu mistakes, %llu seeds each\n",
                 exercise.c_str(), all.correct.size(), print(seeds), mistakes_of(exercise).size(),

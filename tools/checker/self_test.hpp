@@ -3,6 +3,7 @@
 /// The answers that the tests of an exercise are tested with.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "session.hpp"
@@ -12,7 +13,7 @@ namespace checker {
 /// Beside the mistakes, which the learner's tests know too.
 struct Variants {
     Answer stub;
-    std::vector<Mistake> correct;  ///< the solution, and others written differently
+    std::vector<std::pair<std::string, Answer>> correct;  ///< the solution, and others written differently
 };
 
 /// Filled before main.

@@ -43,9 +43,10 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
     calls_.clear();
     kept_ = 0;
     truth_ = truth_of_exercise(exercise);
-    relative_ = within(exercise);
+    within_ = within(exercise);
     first_wrong_.reset();
     shown_.reset();
+    doubted_.reset();
     ended_.reset();
     verdict_ = {};
     last_ = {};
@@ -97,7 +98,7 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
     if (!spoken.is_result(result))
         end(Ended(Kind::left_early, "The answer was not made as its type demands"));
     const Call made{arguments, result,
-                    is_finite(result) && is_right(truth_, arguments, result, relative_, spoken)};
+                    is_finite(result) && is_right(truth_, arguments, result, within_, spoken)};
     kept_ += arguments.size() + result.size();
     if (calls_.size() < 100'000 && kept_ < 4'000'000) calls_.push_back(made);
     if (verdict_.kind == Kind::pass) {
@@ -118,6 +119,7 @@ void Session::looked_at(const std::string& property, bool holds) {
     if (verdict_.kind != Kind::pass) return;
     if (holds) {
         shown_.reset();
+        doubted_.reset();
         return;
     }
     verdict_.kind = Kind::wrong;
@@ -143,19 +145,23 @@ Digits Session::digits_for(const Call& call) const {
 // The call that the learner is shown, and what it must return.
 void Session::tell_call() {
     if (!spoken_) return;
-    const Call& call = verdict_.kind == Kind::wrong && shown_ ? *shown_ : last_;
-    verdict_.arguments = spoken_->arguments(call.arguments, digits_for(call));
+    const bool is_wrong = verdict_.kind == Kind::wrong;
+    const Call& call = is_wrong && shown_ ? *shown_ : is_wrong && doubted_ ? *doubted_ : last_;
+    const Digits given = digits_for(call);
+    verdict_.arguments = spoken_->arguments(call.arguments, given);
     if (call.result.empty()) return;
-    const bool told = verdict_.kind == Kind::wrong && shown_;
+    const bool told = is_wrong && shown_;
     const Numbers right = truth_.answer ? without_roundoff(truth_, call.arguments) : Numbers();
     // What is wrong is not to look right. (By less than that it is roundoff.)
-    const bool differs = verdict_.kind == Kind::wrong && relative_ != many_are_right && call.result.size() == right.size() &&
+    const bool differs = is_wrong && within_.relative != many_are_right && call.result.size() == right.size() &&
                          !std::equal(right.begin(), right.end(), call.result.begin(), [](double a, double b) {
                              return std::fabs(a - b) <= 1e-13 * std::fabs(a);
                          });
     const bool looks_right = differs && spoken_->result(call.result, right, Digits::ten) ==
                                             spoken_->result(right, call.result, Digits::ten);
     const Digits digits = looks_right ? Digits::all : Digits::ten;
+    // Whoever looks at the last digits of a result needs those of what it is made of.
+    if (digits != given) verdict_.arguments = spoken_->arguments(call.arguments, Digits::all);
     verdict_.result = spoken_->result(call.result, told ? right : Numbers(), digits);
     if (told) verdict_.right = spoken_->result(right, call.result, digits);
 }

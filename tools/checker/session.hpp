@@ -22,7 +22,7 @@ struct Call {
 /// A mistake that the course knows, and what it would have answered.
 struct Mistake {
     std::string name;
-    Answer answer;
+    Function made;
 };
 
 /// What a check has found.
@@ -45,6 +45,8 @@ public:
 
     /// Calls the answer under check. Throws Ended where it gives none, or one that is not finite.
     Numbers call(const Numbers& arguments, const Spoken& spoken);
+    /// What is wrong was seen at the last call: that is shown, whatever is called behind it.
+    void show_last() { if (!doubted_) doubted_ = last_; }
     /// A property has been looked at; `holds` it?
     void looked_at(const std::string& property, bool holds);
 
@@ -60,9 +62,10 @@ private:
     std::size_t kept_ = 0;  // numbers, in them
     const Spoken* spoken_ = nullptr;
     Truth truth_;
-    double relative_ = many_are_right;
+    Within within_{many_are_right};
     Call last_;                   // before the first property broke
     std::optional<Call> first_wrong_, shown_;  // the first wrong answer of all, and of the property in hand
+    std::optional<Call> doubted_;              // where only the property itself knows what is wrong
     std::optional<Ended> ended_;  // no use in calling again
     Verdict verdict_;
 };
@@ -76,8 +79,8 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
 /// What is known of an exercise, filled before main: the right answer, how near to it an answer must be, and mistakes.
 bool know_truth(const std::string& exercise, Truth truth);
 const Truth& truth_of_exercise(const std::string& exercise);
-bool know_within(const std::string& exercise, double relative);
-double within(const std::string& exercise);
+bool know_within(const std::string& exercise, Within within);
+const Within& within(const std::string& exercise);
 bool know(const std::string& exercise, std::vector<Mistake> mistakes);
 const std::vector<Mistake>& mistakes_of(const std::string& exercise);
 

@@ -9,15 +9,36 @@ namespace {
 
 constexpr unsigned variations = 6;
 
+// One of them may be lucky, and a third way to write an answer loses some digits more.
+constexpr double some_ways = 8;
+
+// Its digits are lost to other roundings in each variation: so far the arguments must lie apart.
+constexpr double apart_enough = 0.3;
+
 bool agree(const Numbers& found, const Numbers& right, const Numbers& allowed) {
     for (std::size_t i = 0; i < found.size(); ++i)
         if (!(found[i] == right[i] || std::fabs(found[i] - right[i]) <= allowed[i])) return false;
     return true;
 }
 
+// By how much a way misses the right answer where the arguments are smaller by shares of at most `most`.
+Numbers lost_within(double most, const Function& way, const Truth& truth, const Numbers& arguments, unsigned variation) {
+    Numbers lost = way.nudged(arguments, variation, most);
+    const Numbers right = truth.nudged(arguments, variation, most);
+    if (lost.size() != right.size()) return Numbers(1, HUGE_VAL);
+    for (std::size_t i = 0; i < right.size(); ++i) lost[i] = std::fabs(lost[i] - right[i]);
+    return lost;
+}
+
 }  // namespace
 
-bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found, double relative, const Spoken& spoken) {
+Numbers lost_by(const Function& way, const Truth& truth, const Numbers& arguments, unsigned variation) {
+    constexpr double near_by = 1e-3;  // all but roundoff is alike there, and a sum with 1 is rounded otherwise
+    return lost_within(near_by, way, truth, arguments, variation);
+}
+
+bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found, const Within& within, const Spoken& spoken) {
+    const double relative = within.relative;
     if (relative == many_are_right) return true;
     const Numbers right = truth.answer(arguments);
     if (found == right) return true;
@@ -27,7 +48,9 @@ bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found
     for (unsigned variation = 1; variation <= variations; ++variation) {
         const Numbers near = truth.nudged(arguments, variation, few_units);
         if (near.size() != right.size()) return true;
+        const Numbers lost = within.beside.nudged ? lost_within(apart_enough, within.beside, truth, arguments, variation) : Numbers(right.size());
         for (std::size_t i = 0; i < right.size(); ++i) {
+            if (i < lost.size() && std::isfinite(lost[i])) allowed[i] = std::max(allowed[i], some_ways * lost[i]);
             const double apart = std::fabs(near[i] - right[i]);
             const bool counted = near[i] == std::floor(near[i]) && right[i] == std::floor(right[i]);  // one or the other
             allowed[i] = std::max(allowed[i], !std::isfinite(apart) ? HUGE_VAL : counted ? apart : scale * apart);

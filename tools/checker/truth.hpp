@@ -36,15 +36,18 @@ struct Nudge<timestep::State<X>> {
 /// A few units of roundoff.
 inline constexpr double few_units = 4 * std::numeric_limits<double>::epsilon();
 
-/// The right answer, and what becomes of it where its arguments are smaller by shares of them, each at most `most`. With
-/// a few units of roundoff: as far as those lie apart, another way to write it may be off, too.
-struct Truth {
+/// An answer of the course's, and what becomes of it where its arguments are smaller by shares of them, each at most
+/// `most`. With a few units of roundoff: as far as those lie apart, another way to write it may be off, too.
+struct Function {
     Answer answer;
     std::function<Numbers(const Numbers& arguments, unsigned variation, double most)> nudged;
 };
 
+/// The right answer.
+using Truth = Function;
+
 template <class R, class... Args>
-Truth truth_of(R (*function)(Args...)) {
+Function function_of(R (*function)(Args...)) {
     return {answer_of(function), [function](const Numbers& numbers, unsigned variation, double most) {
                 Reader reader(numbers);
                 std::tuple<std::decay_t<Args>...> arguments{Wire<std::decay_t<Args>>::take(reader)...};
@@ -64,15 +67,24 @@ Truth truth_of(R (*function)(Args...)) {
             }};
 }
 
-/// Is `found` the right answer to this call, but for roundoff? What a change of the arguments by `relative` does to
-/// it is allowed.
-bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found, double relative, const Spoken& spoken);
+/// How near the right answer an answer must be.
+struct Within {
+    double relative;  ///< what a change of the arguments by so much does to it is allowed
+    Function beside{};   ///< and as far as another right way to write it lies from it by its roundoff, where one is given
+};
+
+/// By how much `way` misses the right answer near these arguments, number by number: what its roundings make of it there.
+/// One infinite number where it has not as many.
+Numbers lost_by(const Function& way, const Truth& truth, const Numbers& arguments, unsigned variation);
+
+/// Is `found` the right answer to this call, but for roundoff?
+bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found, const Within& within, const Spoken& spoken);
 
 /// The right answer as it comes out by hand: where a number of it is no larger than what roundoff of the arguments
 /// does to it, as the sine of π is not, it is zero.
 Numbers without_roundoff(const Truth& truth, const Numbers& arguments);
 
-/// As `relative`: there are many right answers, and the course's is but one of them.
+/// As `Within::relative`: there are many right answers, and the course's is but one of them.
 inline constexpr double many_are_right = std::numeric_limits<double>::infinity();
 
 }  // namespace checker

@@ -294,3 +294,60 @@ double velocity_now(double, double, double, double) {
 double velocity_now(double, double, double, double) {
     throw exercise::NotStarted();
 }
+
+// ---- a crash when the program ends
+// velocity_now crash: Segmentation fault, after the last call of velocity_now, when the program ended Line 6:
+#include "exercise.hpp"
+
+struct Table {
+    double* volatile rows = nullptr;
+    ~Table() { *rows = 1; }
+};
+static Table table;
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return (3 * x2 - 4 * x1 + x0) / (2 * h);
+}
+
+// ---- an exception when the program ends
+// velocity_now crash: nobody caught: too late, after the last call of velocity_now
+#include "exercise.hpp"
+
+#include <cstdlib>
+#include <stdexcept>
+
+static const int last = std::atexit([] { throw std::runtime_error("too late"); });
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return (3 * x2 - 4 * x1 + x0) / (2 * h);
+}
+
+// ---- never ends
+// velocity_now too_slow: after the last call of velocity_now, when the program ended
+#include "exercise.hpp"
+
+struct Table {
+    ~Table() {
+        for (volatile int i = 0;; i = i + 1) {
+        }
+    }
+};
+static Table table;
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return (3 * x2 - 4 * x1 + x0) / (2 * h);
+}
+
+// ---- ends with a status of its own
+// velocity_now pass
+#include "exercise.hpp"
+
+#include <cstdlib>
+
+#include <unistd.h>
+
+static const int last = std::atexit([] { _exit(3); });
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return (3 * x2 - 4 * x1 + x0) / (2 * h);
+}

@@ -1,5 +1,15 @@
 #include "exercise.hpp"
 
+#include <functional>
+
+// Frame by frame, with the time that is owed: `take` it, and say how many steps these are.
+static std::vector<int> each_frame(const std::vector<double>& frames, const std::function<int(double&)>& take) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) steps.push_back(take(owed += passed));
+    return steps;
+}
+
 // Says: Each frame is divided by the step for itself: the remainders are forgotten.
 // Hint: Frames shorter than a step would never take one. What must a frame hand on to the next?
 namespace no_remainder {
@@ -18,14 +28,11 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 namespace no_cap {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
-        steps.push_back(static_cast<int>(owed / step));
+    return each_frame(frames, [&](double& owed) {
+        const int taken = static_cast<int>(owed / step);
         owed = std::fmod(owed, step);
-    }
-    return steps;
+        return taken;
+    });
 }
 
 }  // namespace no_cap
@@ -35,15 +42,12 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 namespace all_dropped {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
+    return each_frame(frames, [&](double& owed) {
         const int due = static_cast<int>(owed / step);
-        steps.push_back(std::min(due, most_steps));
+        const int taken = std::min(due, most_steps);
         owed = due > most_steps ? 0 : owed - due * step;
-    }
-    return steps;
+        return taken;
+    });
 }
 
 }  // namespace all_dropped
@@ -54,15 +58,11 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 namespace nothing_dropped {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
+    return each_frame(frames, [&](double& owed) {
         const int count = std::min(static_cast<int>(owed / step), most_steps);
-        steps.push_back(count);
         owed -= count * step;
-    }
-    return steps;
+        return count;
+    });
 }
 
 }  // namespace nothing_dropped
@@ -74,16 +74,12 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 namespace one_step_dropped {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
+    return each_frame(frames, [&](double& owed) {
         int count = 0;
         for (; owed >= step && count < most_steps; ++count) owed -= step;
         if (owed >= step) owed -= step;
-        steps.push_back(count);
-    }
-    return steps;
+        return count;
+    });
 }
 
 }  // namespace one_step_dropped
@@ -132,16 +128,12 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 namespace with_a_tolerance {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
+    return each_frame(frames, [&](double& owed) {
         int count = 0;
         for (; owed >= step - 1e-9 && count < most_steps; ++count) owed -= step;
         owed = std::fmod(owed, step);
-        steps.push_back(count);
-    }
-    return steps;
+        return count;
+    });
 }
 
 }  // namespace with_a_tolerance
@@ -170,14 +162,11 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 namespace one_at_most {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
-        steps.push_back(owed >= step ? 1 : 0);
+    return each_frame(frames, [&](double& owed) {
+        const int taken = owed >= step ? 1 : 0;
         owed = std::fmod(owed, step);
-    }
-    return steps;
+        return taken;
+    });
 }
 
 }  // namespace one_at_most
@@ -188,15 +177,12 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 namespace rounded {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
+    return each_frame(frames, [&](double& owed) {
         const int due = static_cast<int>(std::lround(owed / step));
-        steps.push_back(std::min(due, most_steps));
+        const int taken = std::min(due, most_steps);
         owed -= due * step;
-    }
-    return steps;
+        return taken;
+    });
 }
 
 }  // namespace rounded
@@ -207,15 +193,12 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 namespace rounded_to_the_nearest {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
+    return each_frame(frames, [&](double& owed) {
         const double due = std::round(owed / step);
-        steps.push_back(static_cast<int>(std::min<double>(due, most_steps)));
+        const int taken = static_cast<int>(std::min<double>(due, most_steps));
         owed = std::fmod(owed, step);
-    }
-    return steps;
+        return taken;
+    });
 }
 
 }  // namespace rounded_to_the_nearest
@@ -226,16 +209,12 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 namespace one_too_many {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
+    return each_frame(frames, [&](double& owed) {
         int count = 0;
         for (; owed >= step && count <= most_steps; ++count) owed -= step;
         owed = std::fmod(owed, step);
-        steps.push_back(count);
-    }
-    return steps;
+        return count;
+    });
 }
 
 }  // namespace one_too_many
@@ -246,16 +225,12 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 namespace lost_when_exact {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
+    return each_frame(frames, [&](double& owed) {
         int count = 0;
         for (; owed > step && count < most_steps; ++count) owed -= step;
         owed = std::fmod(owed, step);
-        steps.push_back(count);
-    }
-    return steps;
+        return count;
+    });
 }
 
 }  // namespace lost_when_exact
@@ -267,16 +242,12 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 namespace dropped_when_all_taken {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
+    return each_frame(frames, [&](double& owed) {
         int count = 0;
         for (; owed >= step && count < most_steps; ++count) owed -= step;
         if (count == most_steps) owed = 0;
-        steps.push_back(count);
-    }
-    return steps;
+        return count;
+    });
 }
 
 }  // namespace dropped_when_all_taken
@@ -286,19 +257,15 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 namespace at_least_one {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
+    return each_frame(frames, [&](double& owed) {
         int count = 0;
         do {
             owed -= step;
             ++count;
         } while (owed >= step && count < most_steps);
         if (owed >= step) owed = std::fmod(owed, step);
-        steps.push_back(count);
-    }
-    return steps;
+        return count;
+    });
 }
 
 }  // namespace at_least_one
@@ -328,15 +295,12 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 namespace rounded_up {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
+    return each_frame(frames, [&](double& owed) {
         const double due = std::ceil(owed / step);
-        steps.push_back(static_cast<int>(std::min<double>(due, most_steps)));
+        const int taken = static_cast<int>(std::min<double>(due, most_steps));
         owed = std::fmod(owed, step);
-    }
-    return steps;
+        return taken;
+    });
 }
 
 }  // namespace rounded_up
@@ -346,15 +310,12 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 namespace own_cap {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
-    std::vector<int> steps;
-    double owed = 0;
-    for (const double passed : frames) {
-        owed += passed;
+    return each_frame(frames, [&](double& owed) {
         const double due = std::floor(owed / step);
-        steps.push_back(static_cast<int>(std::min<double>(due, std::min(most_steps, 20))));
+        const int taken = static_cast<int>(std::min<double>(due, std::min(most_steps, 20)));
         owed = std::fmod(owed, step);
-    }
-    return steps;
+        return taken;
+    });
 }
 
 }  // namespace own_cap

@@ -29,3 +29,15 @@ State<double> camera_step(State<double> state, double target, double omega, doub
 }
 
 }  // namespace change
+
+namespace way_over_time {
+
+// The place first: one fraction. The velocity is what it has moved by, over h.
+State<double> camera_step(State<double> state, double target, double omega, double zeta, double h) {
+    if (h == 0) return state;
+    const double a = omega * omega * h * h, b = 2 * zeta * omega * h;
+    const double x2 = (state.x + b * state.x + h * state.v + a * target) / (1 + a + b);
+    return {state.t + h, x2, (x2 - state.x) / h};
+}
+
+}  // namespace way_over_time

@@ -25,3 +25,13 @@ std::array<double, 2> soft_constraint(double mass, double omega, double zeta, do
 }
 
 }  // namespace units
+
+namespace one_division {
+
+// By the divisor of the step, from which 1 is taken again: in short steps some digits go with it.
+std::array<double, 2> soft_constraint(double mass, double omega, double zeta, double h) {
+    const double divisor = 1 + 2 * zeta * omega * h + omega * omega * h * h;
+    return {1 / (mass * (divisor - 1)), omega * omega * h * h / (divisor - 1)};
+}
+
+}  // namespace one_division

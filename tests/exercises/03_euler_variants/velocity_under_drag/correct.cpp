@@ -45,3 +45,12 @@ double velocity_under_drag(double v, double gravity, double k, double h) {
 }
 
 }  // namespace newton_on_the_equation
+
+namespace nearly {
+
+// As far off as the task allows, and not farther.
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    return (1 + 4e-10) * newton::velocity_under_drag(v, gravity, k, h);
+}
+
+}  // namespace nearly

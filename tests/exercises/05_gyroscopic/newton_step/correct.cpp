@@ -54,3 +54,12 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 }
 
 }  // namespace principal
+
+namespace ten_digits {
+
+// No more than count.
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    return (1 + 5e-11) * linear::newton_step(inertia, omega1, guess, h);
+}
+
+}  // namespace ten_digits

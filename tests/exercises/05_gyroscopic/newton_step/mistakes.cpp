@@ -1,7 +1,23 @@
 #include "exercise_eigen.hpp"
 
-static Matrix3d skew(const Vector3d& a) {
-    return Matrix3d{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
+// What the mistakes are put together from, so that it is compiled once. I change + h spin x (I spin): the residual,
+// where the change is spin - omega1.
+static Vector3d residual_of(const Matrix3d& I, const Vector3d& change, const Vector3d& spin, double h) {
+    const Vector3d L = I * spin;
+    return I * change + h * spin.cross(L);
+}
+
+// I + a skew(spin) I - b skew(I spin): the Jacobian at a spin, where a and b are h.
+static Matrix3d jacobian_of(const Matrix3d& I, const Vector3d& spin, double a, double b) {
+    const Vector3d L = b * (I * spin), w = a * spin;
+    const Matrix3d of_momentum{{0, -w.z(), w.y()}, {w.z(), 0, -w.x()}, {-w.y(), w.x(), 0}};
+    const Matrix3d of_spin{{0, -L.z(), L.y()}, {L.z(), 0, -L.x()}, {-L.y(), L.x(), 0}};
+    return I + of_momentum * I - of_spin;
+}
+
+// How far Newton-Raphson goes. The residual's difference is taken from `from`; residual and Jacobian are those at `at`.
+static Vector3d way(const Matrix3d& I, const Vector3d& from, const Vector3d& at, double h) {
+    return solve_linear(jacobian_of(I, at, h, h), residual_of(I, at - from, at, h));
 }
 
 // Says: The Jacobian has only one half of the product rule: the guess in front of the cross product moves,
@@ -11,10 +27,8 @@ static Matrix3d skew(const Vector3d& a) {
 namespace missing_term {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
-    const Matrix3d jacobian = inertia + h * skew(guess) * inertia;
-    return guess - solve_linear(jacobian, residual);
+    const Vector3d residual = residual_of(inertia, guess - omega1, guess, h);
+    return guess - solve_linear(jacobian_of(inertia, guess, h, 0), residual);
 }
 
 }  // namespace missing_term
@@ -24,10 +38,8 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace sum_of_terms {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
-    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia + skew(L));
-    return guess - solve_linear(jacobian, residual);
+    const Vector3d residual = residual_of(inertia, guess - omega1, guess, h);
+    return guess - solve_linear(jacobian_of(inertia, guess, h, -h), residual);
 }
 
 }  // namespace sum_of_terms
@@ -38,10 +50,8 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace jacobian_sign {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
-    const Matrix3d jacobian = inertia - h * (skew(guess) * inertia - skew(L));
-    return guess - solve_linear(jacobian, residual);
+    const Vector3d residual = residual_of(inertia, guess - omega1, guess, h);
+    return guess - solve_linear(jacobian_of(inertia, guess, -h, -h), residual);
 }
 
 }  // namespace jacobian_sign
@@ -53,10 +63,10 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace symmetric_solver {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
-    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
-    return guess - jacobian.ldlt().solve(residual);
+    Matrix3d jacobian = jacobian_of(inertia, guess, h, h);
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < i; ++j) jacobian(j, i) = jacobian(i, j);  // what ldlt() sees
+    return guess - solve_linear(jacobian, residual_of(inertia, guess - omega1, guess, h));
 }
 
 }  // namespace symmetric_solver
@@ -66,10 +76,7 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace added {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
-    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
-    return guess + solve_linear(jacobian, residual);
+    return guess + way(inertia, omega1, guess, h);
 }
 
 }  // namespace added
@@ -79,10 +86,7 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace from_omega1 {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
-    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
-    return omega1 - solve_linear(jacobian, residual);
+    return omega1 - way(inertia, omega1, guess, h);
 }
 
 }  // namespace from_omega1
@@ -92,10 +96,8 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace residual_without_h {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (guess - omega1) + guess.cross(L);
-    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
-    return guess - solve_linear(jacobian, residual);
+    const Vector3d residual = residual_of(inertia, guess - omega1, guess, 1);
+    return guess - solve_linear(jacobian_of(inertia, guess, h, h), residual);
 }
 
 }  // namespace residual_without_h
@@ -105,10 +107,8 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace jacobian_without_h {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
-    const Matrix3d jacobian = inertia + skew(guess) * inertia - skew(L);
-    return guess - solve_linear(jacobian, residual);
+    const Vector3d residual = residual_of(inertia, guess - omega1, guess, h);
+    return guess - solve_linear(jacobian_of(inertia, guess, 1, 1), residual);
 }
 
 }  // namespace jacobian_without_h
@@ -118,10 +118,8 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace residual_at_omega1 {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = h * omega1.cross(inertia * omega1);
-    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
-    return guess - solve_linear(jacobian, residual);
+    const Vector3d residual = residual_of(inertia, omega1 - omega1, omega1, h);
+    return guess - solve_linear(jacobian_of(inertia, guess, h, h), residual);
 }
 
 }  // namespace residual_at_omega1
@@ -131,10 +129,7 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace opposite_torque {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (guess - omega1) - h * guess.cross(L);
-    const Matrix3d jacobian = inertia - h * (skew(guess) * inertia - skew(L));
-    return guess - solve_linear(jacobian, residual);
+    return guess - way(inertia, omega1, guess, -h);
 }
 
 }  // namespace opposite_torque
@@ -145,9 +140,8 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace jacobian_at_omega1 {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(inertia * guess);
-    const Matrix3d jacobian = inertia + h * (skew(omega1) * inertia - skew(inertia * omega1));
-    return guess - solve_linear(jacobian, residual);
+    const Vector3d residual = residual_of(inertia, guess - omega1, guess, h);
+    return guess - solve_linear(jacobian_of(inertia, omega1, h, h), residual);
 }
 
 }  // namespace jacobian_at_omega1
@@ -157,10 +151,7 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace ignores_guess {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * omega1;
-    const Vector3d residual = h * omega1.cross(L);
-    const Matrix3d jacobian = inertia + h * (skew(omega1) * inertia - skew(L));
-    return omega1 - solve_linear(jacobian, residual);
+    return omega1 - way(inertia, omega1, omega1, h);
 }
 
 }  // namespace ignores_guess
@@ -171,8 +162,7 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace jacobian_is_inertia {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(inertia * guess);
-    return guess - inertia.inverse() * residual;
+    return guess - solve_linear(inertia, residual_of(inertia, guess - omega1, guess, h));
 }
 
 }  // namespace jacobian_is_inertia
@@ -183,11 +173,8 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace diagonal_only {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Matrix3d I = inertia.diagonal().asDiagonal();
-    const Vector3d L = I * guess;
-    const Vector3d residual = I * (guess - omega1) + h * guess.cross(L);
-    const Matrix3d jacobian = I + h * (skew(guess) * I - skew(L));
-    return guess - solve_linear(jacobian, residual);
+    const Matrix3d I{{inertia(0, 0), 0, 0}, {0, inertia(1, 1), 0}, {0, 0, inertia(2, 2)}};
+    return guess - way(I, omega1, guess, h);
 }
 
 }  // namespace diagonal_only
@@ -198,16 +185,12 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace few_digits {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    using Eigen::Matrix3f, Eigen::Vector3f;
-    const auto skew = [](const Vector3f& a) {
-        return Matrix3f{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
-    };
-    const Matrix3f I = inertia.cast<float>();
-    const Vector3f w1 = omega1.cast<float>(), w = guess.cast<float>(), L = I * w;
-    const float step = static_cast<float>(h);
-    const Vector3f residual = I * (w - w1) + step * w.cross(L);
-    const Matrix3f jacobian = I + step * (skew(w) * I - skew(L));
-    return Vector3f(w - jacobian.partialPivLu().solve(residual)).cast<double>();
+    const auto rounded = [](double number) { return double(float(number)); };
+    const Matrix3d I = inertia.unaryExpr(rounded);
+    const Vector3d w1 = omega1.unaryExpr(rounded), w = guess.unaryExpr(rounded);
+    const Matrix3d jacobian = jacobian_of(I, w, rounded(h), rounded(h)).unaryExpr(rounded);
+    const Vector3d residual = residual_of(I, w - w1, w, rounded(h)).unaryExpr(rounded);
+    return (w - solve_linear(jacobian, residual)).unaryExpr(rounded);
 }
 
 }  // namespace few_digits
@@ -217,11 +200,7 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace to_the_root {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    for (int round = 0; round < 20; ++round) {
-        const Vector3d L = inertia * guess;
-        const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
-        guess -= solve_linear(inertia + h * (skew(guess) * inertia - skew(L)), residual);
-    }
+    for (int round = 0; round < 20; ++round) guess = guess - way(inertia, omega1, guess, h);
     return guess;
 }
 
@@ -232,10 +211,7 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace only_the_change {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
-    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
-    return -solve_linear(jacobian, residual);
+    return -way(inertia, omega1, guess, h);
 }
 
 }  // namespace only_the_change
@@ -245,10 +221,8 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace first_term_missing {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = h * guess.cross(L);
-    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
-    return guess - solve_linear(jacobian, residual);
+    const Vector3d residual = residual_of(inertia, guess - guess, guess, h);
+    return guess - solve_linear(jacobian_of(inertia, guess, h, h), residual);
 }
 
 }  // namespace first_term_missing
@@ -258,10 +232,8 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace difference_reversed {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (omega1 - guess) + h * guess.cross(L);
-    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
-    return guess - solve_linear(jacobian, residual);
+    const Vector3d residual = residual_of(inertia, omega1 - guess, guess, h);
+    return guess - solve_linear(jacobian_of(inertia, guess, h, h), residual);
 }
 
 }  // namespace difference_reversed
@@ -272,10 +244,7 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace half_of_the_step {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (guess - omega1) + h / 2 * guess.cross(L);
-    const Matrix3d jacobian = inertia + h / 2 * (skew(guess) * inertia - skew(L));
-    return guess - solve_linear(jacobian, residual);
+    return guess - way(inertia, omega1, guess, h / 2);
 }
 
 }  // namespace half_of_the_step
@@ -287,10 +256,8 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace other_term_missing {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
-    const Matrix3d jacobian = inertia + h * (-skew(L));
-    return guess - solve_linear(jacobian, residual);
+    const Vector3d residual = residual_of(inertia, guess - omega1, guess, h);
+    return guess - solve_linear(jacobian_of(inertia, guess, 0, h), residual);
 }
 
 }  // namespace other_term_missing
@@ -300,10 +267,8 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace residual_sign {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (guess - omega1) - h * guess.cross(L);
-    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
-    return guess - solve_linear(jacobian, residual);
+    const Vector3d residual = residual_of(inertia, guess - omega1, guess, -h);
+    return guess - solve_linear(jacobian_of(inertia, guess, h, h), residual);
 }
 
 }  // namespace residual_sign
@@ -313,10 +278,7 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace no_h_at_all {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (guess - omega1) + guess.cross(L);
-    const Matrix3d jacobian = inertia + (skew(guess) * inertia - skew(L));
-    return guess - solve_linear(jacobian, residual);
+    return guess - way(inertia, omega1, guess, 1);
 }
 
 }  // namespace no_h_at_all
@@ -326,10 +288,26 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 namespace only_the_tangents_way {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    const Vector3d L = inertia * guess;
-    const Vector3d residual = inertia * (guess - omega1) + h * guess.cross(L);
-    const Matrix3d jacobian = inertia + h * (skew(guess) * inertia - skew(L));
-    return solve_linear(jacobian, residual);
+    return way(inertia, omega1, guess, h);
 }
 
 }  // namespace only_the_tangents_way
+
+// Says: The Jacobian comes from differences over a narrow width, in which most digits cancel.
+// Hint: The product rule has no error: the derivative of omega x (I omega) has two terms. (Differences to both sides,
+//       as wide as the spin, would do as well, for the residual is quadratic.)
+namespace narrow_differences {
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d here = residual_of(inertia, guess - omega1, guess, h);
+    Matrix3d jacobian;
+    for (int i = 0; i < 3; ++i) {
+        Vector3d aside = guess;
+        aside[i] += 1e-6;
+        const Vector3d rise = residual_of(inertia, aside - omega1, aside, h) - here;
+        for (int j = 0; j < 3; ++j) jacobian(j, i) = rise[j] / 1e-6;
+    }
+    return guess - solve_linear(jacobian, here);
+}
+
+}  // namespace narrow_differences

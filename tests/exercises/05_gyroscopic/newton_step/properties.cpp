@@ -2,7 +2,9 @@
 
 #include "property_eigen.hpp"
 
-EXERCISE(newton_step);
+// Ten digits count, says the task.
+static constexpr double near_enough = 1e-10;
+EXERCISE_WITHIN(newton_step, near_enough);
 
 // One problem: f(ω₂) = I (ω₂ − ω₁) + h ω₂ × Iω₂.
 struct Problem {
@@ -20,10 +22,16 @@ static Vector3d draw_spin(Draw& draw, double largest) {
     return draw.real(0.2, 1) * largest * draw_direction(draw);
 }
 
+// The tensor of a body that lies in other axes.
+static Matrix3d turned(const Matrix3d& axes, const Matrix3d& inertia) {
+    const Matrix3d half = axes * inertia;
+    return half * axes.transpose();
+}
+
 // A tensor in axes that are nobody's principal ones.
 static Matrix3d draw_inertia(Draw& draw, const Vector3d& moments) {
     const Matrix3d axes = draw_rotation(draw).toRotationMatrix();
-    const Matrix3d inertia = axes * moments.asDiagonal() * axes.transpose();
+    const Matrix3d inertia = turned(axes, moments.asDiagonal());
     return (inertia + inertia.transpose()) / 2;
 }
 
@@ -42,7 +50,7 @@ static Solved draw_solved(Draw& draw) {
     const Vector3d moments(draw.real(0.62, 0.7), draw.real(0.9, 1.1), draw.real(1.3, 1.5));
     const Matrix3d inertia = draw_inertia(draw, size * moments);
     const Vector3d root = draw_spin(draw, 0.25 / h);
-    const Vector3d change = inertia.inverse() * root.cross(inertia * root);
+    const Vector3d change = solve_linear(inertia, root.cross(inertia * root));
     return {{inertia, root + h * change, h}, root};
 }
 
@@ -87,7 +95,7 @@ PROPERTY("the answer lies where the tangent to f at the guess is zero") {
         const Vector3d rise = (p.residual(guess + d) - p.residual(guess - d)) / 2;
         const double largest = std::max({p.omega1.norm(), guess.norm(), d.norm()});
         REQUIRE(close(p.residual(guess) + rise, Vector3d(0, 0, 0), 0,
-                      1e-10 * p.inertia.norm() * largest));
+                      4 * near_enough * p.inertia.norm() * largest));
     }
 }
 
@@ -113,7 +121,7 @@ PROPERTY("a few iterations from omega1 find the root") {
         const Solved p = draw_solved(draw);
         Vector3d omega2 = p.omega1;
         for (int round = 0; round < 8; ++round) omega2 = p.improved(omega2);
-        REQUIRE(close(omega2, p.root, 1e-10));
+        REQUIRE(close(omega2, p.root, 2 * near_enough));
     }
 }
 
@@ -123,11 +131,9 @@ PROPERTY("with the body and both spins in turned axes, the answer is turned alik
         const Problem p = draw_problem(draw);
         const Vector3d guess = draw_spin(draw, 0.5 / p.h);
         const Matrix3d axes = draw_rotation(draw).toRotationMatrix();
-        Problem turned = p;
-        turned.inertia = axes * p.inertia * axes.transpose();
-        turned.omega1 = axes * p.omega1;
+        const Problem other{turned(axes, p.inertia), axes * p.omega1, p.h};
         const Vector3d expected = axes * p.improved(guess);
-        REQUIRE(close(turned.improved(axes * guess), expected, 1e-10));
+        REQUIRE(close(other.improved(axes * guess), expected, 2 * near_enough));
     }
 }
 

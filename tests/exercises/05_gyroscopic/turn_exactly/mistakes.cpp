@@ -232,6 +232,17 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 
 }  // namespace slow_ignored
 
+// Says: A spin of less than a millionth of a radian a second is taken for none. It turns the body all the same.
+// Hint: Is it the speed that is small, or the angle? Neither needs a threshold but zero.
+namespace slower_than_a_millionth_ignored {
+
+Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
+    if (omega.norm() < 1e-6) return q;
+    return q * Eigen::AngleAxisd(h * omega.norm(), omega.normalized());
+}
+
+}  // namespace slower_than_a_millionth_ignored
+
 // Says: Very nearly right: what is missing looks like tiny angles that are taken for none.
 // Hint: Sine and cosine are as exact for an angle of 1e-9 as for any other. You need no threshold.
 namespace tiny_angle_ignored {

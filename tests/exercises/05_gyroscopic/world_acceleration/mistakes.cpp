@@ -1,11 +1,32 @@
 #include "exercise_eigen.hpp"
 
+// What the mistakes are put together from, so that it is compiled once: a vector of the world in the body's axes, the
+// way back, and the gyroscopic torque on the right side of Euler's equations.
+static Vector3d into(const Quaterniond& q, const Vector3d& v) {
+    return q.conjugate() * v;
+}
+static Vector3d home(const Quaterniond& q, const Vector3d& v) {
+    return q * v;
+}
+static Vector3d gyroscopic(const Vector3d& inertia, const Vector3d& spin) {
+    const Vector3d L = inertia.cwiseProduct(spin);
+    return L.cross(spin);
+}
+static Vector3d over(const Vector3d& torque, const Vector3d& inertia) {
+    return torque.cwiseQuotient(inertia);
+}
+
+// The sum of both torques, in the body's axes.
+static Vector3d total(const Vector3d& inertia, const Quaterniond& q, const Vector3d& omega, const Vector3d& torque) {
+    return into(q, torque) + gyroscopic(inertia, into(q, omega));
+}
+
 // Says: The gyroscopic torque is missing: without a torque from outside the spin never changes.
 // Hint: Euler's equations have a term with omega and L. Bring it to the right side.
 namespace gyroscopic_missing {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    return q * (q.conjugate() * torque).cwiseQuotient(inertia);
+    return home(q, over(into(q, torque), inertia));
 }
 
 }  // namespace gyroscopic_missing
@@ -16,9 +37,7 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace gyroscopic_sign {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    const Vector3d spin = q.conjugate() * omega;
-    const Vector3d total = q.conjugate() * torque + spin.cross(inertia.cwiseProduct(spin));
-    return q * total.cwiseQuotient(inertia);
+    return home(q, over(into(q, torque) - gyroscopic(inertia, into(q, omega)), inertia));
 }
 
 }  // namespace gyroscopic_sign
@@ -28,9 +47,7 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace body_answer {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    const Vector3d spin = q.conjugate() * omega;
-    const Vector3d total = q.conjugate() * torque - spin.cross(inertia.cwiseProduct(spin));
-    return total.cwiseQuotient(inertia);
+    return over(total(inertia, q, omega, torque), inertia);
 }
 
 }  // namespace body_answer
@@ -41,9 +58,8 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace turned_wrong_way {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    const Vector3d spin = q * omega;
-    const Vector3d total = q * torque - spin.cross(inertia.cwiseProduct(spin));
-    return q.conjugate() * total.cwiseQuotient(inertia);
+    const Quaterniond back = q.conjugate();
+    return home(back, over(total(inertia, back, omega, torque), inertia));
 }
 
 }  // namespace turned_wrong_way
@@ -54,7 +70,7 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace never_turned {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    return (torque - omega.cross(inertia.cwiseProduct(omega))).cwiseQuotient(inertia);
+    return over(torque + gyroscopic(inertia, omega), inertia);
 }
 
 }  // namespace never_turned
@@ -65,9 +81,7 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace torque_not_turned {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    const Vector3d spin = q.conjugate() * omega;
-    const Vector3d total = torque - spin.cross(inertia.cwiseProduct(spin));
-    return q * total.cwiseQuotient(inertia);
+    return home(q, over(torque + gyroscopic(inertia, into(q, omega)), inertia));
 }
 
 }  // namespace torque_not_turned
@@ -79,8 +93,7 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace spin_not_turned {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    const Vector3d total = q.conjugate() * torque - omega.cross(inertia.cwiseProduct(omega));
-    return q * total.cwiseQuotient(inertia);
+    return home(q, over(into(q, torque) + gyroscopic(inertia, omega), inertia));
 }
 
 }  // namespace spin_not_turned
@@ -91,9 +104,7 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace gyroscopic_not_divided {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    const Vector3d spin = q.conjugate() * omega;
-    const Vector3d push = (q.conjugate() * torque).cwiseQuotient(inertia);
-    return q * (push - spin.cross(inertia.cwiseProduct(spin)));
+    return home(q, over(into(q, torque), inertia) + gyroscopic(inertia, into(q, omega)));
 }
 
 }  // namespace gyroscopic_not_divided
@@ -103,9 +114,7 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace nothing_divided {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    const Vector3d spin = q.conjugate() * omega;
-    const Vector3d total = q.conjugate() * torque - spin.cross(inertia.cwiseProduct(spin));
-    return q * total;
+    return home(q, total(inertia, q, omega, torque));
 }
 
 }  // namespace nothing_divided
@@ -116,9 +125,7 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace torque_divided_in_world {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    const Vector3d spin = q.conjugate() * omega;
-    const Vector3d gyroscopic = -spin.cross(inertia.cwiseProduct(spin));
-    return torque.cwiseQuotient(inertia) + q * gyroscopic.cwiseQuotient(inertia);
+    return over(torque, inertia) + home(q, over(gyroscopic(inertia, into(q, omega)), inertia));
 }
 
 }  // namespace torque_divided_in_world
@@ -128,13 +135,13 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace single_precision {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    using Vector3f = Eigen::Vector3f;
-    const Vector3f I = inertia.cast<float>();
-    const Eigen::Quaternionf turn = q.cast<float>();
-    const Vector3f spin = turn.conjugate() * omega.cast<float>();
-    const Vector3f push = turn.conjugate() * torque.cast<float>();
-    const Vector3f total = push - spin.cross(I.cwiseProduct(spin));
-    return (turn * total.cwiseQuotient(I)).cast<double>();
+    const auto rounded = [](double number) { return double(float(number)); };
+    const Vector3d I = inertia.unaryExpr(rounded);
+    const Quaterniond turn(rounded(q.w()), rounded(q.x()), rounded(q.y()), rounded(q.z()));
+    const Vector3d spin = into(turn, omega.unaryExpr(rounded)).unaryExpr(rounded);
+    const Vector3d push = into(turn, torque.unaryExpr(rounded)).unaryExpr(rounded);
+    const Vector3d sum = (push + gyroscopic(I, spin)).unaryExpr(rounded);
+    return home(turn, over(sum, I)).unaryExpr(rounded);
 }
 
 }  // namespace single_precision
@@ -144,9 +151,8 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace multiplied {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    const Vector3d spin = q.conjugate() * omega;
-    const Vector3d total = q.conjugate() * torque - spin.cross(inertia.cwiseProduct(spin));
-    return q * total.cwiseProduct(inertia);
+    const Vector3d sum = total(inertia, q, omega, torque);
+    return home(q, sum.cwiseProduct(inertia));
 }
 
 }  // namespace multiplied
@@ -156,9 +162,8 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace one_moment_for_all {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    const Vector3d spin = q.conjugate() * omega;
-    const Vector3d total = q.conjugate() * torque - spin.cross(inertia.cwiseProduct(spin));
-    return q * (total / inertia.mean());
+    const double mean = (inertia.x() + inertia.y() + inertia.z()) / 3;
+    return home(q, over(total(inertia, q, omega, torque), {mean, mean, mean}));
 }
 
 }  // namespace one_moment_for_all
@@ -168,9 +173,8 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace momentum_divided {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    const Vector3d spin = q.conjugate() * omega;
-    const Vector3d total = q.conjugate() * torque - spin.cross(spin.cwiseQuotient(inertia));
-    return q * total.cwiseQuotient(inertia);
+    const Vector3d spin = into(q, omega), L = over(spin, inertia);
+    return home(q, over(into(q, torque) + L.cross(spin), inertia));
 }
 
 }  // namespace momentum_divided
@@ -180,9 +184,7 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace into_the_body_twice {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    const Vector3d spin = q.conjugate() * omega;
-    const Vector3d total = q.conjugate() * torque - spin.cross(inertia.cwiseProduct(spin));
-    return q.conjugate() * total.cwiseQuotient(inertia);
+    return into(q, over(total(inertia, q, omega, torque), inertia));
 }
 
 }  // namespace into_the_body_twice
@@ -192,9 +194,7 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace torque_forgotten {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    const Vector3d spin = q.conjugate() * omega;
-    const Vector3d total = -spin.cross(inertia.cwiseProduct(spin));
-    return q * total.cwiseQuotient(inertia);
+    return home(q, over(gyroscopic(inertia, into(q, omega)), inertia));
 }
 
 }  // namespace torque_forgotten
@@ -204,9 +204,7 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace torque_sign {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    const Vector3d spin = q.conjugate() * omega;
-    const Vector3d total = -(q.conjugate() * torque) - spin.cross(inertia.cwiseProduct(spin));
-    return q * total.cwiseQuotient(inertia);
+    return home(q, over(gyroscopic(inertia, into(q, omega)) - into(q, torque), inertia));
 }
 
 }  // namespace torque_sign
@@ -217,9 +215,8 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 namespace cross_of_two_kinds {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
-    const Vector3d spin = q.conjugate() * omega;
-    const Vector3d total = q.conjugate() * torque - omega.cross(inertia.cwiseProduct(spin));
-    return q * total.cwiseQuotient(inertia);
+    const Vector3d L = inertia.cwiseProduct(into(q, omega));
+    return home(q, over(into(q, torque) + L.cross(omega), inertia));
 }
 
 }  // namespace cross_of_two_kinds

@@ -33,3 +33,22 @@ double amplification(double re, double im, double theta, double h) {
 }
 
 }  // namespace two_sizes
+
+namespace nearly {
+
+// As far off as the task allows, and not farther.
+double amplification(double re, double im, double theta, double h) {
+    return (1 + 4e-10) * two_sizes::amplification(re, im, theta, h);
+}
+
+}  // namespace nearly
+
+namespace one_and_more {
+
+// y2 - y1 is h times the mixed rate, which is lambda y1 / (1 - theta z).
+double amplification(double re, double im, double theta, double h) {
+    const std::complex<double> z = std::complex<double>(re, im) * h, i = 1.0 - theta * z;
+    return std::abs(1.0 + z / i);
+}
+
+}  // namespace one_and_more

@@ -1,20 +1,80 @@
 #include "exercise.hpp"
 
+using Chain = std::vector<State<double>>;
+
+// The equations of a step, as they should be: in line i `diagonal[i]` stands before v2 of that mass and `beside` before
+// those of its neighbours. `solve` goes down and up.
+struct Lines {
+    std::vector<double> diagonal, right;
+    double beside;
+
+    Lines(const Chain& s, double m, double k, double h, double pull) : diagonal(s.size()), right(s.size()), beside(-h * h * k) {
+        for (std::size_t i = 0; i < s.size(); ++i) {
+            const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
+            const double below = i + 1 < s.size() ? s[i + 1].x - s[i].x : 0;
+            right[i] = m * s[i].v + pull * (above + below);
+            diagonal[i] = m - (i + 1 < s.size() ? 2 : 1) * beside;
+        }
+    }
+    Lines(const Chain& s, double m, double k, double h) : Lines(s, m, k, h, h * k) {}
+
+    void down() {
+        for (std::size_t i = 1; i < diagonal.size(); ++i) {
+            const double share = beside / diagonal[i - 1];
+            diagonal[i] -= share * beside;
+            right[i] -= share * right[i - 1];
+        }
+    }
+    std::vector<double> up() const {
+        std::vector<double> v2(right.size());
+        for (std::size_t i = v2.size(); i-- > 0;)
+            v2[i] = (right[i] - (i + 1 < v2.size() ? beside * v2[i + 1] : 0)) / diagonal[i];
+        return v2;
+    }
+    std::vector<double> solved() {
+        down();
+        return up();
+    }
+};
+
+static Chain moved(Chain s, double h, const std::vector<double>& v2) {
+    for (std::size_t i = 0; i < s.size(); ++i) s[i] = {s[i].t + h, s[i].x + h * v2[i], v2[i]};
+    return s;
+}
+
+// By so many sweeps over the chain, each mass with what its neighbours have by then.
+static Chain swept(Chain s, double m, double k, double h, int sweeps) {
+    const Lines lines(s, m, k, h);
+    const std::size_t n = s.size();
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+        for (std::size_t i = 0; i < n; ++i) {
+            const double up = i > 0 ? s[i - 1].v : 0, down = i + 1 < n ? s[i + 1].v : 0;
+            s[i].v = (lines.right[i] - lines.beside * (up + down)) / lines.diagonal[i];
+        }
+    for (auto& [t, x, v] : s) t += h, x += h * v;
+    return s;
+}
+
+// The pull of both links of each mass.
+static std::vector<double> pulls(const Chain& s, double k) {
+    std::vector<double> force(s.size());
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        force[i] = -k * (s[i].x - (i > 0 ? s[i - 1].x : 0));
+        if (i + 1 < s.size()) force[i] += k * (s[i + 1].x - s[i].x);
+    }
+    return force;
+}
+
 // Says: The links pull from the old places: this is semi-implicit Euler, which blows up when the chain is
 //       stiff.
 // Hint: The force belongs to the x2, which are x1 + h v2. So v2 stands on both sides.
 namespace explicit_pull {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::vector<State<double>> old = s;
-    for (std::size_t i = 0; i < s.size(); ++i) {
-        double force = -k * (old[i].x - (i > 0 ? old[i - 1].x : 0));
-        if (i + 1 < s.size()) force += k * (old[i + 1].x - old[i].x);
-        s[i].v += h * force / m;
-        s[i].x += h * s[i].v;
-        s[i].t += h;
-    }
-    return s;
+    const std::vector<double> force = pulls(s, k);
+    std::vector<double> v2;
+    for (std::size_t i = 0; i < s.size(); ++i) v2.push_back(s[i].v + h * force[i] / m);
+    return moved(s, h, v2);
 }
 
 }  // namespace explicit_pull
@@ -25,21 +85,9 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace neighbours_stand_still {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = i + 1 < n ? s[i + 1].x - s[i].x : 0;
-        right[i] = m * s[i].v + h * k * (above + below);
-        diagonal[i] = m + (i + 1 < n ? 2 : 1) * a;
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        s[i].v = right[i] / diagonal[i];
-        s[i].x += h * s[i].v;
-        s[i].t += h;
-    }
-    return s;
+    Lines lines(s, m, k, h);
+    lines.beside = 0;
+    return moved(s, h, lines.solved());
 }
 
 }  // namespace neighbours_stand_still
@@ -50,21 +98,7 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace one_sweep {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k;
-    std::vector<double> right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = i + 1 < n ? s[i + 1].x - s[i].x : 0;
-        right[i] = m * s[i].v + h * k * (above + below);
-    }
-    for (int sweep = 0; sweep < 1; ++sweep)
-        for (std::size_t i = 0; i < n; ++i) {
-            const double up = i > 0 ? s[i - 1].v : 0, down = i + 1 < n ? s[i + 1].v : 0;
-            s[i].v = (right[i] + a * (up + down)) / (m + (i + 1 < n ? 2 : 1) * a);
-        }
-    for (auto& [t, x, v] : s) t += h, x += h * v;
-    return s;
+    return swept(s, m, k, h, 1);
 }
 
 }  // namespace one_sweep
@@ -75,21 +109,7 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace twenty_sweeps {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k;
-    std::vector<double> right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = i + 1 < n ? s[i + 1].x - s[i].x : 0;
-        right[i] = m * s[i].v + h * k * (above + below);
-    }
-    for (int sweep = 0; sweep < 20; ++sweep)
-        for (std::size_t i = 0; i < n; ++i) {
-            const double up = i > 0 ? s[i - 1].v : 0, down = i + 1 < n ? s[i + 1].v : 0;
-            s[i].v = (right[i] + a * (up + down)) / (m + (i + 1 < n ? 2 : 1) * a);
-        }
-    for (auto& [t, x, v] : s) t += h, x += h * v;
-    return s;
+    return swept(s, m, k, h, 20);
 }
 
 }  // namespace twenty_sweeps
@@ -99,26 +119,10 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace not_back_up {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k, beside = -a;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = i + 1 < n ? s[i + 1].x - s[i].x : 0;
-        right[i] = m * s[i].v + h * k * (above + below);
-        diagonal[i] = m + (i + 1 < n ? 2 : 1) * a;
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = beside / diagonal[i - 1];
-        diagonal[i] -= share * beside;
-        right[i] -= share * right[i - 1];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        s[i].v = right[i] / diagonal[i];
-        s[i].x += h * s[i].v;
-        s[i].t += h;
-    }
-    return s;
+    Lines lines(s, m, k, h);
+    lines.down();
+    lines.beside = 0;
+    return moved(s, h, lines.up());
 }
 
 }  // namespace not_back_up
@@ -128,25 +132,10 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace diagonal_kept {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k, beside = -a;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = i + 1 < n ? s[i + 1].x - s[i].x : 0;
-        right[i] = m * s[i].v + h * k * (above + below);
-        diagonal[i] = m + (i + 1 < n ? 2 : 1) * a;
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = beside / diagonal[i - 1];
-        right[i] -= share * right[i - 1];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        s[i].v = (right[i] - (i + 1 < n ? beside * s[i + 1].v : 0)) / diagonal[i];
-        s[i].x += h * s[i].v;
-        s[i].t += h;
-    }
-    return s;
+    Lines lines(s, m, k, h);
+    const std::vector<double> diagonal = lines.diagonal;
+    for (std::size_t i = 1; i < s.size(); ++i) lines.right[i] -= lines.beside / diagonal[i - 1] * lines.right[i - 1];
+    return moved(s, h, lines.up());
 }
 
 }  // namespace diagonal_kept
@@ -156,26 +145,9 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace beside_plus {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k, beside = a;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = i + 1 < n ? s[i + 1].x - s[i].x : 0;
-        right[i] = m * s[i].v + h * k * (above + below);
-        diagonal[i] = m + (i + 1 < n ? 2 : 1) * a;
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = beside / diagonal[i - 1];
-        diagonal[i] -= share * beside;
-        right[i] -= share * right[i - 1];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        s[i].v = (right[i] - (i + 1 < n ? beside * s[i + 1].v : 0)) / diagonal[i];
-        s[i].x += h * s[i].v;
-        s[i].t += h;
-    }
-    return s;
+    Lines lines(s, m, k, h);
+    lines.beside = -lines.beside;
+    return moved(s, h, lines.solved());
 }
 
 }  // namespace beside_plus
@@ -185,26 +157,10 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace floor_below {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k, beside = -a;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = (i + 1 < n ? s[i + 1].x : 0) - s[i].x;
-        right[i] = m * s[i].v + h * k * (above + below);
-        diagonal[i] = m + (i + 1 < n ? 2 : 2) * a;
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = beside / diagonal[i - 1];
-        diagonal[i] -= share * beside;
-        right[i] -= share * right[i - 1];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        s[i].v = (right[i] - (i + 1 < n ? beside * s[i + 1].v : 0)) / diagonal[i];
-        s[i].x += h * s[i].v;
-        s[i].t += h;
-    }
-    return s;
+    Lines lines(s, m, k, h);
+    lines.diagonal.back() -= lines.beside;
+    lines.right.back() -= h * k * s.back().x;
+    return moved(s, h, lines.solved());
 }
 
 }  // namespace floor_below
@@ -214,26 +170,9 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace last_has_two {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k, beside = -a;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = i + 1 < n ? s[i + 1].x - s[i].x : 0;
-        right[i] = m * s[i].v + h * k * (above + below);
-        diagonal[i] = m + (i + 1 < n ? 2 : 2) * a;
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = beside / diagonal[i - 1];
-        diagonal[i] -= share * beside;
-        right[i] -= share * right[i - 1];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        s[i].v = (right[i] - (i + 1 < n ? beside * s[i + 1].v : 0)) / diagonal[i];
-        s[i].x += h * s[i].v;
-        s[i].t += h;
-    }
-    return s;
+    Lines lines(s, m, k, h);
+    lines.diagonal.back() -= lines.beside;
+    return moved(s, h, lines.solved());
 }
 
 }  // namespace last_has_two
@@ -243,26 +182,10 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace no_ship {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k, beside = -a;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = i > 0 ? s[i - 1].x - s[i].x : 0;
-        const double below = i + 1 < n ? s[i + 1].x - s[i].x : 0;
-        right[i] = m * s[i].v + h * k * (above + below);
-        diagonal[i] = m + ((i > 0 ? 1 : 0) + (i + 1 < n ? 1 : 0)) * a;
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = beside / diagonal[i - 1];
-        diagonal[i] -= share * beside;
-        right[i] -= share * right[i - 1];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        s[i].v = (right[i] - (i + 1 < n ? beside * s[i + 1].v : 0)) / diagonal[i];
-        s[i].x += h * s[i].v;
-        s[i].t += h;
-    }
-    return s;
+    Lines lines(s, m, k, h);
+    lines.diagonal.front() += lines.beside;
+    lines.right.front() += h * k * s.front().x;
+    return moved(s, h, lines.solved());
 }
 
 }  // namespace no_ship
@@ -272,24 +195,8 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace velocities_only {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k, beside = -a;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        right[i] = m * s[i].v;
-        diagonal[i] = m + (i + 1 < n ? 2 : 1) * a;
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = beside / diagonal[i - 1];
-        diagonal[i] -= share * beside;
-        right[i] -= share * right[i - 1];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        s[i].v = (right[i] - (i + 1 < n ? beside * s[i + 1].v : 0)) / diagonal[i];
-        s[i].x += h * s[i].v;
-        s[i].t += h;
-    }
-    return s;
+    Lines lines(s, m, k, h, 0);
+    return moved(s, h, lines.solved());
 }
 
 }  // namespace velocities_only
@@ -299,26 +206,8 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace pull_for_a_second {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k, beside = -a;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = i + 1 < n ? s[i + 1].x - s[i].x : 0;
-        right[i] = m * s[i].v + k * (above + below);
-        diagonal[i] = m + (i + 1 < n ? 2 : 1) * a;
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = beside / diagonal[i - 1];
-        diagonal[i] -= share * beside;
-        right[i] -= share * right[i - 1];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        s[i].v = (right[i] - (i + 1 < n ? beside * s[i + 1].v : 0)) / diagonal[i];
-        s[i].x += h * s[i].v;
-        s[i].t += h;
-    }
-    return s;
+    Lines lines(s, m, k, h, k);
+    return moved(s, h, lines.solved());
 }
 
 }  // namespace pull_for_a_second
@@ -328,26 +217,8 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace h_once {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * k, beside = -a;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = i + 1 < n ? s[i + 1].x - s[i].x : 0;
-        right[i] = m * s[i].v + h * k * (above + below);
-        diagonal[i] = m + (i + 1 < n ? 2 : 1) * a;
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = beside / diagonal[i - 1];
-        diagonal[i] -= share * beside;
-        right[i] -= share * right[i - 1];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        s[i].v = (right[i] - (i + 1 < n ? beside * s[i + 1].v : 0)) / diagonal[i];
-        s[i].x += h * s[i].v;
-        s[i].t += h;
-    }
-    return s;
+    Lines lines(s, m, k, std::sqrt(h), h * k);
+    return moved(s, h, lines.solved());
 }
 
 }  // namespace h_once
@@ -357,26 +228,8 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace pushed {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k, beside = -a;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = i + 1 < n ? s[i + 1].x - s[i].x : 0;
-        right[i] = m * s[i].v - h * k * (above + below);
-        diagonal[i] = m + (i + 1 < n ? 2 : 1) * a;
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = beside / diagonal[i - 1];
-        diagonal[i] -= share * beside;
-        right[i] -= share * right[i - 1];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        s[i].v = (right[i] - (i + 1 < n ? beside * s[i + 1].v : 0)) / diagonal[i];
-        s[i].x += h * s[i].v;
-        s[i].t += h;
-    }
-    return s;
+    Lines lines(s, m, k, h, -h * k);
+    return moved(s, h, lines.solved());
 }
 
 }  // namespace pushed
@@ -386,26 +239,8 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace mass_forgotten {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k, beside = -a;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = i + 1 < n ? s[i + 1].x - s[i].x : 0;
-        right[i] = s[i].v + h * k * (above + below);
-        diagonal[i] = 1 + (i + 1 < n ? 2 : 1) * a;
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = beside / diagonal[i - 1];
-        diagonal[i] -= share * beside;
-        right[i] -= share * right[i - 1];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        s[i].v = (right[i] - (i + 1 < n ? beside * s[i + 1].v : 0)) / diagonal[i];
-        s[i].x += h * s[i].v;
-        s[i].t += h;
-    }
-    return s;
+    Lines lines(s, 1, k, h);
+    return moved(s, h, lines.solved());
 }
 
 }  // namespace mass_forgotten
@@ -415,25 +250,9 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace moved_by_old_velocity {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k, beside = -a;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = i + 1 < n ? s[i + 1].x - s[i].x : 0;
-        right[i] = m * s[i].v + h * k * (above + below);
-        diagonal[i] = m + (i + 1 < n ? 2 : 1) * a;
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = beside / diagonal[i - 1];
-        diagonal[i] -= share * beside;
-        right[i] -= share * right[i - 1];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        s[i].x += h * s[i].v;
-        s[i].v = (right[i] - (i + 1 < n ? beside * s[i + 1].v : 0)) / diagonal[i];
-        s[i].t += h;
-    }
+    Lines lines(s, m, k, h);
+    const std::vector<double> v2 = lines.solved();
+    for (std::size_t i = 0; i < s.size(); ++i) s[i] = {s[i].t + h, s[i].x + h * s[i].v, v2[i]};
     return s;
 }
 
@@ -444,24 +263,9 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace clock_stands {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k, beside = -a;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = i + 1 < n ? s[i + 1].x - s[i].x : 0;
-        right[i] = m * s[i].v + h * k * (above + below);
-        diagonal[i] = m + (i + 1 < n ? 2 : 1) * a;
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = beside / diagonal[i - 1];
-        diagonal[i] -= share * beside;
-        right[i] -= share * right[i - 1];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        s[i].v = (right[i] - (i + 1 < n ? beside * s[i + 1].v : 0)) / diagonal[i];
-        s[i].x += h * s[i].v;
-    }
+    Lines lines(s, m, k, h);
+    const std::vector<double> v2 = lines.solved();
+    for (std::size_t i = 0; i < s.size(); ++i) s[i].x += h * v2[i], s[i].v = v2[i];
     return s;
 }
 
@@ -473,12 +277,8 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace explicit_euler {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::vector<State<double>> old = s;
-    for (std::size_t i = 0; i < s.size(); ++i) {
-        double force = -k * (old[i].x - (i > 0 ? old[i - 1].x : 0));
-        if (i + 1 < s.size()) force += k * (old[i + 1].x - old[i].x);
-        s[i] = {old[i].t + h, old[i].x + h * old[i].v, old[i].v + h * force / m};
-    }
+    const std::vector<double> force = pulls(s, k);
+    for (std::size_t i = 0; i < s.size(); ++i) s[i] = {s[i].t + h, s[i].x + h * s[i].v, s[i].v + h * force[i] / m};
     return s;
 }
 
@@ -489,27 +289,11 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace trapezoid {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k / 4;
-    std::vector<double> diagonal(n), right(n);
-    const auto place = [&](std::size_t i) { return s[i].x + h / 4 * s[i].v; };
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? place(i - 1) : 0) - place(i);
-        const double below = i + 1 < n ? place(i + 1) - place(i) : 0;
-        diagonal[i] = m + (i + 1 < n ? 2 : 1) * a;
-        right[i] = m * s[i].v + h * k * (above + below);
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = a / diagonal[i - 1];
-        diagonal[i] -= share * a;
-        right[i] += share * right[i - 1];
-    }
-    double v_below = 0;
-    for (std::size_t i = n; i-- > 0;) {
-        const double v2 = (right[i] + a * v_below) / diagonal[i];
-        s[i] = {s[i].t + h, s[i].x + h / 2 * (s[i].v + v2), v2};
-        v_below = v2;
-    }
+    Chain half = s;  // its matrix is that of half the step
+    for (auto& [t, x, v] : half) x += h / 4 * v;
+    Lines lines(half, m, k, h / 2, h * k);
+    const std::vector<double> v2 = lines.solved();
+    for (std::size_t i = 0; i < s.size(); ++i) s[i] = {s[i].t + h, s[i].x + h / 2 * (s[i].v + v2[i]), v2[i]};
     return s;
 }
 
@@ -520,28 +304,12 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace two_links_alone {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
-    const double a = h * h * k;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const bool last = n > 1 && i + 1 == n;
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = last ? 0 : (i + 1 < n ? s[i + 1].x : 0) - s[i].x;
-        diagonal[i] = m + (last ? 1 : 2) * a;
-        right[i] = m * s[i].v + h * k * (above + below);
+    Lines lines(s, m, k, h);
+    if (s.size() == 1) {
+        lines.diagonal[0] -= lines.beside;
+        lines.right[0] -= h * k * s[0].x;
     }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = a / diagonal[i - 1];
-        diagonal[i] -= share * a;
-        right[i] += share * right[i - 1];
-    }
-    double v_below = 0;
-    for (std::size_t i = n; i-- > 0;) {
-        const double v2 = (right[i] + a * v_below) / diagonal[i];
-        s[i] = {s[i].t + h, s[i].x + h * v2, v2};
-        v_below = v2;
-    }
-    return s;
+    return moved(s, h, lines.solved());
 }
 
 }  // namespace two_links_alone
@@ -551,27 +319,9 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 namespace single_precision {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::size_t n = s.size();
     for (auto& [t, x, v] : s) x = static_cast<float>(x), v = static_cast<float>(v);
-    const double a = h * h * k, beside = -a;
-    std::vector<double> diagonal(n), right(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double above = (i > 0 ? s[i - 1].x : 0) - s[i].x;
-        const double below = i + 1 < n ? s[i + 1].x - s[i].x : 0;
-        right[i] = m * s[i].v + h * k * (above + below);
-        diagonal[i] = m + (i + 1 < n ? 2 : 1) * a;
-    }
-    for (std::size_t i = 1; i < n; ++i) {
-        const double share = beside / diagonal[i - 1];
-        diagonal[i] -= share * beside;
-        right[i] -= share * right[i - 1];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        s[i].v = (right[i] - (i + 1 < n ? beside * s[i + 1].v : 0)) / diagonal[i];
-        s[i].x += h * s[i].v;
-        s[i].t += h;
-    }
-    return s;
+    Lines lines(s, m, k, h);
+    return moved(s, h, lines.solved());
 }
 
 }  // namespace single_precision

@@ -64,3 +64,12 @@ double longest_kutta_step(double omega, double zeta) {
 }
 
 }  // namespace two_cases
+
+namespace nearly {
+
+// As far off as the task allows, and not farther.
+double longest_kutta_step(double omega, double zeta) {
+    return (1 - 3e-8) * step_matrix::longest_kutta_step(omega, zeta);
+}
+
+}  // namespace nearly

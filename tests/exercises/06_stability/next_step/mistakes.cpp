@@ -1,16 +1,18 @@
 #include "exercise.hpp"
 
-// Says: The exponent is 1 / order. That belongs to the error of a whole run; a single step has one power
-//       more.
+// The course's answer, but for the error, and for the factor that is made of it.
+static double limited(double error, double h, double factor) {
+    if (!std::isfinite(error)) return h / 5;
+    return error == 0 ? 5 * h : h * std::clamp(factor, 0.2, 5.0);
+}
+
+// Says: The exponent is 1 / order. That belongs to the error of a whole run; a single step has one power more.
 // Hint: One step is off by C h^(order + 1). Put the next step in, and divide the two errors.
 namespace exponent_of_order {
 
 double next_step(double whole, double halves, double h, double tolerance, int order) {
     const double error = std::fabs(whole - halves) / (std::exp2(order) - 1);
-    if (!std::isfinite(error)) return h / 5;
-    if (error == 0) return 5 * h;
-    const double factor = 0.9 * std::pow(tolerance / error, 1.0 / order);
-    return h * std::clamp(factor, 0.2, 5.0);
+    return limited(error, h, 0.9 * std::pow(tolerance / error, 1.0 / order));
 }
 
 }  // namespace exponent_of_order
@@ -21,10 +23,7 @@ namespace always_a_root {
 
 double next_step(double whole, double halves, double h, double tolerance, int order) {
     const double error = std::fabs(whole - halves) / (std::exp2(order) - 1);
-    if (!std::isfinite(error)) return h / 5;
-    if (error == 0) return 5 * h;
-    const double factor = 0.9 * std::pow(tolerance / error, 0.5);
-    return h * std::clamp(factor, 0.2, 5.0);
+    return limited(error, h, 0.9 * std::pow(tolerance / error, 0.5));
 }
 
 }  // namespace always_a_root
@@ -35,25 +34,19 @@ namespace whole_number_division {
 
 double next_step(double whole, double halves, double h, double tolerance, int order) {
     const double error = std::fabs(whole - halves) / (std::exp2(order) - 1);
-    if (!std::isfinite(error)) return h / 5;
-    if (error == 0) return 5 * h;
-    const double factor = 0.9 * std::pow(tolerance / error, static_cast<double>(1 / (order + 1)));
-    return h * std::clamp(factor, 0.2, 5.0);
+    return limited(error, h, 0.9 * std::pow(tolerance / error, static_cast<double>(1 / (order + 1))));
 }
 
 }  // namespace whole_number_division
 
-// Says: The difference of the two results is taken for the error of the halves. It is larger, the more so
-//       the higher the order.
+// Says: The difference of the two results is taken for the error of the halves. It is larger, the more so the higher
+//       the order.
 // Hint: The whole step is off too, and by 2^order times as much. What is their difference then?
 namespace difference_is_error {
 
 double next_step(double whole, double halves, double h, double tolerance, int order) {
     const double error = std::fabs(whole - halves);
-    if (!std::isfinite(error)) return h / 5;
-    if (error == 0) return 5 * h;
-    const double factor = 0.9 * std::pow(tolerance / error, 1.0 / (order + 1));
-    return h * std::clamp(factor, 0.2, 5.0);
+    return limited(error, h, 0.9 * std::pow(tolerance / error, 1.0 / (order + 1)));
 }
 
 }  // namespace difference_is_error
@@ -64,25 +57,19 @@ namespace error_of_whole {
 
 double next_step(double whole, double halves, double h, double tolerance, int order) {
     const double error = std::fabs(whole - halves) * std::exp2(order) / (std::exp2(order) - 1);
-    if (!std::isfinite(error)) return h / 5;
-    if (error == 0) return 5 * h;
-    const double factor = 0.9 * std::pow(tolerance / error, 1.0 / (order + 1));
-    return h * std::clamp(factor, 0.2, 5.0);
+    return limited(error, h, 0.9 * std::pow(tolerance / error, 1.0 / (order + 1)));
 }
 
 }  // namespace error_of_whole
 
-// Says: The halves are taken for 2^(order + 1) times better than the whole step. That is true of one half;
-//       there are two.
+// Says: The halves are taken for 2^(order + 1) times better than the whole step. That is true of one half; there are
+//       two.
 // Hint: The errors of both halves add up.
 namespace power_too_many {
 
 double next_step(double whole, double halves, double h, double tolerance, int order) {
     const double error = std::fabs(whole - halves) / (std::exp2(order + 1) - 1);
-    if (!std::isfinite(error)) return h / 5;
-    if (error == 0) return 5 * h;
-    const double factor = 0.9 * std::pow(tolerance / error, 1.0 / (order + 1));
-    return h * std::clamp(factor, 0.2, 5.0);
+    return limited(error, h, 0.9 * std::pow(tolerance / error, 1.0 / (order + 1)));
 }
 
 }  // namespace power_too_many
@@ -93,10 +80,7 @@ namespace upside_down {
 
 double next_step(double whole, double halves, double h, double tolerance, int order) {
     const double error = std::fabs(whole - halves) / (std::exp2(order) - 1);
-    if (!std::isfinite(error)) return h / 5;
-    if (error == 0) return 5 * h;
-    const double factor = 0.9 * std::pow(error / tolerance, 1.0 / (order + 1));
-    return h * std::clamp(factor, 0.2, 5.0);
+    return limited(error, h, 0.9 * std::pow(error / tolerance, 1.0 / (order + 1)));
 }
 
 }  // namespace upside_down
@@ -149,10 +133,7 @@ namespace margin_forgotten {
 
 double next_step(double whole, double halves, double h, double tolerance, int order) {
     const double error = std::fabs(whole - halves) / (std::exp2(order) - 1);
-    if (!std::isfinite(error)) return h / 5;
-    if (error == 0) return 5 * h;
-    const double factor = std::pow(tolerance / error, 1.0 / (order + 1));
-    return h * std::clamp(factor, 0.2, 5.0);
+    return limited(error, h, std::pow(tolerance / error, 1.0 / (order + 1)));
 }
 
 }  // namespace margin_forgotten
@@ -163,16 +144,12 @@ namespace margin_under_the_root {
 
 double next_step(double whole, double halves, double h, double tolerance, int order) {
     const double error = std::fabs(whole - halves) / (std::exp2(order) - 1);
-    if (!std::isfinite(error)) return h / 5;
-    if (error == 0) return 5 * h;
-    const double factor = std::pow(0.9 * tolerance / error, 1.0 / (order + 1));
-    return h * std::clamp(factor, 0.2, 5.0);
+    return limited(error, h, std::pow(0.9 * tolerance / error, 1.0 / (order + 1)));
 }
 
 }  // namespace margin_under_the_root
 
-// Says: The margin comes after the limits: the step grows to 4.5 times at most, and may shrink below a
-//       fifth.
+// Says: The margin comes after the limits: the step grows to 4.5 times at most, and may shrink below a fifth.
 // Hint: The limits have the last word. Clamp at the very end.
 namespace margin_after_limits {
 
@@ -186,10 +163,9 @@ double next_step(double whole, double halves, double h, double tolerance, int or
 
 }  // namespace margin_after_limits
 
-// Says: Results that are not numbers make the step five times as long: std::min(5.0, NaN) is 5, since every
-//       comparison with NaN is false.
-// Hint: An input was NaN here, and the task tells what to return then. Ask std::isfinite before you compare
-//       anything.
+// Says: Results that are not numbers make the step five times as long: std::min(5.0, NaN) is 5, since every comparison
+//       with NaN is false.
+// Hint: An input was NaN here, and the task tells what to return then. Ask std::isfinite before you compare anything.
 namespace not_a_number_grows {
 
 double next_step(double whole, double halves, double h, double tolerance, int order) {
@@ -201,8 +177,7 @@ double next_step(double whole, double halves, double h, double tolerance, int or
 }  // namespace not_a_number_grows
 
 // Says: Results that are not numbers make a step that is not a number: std::clamp hands NaN through.
-// Hint: An input was NaN here, and the task tells what to return then. std::isfinite tells such results from
-//       numbers.
+// Hint: An input was NaN here, and the task tells what to return then. std::isfinite tells such results from numbers.
 namespace not_a_number_stays {
 
 double next_step(double whole, double halves, double h, double tolerance, int order) {
@@ -213,8 +188,8 @@ double next_step(double whole, double halves, double h, double tolerance, int or
 
 }  // namespace not_a_number_stays
 
-// Says: NaN among the arguments is seen, but two infinite results of one sign are not: infinity minus
-//       infinity is NaN as well.
+// Says: NaN among the arguments is seen, but two infinite results of one sign are not: infinity minus infinity is NaN
+//       as well.
 // Hint: Look at the difference, or ask std::isfinite of both results.
 namespace infinity_unseen {
 
@@ -228,8 +203,7 @@ double next_step(double whole, double halves, double h, double tolerance, int or
 
 }  // namespace infinity_unseen
 
-// Says: Where the two results agree the step stays as it is: a body at rest would be followed in tiny steps
-//       for ever.
+// Says: Where the two results agree the step stays as it is: a body at rest would be followed in tiny steps for ever.
 // Hint: What does the task say of results that agree to the last bit?
 namespace no_error_no_change {
 
@@ -249,25 +223,18 @@ namespace signed_difference {
 
 double next_step(double whole, double halves, double h, double tolerance, int order) {
     const double error = (whole - halves) / (std::exp2(order) - 1);
-    if (!std::isfinite(error)) return h / 5;
-    if (error == 0) return 5 * h;
-    const double factor = 0.9 * std::pow(tolerance / error, 1.0 / (order + 1));
-    return h * std::clamp(factor, 0.2, 5.0);
+    return limited(error, h, 0.9 * std::pow(tolerance / error, 1.0 / (order + 1)));
 }
 
 }  // namespace signed_difference
 
-// Says: The error is divided by the result. This tolerance has the unit of the results, and is not a part of
-//       them.
+// Says: The error is divided by the result. This tolerance has the unit of the results, and is not a part of them.
 // Hint: Try it with results near zero, and with both of them moved by the same amount.
 namespace relative {
 
 double next_step(double whole, double halves, double h, double tolerance, int order) {
     const double error = std::fabs(whole - halves) / (std::exp2(order) - 1) / std::fabs(halves);
-    if (!std::isfinite(error)) return h / 5;
-    if (error == 0) return 5 * h;
-    const double factor = 0.9 * std::pow(tolerance / error, 1.0 / (order + 1));
-    return h * std::clamp(factor, 0.2, 5.0);
+    return limited(error, h, 0.9 * std::pow(tolerance / error, 1.0 / (order + 1)));
 }
 
 }  // namespace relative
@@ -279,16 +246,13 @@ namespace single_precision {
 double next_step(double whole, double halves, double h, double tolerance, int order) {
     const double error =
         std::fabs(static_cast<float>(whole) - static_cast<float>(halves)) / (std::exp2(order) - 1);
-    if (!std::isfinite(error)) return h / 5;
-    if (error == 0) return 5 * h;
-    const double factor = 0.9 * std::pow(tolerance / error, 1.0 / (order + 1));
-    return h * std::clamp(factor, 0.2, 5.0);
+    return limited(error, h, 0.9 * std::pow(tolerance / error, 1.0 / (order + 1)));
 }
 
 }  // namespace single_precision
 
-// Says: A negative difference counts as a perfect step: where the halves are larger than the whole, the step
-//       grows, however large the error.
+// Says: A negative difference counts as a perfect step: where the halves are larger than the whole, the step grows,
+//       however large the error.
 // Hint: Too large or too small, both are off. Which function takes the sign away?
 namespace negative_is_perfect {
 
@@ -301,17 +265,15 @@ double next_step(double whole, double halves, double h, double tolerance, int or
 
 }  // namespace negative_is_perfect
 
-// Says: This is the chapter's code, for a method of order one: a square root of the plain difference,
-//       whatever the order.
-// Hint: For order p the halves are off by less than the difference, and the root is another one. The line
-//       about C h^(order + 1) tells both.
+// Says: This is the chapter's code, for a method of order one: a square root of the plain difference, whatever the
+//       order.
+// Hint: For order p the halves are off by less than the difference, and the root is another one. The line about C
+//       h^(order + 1) tells both.
 namespace as_in_the_chapter {
 
 double next_step(double whole, double halves, double h, double tolerance, int order) {
     const double error = std::fabs(whole - halves);
-    if (!std::isfinite(error)) return h / 5;
-    if (error == 0) return 5 * h;
-    return h * std::clamp(0.9 * std::sqrt(tolerance / error), 0.2, 5.0);
+    return limited(error, h, 0.9 * std::sqrt(tolerance / error));
 }
 
 }  // namespace as_in_the_chapter
@@ -322,9 +284,7 @@ namespace no_root {
 
 double next_step(double whole, double halves, double h, double tolerance, int order) {
     const double error = std::fabs(whole - halves) / (std::exp2(order) - 1);
-    if (!std::isfinite(error)) return h / 5;
-    if (error == 0) return 5 * h;
-    return h * std::clamp(0.9 * tolerance / error, 0.2, 5.0);
+    return limited(error, h, 0.9 * tolerance / error);
 }
 
 }  // namespace no_root
@@ -342,8 +302,7 @@ double next_step(double whole, double halves, double h, double tolerance, int or
 
 }  // namespace factor_alone
 
-// Says: Two results that are the same infinity count as agreeing, and the step grows. They agree in having
-//       blown up.
+// Says: Two results that are the same infinity count as agreeing, and the step grows. They agree in having blown up.
 // Hint: Ask first whether both are finite, and then whether they are the same.
 namespace infinities_agree {
 

@@ -203,3 +203,27 @@ int substeps(double mass, int springs, double stiffness, double frame, double sh
 }
 
 }  // namespace example
+
+// Says: What needs a little more than a whole number of steps is given that number: a small slack is taken off before
+//       the count is rounded up.
+// Hint: Rounding up needs no help. With the slack omega h is above what is allowed, wherever it was just above.
+namespace rounded_up_with_slack {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = std::sqrt(springs * stiffness / mass);
+    return std::max(1, static_cast<int>(std::ceil(omega * frame / (2 * share) - 1e-3)));
+}
+
+}  // namespace rounded_up_with_slack
+
+// Says: A slack of a millionth is taken off before the count is rounded up: what needs so little more than a whole
+//       number of steps is given too few.
+// Hint: A part in a billion is all that is left open. std::ceil alone keeps to that.
+namespace rounded_up_with_less_slack {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = std::sqrt(springs * stiffness / mass);
+    return std::max(1, static_cast<int>(std::ceil(omega * frame / (2 * share) - 1e-6)));
+}
+
+}  // namespace rounded_up_with_less_slack

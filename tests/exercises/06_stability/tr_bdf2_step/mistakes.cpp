@@ -1,19 +1,43 @@
 #include "exercise.hpp"
 
+// Position and velocity.
+using Pair = std::array<double, 2>;
+
+static Pair plus(const Pair& a, double share, const Pair& b) {
+    return {a[0] + share * b[0], a[1] + share * b[1]};
+}
+
+// The turret, and its step in two parts as it should be.
+struct Turret {
+    double omega, zeta, gamma = 2 - std::sqrt(2.0);
+
+    Pair rate(const Pair& y) const { return {y[1], -omega * omega * y[0] - 2 * zeta * omega * y[1]}; }
+    // The y with y - part f(y) = known.
+    Pair solve(double part, const Pair& known) const {
+        const double wa = omega * part;
+        const double v2 = (known[1] - wa * omega * known[0]) / (1 + 2 * zeta * wa + wa * wa);
+        return {known[0] + part * v2, v2};
+    }
+    Pair trapezoid(double h, const Pair& y1) const { return solve(h / 2, plus(y1, h / 2, rate(y1))); }
+    Pair middle(double h, const Pair& y1) const { return trapezoid(gamma * h, y1); }
+    // y1, and w times as far as to ym: what the parabola makes of the two.
+    Pair between(const Pair& y1, const Pair& ym, double w) const { return plus(y1, w, plus(ym, -1, y1)); }
+    double weight() const { return 1 / (gamma * (2 - gamma)); }
+    double end_part(double h) const { return (1 - gamma) / (2 - gamma) * h; }
+    Pair end(double h, const Pair& y1, const Pair& ym) const { return solve(end_part(h), between(y1, ym, weight())); }
+    Pair step(double h, const Pair& y1) const { return end(h, y1, middle(h, y1)); }
+};
+
+static State<double> at(double t, const Pair& y) {
+    return {t, y[0], y[1]};
+}
+
 // Says: This is the trapezoid rule for the whole step: it rings as implicit midpoint does.
 // Hint: Only a part of gamma h goes by the trapezoid rule. Then comes the parabola.
 namespace trapezoid_only {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const double a = h / 2;
-    const double pull = -omega * omega * s.x - 2 * zeta * omega * s.v;
-    const auto [x2, v2] = solve(a, s.x + a * s.v, s.v + a * pull);
-    return {s.t + h, x2, v2};
+    return at(s.t + h, Turret{omega, zeta}.trapezoid(h, {s.x, s.v}));
 }
 
 }  // namespace trapezoid_only
@@ -23,13 +47,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace implicit_euler {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [x2, v2] = solve(h, s.x, s.v);
-    return {s.t + h, x2, v2};
+    return at(s.t + h, Turret{omega, zeta}.solve(h, {s.x, s.v}));
 }
 
 }  // namespace implicit_euler
@@ -39,17 +57,8 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace first_by_implicit_euler {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0);
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(gamma * h, s.x, s.v);
-    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
-    return {s.t + h, x2, v2};
+    const Turret turret{omega, zeta};
+    return at(s.t + h, turret.end(h, {s.x, s.v}, turret.solve(turret.gamma * h, {s.x, s.v})));
 }
 
 }  // namespace first_by_implicit_euler
@@ -60,21 +69,9 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace first_explicit {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0);
-    const auto acceleration = [&](double x, double v) {
-        return -omega * omega * x - 2 * zeta * omega * v;
-    };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] =
-        std::array{s.x + gamma * h * s.v, s.v + gamma * h * acceleration(s.x, s.v)};
-    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
-    return {s.t + h, x2, v2};
+    const Turret turret{omega, zeta};
+    const Pair y1{s.x, s.v};
+    return at(s.t + h, turret.end(h, y1, plus(y1, turret.gamma * h, turret.rate(y1))));
 }
 
 }  // namespace first_explicit
@@ -84,19 +81,8 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace end_by_implicit_euler {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) {
-        return -omega * omega * x - 2 * zeta * omega * v;
-    };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const auto [x2, v2] = solve((1 - gamma) * h, xm, vm);
-    return {s.t + h, x2, v2};
+    const Turret turret{omega, zeta};
+    return at(s.t + h, turret.solve((1 - turret.gamma) * h, turret.middle(h, {s.x, s.v})));
 }
 
 }  // namespace end_by_implicit_euler
@@ -108,20 +94,9 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace even_weights {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) {
-        return -omega * omega * x - 2 * zeta * omega * v;
-    };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double w = 4.0 / 3, a2 = h / 3;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
-    return {s.t + h, x2, v2};
+    const Turret turret{omega, zeta};
+    const Pair y1{s.x, s.v}, ym = turret.middle(h, y1);
+    return at(s.t + h, turret.solve(h / 3, turret.between(y1, ym, 4.0 / 3)));
 }
 
 }  // namespace even_weights
@@ -131,20 +106,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace half_way {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 0.5, a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) {
-        return -omega * omega * x - 2 * zeta * omega * v;
-    };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
-    return {s.t + h, x2, v2};
+    return at(s.t + h, Turret{omega, zeta, 0.5}.step(h, {s.x, s.v}));
 }
 
 }  // namespace half_way
@@ -154,20 +116,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace gamma_of_another {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 1 - 1 / std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) {
-        return -omega * omega * x - 2 * zeta * omega * v;
-    };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
-    return {s.t + h, x2, v2};
+    return at(s.t + h, Turret{omega, zeta, 1 - 1 / std::sqrt(2.0)}.step(h, {s.x, s.v}));
 }
 
 }  // namespace gamma_of_another
@@ -177,20 +126,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace rounded_gamma {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 0.5858, a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) {
-        return -omega * omega * x - 2 * zeta * omega * v;
-    };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
-    return {s.t + h, x2, v2};
+    return at(s.t + h, Turret{omega, zeta, 0.5858}.step(h, {s.x, s.v}));
 }
 
 }  // namespace rounded_gamma
@@ -201,20 +137,9 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace weights_swapped {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) {
-        return -omega * omega * x - 2 * zeta * omega * v;
-    };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double w = 1 - 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
-    return {s.t + h, x2, v2};
+    const Turret turret{omega, zeta};
+    const Pair y1{s.x, s.v}, ym = turret.middle(h, y1);
+    return at(s.t + h, turret.solve(turret.end_part(h), turret.between(y1, ym, 1 - turret.weight())));
 }
 
 }  // namespace weights_swapped
@@ -225,21 +150,9 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace slope_at_middle {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) {
-        return -omega * omega * x - 2 * zeta * omega * v;
-    };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = std::array{s.x + w * (xm - s.x) + a2 * vm,
-                                     s.v + w * (vm - s.v) + a2 * acceleration(xm, vm)};
-    return {s.t + h, x2, v2};
+    const Turret turret{omega, zeta};
+    const Pair y1{s.x, s.v}, ym = turret.middle(h, y1);
+    return at(s.t + h, plus(turret.between(y1, ym, turret.weight()), turret.end_part(h), turret.rate(ym)));
 }
 
 }  // namespace slope_at_middle
@@ -249,20 +162,8 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace slope_of_second_chord {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) {
-        return -omega * omega * x - 2 * zeta * omega * v;
-    };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double a2 = (1 - gamma) * h / 2;
-    const auto [x2, v2] = solve(a2, xm + a2 * vm, vm + a2 * acceleration(xm, vm));
-    return {s.t + h, x2, v2};
+    const Turret turret{omega, zeta};
+    return at(s.t + h, turret.trapezoid((1 - turret.gamma) * h, turret.middle(h, {s.x, s.v})));
 }
 
 }  // namespace slope_of_second_chord
@@ -272,18 +173,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace middle_returned {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) {
-        return -omega * omega * x - 2 * zeta * omega * v;
-    };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    return {s.t + h, xm, vm};
+    return at(s.t + h, Turret{omega, zeta}.middle(h, {s.x, s.v}));
 }
 
 }  // namespace middle_returned
@@ -293,20 +183,8 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace clock_of_middle {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) {
-        return -omega * omega * x - 2 * zeta * omega * v;
-    };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
-    return {s.t + gamma * h, x2, v2};
+    const Turret turret{omega, zeta};
+    return at(s.t + turret.gamma * h, turret.step(h, {s.x, s.v}));
 }
 
 }  // namespace clock_of_middle
@@ -317,19 +195,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace position_after_velocity {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) {
-        return -omega * omega * x - 2 * zeta * omega * v;
-    };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
+    const double v2 = Turret{omega, zeta}.step(h, {s.x, s.v})[1];
     return {s.t + h, s.x + h * v2, v2};
 }
 
@@ -340,20 +206,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace half_damping {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) {
-        return -omega * omega * x - zeta * omega * v;
-    };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
-    return {s.t + h, x2, v2};
+    return at(s.t + h, Turret{omega, zeta / 2}.step(h, {s.x, s.v}));
 }
 
 }  // namespace half_damping
@@ -363,18 +216,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace no_damping {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x) { return -omega * omega * x; };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x));
-    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
-    return {s.t + h, x2, v2};
+    return at(s.t + h, Turret{omega, 0}.step(h, {s.x, s.v}));
 }
 
 }  // namespace no_damping
@@ -384,21 +226,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace single_precision {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    s.x = static_cast<float>(s.x), s.v = static_cast<float>(s.v);
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) {
-        return -omega * omega * x - 2 * zeta * omega * v;
-    };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
-    return {s.t + h, x2, v2};
+    return at(s.t + h, Turret{omega, zeta}.step(h, {static_cast<float>(s.x), static_cast<float>(s.v)}));
 }
 
 }  // namespace single_precision
@@ -409,18 +237,9 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace even_weights_of_h {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) { return -omega * omega * x - 2 * zeta * omega * v; };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double w = 4.0 / 3, a2 = 2 * h / 3;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
-    return {s.t + h, x2, v2};
+    const Turret turret{omega, zeta};
+    const Pair y1{s.x, s.v}, ym = turret.middle(h, y1);
+    return at(s.t + h, turret.solve(2 * h / 3, turret.between(y1, ym, 4.0 / 3)));
 }
 
 }  // namespace even_weights_of_h
@@ -430,18 +249,9 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace half_forgotten {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h;
-    const auto acceleration = [&](double x, double v) { return -omega * omega * x - 2 * zeta * omega * v; };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
-    return {s.t + h, x2, v2};
+    const Turret turret{omega, zeta};
+    const Pair y1{s.x, s.v};
+    return at(s.t + h, turret.end(h, y1, turret.trapezoid(2 * turret.gamma * h, y1)));
 }
 
 }  // namespace half_forgotten
@@ -451,19 +261,10 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace old_weight_positive {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) { return -omega * omega * x - 2 * zeta * omega * v; };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double part = gamma * (2 - gamma), old = (1 - gamma) * (1 - gamma) / part;
-    const double a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = solve(a2, xm / part + old * s.x, vm / part + old * s.v);
-    return {s.t + h, x2, v2};
+    const Turret turret{omega, zeta};
+    const Pair y1{s.x, s.v}, ym = turret.middle(h, y1);
+    const double w = turret.weight();
+    return at(s.t + h, turret.solve(turret.end_part(h), {w * ym[0] + (w - 1) * s.x, w * ym[1] + (w - 1) * s.v}));
 }
 
 }  // namespace old_weight_positive
@@ -473,18 +274,8 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace clock_of_both {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) { return -omega * omega * x - 2 * zeta * omega * v; };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
-    return {s.t + gamma * h + h, x2, v2};
+    const Turret turret{omega, zeta};
+    return at(s.t + turret.gamma * h + h, turret.step(h, {s.x, s.v}));
 }
 
 }  // namespace clock_of_both
@@ -494,18 +285,8 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace omega_without_square {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) { return -omega * x - 2 * zeta * omega * v; };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - part * omega * x) / (1 + 2 * zeta * wa + part * part * omega);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const auto [x2, v2] = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v));
-    return {s.t + h, x2, v2};
+    const double root = std::sqrt(omega);  // its square is pulled with; the damper is as it should be
+    return at(s.t + h, Turret{root, zeta * root}.step(h, {s.x, s.v}));
 }
 
 }  // namespace omega_without_square
@@ -515,18 +296,9 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace position_left {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const double gamma = 2 - std::sqrt(2.0), a = gamma * h / 2;
-    const auto acceleration = [&](double x, double v) { return -omega * omega * x - 2 * zeta * omega * v; };
-    // The y with y - part f(y) = (x, v).
-    const auto solve = [&](double part, double x, double v) {
-        const double wa = omega * part;
-        const double v2 = (v - wa * omega * x) / (1 + 2 * zeta * wa + wa * wa);
-        return std::array{x + part * v2, v2};
-    };
-    const auto [xm, vm] = solve(a, s.x + a * s.v, s.v + a * acceleration(s.x, s.v));
-    const double w = 1 / (gamma * (2 - gamma)), a2 = (1 - gamma) / (2 - gamma) * h;
-    const double v2 = solve(a2, s.x + w * (xm - s.x), s.v + w * (vm - s.v))[1];
-    return {s.t + h, xm, v2};
+    const Turret turret{omega, zeta};
+    const Pair y1{s.x, s.v}, ym = turret.middle(h, y1);
+    return {s.t + h, ym[0], turret.end(h, y1, ym)[1]};
 }
 
 }  // namespace position_left

@@ -184,7 +184,7 @@ PROPERTY("kicked against a hard damper it stands after one step, and does not ri
 
 PROPERTY("it is right wherever the task allows: at rest, soft, stiff or critical, in tiny steps and in huge ones") {
     Draw draw;
-    bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart
+    Every all;
     for (int i = 0; i < 400; ++i) {
         const double near = 1 + draw.sign() * draw.log(1e-10, 1e-1);
         const double zeta = i % 4 == 0 ? near : i % 4 == 1 ? draw.log(1e-9, 1e9) : draw.any_of(0, 2, {0, 1});
@@ -196,14 +196,14 @@ PROPERTY("it is right wherever the task allows: at rest, soft, stiff or critical
         const double omega = i % 8 == 7 ? 0 : turret.omega, h = draw.log(1e-9, 10) / fastest;
         all &= close(learner(begin, omega, zeta, h).t, begin.t + h, 1e-13, 1e-13);
     }
-    REQUIRE(all);
+    REQUIRE(bool(all));
 }
 
 // Far out the right step is a difference of numbers that are |z| times as large, for those who add up rates: a roundoff
 // of ε|z|. R is 5/z or so, ten thousand times that.
 PROPERTY("in the longest steps of all each decay is multiplied by R(z), too: it is small, but not zero") {
     Draw draw;
-    bool all = true;
+    Every all;
     for (int i = 0; i < 240; ++i) {
         const Turret turret{draw_omega(draw), i % 2 == 0 ? 0 : draw.spread(1e-6, 0.9, i, 15)};
         const double wh = i % 16 == 0 ? 0.999999e6 : draw.spread(1e3, 1e6, i, 16), h = wh / turret.omega;
@@ -215,5 +215,5 @@ PROPERTY("in the longest steps of all each decay is multiplied by R(z), too: it 
         };
         all &= std::max(left(a, b), left(b, a)) <= 1e-14 * wh;
     }
-    REQUIRE(all);
+    REQUIRE(bool(all));
 }

@@ -1,88 +1,77 @@
 #include "exercise.hpp"
-
-// Says: A setting is thrown out only if another is truly better in both respects. One that is as fast and
-//       more accurate beats it as well.
-// Hint: Of two settings that take the same time, who would want the less accurate?
-namespace worse_in_both {
+#include <functional>
 
 using Point = std::array<double, 2>;
 
-static bool usable(const Point& point) {
-    return std::isfinite(point[0]) && std::isfinite(point[1]);
+static bool usable(const Point& point) { return std::isfinite(point[0]) && std::isfinite(point[1]); }
+static bool beats(const Point& a, const Point& b) { return a != b && a[0] <= b[0] && a[1] <= b[1]; }
+static bool takes_less_time(const Point& a, const Point& b) { return a[0] < b[0]; }
+static bool faster_then_better(const Point& a, const Point& b) { return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]); }
+static bool always(const Point&, const Point&) { return true; }
+static bool never(const Point&, const Point&) { return false; }
+
+// No templates of these: each mistake would have its own, and its own sort, to compile.
+using Which = std::function<bool(const Point&)>;
+using Relation = std::function<bool(const Point&, const Point&)>;
+
+static std::vector<int> sorted(std::vector<int> places, const std::vector<Point>& points, const Relation& first) {
+    std::stable_sort(places.begin(), places.end(), [&](int i, int j) { return first(points[i], points[j]); });
+    return places;
 }
 
-static bool beats(const Point& a, const Point& b) {
-    return a[0] < b[0] && a[1] < b[1];
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
+// The course's answer, but for who counts, who beats whom, and who comes first.
+static std::vector<int> unbeaten(const std::vector<Point>& points, const Which& counts, const Relation& beats_it,
+                                 const Relation& first = faster_then_better) {
     std::vector<int> worth;
     for (int i = 0; i < int(points.size()); ++i) {
-        bool beaten = !usable(points[i]);
+        bool beaten = !counts(points[i]);
         for (const Point& other : points)
-            if (usable(other) && beats(other, points[i])) beaten = true;
+            if (counts(other) && beats_it(other, points[i])) beaten = true;
         if (!beaten) worth.push_back(i);
     }
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i][0] < points[j][0]; });
+    return sorted(worth, points, first);
+}
+
+// Another way: from the fastest on, whom `stays(point, last that stayed)` keeps; the fastest stays in any case.
+static std::vector<int> from_the_fastest_on(const std::vector<Point>& points, const Relation& stays,
+                                            const Relation& first = faster_then_better) {
+    std::vector<int> usable_ones, worth;
+    for (int i = 0; i < int(points.size()); ++i)
+        if (usable(points[i])) usable_ones.push_back(i);
+    for (const int i : sorted(usable_ones, points, first))
+        if (worth.empty() || stays(points[i], points[worth.back()])) worth.push_back(i);
     return worth;
+}
+
+// Says: A setting is thrown out only if another is truly better in both respects. One that is as fast and more accurate
+//       beats it as well.
+// Hint: Of two settings that take the same time, who would want the less accurate?
+namespace worse_in_both {
+
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    const auto better_in_both = [](const Point& a, const Point& b) { return a[0] < b[0] && a[1] < b[1]; };
+    return unbeaten(points, usable, better_in_both, takes_less_time);
 }
 
 }  // namespace worse_in_both
 
-// Says: A setting is thrown out as soon as another is better in one respect. Then only one that is the best
-//       in both is left, and mostly there is none.
+// Says: A setting is thrown out as soon as another is better in one respect. Then only one that is the best in both is
+//       left, and mostly there is none.
 // Hint: Somebody wants speed, and somebody accuracy. Who beats another must not be worse in anything.
 namespace worse_in_one {
 
-using Point = std::array<double, 2>;
-
-static bool usable(const Point& point) {
-    return std::isfinite(point[0]) && std::isfinite(point[1]);
-}
-
-static bool beats(const Point& a, const Point& b) {
-    return a[0] < b[0] || a[1] < b[1];
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i) {
-        bool beaten = !usable(points[i]);
-        for (const Point& other : points)
-            if (usable(other) && beats(other, points[i])) beaten = true;
-        if (!beaten) worth.push_back(i);
-    }
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    return unbeaten(points, usable, [](const Point& a, const Point& b) { return a[0] < b[0] || a[1] < b[1]; });
 }
 
 }  // namespace worse_in_one
 
-// Says: Nobody is worth having: each setting is compared with itself too, and takes no more time than
-//       itself.
+// Says: Nobody is worth having: each setting is compared with itself too, and takes no more time than itself.
 // Hint: To beat somebody one must be truly better in something.
 namespace beaten_by_itself {
 
-using Point = std::array<double, 2>;
-
-static bool usable(const Point& point) {
-    return std::isfinite(point[0]) && std::isfinite(point[1]);
-}
-
-static bool beats(const Point& a, const Point& b) {
-    return a[0] <= b[0] && a[1] <= b[1];
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i) {
-        bool beaten = !usable(points[i]);
-        for (const Point& other : points)
-            if (usable(other) && beats(other, points[i])) beaten = true;
-        if (!beaten) worth.push_back(i);
-    }
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    return unbeaten(points, usable, [](const Point& a, const Point& b) { return a[0] <= b[0] && a[1] <= b[1]; });
 }
 
 }  // namespace beaten_by_itself
@@ -91,18 +80,9 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: No more in both is not enough. One of the two must be truly less.
 namespace twins_beat_each_other {
 
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i) {
-        bool beaten = !std::isfinite(points[i][0]) || !std::isfinite(points[i][1]);
-        for (int k = 0; k < int(points.size()); ++k)
-            if (k != i && points[k][0] <= points[i][0] && points[k][1] <= points[i][1])
-                beaten = true;
-        if (!beaten) worth.push_back(i);
-    }
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    const auto no_worse = [](const Point& a, const Point& b) { return &a != &b && a[0] <= b[0] && a[1] <= b[1]; };
+    return unbeaten(points, usable, no_worse);
 }
 
 }  // namespace twins_beat_each_other
@@ -111,40 +91,20 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: What do you ask of a setting that has the same error as the best so far, and the same time?
 namespace one_of_twins {
 
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> order;
-    for (int i = 0; i < int(points.size()); ++i)
-        if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
-    std::vector<int> worth;
-    for (const int i : order) {
-        const auto& point = points[i];
-        if (worth.empty() || point[1] < points[worth.back()][1]) worth.push_back(i);
-    }
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    return from_the_fastest_on(points, [](const Point& point, const Point& last) { return point[1] < last[1]; });
 }
 
 }  // namespace one_of_twins
 
-// Says: You have sorted by the seconds alone. Of settings with the same time the less accurate may come
-//       first, and stays.
+// Says: You have sorted by the seconds alone. Of settings with the same time the less accurate may come first, and
+//       stays.
 // Hint: Where the seconds are equal, who must come first so that it can throw out the other?
 namespace same_time_kept {
 
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> order;
-    for (int i = 0; i < int(points.size()); ++i)
-        if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int i, int j) { return points[i][0] < points[j][0]; });
-    std::vector<int> worth;
-    for (const int i : order) {
-        const auto& point = points[i];
-        if (worth.empty() || point[1] < points[worth.back()][1] || point == points[worth.back()])
-            worth.push_back(i);
-    }
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    const auto better_or_twin = [](const Point& a, const Point& last) { return a[1] < last[1] || a == last; };
+    return from_the_fastest_on(points, better_or_twin, takes_less_time);
 }
 
 }  // namespace same_time_kept
@@ -153,36 +113,21 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: No more accurate than a faster one is not worth the time.
 namespace same_error_kept {
 
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> order;
-    for (int i = 0; i < int(points.size()); ++i)
-        if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
-    std::vector<int> worth;
-    for (const int i : order) {
-        const auto& point = points[i];
-        if (worth.empty() || point[1] <= points[worth.back()][1]) worth.push_back(i);
-    }
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    return from_the_fastest_on(points, [](const Point& point, const Point& last) { return point[1] <= last[1]; });
 }
 
 }  // namespace same_error_kept
 
-// Says: Each setting is compared with the next faster one only. That one may itself be bad, and a third beat
-//       both.
+// Says: Each setting is compared with the next faster one only. That one may itself be bad, and a third beat both.
 // Hint: Keep in mind the least error of all that are faster.
 namespace neighbours_only {
 
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> order, worth;
-    for (int i = 0; i < int(points.size()); ++i)
-        if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    const std::vector<int> order = from_the_fastest_on(points, always);
+    std::vector<int> worth;
     for (std::size_t k = 0; k < order.size(); ++k)
-        if (k == 0 || points[order[k]][1] < points[order[k - 1]][1] ||
-            points[order[k]] == points[order[k - 1]])
+        if (k == 0 || points[order[k]][1] < points[order[k - 1]][1] || points[order[k]] == points[order[k - 1]])
             worth.push_back(order[k]);
     return worth;
 }
@@ -193,24 +138,8 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: Sort the places at the end, by the seconds of their points.
 namespace list_order {
 
-using Point = std::array<double, 2>;
-
-static bool usable(const Point& point) {
-    return std::isfinite(point[0]) && std::isfinite(point[1]);
-}
-
-static bool beats(const Point& a, const Point& b) {
-    return a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] || a[1] < b[1]);
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i) {
-        bool beaten = !usable(points[i]);
-        for (const Point& other : points)
-            if (usable(other) && beats(other, points[i])) beaten = true;
-        if (!beaten) worth.push_back(i);
-    }
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    return unbeaten(points, usable, beats, never);
 }
 
 }  // namespace list_order
@@ -219,26 +148,9 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: Sort the other way round; twins stay as they stand in the list.
 namespace slowest_first {
 
-using Point = std::array<double, 2>;
-
-static bool usable(const Point& point) {
-    return std::isfinite(point[0]) && std::isfinite(point[1]);
-}
-
-static bool beats(const Point& a, const Point& b) {
-    return a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] || a[1] < b[1]);
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i) {
-        bool beaten = !usable(points[i]);
-        for (const Point& other : points)
-            if (usable(other) && beats(other, points[i])) beaten = true;
-        if (!beaten) worth.push_back(i);
-    }
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[j] < points[i]; });
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    const auto slower = [](const Point& a, const Point& b) { return faster_then_better(b, a); };
+    return unbeaten(points, usable, beats, slower);
 }
 
 }  // namespace slowest_first
@@ -247,43 +159,21 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: Somebody else wants to be accurate, and is ready to wait.
 namespace fastest_only {
 
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> order;
-    for (int i = 0; i < int(points.size()); ++i)
-        if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
-    std::vector<int> worth;
-    for (const int i : order) {
-        const auto& point = points[i];
-        if (worth.empty() || point == points[worth.back()]) worth.push_back(i);
-    }
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    return from_the_fastest_on(points, [](const Point& point, const Point& last) { return point == last; });
 }
 
 }  // namespace fastest_only
 
-// Says: You return the fastest setting and the most accurate one. What lies between may be worth having,
-//       too.
+// Says: You return the fastest setting and the most accurate one. What lies between may be worth having, too.
 // Hint: A setting need not be the best in anything. It is enough that nobody is at least as good in both.
 namespace ends_only {
 
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> order;
-    for (int i = 0; i < int(points.size()); ++i)
-        if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
-    std::vector<int> worth;
-    for (const int i : order) {
-        const auto& point = points[i];
-        if (worth.empty() || point[1] < points[worth.back()][1] || point == points[worth.back()])
-            worth.push_back(i);
-    }
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    const std::vector<int> worth = unbeaten(points, usable, beats);
     std::vector<int> ends;
     for (const int i : worth)
-        if (points[i] == points[worth.front()] || points[i] == points[worth.back()])
-            ends.push_back(i);
+        if (points[i] == points[worth.front()] || points[i] == points[worth.back()]) ends.push_back(i);
     return ends;
 }
 
@@ -293,26 +183,8 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: An error is better if it is smaller.
 namespace error_upside_down {
 
-using Point = std::array<double, 2>;
-
-static bool usable(const Point& point) {
-    return std::isfinite(point[0]) && std::isfinite(point[1]);
-}
-
-static bool beats(const Point& a, const Point& b) {
-    return a[0] <= b[0] && a[1] >= b[1] && (a[0] < b[0] || a[1] > b[1]);
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i) {
-        bool beaten = !usable(points[i]);
-        for (const Point& other : points)
-            if (usable(other) && beats(other, points[i])) beaten = true;
-        if (!beaten) worth.push_back(i);
-    }
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    return unbeaten(points, usable, [](const Point& a, const Point& b) { return beats({a[0], -a[1]}, {b[0], -b[1]}); });
 }
 
 }  // namespace error_upside_down
@@ -321,55 +193,23 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: Turn the decision round. What blew up stays out in any case.
 namespace the_others {
 
-using Point = std::array<double, 2>;
-
-static bool usable(const Point& point) {
-    return std::isfinite(point[0]) && std::isfinite(point[1]);
-}
-
-static bool beats(const Point& a, const Point& b) {
-    return a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] || a[1] < b[1]);
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i) {
-        bool beaten = !usable(points[i]);
-        for (const Point& other : points)
-            if (usable(other) && beats(other, points[i])) beaten = true;
-        if (beaten && usable(points[i])) worth.push_back(i);
-    }
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i][0] < points[j][0]; });
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    const std::vector<int> best = unbeaten(points, usable, beats);
+    std::vector<int> others;
+    for (const int place : from_the_fastest_on(points, always, takes_less_time))
+        if (std::find(best.begin(), best.end(), place) == best.end()) others.push_back(place);
+    return others;
 }
 
 }  // namespace the_others
 
-// Says: Settings that blew up are worth having to you: no comparison with NaN is true, so nobody beats it;
-//       and an infinite error that came fast is not beaten either.
+// Says: Settings that blew up are worth having to you: no comparison with NaN is true, so nobody beats it; and an
+//       infinite error that came fast is not beaten either.
 // Hint: Sort out what is not finite before you compare: std::isfinite of both numbers.
 namespace blown_up_kept {
 
-using Point = std::array<double, 2>;
-
-static bool usable(const Point& point) {
-    return point.size() == 2;
-}
-
-static bool beats(const Point& a, const Point& b) {
-    return a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] || a[1] < b[1]);
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i) {
-        bool beaten = !usable(points[i]);
-        for (const Point& other : points)
-            if (usable(other) && beats(other, points[i])) beaten = true;
-        if (!beaten) worth.push_back(i);
-    }
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    return unbeaten(points, [](const Point&) { return true; }, beats);
 }
 
 }  // namespace blown_up_kept
@@ -378,26 +218,9 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: std::isnan does not see infinity. std::isfinite sees both.
 namespace infinite_kept {
 
-using Point = std::array<double, 2>;
-
-static bool usable(const Point& point) {
-    return !std::isnan(point[0]) && !std::isnan(point[1]);
-}
-
-static bool beats(const Point& a, const Point& b) {
-    return a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] || a[1] < b[1]);
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i) {
-        bool beaten = !usable(points[i]);
-        for (const Point& other : points)
-            if (usable(other) && beats(other, points[i])) beaten = true;
-        if (!beaten) worth.push_back(i);
-    }
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    const auto is_number = [](const Point& point) { return !std::isnan(point[0]) && !std::isnan(point[1]); };
+    return unbeaten(points, is_number, beats);
 }
 
 }  // namespace infinite_kept
@@ -406,26 +229,8 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: A setting with no time is no measurement.
 namespace time_not_looked_at {
 
-using Point = std::array<double, 2>;
-
-static bool usable(const Point& point) {
-    return std::isfinite(point[1]);
-}
-
-static bool beats(const Point& a, const Point& b) {
-    return a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] || a[1] < b[1]);
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i) {
-        bool beaten = !usable(points[i]);
-        for (const Point& other : points)
-            if (usable(other) && beats(other, points[i])) beaten = true;
-        if (!beaten) worth.push_back(i);
-    }
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    return unbeaten(points, [](const Point& point) { return std::isfinite(point[1]); }, beats);
 }
 
 }  // namespace time_not_looked_at
@@ -434,26 +239,8 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: Ask both numbers.
 namespace error_not_looked_at {
 
-using Point = std::array<double, 2>;
-
-static bool usable(const Point& point) {
-    return std::isfinite(point[0]);
-}
-
-static bool beats(const Point& a, const Point& b) {
-    return a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] || a[1] < b[1]);
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i) {
-        bool beaten = !usable(points[i]);
-        for (const Point& other : points)
-            if (usable(other) && beats(other, points[i])) beaten = true;
-        if (!beaten) worth.push_back(i);
-    }
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    return unbeaten(points, [](const Point& point) { return std::isfinite(point[0]); }, beats);
 }
 
 }  // namespace error_not_looked_at
@@ -462,26 +249,8 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: Zero is the best error that there is.
 namespace zero_left_out {
 
-using Point = std::array<double, 2>;
-
-static bool usable(const Point& point) {
-    return std::isfinite(point[0]) && std::isfinite(point[1]) && point[1] > 0;
-}
-
-static bool beats(const Point& a, const Point& b) {
-    return a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] || a[1] < b[1]);
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i) {
-        bool beaten = !usable(points[i]);
-        for (const Point& other : points)
-            if (usable(other) && beats(other, points[i])) beaten = true;
-        if (!beaten) worth.push_back(i);
-    }
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    return unbeaten(points, [](const Point& point) { return usable(point) && point[1] > 0; }, beats);
 }
 
 }  // namespace zero_left_out
@@ -490,25 +259,8 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: In C++ the first element has the place 0.
 namespace from_one_on {
 
-using Point = std::array<double, 2>;
-
-static bool usable(const Point& point) {
-    return std::isfinite(point[0]) && std::isfinite(point[1]);
-}
-
-static bool beats(const Point& a, const Point& b) {
-    return a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] || a[1] < b[1]);
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i) {
-        bool beaten = !usable(points[i]);
-        for (const Point& other : points)
-            if (usable(other) && beats(other, points[i])) beaten = true;
-        if (!beaten) worth.push_back(i);
-    }
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    std::vector<int> worth = unbeaten(points, usable, beats);
     for (int& place : worth) ++place;
     return worth;
 }
@@ -519,13 +271,8 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: Go through them from the fastest on. Who takes longer must be more accurate than all before.
 namespace nobody_left_out {
 
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> order;
-    for (int i = 0; i < int(points.size()); ++i)
-        if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int i, int j) { return points[i][0] < points[j][0]; });
-    return order;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    return from_the_fastest_on(points, always, takes_less_time);
 }
 
 }  // namespace nobody_left_out
@@ -534,14 +281,11 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: Sort the places by the points that they stand for, and leave the points where they are.
 namespace sorted_places {
 
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<std::array<double, 2>> sorted;
-    for (const auto& point : points)
-        if (std::isfinite(point[0]) && std::isfinite(point[1])) sorted.push_back(point);
-    std::sort(sorted.begin(), sorted.end());
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    const std::vector<int> order = from_the_fastest_on(points, always);
     std::vector<int> worth;
-    for (int i = 0; i < int(sorted.size()); ++i)
-        if (worth.empty() || sorted[i][1] < sorted[worth.back()][1]) worth.push_back(i);
+    for (int k = 0; k < int(order.size()); ++k)
+        if (worth.empty() || points[order[k]][1] < points[order[worth.back()]][1]) worth.push_back(k);
     return worth;
 }
 
@@ -551,16 +295,8 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: Who takes longer is worth having if the error is smaller. Turn the comparison round.
 namespace ever_larger_errors {
 
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> order;
-    for (int i = 0; i < int(points.size()); ++i)
-        if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
-    std::vector<int> worth;
-    for (const int i : order)
-        if (worth.empty() || points[i][1] > points[worth.back()][1]) worth.push_back(i);
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    return from_the_fastest_on(points, [](const Point& point, const Point& last) { return point[1] > last[1]; });
 }
 
 }  // namespace ever_larger_errors
@@ -569,18 +305,8 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: std::sort may swap what is equal, in lists longer than a few. Which sort does not?
 namespace unstable_twins {
 
-static bool beats(const std::array<double, 2>& a, const std::array<double, 2>& b) {
-    return a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] || a[1] < b[1]);
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i)
-        if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) worth.push_back(i);
-    std::erase_if(worth, [&](int i) {
-        return std::any_of(points.begin(), points.end(), [&](const auto& other) {
-            return std::isfinite(other[0]) && std::isfinite(other[1]) && beats(other, points[i]);
-        });
-    });
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    std::vector<int> worth = unbeaten(points, usable, beats, never);
     std::sort(worth.begin(), worth.end(), [&](int i, int j) { return points[i][0] < points[j][0]; });
     return worth;
 }
@@ -591,22 +317,12 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: Compare the numbers as they are, without an epsilon. Twins are equal to the last bit.
 namespace nearly_equal {
 
-static bool beats(const std::array<double, 2>& a, const std::array<double, 2>& b) {
-    const double eps = 1e-9;
-    return a[0] <= b[0] + eps && a[1] <= b[1] + eps && (a[0] < b[0] - eps || a[1] < b[1] - eps);
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i)
-        if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) worth.push_back(i);
-    std::erase_if(worth, [&](int i) {
-        return std::any_of(points.begin(), points.end(), [&](const auto& other) {
-            return std::isfinite(other[0]) && std::isfinite(other[1]) && beats(other, points[i]);
-        });
-    });
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i][0] < points[j][0]; });
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    const auto beats_clearly = [](const Point& a, const Point& b) {
+        const double eps = 1e-9;
+        return a[0] <= b[0] + eps && a[1] <= b[1] + eps && (a[0] < b[0] - eps || a[1] < b[1] - eps);
+    };
+    return unbeaten(points, usable, beats_clearly, takes_less_time);
 }
 
 }  // namespace nearly_equal
@@ -615,27 +331,10 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: Better by the last bit is better. Compare doubles.
 namespace single_precision {
 
-using Point = std::array<double, 2>;
-
-static bool usable(const Point& point) {
-    return std::isfinite(point[0]) && std::isfinite(point[1]);
-}
-
-static bool beats(const Point& a, const Point& b) {
-    return float(a[0]) <= float(b[0]) && float(a[1]) <= float(b[1]) &&
-           (float(a[0]) < float(b[0]) || float(a[1]) < float(b[1]));
-}
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
-    std::vector<int> worth;
-    for (int i = 0; i < int(points.size()); ++i) {
-        bool beaten = !usable(points[i]);
-        for (const Point& other : points)
-            if (usable(other) && beats(other, points[i])) beaten = true;
-        if (!beaten) worth.push_back(i);
-    }
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
-    return worth;
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    return unbeaten(points, usable, [](const Point& a, const Point& b) {
+        return beats({float(a[0]), float(a[1])}, {float(b[0]), float(b[1])});
+    });
 }
 
 }  // namespace single_precision
@@ -644,7 +343,7 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
 // Hint: When exactly does one setting beat another? Write that as a comparison first.
 namespace example {
 
-std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
+std::vector<int> worth_having(const std::vector<Point>& points) {
     return {1, 0, 4};
 }
 

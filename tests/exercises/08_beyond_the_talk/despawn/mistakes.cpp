@@ -1,17 +1,18 @@
 #include "exercise.hpp"
 
+// From one lane to another. A pack holds 3 * width numbers, those of a lane `width` apart.
+static void copy(std::vector<double>& packs, int width, int from, int to) {
+    for (int part = 0; part < 3; ++part)
+        packs[(to / width * 3 + part) * width + to % width] =
+            packs[(from / width * 3 + part) * width + from % width];
+}
+
 // Says: The lanes left over still hold copies of the body that was the last before.
 // Hint: One lane more is left over now, and all of them are copies of the body that is the last now.
 namespace stale_tail {
 
 std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
-    // A pack holds 3 * width numbers, those of a lane `width` apart.
-    const auto copy = [&](int from, int to) {
-        for (int part = 0; part < 3; ++part)
-            packs[(to / width * 3 + part) * width + to % width] =
-                packs[(from / width * 3 + part) * width + from % width];
-    };
-    copy(n - 1, i);
+    copy(packs, width, n - 1, i);
     const int left = n - 1, used = (left + width - 1) / width;
     packs.resize(3 * width * used);
     return packs;
@@ -19,45 +20,33 @@ std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) 
 
 }  // namespace stale_tail
 
-// Says: Only the lane that has just become free is filled. The others left over are copies of the body that
-//       was the last before.
+// Says: Only the lane that has just become free is filled. The others left over are copies of the body that was the
+//       last before.
 // Hint: A last pack of 8 lanes with 3 bodies has 5 lanes left over. Fill them all.
 namespace one_lane_mended {
 
 std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
-    // A pack holds 3 * width numbers, those of a lane `width` apart.
-    const auto copy = [&](int from, int to) {
-        for (int part = 0; part < 3; ++part)
-            packs[(to / width * 3 + part) * width + to % width] =
-                packs[(from / width * 3 + part) * width + from % width];
-    };
-    copy(n - 1, i);
+    copy(packs, width, n - 1, i);
     const int left = n - 1, used = (left + width - 1) / width;
     packs.resize(3 * width * used);
-    if (int lane = left; lane < used * width) copy(left - 1, lane);
+    if (int lane = left; lane < used * width) copy(packs, width, left - 1, lane);
     return packs;
 }
 
 }  // namespace one_lane_mended
 
-// Says: The lanes left over are filled before the last body has moved. Where it moves to the place before
-//       its own, they hold the body that has gone.
+// Says: The lanes left over are filled before the last body has moved. Where it moves to the place before its own, they
+//       hold the body that has gone.
 // Hint: Move first. Then ask who is the last, and copy that.
 namespace tail_too_early {
 
 std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
-    // A pack holds 3 * width numbers, those of a lane `width` apart.
-    const auto copy = [&](int from, int to) {
-        for (int part = 0; part < 3; ++part)
-            packs[(to / width * 3 + part) * width + to % width] =
-                packs[(from / width * 3 + part) * width + from % width];
-    };
     std::vector<double> last(3);
     for (int part = 0; part < 3; ++part)
         last[part] = packs[((n - 1) / width * 3 + part) * width + (n - 1) % width];
     const int left = n - 1, used = (left + width - 1) / width;
     packs.resize(3 * width * used);
-    for (int lane = left; lane < used * width; ++lane) copy(left - 1, lane);
+    for (int lane = left; lane < used * width; ++lane) copy(packs, width, left - 1, lane);
     if (i < left)
         for (int part = 0; part < 3; ++part)
             packs[(i / width * 3 + part) * width + i % width] = last[part];
@@ -67,39 +56,26 @@ std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) 
 }  // namespace tail_too_early
 
 // Says: The lanes left over are copies of the first lane of their pack.
-// Hint: Any body would be safe there, but the rule says the last one: then a new body next to it finds the
-//       pack as it expects it.
+// Hint: Any body would be safe there, but the rule says the last one: then a new body next to it finds the pack as it
+//       expects it.
 namespace tail_of_first_lane {
 
 std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
-    // A pack holds 3 * width numbers, those of a lane `width` apart.
-    const auto copy = [&](int from, int to) {
-        for (int part = 0; part < 3; ++part)
-            packs[(to / width * 3 + part) * width + to % width] =
-                packs[(from / width * 3 + part) * width + from % width];
-    };
-    copy(n - 1, i);
+    copy(packs, width, n - 1, i);
     const int left = n - 1, used = (left + width - 1) / width;
     packs.resize(3 * width * used);
-    for (int lane = left; lane < used * width; ++lane) copy(left / width * width, lane);
+    for (int lane = left; lane < used * width; ++lane) copy(packs, width, left / width * width, lane);
     return packs;
 }
 
 }  // namespace tail_of_first_lane
 
 // Says: The lanes left over are filled with zeros.
-// Hint: Those lanes are computed with all the others, and must hold what a body could hold. The last body is
-//       at hand.
+// Hint: Those lanes are computed with all the others, and must hold what a body could hold. The last body is at hand.
 namespace zero_tail {
 
 std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
-    // A pack holds 3 * width numbers, those of a lane `width` apart.
-    const auto copy = [&](int from, int to) {
-        for (int part = 0; part < 3; ++part)
-            packs[(to / width * 3 + part) * width + to % width] =
-                packs[(from / width * 3 + part) * width + from % width];
-    };
-    copy(n - 1, i);
+    copy(packs, width, n - 1, i);
     const int left = n - 1, used = (left + width - 1) / width;
     packs.resize(3 * width * used);
     for (int lane = left; lane < used * width; ++lane)
@@ -115,16 +91,10 @@ std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) 
 namespace empty_pack_stays {
 
 std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
-    // A pack holds 3 * width numbers, those of a lane `width` apart.
-    const auto copy = [&](int from, int to) {
-        for (int part = 0; part < 3; ++part)
-            packs[(to / width * 3 + part) * width + to % width] =
-                packs[(from / width * 3 + part) * width + from % width];
-    };
-    copy(n - 1, i);
+    copy(packs, width, n - 1, i);
     const int left = n - 1;
     if (left > 0)
-        for (int lane = left; lane < int(packs.size()) / 3; ++lane) copy(left - 1, lane);
+        for (int lane = left; lane < int(packs.size()) / 3; ++lane) copy(packs, width, left - 1, lane);
     return packs;
 }
 
@@ -135,16 +105,10 @@ std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) 
 namespace pack_too_few {
 
 std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
-    // A pack holds 3 * width numbers, those of a lane `width` apart.
-    const auto copy = [&](int from, int to) {
-        for (int part = 0; part < 3; ++part)
-            packs[(to / width * 3 + part) * width + to % width] =
-                packs[(from / width * 3 + part) * width + from % width];
-    };
-    copy(n - 1, i);
+    copy(packs, width, n - 1, i);
     const int left = n - 1, used = left / width;
     packs.resize(3 * width * used);
-    for (int lane = left; lane < used * width; ++lane) copy(left - 1, lane);
+    for (int lane = left; lane < used * width; ++lane) copy(packs, width, left - 1, lane);
     return packs;
 }
 
@@ -175,15 +139,9 @@ std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) 
 namespace not_moved {
 
 std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
-    // A pack holds 3 * width numbers, those of a lane `width` apart.
-    const auto copy = [&](int from, int to) {
-        for (int part = 0; part < 3; ++part)
-            packs[(to / width * 3 + part) * width + to % width] =
-                packs[(from / width * 3 + part) * width + from % width];
-    };
     const int left = n - 1, used = (left + width - 1) / width;
     packs.resize(3 * width * used);
-    for (int lane = left; lane < used * width; ++lane) copy(left - 1, lane);
+    for (int lane = left; lane < used * width; ++lane) copy(packs, width, left - 1, lane);
     return packs;
 }
 
@@ -194,17 +152,11 @@ std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) 
 namespace only_x {
 
 std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
-    // A pack holds 3 * width numbers, those of a lane `width` apart.
-    const auto copy = [&](int from, int to) {
-        for (int part = 0; part < 3; ++part)
-            packs[(to / width * 3 + part) * width + to % width] =
-                packs[(from / width * 3 + part) * width + from % width];
-    };
     packs[i / width * 3 * width + i % width] =
         packs[(n - 1) / width * 3 * width + (n - 1) % width];
     const int left = n - 1, used = (left + width - 1) / width;
     packs.resize(3 * width * used);
-    for (int lane = left; lane < used * width; ++lane) copy(left - 1, lane);
+    for (int lane = left; lane < used * width; ++lane) copy(packs, width, left - 1, lane);
     return packs;
 }
 
@@ -294,8 +246,8 @@ std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) 
 
 }  // namespace last_but_one
 
-// Says: The last body of the same pack takes the place, and the bodies behind it move up. It is the last body
-//       of all that must come.
+// Says: The last body of the same pack takes the place, and the bodies behind it move up. It is the last body of all
+//       that must come.
 // Hint: Only one body moves: the one in the last lane that is used, of the last pack.
 namespace last_of_its_pack {
 

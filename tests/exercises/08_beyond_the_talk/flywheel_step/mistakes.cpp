@@ -1,16 +1,41 @@
 #include "exercise_eigen.hpp"
 
+// What the mistakes are put together from, so that it is compiled once: the L1 that acts, ...
+static Vector3d momentum(const Vector3d& inertia, const Vector3d& wheel, const Vector3d& omega) {
+    return inertia.cwiseProduct(omega) + wheel;
+}
+
+// ... the y2 with y2 - k x y2 = y1, ...
+static Vector3d solved(const Vector3d& k, const Vector3d& y) {
+    const Vector3d sum = y + k.cross(y), along = k.dot(y) * k;
+    return (sum + along) / (1 + k.squaredNorm());
+}
+
+// ... k of L1, ...
+static Vector3d k_of(const Vector3d& inertia, const Vector3d& L, double h) {
+    const Vector3d root = inertia.cwiseSqrt();
+    return h / (root.x() * root.y() * root.z()) * root.cwiseProduct(L);
+}
+
+// ... and y = sqrt(I) w, and back.
+static Vector3d y_of(const Vector3d& inertia, const Vector3d& omega) {
+    return inertia.cwiseSqrt().cwiseProduct(omega);
+}
+static Vector3d spin_of(const Vector3d& inertia, const Vector3d& y) {
+    return y.cwiseQuotient(inertia.cwiseSqrt());
+}
+
+// The course's step, with an L1 of one's own.
+static Vector3d step(const Vector3d& inertia, const Vector3d& L, const Vector3d& omega, double h) {
+    return spin_of(inertia, solved(k_of(inertia, L, h), y_of(inertia, omega)));
+}
+
 // Says: The wheel is not in L1: this is the step of a ship without a flywheel.
 // Hint: The angular momentum that acts is that of ship and wheel together.
 namespace wheel_forgotten {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d root = inertia.cwiseSqrt();
-    const Vector3d y = root.cwiseProduct(omega);
-    const Vector3d L = inertia.cwiseProduct(omega);
-    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
-    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
-    return y2.cwiseQuotient(root);
+    return step(inertia, inertia.cwiseProduct(omega), omega, h);
 }
 
 }  // namespace wheel_forgotten
@@ -20,12 +45,7 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace only_the_wheel {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d root = inertia.cwiseSqrt();
-    const Vector3d y = root.cwiseProduct(omega);
-    const Vector3d L = wheel;
-    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
-    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
-    return y2.cwiseQuotient(root);
+    return step(inertia, wheel, omega, h);
 }
 
 }  // namespace only_the_wheel
@@ -35,12 +55,7 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace wheel_as_spin {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d root = inertia.cwiseSqrt();
-    const Vector3d y = root.cwiseProduct(omega);
-    const Vector3d L = inertia.cwiseProduct(omega + wheel);
-    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
-    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
-    return y2.cwiseQuotient(root);
+    return step(inertia, inertia.cwiseProduct(Vector3d(omega + wheel)), omega, h);
 }
 
 }  // namespace wheel_as_spin
@@ -50,8 +65,8 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace explicit_euler {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
-    return omega + h * L.cross(omega).cwiseQuotient(inertia);
+    const Vector3d torque = momentum(inertia, wheel, omega).cross(omega);
+    return omega + h * Vector3d(torque.cwiseQuotient(inertia));
 }
 
 }  // namespace explicit_euler
@@ -61,12 +76,8 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace other_way {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d root = inertia.cwiseSqrt();
-    const Vector3d y = root.cwiseProduct(omega);
-    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
-    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
-    const Vector3d y2 = (y + y.cross(k) + k.dot(y) * k) / (1 + k.squaredNorm());
-    return y2.cwiseQuotient(root);
+    const Vector3d backwards = -momentum(inertia, wheel, omega);
+    return step(inertia, backwards, omega, h);
 }
 
 }  // namespace other_way
@@ -76,12 +87,9 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace term_lost {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d root = inertia.cwiseSqrt();
-    const Vector3d y = root.cwiseProduct(omega);
-    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
-    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
-    const Vector3d y2 = (y + k.cross(y)) / (1 + k.squaredNorm());
-    return y2.cwiseQuotient(root);
+    const Vector3d y = y_of(inertia, omega), k = k_of(inertia, momentum(inertia, wheel, omega), h);
+    const Vector3d sum = y + k.cross(y);
+    return spin_of(inertia, sum / (1 + k.squaredNorm()));
 }
 
 }  // namespace term_lost
@@ -91,12 +99,8 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace not_divided {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d root = inertia.cwiseSqrt();
-    const Vector3d y = root.cwiseProduct(omega);
-    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
-    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
-    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k);
-    return y2.cwiseQuotient(root);
+    const Vector3d y = y_of(inertia, omega), k = k_of(inertia, momentum(inertia, wheel, omega), h);
+    return spin_of(inertia, (1 + k.squaredNorm()) * solved(k, y));
 }
 
 }  // namespace not_divided
@@ -106,12 +110,9 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace mean_spin {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d root = inertia.cwiseSqrt();
-    const Vector3d y = root.cwiseProduct(omega);
-    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
-    const Vector3d k = h / 2 / root.prod() * root.cwiseProduct(L);
-    const Vector3d y2 = y + 2 / (1 + k.squaredNorm()) * (k.cross(y) + k.cross(k.cross(y)));
-    return y2.cwiseQuotient(root);
+    const Vector3d y = y_of(inertia, omega), k = k_of(inertia, momentum(inertia, wheel, omega), h / 2);
+    const Vector3d once = k.cross(y), twice = k.cross(once);
+    return spin_of(inertia, y + 2 / (1 + k.squaredNorm()) * Vector3d(once + twice));
 }
 
 }  // namespace mean_spin
@@ -122,9 +123,8 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace roots_forgotten {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
-    const Vector3d k = h * L.cwiseQuotient(inertia);
-    return (omega + k.cross(omega) + k.dot(omega) * k) / (1 + k.squaredNorm());
+    const Vector3d L = momentum(inertia, wheel, omega);
+    return solved(h * Vector3d(L.cwiseQuotient(inertia)), omega);
 }
 
 }  // namespace roots_forgotten
@@ -134,12 +134,7 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace still_y {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d root = inertia.cwiseSqrt();
-    const Vector3d y = root.cwiseProduct(omega);
-    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
-    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
-    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
-    return y2;
+    return solved(k_of(inertia, momentum(inertia, wheel, omega), h), y_of(inertia, omega));
 }
 
 }  // namespace still_y
@@ -149,12 +144,7 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace no_step {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d root = inertia.cwiseSqrt();
-    const Vector3d y = root.cwiseProduct(omega);
-    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
-    const Vector3d k = 1 / root.prod() * root.cwiseProduct(L);
-    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
-    return y2.cwiseQuotient(root);
+    return step(inertia, momentum(inertia, wheel, omega), omega, 1);
 }
 
 }  // namespace no_step
@@ -165,10 +155,9 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace scaled_explicit {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
-    const Vector3d w = omega + h * L.cross(omega).cwiseQuotient(inertia);
-    const double before = omega.dot(inertia.cwiseProduct(omega));
-    const double after = w.dot(inertia.cwiseProduct(w));
+    const Vector3d torque = momentum(inertia, wheel, omega).cross(omega);
+    const Vector3d w = omega + h * Vector3d(torque.cwiseQuotient(inertia));
+    const double before = y_of(inertia, omega).squaredNorm(), after = y_of(inertia, w).squaredNorm();
     return after == 0 ? w : Vector3d(std::sqrt(before / after) * w);
 }
 
@@ -179,16 +168,8 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace new_inertia {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    Vector3d w = omega;
-    for (int i = 0; i < 2; ++i) {
-        const Vector3d root = inertia.cwiseSqrt();
-        const Vector3d y = root.cwiseProduct(omega);
-        const Vector3d L = inertia.cwiseProduct(w) + wheel;
-        const Vector3d k = h / root.prod() * root.cwiseProduct(L);
-        const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
-        w = y2.cwiseQuotient(root);
-    }
-    return w;
+    const Vector3d first = step(inertia, momentum(inertia, wheel, omega), omega, h);
+    return step(inertia, momentum(inertia, wheel, first), omega, h);
 }
 
 }  // namespace new_inertia
@@ -200,10 +181,13 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace general_solve {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
-    const Matrix3d skew{{0, -L.z(), L.y()}, {L.z(), 0, -L.x()}, {-L.y(), L.x(), 0}};
-    const Matrix3d I = inertia.asDiagonal();
-    return solve_linear(I - h * skew, inertia.cwiseProduct(omega));
+    const Vector3d hL = h * momentum(inertia, wheel, omega);
+    Matrix3d matrix = inertia.asDiagonal();  // I - h skew(L)
+    for (int i = 0; i < 3; ++i) {
+        matrix(i, (i + 1) % 3) = hL[(i + 2) % 3];
+        matrix(i, (i + 2) % 3) = -hL[(i + 1) % 3];
+    }
+    return solve_linear(matrix, inertia.cwiseProduct(omega));
 }
 
 }  // namespace general_solve
@@ -213,10 +197,8 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace momentum_returned {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d root = inertia.cwiseSqrt(), y = root.cwiseProduct(omega);
-    const Vector3d k = h / root.prod() * root.cwiseProduct(Vector3d(inertia.cwiseProduct(omega) + wheel));
-    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
-    return y2.cwiseProduct(root);
+    const Vector3d w = step(inertia, momentum(inertia, wheel, omega), omega, h);
+    return inertia.cwiseProduct(w);
 }
 
 }  // namespace momentum_returned
@@ -226,8 +208,7 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace no_moments_on_the_left {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d k = h * (inertia.cwiseProduct(omega) + wheel);
-    return (omega + k.cross(omega) + k.dot(omega) * k) / (1 + k.squaredNorm());
+    return solved(h * momentum(inertia, wheel, omega), omega);
 }
 
 }  // namespace no_moments_on_the_left
@@ -237,8 +218,8 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace mean_moment {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d k = h / inertia.mean() * (inertia.cwiseProduct(omega) + wheel);
-    return (omega + k.cross(omega) + k.dot(omega) * k) / (1 + k.squaredNorm());
+    const double mean = (inertia.x() + inertia.y() + inertia.z()) / 3;
+    return solved(h / mean * momentum(inertia, wheel, omega), omega);
 }
 
 }  // namespace mean_moment
@@ -248,10 +229,10 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 namespace h_once_in_divisor {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
-    const Vector3d root = inertia.cwiseSqrt(), y = root.cwiseProduct(omega);
-    const Vector3d k = root.cwiseProduct(Vector3d(inertia.cwiseProduct(omega) + wheel)) / root.prod();
-    const Vector3d y2 = (y + h * k.cross(y) + h * h * k.dot(y) * k) / (1 + h * k.squaredNorm());
-    return y2.cwiseQuotient(root);
+    const Vector3d y = y_of(inertia, omega), L = momentum(inertia, wheel, omega);
+    const Vector3d k = k_of(inertia, L, h), without_h = k_of(inertia, L, 1);
+    const double share = (1 + k.squaredNorm()) / (1 + h * without_h.squaredNorm());
+    return spin_of(inertia, share * solved(k, y));
 }
 
 }  // namespace h_once_in_divisor
@@ -277,11 +258,7 @@ namespace ball_keeps_its_spin {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
     if (inertia.x() == inertia.y() && inertia.y() == inertia.z()) return omega;
-    const Vector3d root = inertia.cwiseSqrt(), y = root.cwiseProduct(omega);
-    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
-    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
-    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
-    return y2.cwiseQuotient(root);
+    return step(inertia, momentum(inertia, wheel, omega), omega, h);
 }
 
 }  // namespace ball_keeps_its_spin
@@ -292,12 +269,7 @@ namespace slow_spin_stays {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
     if (omega.norm() < 1e-9) return omega;
-    const Vector3d root = inertia.cwiseSqrt();
-    const Vector3d y = root.cwiseProduct(omega);
-    const Vector3d L = inertia.cwiseProduct(omega) + wheel;
-    const Vector3d k = h / root.prod() * root.cwiseProduct(L);
-    const Vector3d y2 = (y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm());
-    return y2.cwiseQuotient(root);
+    return step(inertia, momentum(inertia, wheel, omega), omega, h);
 }
 
 }  // namespace slow_spin_stays

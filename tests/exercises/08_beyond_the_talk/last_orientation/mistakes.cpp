@@ -1,17 +1,45 @@
 #include "exercise_eigen.hpp"
 
+#include <functional>
+
+using Times = std::vector<double>;
+using Spins = std::vector<Vector3d>;
+
+// What the mistakes are put together from, so that it is compiled once: q, and then a turn of so many radians about
+// `axis`, which has the length one or zero.
+static Quaterniond turned(const Quaterniond& q, double angle, const Vector3d& axis) {
+    const Vector3d v = std::sin(angle / 2) * axis;
+    return q * Quaterniond(std::cos(angle / 2), v.x(), v.y(), v.z());
+}
+static Quaterniond turned(const Quaterniond& q, const Vector3d& turn) {
+    return turned(q, turn.norm(), turn.normalized()).normalized();
+}
+
+// The sum of the spins at both ends of the gap that ends at frame i, and its length.
+static Vector3d sum_of(const Spins& spins, std::size_t i) {
+    return spins[i - 1] + spins[i];
+}
+static double gap_of(const Times& times, std::size_t i) {
+    return times[i] - times[i - 1];
+}
+
+// A value, since an expression of Eigen's would outlive what it is made of.
+static Vector3d scaled(double factor, const Vector3d& spin) {
+    return factor * spin;
+}
+
+// From frame to frame, with what `turn(i)` says of the gap that ends at frame i.
+static Quaterniond through(Quaterniond q, std::size_t frames, const std::function<Vector3d(std::size_t)>& turn) {
+    for (std::size_t i = 1; i < frames; ++i) q = turned(q, turn(i));
+    return q;
+}
+
 // Says: Each gap is turned with the new spin alone, as in the talk: the orientation has order one.
 // Hint: At the start of the gap the body still had the old spin. Both ends of the gap should count alike.
 namespace new_spin {
 
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
-    Quaterniond now = q;
-    for (std::size_t i = 1; i < times.size(); ++i) {
-        const Vector3d mean = spins[i];
-        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
-        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
-    }
-    return now;
+    return through(q, times.size(), [&](std::size_t i) { return scaled(gap_of(times, i), spins[i]); });
 }
 
 }  // namespace new_spin
@@ -21,13 +49,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
 namespace old_spin {
 
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
-    Quaterniond now = q;
-    for (std::size_t i = 1; i < times.size(); ++i) {
-        const Vector3d mean = spins[i - 1];
-        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
-        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
-    }
-    return now;
+    return through(q, times.size(), [&](std::size_t i) { return scaled(gap_of(times, i), spins[i - 1]); });
 }
 
 }  // namespace old_spin
@@ -38,11 +60,8 @@ namespace other_side {
 
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
-    for (std::size_t i = 1; i < times.size(); ++i) {
-        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
-        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
-        now = (Quaterniond(Eigen::AngleAxisd(2 * half.norm(), half.normalized())) * now).normalized();
-    }
+    for (std::size_t i = 1; i < times.size(); ++i)
+        now = turned(Quaterniond::Identity(), gap_of(times, i) / 2 * sum_of(spins, i)) * now;
     return now;
 }
 
@@ -55,7 +74,7 @@ namespace not_scaled {
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
-        const Vector3d half = (times[i] - times[i - 1]) / 4 * (spins[i - 1] + spins[i]);
+        const Vector3d half = gap_of(times, i) / 4 * sum_of(spins, i);
         now = now * Quaterniond(1, half.x(), half.y(), half.z());
     }
     return now;
@@ -70,13 +89,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
 namespace twice {
 
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
-    Quaterniond now = q;
-    for (std::size_t i = 1; i < times.size(); ++i) {
-        const Vector3d mean = spins[i - 1] + spins[i];
-        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
-        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
-    }
-    return now;
+    return through(q, times.size(), [&](std::size_t i) { return scaled(gap_of(times, i), sum_of(spins, i)); });
 }
 
 }  // namespace twice
@@ -87,13 +100,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
 namespace half {
 
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
-    Quaterniond now = q;
-    for (std::size_t i = 1; i < times.size(); ++i) {
-        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
-        const Vector3d half = (times[i] - times[i - 1]) / 4 * mean;
-        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
-    }
-    return now;
+    return through(q, times.size(), [&](std::size_t i) { return scaled(gap_of(times, i) / 4, sum_of(spins, i)); });
 }
 
 }  // namespace half
@@ -103,15 +110,9 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
 namespace even_frames {
 
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
-    Quaterniond now = q;
     const double gaps = double(times.size()) - 1;
     const double gap = gaps == 0 ? 0 : (times.back() - times[0]) / gaps;
-    for (std::size_t i = 1; i < times.size(); ++i) {
-        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
-        const Vector3d half = gap / 2 * mean;
-        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
-    }
-    return now;
+    return through(q, times.size(), [&](std::size_t i) { return scaled(gap / 2, sum_of(spins, i)); });
 }
 
 }  // namespace even_frames
@@ -121,14 +122,8 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
 namespace first_gap {
 
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
-    Quaterniond now = q;
     const double gap = times.size() < 2 ? 0 : times[1] - times[0];
-    for (std::size_t i = 1; i < times.size(); ++i) {
-        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
-        const Vector3d half = gap / 2 * mean;
-        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
-    }
-    return now;
+    return through(q, times.size(), [&](std::size_t i) { return scaled(gap / 2, sum_of(spins, i)); });
 }
 
 }  // namespace first_gap
@@ -138,13 +133,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
 namespace clock_for_gap {
 
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
-    Quaterniond now = q;
-    for (std::size_t i = 1; i < times.size(); ++i) {
-        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
-        const Vector3d half = times[i] / 2 * mean;
-        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
-    }
-    return now;
+    return through(q, times.size(), [&](std::size_t i) { return scaled(times[i] / 2, sum_of(spins, i)); });
 }
 
 }  // namespace clock_for_gap
@@ -154,13 +143,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
 namespace last_gap_lost {
 
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
-    Quaterniond now = q;
-    for (std::size_t i = 1; i + 1 < times.size(); ++i) {
-        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
-        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
-        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
-    }
-    return now;
+    return through(q, times.size() - 1, [&](std::size_t i) { return scaled(gap_of(times, i) / 2, sum_of(spins, i)); });
 }
 
 }  // namespace last_gap_lost
@@ -171,13 +154,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
 namespace backwards {
 
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
-    Quaterniond now = q;
-    for (std::size_t i = 1; i < times.size(); ++i) {
-        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
-        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
-        now = (now * Eigen::AngleAxisd(-2 * half.norm(), half.normalized())).normalized();
-    }
-    return now;
+    return through(q, times.size(), [&](std::size_t i) { return scaled(-gap_of(times, i) / 2, sum_of(spins, i)); });
 }
 
 }  // namespace backwards
@@ -187,13 +164,8 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
 namespace only_the_turn {
 
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
-    Quaterniond now = Quaterniond::Identity();
-    for (std::size_t i = 1; i < times.size(); ++i) {
-        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
-        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
-        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
-    }
-    return now;
+    const Quaterniond start = Quaterniond::Identity();
+    return through(start, times.size(), [&](std::size_t i) { return scaled(gap_of(times, i) / 2, sum_of(spins, i)); });
 }
 
 }  // namespace only_the_turn
@@ -204,10 +176,9 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
 namespace mean_of_all {
 
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
-    Vector3d mean = Vector3d::Zero();
-    for (const Vector3d& spin : spins) mean += spin / double(spins.size());
-    const Vector3d turn = (times.back() - times[0]) * mean;
-    return (q * Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized()))).normalized();
+    Vector3d sum = Vector3d::Zero();
+    for (const Vector3d& spin : spins) sum += spin;
+    return turned(q, (times.back() - times[0]) / double(spins.size()) * sum);
 }
 
 }  // namespace mean_of_all
@@ -220,9 +191,8 @@ namespace zero_divides {
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
-        const Vector3d mean = (spins[i - 1] + spins[i]) / 2;
-        const double speed = mean.norm();
-        now = now * Eigen::AngleAxisd(speed * (times[i] - times[i - 1]), mean / speed);
+        const Vector3d sum = sum_of(spins, i);
+        now = turned(now, sum.norm() / 2 * gap_of(times, i), sum / sum.norm());
     }
     return now;
 }
@@ -240,10 +210,10 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
     for (std::size_t i = 1; i < times.size(); ++i) {
         if (times[i] == times[i - 1]) ++i;
         if (i == times.size()) break;
-        const double gap = times[i] - times[i - 1];
-        const Vector3d slope = (spins[i] - spins[i - 1]) / gap;
-        const Vector3d half = gap / 2 * (spins[i - 1] + gap / 2 * slope);
-        now = (now * Eigen::AngleAxisd(2 * half.norm(), half.normalized())).normalized();
+        const double gap = gap_of(times, i);
+        const Vector3d change = spins[i] - spins[i - 1], slope = change / gap;
+        const Vector3d mean = spins[i - 1] + gap / 2 * slope;
+        now = turned(now, gap * mean);
     }
     return now;
 }
@@ -257,7 +227,7 @@ namespace single_precision {
 Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     Eigen::Quaternionf now = q.cast<float>();
     for (std::size_t i = 1; i < times.size(); ++i) {
-        const Vector3d half = (times[i] - times[i - 1]) / 4 * (spins[i - 1] + spins[i]);
+        const Vector3d half = gap_of(times, i) / 4 * sum_of(spins, i);
         const Eigen::Vector3f v = half.cast<float>();
         now = (now * Eigen::Quaternionf(1, v.x(), v.y(), v.z())).normalized();
     }

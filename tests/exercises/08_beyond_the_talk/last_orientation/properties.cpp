@@ -13,6 +13,11 @@ double apart(const Quaterniond& a, const Quaterniond& b) {
     return std::min((a.coeffs() - b.coeffs()).norm(), (a.coeffs() + b.coeffs()).norm());
 }
 
+// q, and then a turn by the length of a vector in the body's axes, about it.
+Quaterniond turned(const Quaterniond& q, const Vector3d& turn) {
+    return (q * Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized()))).normalized();
+}
+
 struct Replay {
     Quaterniond q;
     std::vector<double> times;
@@ -135,11 +140,11 @@ PROPERTY("a constant spin turns the body by |spin| times the time from first fra
     for (int i = 0; i < 40; ++i) {
         const Replay steady = draw_steady(draw, draw.integer(2, 12), i % 2 == 0 ? 0.02 : 0.1);
         const Vector3d spin = steady.spins[0];
-        const Eigen::AngleAxisd turn(spin.norm() * steady.duration(), spin.normalized());
+        const Vector3d turn = steady.duration() * spin;
         double allowed = 1e-5;
         for (std::size_t j = 1; j < steady.times.size(); ++j)
             allowed += std::pow(spin.norm() * (steady.times[j] - steady.times[j - 1]), 3) / 20;
-        REQUIRE(apart(steady.answer(), steady.q * Quaterniond(turn)) < allowed);
+        REQUIRE(apart(steady.answer(), turned(steady.q, turn)) < allowed);
     }
 }
 
@@ -216,7 +221,7 @@ PROPERTY("a spin that reverses from one frame to the next turns the body forth a
 // each spin, differ by a turn of an eighth of the product of their angles.
 PROPERTY("it is right wherever the task allows: tiny turns, tiny gaps, spins of unlike length, pauses between") {
     Draw draw;
-    bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart
+    Every all;
     for (int i = 0; i < 300; ++i) {
         const double angle = draw.log(1e-12, 0.1), gap = draw.any_of(1e-9, 100, {1e-9, 1.0 / 60, 100});
         Replay one{draw_rotation(draw), {0, gap}, {}};
@@ -229,11 +234,11 @@ PROPERTY("it is right wherever the task allows: tiny turns, tiny gaps, spins of 
             one.spins.insert(one.spins.begin() + frame, one.spins[frame]);
         }
         const Vector3d turn = gap / 2 * (one.spins.front() + one.spins.back());
-        const Quaterniond right = one.q * Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
+        const Quaterniond right = turned(one.q, turn);
         const double halves = gap * gap * one.spins.front().cross(one.spins.back()).norm() / 14;
         all &= apart(one.answer(), right) <= 1e-14 + std::pow(turn.norm(), 3) / 20 + halves;
     }
-    REQUIRE(all);
+    REQUIRE(bool(all));
 }
 
 // Three spins in turn, of which no number of frames brings the body back; Cayley and halves as above, for each gap.
@@ -249,7 +254,7 @@ PROPERTY("each of up to a thousand frames turns the body") {
         for (std::size_t k = 1; k < replay.times.size(); ++k) {
             const double gap = replay.times[k] - replay.times[k - 1];
             const Vector3d turn = gap / 2 * (replay.spins[k - 1] + replay.spins[k]);
-            right = (right * Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized()))).normalized();
+            right = turned(right, turn);
             allowed += std::pow(turn.norm(), 3) / 20 + gap * gap * replay.spins[k - 1].cross(replay.spins[k]).norm() / 14;
         }
         REQUIRE(apart(replay.answer(), right) <= allowed);

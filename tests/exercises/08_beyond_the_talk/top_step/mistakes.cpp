@@ -1,25 +1,55 @@
 #include "exercise_eigen.hpp"
 
+#include <functional>
+
+// A top and the parts of its step, as they should be; what a mistake changes it overrides.
+struct Top {
+    Vector3d inertia;
+    double mgl;
+    Vector3d L, up;
+
+    void kick(double time) { L += time * mgl * Vector3d(up.y(), -up.x(), 0); }
+    // Turned backwards by so much about axis i.
+    static Vector3d back(int i, double angle, const Vector3d& v) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double c = std::cos(angle), s = std::sin(angle);
+        Vector3d turned = v;
+        turned[j] = c * v[j] + s * v[k];
+        turned[k] = c * v[k] - s * v[j];
+        return turned;
+    }
+    void turn(int i, double angle) { L = back(i, angle, L), up = back(i, angle, up); }
+    void spin(int i, double time) { turn(i, time * L[i] / inertia[i]); }
+    std::array<Vector3d, 2> state() const { return {L, up}; }
+};
+
+// The course's step, of the parts `kick(time)` and `spin(axis, time)`.
+static void steps(double h, const std::function<void(double)>& kick, const std::function<void(int, double)>& spin) {
+    kick(h / 2);
+    spin(0, h / 2), spin(1, h / 2), spin(2, h), spin(1, h / 2), spin(0, h / 2);
+    kick(h / 2);
+}
+
+// Its own parts, in the order and of the times that are told: axes 0, 1 and 2, and 3 for gravity.
+static std::array<Vector3d, 2> in_order(Top top, double h, std::initializer_list<std::pair<int, double>> parts) {
+    for (const auto& [part, share] : parts) {
+        if (part == 3)
+            top.kick(share * h);
+        else
+            top.spin(part, share * h);
+    }
+    return top.state();
+}
+
 // Says: L and up turn forwards with the top. In the top's own axes it is the world that turns, and
 //       backwards.
 // Hint: Take a spin about z and up along x. What is up x omega, and so which way does up go?
 namespace forwards {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h / 2);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h);
-    spin(1, h / 2);
-    spin(0, h / 2);
-    kick(h / 2);
-    return {L, up};
+    Top top{inertia, mgl, L, up};
+    steps(h, [&](double time) { top.kick(time); }, [&](int i, double time) { top.spin(i, -time); });
+    return top.state();
 }
 
 }  // namespace forwards
@@ -29,19 +59,9 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace up_left {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-    };
-    kick(h / 2);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h);
-    spin(1, h / 2);
-    spin(0, h / 2);
-    kick(h / 2);
-    return {L, up};
+    Top top{inertia, mgl, L, up};
+    steps(h, [&](double time) { top.kick(time); }, [&](int i, double time) { top.L = top.back(i, time * top.L[i] / inertia[i], top.L); });
+    return top.state();
 }
 
 }  // namespace up_left
@@ -51,19 +71,9 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace L_left {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        up = back * up;
-    };
-    kick(h / 2);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h);
-    spin(1, h / 2);
-    spin(0, h / 2);
-    kick(h / 2);
-    return {L, up};
+    Top top{inertia, mgl, L, up};
+    steps(h, [&](double time) { top.kick(time); }, [&](int i, double time) { top.up = top.back(i, time * top.L[i] / inertia[i], top.up); });
+    return top.state();
 }
 
 }  // namespace L_left
@@ -73,20 +83,9 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace gravity_up {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * Vector3d::UnitZ().cross(up); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h / 2);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h);
-    spin(1, h / 2);
-    spin(0, h / 2);
-    kick(h / 2);
-    return {L, up};
+    Top top{inertia, mgl, L, up};
+    steps(h, [&](double time) { top.kick(-time); }, [&](int i, double time) { top.spin(i, time); });
+    return top.state();
 }
 
 }  // namespace gravity_up
@@ -97,19 +96,7 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace gravity_first {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h);
-    spin(1, h / 2);
-    spin(0, h / 2);
-    return {L, up};
+    return in_order({inertia, mgl, L, up}, h, {{3, 1}, {0, 0.5}, {1, 0.5}, {2, 1}, {1, 0.5}, {0, 0.5}});
 }
 
 }  // namespace gravity_first
@@ -119,19 +106,7 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace gravity_once {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h / 2);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h);
-    spin(1, h / 2);
-    spin(0, h / 2);
-    return {L, up};
+    return in_order({inertia, mgl, L, up}, h, {{3, 0.5}, {0, 0.5}, {1, 0.5}, {2, 1}, {1, 0.5}, {0, 0.5}});
 }
 
 }  // namespace gravity_once
@@ -141,21 +116,10 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace old_gravity {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const Vector3d torque = mgl * up.cross(Vector3d::UnitZ());
-    const auto kick = [&](double s) { L += s * torque; };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h / 2);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h);
-    spin(1, h / 2);
-    spin(0, h / 2);
-    kick(h / 2);
-    return {L, up};
+    Top top{inertia, mgl, L, up};
+    const Vector3d torque = mgl * Vector3d(up.y(), -up.x(), 0);
+    steps(h, [&](double time) { top.L += time * torque; }, [&](int i, double time) { top.spin(i, time); });
+    return top.state();
 }
 
 }  // namespace old_gravity
@@ -165,18 +129,7 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace one_way {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h / 2);
-    spin(0, h);
-    spin(1, h);
-    spin(2, h);
-    kick(h / 2);
-    return {L, up};
+    return in_order({inertia, mgl, L, up}, h, {{3, 0.5}, {0, 1}, {1, 1}, {2, 1}, {3, 0.5}});
 }
 
 }  // namespace one_way
@@ -187,20 +140,7 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace not_mirrored {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h / 2);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    kick(h / 2);
-    return {L, up};
+    return in_order({inertia, mgl, L, up}, h, {{3, 0.5}, {0, 0.5}, {1, 0.5}, {2, 1}, {0, 0.5}, {1, 0.5}, {3, 0.5}});
 }
 
 }  // namespace not_mirrored
@@ -210,20 +150,7 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace z_halved {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h / 2);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h / 2);
-    spin(1, h / 2);
-    spin(0, h / 2);
-    kick(h / 2);
-    return {L, up};
+    return in_order({inertia, mgl, L, up}, h, {{3, 0.5}, {0, 0.5}, {1, 0.5}, {2, 0.5}, {1, 0.5}, {0, 0.5}, {3, 0.5}});
 }
 
 }  // namespace z_halved
@@ -233,20 +160,7 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace all_whole {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h / 2);
-    spin(0, h);
-    spin(1, h);
-    spin(2, h);
-    spin(1, h);
-    spin(0, h);
-    kick(h / 2);
-    return {L, up};
+    return in_order({inertia, mgl, L, up}, h, {{3, 0.5}, {0, 1}, {1, 1}, {2, 1}, {1, 1}, {0, 1}, {3, 0.5}});
 }
 
 }  // namespace all_whole
@@ -257,21 +171,10 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace old_spin {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
+    Top top{inertia, mgl, L, up};
     const Vector3d omega = L.cwiseQuotient(inertia);
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * omega[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h / 2);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h);
-    spin(1, h / 2);
-    spin(0, h / 2);
-    kick(h / 2);
-    return {L, up};
+    steps(h, [&](double time) { top.kick(time); }, [&](int i, double time) { top.turn(i, time * omega[i]); });
+    return top.state();
 }
 
 }  // namespace old_spin
@@ -281,20 +184,9 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace no_inertia {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h / 2);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h);
-    spin(1, h / 2);
-    spin(0, h / 2);
-    kick(h / 2);
-    return {L, up};
+    Top top{inertia, mgl, L, up};
+    steps(h, [&](double time) { top.kick(time); }, [&](int i, double time) { top.turn(i, time * top.L[i]); });
+    return top.state();
 }
 
 }  // namespace no_inertia
@@ -305,14 +197,13 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace one_turn {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    kick(h / 2);
-    const Vector3d omega = L.cwiseQuotient(inertia);
+    Top top{inertia, mgl, L, up};
+    top.kick(h / 2);
+    const Vector3d omega = top.L.cwiseQuotient(inertia);
     const Eigen::AngleAxisd back(-h * omega.norm(), omega.normalized());
-    L = back * L;
-    up = back * up;
-    kick(h / 2);
-    return {L, up};
+    top.L = back * top.L, top.up = back * top.up;
+    top.kick(h / 2);
+    return top.state();
 }
 
 }  // namespace one_turn
@@ -322,17 +213,7 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace no_gravity {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h);
-    spin(1, h / 2);
-    spin(0, h / 2);
-    return {L, up};
+    return in_order({inertia, mgl, L, up}, h, {{0, 0.5}, {1, 0.5}, {2, 1}, {1, 0.5}, {0, 0.5}});
 }
 
 }  // namespace no_gravity
@@ -343,20 +224,7 @@ namespace rest_stays {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
     if (L.norm() == 0) return {L, up};
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h / 2);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h);
-    spin(1, h / 2);
-    spin(0, h / 2);
-    kick(h / 2);
-    return {L, up};
+    return in_order({inertia, mgl, L, up}, h, {{3, 0.5}, {0, 0.5}, {1, 0.5}, {2, 1}, {1, 0.5}, {0, 0.5}, {3, 0.5}});
 }
 
 }  // namespace rest_stays
@@ -366,17 +234,7 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace each_once {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h);
-    spin(0, h);
-    spin(1, h);
-    spin(2, h);
-    return {L, up};
+    return in_order({inertia, mgl, L, up}, h, {{3, 1}, {0, 1}, {1, 1}, {2, 1}});
 }
 
 }  // namespace each_once
@@ -386,20 +244,7 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace nothing_halved {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h);
-    spin(0, h);
-    spin(1, h);
-    spin(2, h);
-    spin(1, h);
-    spin(0, h);
-    kick(h);
-    return {L, up};
+    return in_order({inertia, mgl, L, up}, h, {{3, 1}, {0, 1}, {1, 1}, {2, 1}, {1, 1}, {0, 1}, {3, 1}});
 }
 
 }  // namespace nothing_halved
@@ -409,20 +254,9 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace times_inertia {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] * inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h / 2);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h);
-    spin(1, h / 2);
-    spin(0, h / 2);
-    kick(h / 2);
-    return {L, up};
+    Top top{inertia, mgl, L, up};
+    steps(h, [&](double time) { top.kick(time); }, [&](int i, double time) { top.turn(i, time * top.L[i] * inertia[i]); });
+    return top.state();
 }
 
 }  // namespace times_inertia
@@ -432,20 +266,7 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace gravity_in_the_middle {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    spin(2, h / 2);
-    spin(1, h / 2);
-    spin(0, h / 2);
-    kick(h);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h / 2);
-    return {L, up};
+    return in_order({inertia, mgl, L, up}, h, {{2, 0.5}, {1, 0.5}, {0, 0.5}, {3, 1}, {0, 0.5}, {1, 0.5}, {2, 0.5}});
 }
 
 }  // namespace gravity_in_the_middle
@@ -455,20 +276,7 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace z_first {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    const auto kick = [&](double s) { L += s * mgl * up.cross(Vector3d::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisd back(-s * L[i] / inertia[i], Vector3d::Unit(i));
-        L = back * L;
-        up = back * up;
-    };
-    kick(h / 2);
-    spin(2, h / 2);
-    spin(1, h / 2);
-    spin(0, h);
-    spin(1, h / 2);
-    spin(2, h / 2);
-    kick(h / 2);
-    return {L, up};
+    return in_order({inertia, mgl, L, up}, h, {{3, 0.5}, {2, 0.5}, {1, 0.5}, {0, 1}, {1, 0.5}, {2, 0.5}, {3, 0.5}});
 }
 
 }  // namespace z_first
@@ -478,21 +286,12 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 namespace single_precision {
 
 std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
-    Eigen::Vector3f l = L.cast<float>(), u = up.cast<float>();
-    const auto kick = [&](double s) { l += float(s * mgl) * u.cross(Eigen::Vector3f::UnitZ()); };
-    const auto spin = [&](int i, double s) {
-        const Eigen::AngleAxisf back(float(-s * l[i] / inertia[i]), Eigen::Vector3f::Unit(i));
-        l = back * l;
-        u = back * u;
-    };
-    kick(h / 2);
-    spin(0, h / 2);
-    spin(1, h / 2);
-    spin(2, h);
-    spin(1, h / 2);
-    spin(0, h / 2);
-    kick(h / 2);
-    return {l.cast<double>(), u.cast<double>()};
+    const auto rounded = [](const Vector3d& v) -> Vector3d { return v.cast<float>().cast<double>(); };
+    Top top{inertia, mgl, rounded(L), rounded(up)};
+    const auto round = [&] { top.L = rounded(top.L), top.up = rounded(top.up); };
+    steps(h, [&](double time) { top.kick(time), round(); },
+          [&](int i, double time) { top.turn(i, float(time * top.L[i] / inertia[i])), round(); });
+    return top.state();
 }
 
 }  // namespace single_precision
