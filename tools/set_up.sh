@@ -93,17 +93,24 @@ missing() {
 # The wishes that are not there and that this system has, or may have: one without lists of packages is not asked.
 missing_wishes() {
     [ -z "$kit" ] && [ ! -e "$build/panels_stand_still" ] || return 0
-    for package in $(missing "$wishes"); do
+    wish=$(missing "$wishes")
+    [ -z "$wish" ] || have_one apt-get || {
+        say_panels_stand_still "there is no apt-get here to install what they need, in Debian $wish"
+        return
+    }
+    for package in $wish; do
         case "$(candidate "$package")/$(candidate gnuplot-nox)" in
-        '(none)'/* | /?*) return 0 ;;
+        '(none)'/* | /?*) say_panels_stand_still "this system has no package $package"; return ;;
         esac
     done
-    missing "$wishes"
+    printf '%s' "$wish"
 }
-panels_stand_still() {
-    say "the site's panels stand still: $1. This lets them move: $apt_install $(missing "$wishes")"
+# Once for a build folder.
+say_panels_stand_still() {
+    say "the site's panels stand still: $1"
     mkdir -p "$build" && : >"$build/panels_stand_still"
 }
+panels_stand_still() { say_panels_stand_still "$1. This lets them move: $apt_install $(missing "$wishes")"; }
 
 # ---- Installing --------------------------------------------------------------------------------
 

@@ -8,6 +8,20 @@ function make(tag, attributes = {}, ...children) {
     return made;
 }
 const count = n => [...Array(n).keys()];
+// Numbers as they are printed: −1.5, 10⁻⁸, 2.5·10⁷.
+const minus = words => String(words).replace("-", "−");
+const powerOfTen = n => "10" + String(Number(n)).replace(/./g, c => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]);
+const written = value => {
+    const length = Math.abs(value);
+    if (!(length >= 1e6 || length > 0 && length < 1e-3)) return minus(Number(value.toPrecision(4)));
+    const [digits, tens] = value.toExponential(2).replace("Infinity", "∞").split("e");
+    return minus(digits) + (tens ? "·" + powerOfTen(tens) : "");
+};
+// The colour, with a line's strokes and gaps.
+function dashed(colour, dashes) {
+    let at = 0;
+    return `repeating-linear-gradient(90deg,${(dashes || "1").split(",").map((n, i) => `${i % 2 ? "#0000" : colour} ${at}px ${at += +n}px`)})`;
+}
 
 // ---- The picture: draws the commands of tools/live/live.hpp, as still.hpp does --------------------------
 
@@ -92,18 +106,19 @@ class LiveCanvas {
     }
     fresh() {
         this.pen.restore(), this.pen.save();
-        this.pen.font = (this.width < 500 ? 12 : 14) + "px sans-serif", this.pen.lineJoin = "round";
+        this.pen.font = (this.width < 600 ? 12 : 14) + "px sans-serif", this.pen.lineJoin = "round";
     }
 
     // Ticks at 1, 2 or 5 times a power of ten; on a log axis at whole powers.
     ticks(from, length, log, most) {
         let gap = 10 ** Math.floor(Math.log10(length / 5));
-        if (length / gap > most) gap *= length / gap > 2.5 * most ? 5 : 2;
+        const many = length / gap / most;
+        gap *= many > 5 ? 10 : many > 2.5 ? 5 : many > 1 ? 2 : 1;
         if (log) gap = Math.max(1, Math.ceil(gap));
         const first = Math.ceil(from / gap);
         return count(Math.max(0, Math.floor((from + length) / gap + .001) - first + 1)).map(n => {
             const at = (first + n) * gap;
-            return [at, log ? "1e" + at : String(Number(at.toPrecision(6)))];
+            return [at, log ? powerOfTen(at) : minus(Number(at.toPrecision(6)))];
         });
     }
 
@@ -114,22 +129,22 @@ class LiveCanvas {
         };
         const write = (words, x, y, align) => { pen.textAlign = align, pen.fillText(words, x, y); };
         this.fresh();
-        part.left += 48, part.bottom -= 38;
+        part.left += 48, part.bottom -= 38, part.top += 22;  // the words stand outside
         this.fit();
         const { left, right, top, bottom } = part;
         pen.lineWidth = 1, pen.fillStyle = "#333";
-        for (const [at, words] of this.ticks(part.fromX, (right - left) / part.scaleX, logX, logX ? (right - left) / 50 : right - left < 300 ? 6 : 10)) {
+        for (const [at, words] of this.ticks(part.fromX, (right - left) / part.scaleX, logX, (right - left) / 50)) {
             line(this.x(at), top, this.x(at), bottom, "#ddd");
             write(words, this.x(at), bottom + 16, "center");
         }
-        for (const [at, words] of this.ticks(part.fromY, (bottom - top) / part.scaleY, logY, 10)) {
+        for (const [at, words] of this.ticks(part.fromY, (bottom - top) / part.scaleY, logY, (bottom - top) / 30)) {
             line(left, this.y(at), right, this.y(at), "#ddd");
             write(words, left - 5, this.y(at) + 5, "right");
         }
         line(left, bottom, right, bottom, "#333");
         line(left, top, left, bottom, "#333");
         write(wordX, (left + right) / 2, bottom + 33, "center");
-        write(wordY, left + 6, top + 12, "left");
+        write(wordY, left - 40, top - 11, "left");
         this.clip();
     }
 }
@@ -149,9 +164,9 @@ class LivePanel {
         this.of.begin();
         this.build();
         this.shape();
+        this.play(!window.matchMedia("(prefers-reduced-motion: reduce)").matches);
         this.settings();
         new ResizeObserver(() => this.shape()).observe(this.canvas);
-        this.play(!window.matchMedia("(prefers-reduced-motion: reduce)").matches);
         this.figure.classList.add("is-live");
     }
 
@@ -162,29 +177,22 @@ class LivePanel {
 
     // Native controls of all that can be set.
     build() {
-        const of = this.of, button = (words, action) => {
-            const made = make("button", { type: "button", className: "play", textContent: words });
-            made.addEventListener("click", action);
-            return made;
-        };
-        this.canvas = make("canvas", { tabIndex: 0 });
-        this.canvas.setAttribute("role", "img");
-        this.canvas.setAttribute("aria-label", this.words(of.title()) +
-            (Number.isNaN(of.handle(0)) ? "" : ". The arrow keys drag."));
+        const of = this.of;
+        const button = (words, onclick) => make("button", { type: "button", className: "play", textContent: words, onclick });
+        this.canvas = make("canvas", { tabIndex: 0, role: "img",
+            ariaLabel: this.words(of.title()) + (Number.isNaN(of.handle(0)) ? "" : ". The arrow keys drag.") });
         this.picture = new LiveCanvas(this.canvas, (i, what = "said") => this.words(of[what](i)));
         this.playButton = button("", () => this.play(!this.wanted));
         this.linkButton = button("Link", () => this.link());
-        this.status = make("p", { className: "live-status" });
-        this.status.setAttribute("role", "status");  // read aloud when it changes, and only then
+        this.status = make("p", { className: "live-status", role: "status" });  // read aloud when it changes
         const form = make("div", { className: "live-controls" });
         const list = make("dl", { className: "live-readouts" });
         this.controls = count(of.controls()).map(i => this.control(i, form));
         this.readouts = count(of.readouts()).map(i => {
-            const output = make("span", { className: "number" });
-            const [label, unit, colour] = [0, 1, 2].map(n => this.words(of.readout_text(i, n)));
-            const term = make("dt", { textContent: label });
-            if (colour) term.style.borderLeft = "14px solid " + colour;
-            list.append(make("div", {}, term, make("dd", {}, output, " " + unit)));
+            const [label, unit, colour, dashes] = count(4).map(n => this.words(of.readout_text(i, n)));
+            const key = make("span", { className: colour && "key" }), output = make("dd", { unit: " " + unit });
+            key.style.backgroundImage = colour && dashed(colour, dashes);
+            list.append(make("div", {}, make("dt", {}, key, label), output));
             return output;
         });
         this.shell = make("code");
@@ -192,7 +200,7 @@ class LivePanel {
             make("div", { className: "live-buttons" }, this.playButton,
                 button("One step", () => { this.play(false), this.steps(1); }),
                 button("Restart", () => { of.begin(), this.show(); }), this.linkButton),
-            this.status, form, list, this.inShell()));
+            form, list, this.status, this.inShell()));
         this.touch();
     }
 
@@ -202,30 +210,29 @@ class LivePanel {
         const id = `${this.figure.id}-${name}`, row = make("div", { className: "live-control" });
         const control = { name, first, get: () => of.control_number(i, 5), set: value => {
             if (!Number.isNaN(value)) this.trying(() => of.set(i, value));
+            if (of.moves(i)) this.play(false);
             this.show();
         } };
         row.append(make("label", { htmlFor: id, textContent: label }));
         if (kind === 2) {  // one of several
-            const list = make("select", { id }, ...unit.split("|").map((words, n) => make("option", { value: n, textContent: words })));
-            list.addEventListener("change", () => control.set(Number(list.value)));
+            const list = make("select", { id, onchange: () => control.set(Number(list.value)) },
+                ...unit.split("|").map((words, n) => make("option", { value: n, textContent: words })));
             control.show = () => { list.value = control.get(); };
             row.append(list);
         } else if (kind === 3) {  // on or off
-            const box = make("input", { id, type: "checkbox" });
-            box.addEventListener("change", () => control.set(Number(box.checked)));
+            const box = make("input", { id, type: "checkbox", onchange: () => control.set(Number(box.checked)) });
             control.show = () => { box.checked = control.get() !== 0; };
             row.append(box);
         } else {  // a number, on a log slider by its logarithm
             const there = x => kind === 1 ? Math.log10(x) : x, back = x => kind === 1 ? Number((10 ** x).toPrecision(3)) : x;
             const range = make("input", { id, type: "range", min: there(least), max: there(most), step: kind === 1 ? .01 : step });
-            const typed = make("input", { type: "number", min: least, max: most, step: "any" });
-            typed.setAttribute("aria-label", label + " as a number");
-            range.addEventListener("input", () => control.set(back(Number(range.value))));
-            typed.addEventListener("change", () => {
+            const typed = make("input", { type: "number", min: least, max: most, step: "any", ariaLabel: label + " as a number" });
+            range.oninput = () => control.set(back(Number(range.value)));
+            typed.onchange = () => {
                 control.typed = true;  // while it is being typed a number is left alone
                 control.set(typed.value === "" ? NaN : Number(typed.value));
                 control.show(), control.typed = false;
-            });
+            };
             control.show = () => {
                 range.value = there(control.get());
                 const value = Number(control.get().toPrecision(kind === 1 ? 3 : 6));
@@ -320,8 +327,8 @@ class LivePanel {
     // ---- What is shown
 
     shape() {
-        this.narrow = Number(this.canvas.clientWidth < 620);
-        this.canvas.parentElement.classList.toggle("is-narrow", this.canvas.clientWidth < 500);
+        this.narrow = Number(this.canvas.clientWidth < 480);
+        this.canvas.parentElement.classList.toggle("is-narrow", this.narrow);
         this.picture.resize(this.of.aspect(this.narrow));
         this.show();
     }
@@ -330,16 +337,12 @@ class LivePanel {
         this.picture.draw(new Float64Array(of.memory.buffer, of.commands(), size));
         for (const control of this.controls)  // the panel may have moved it, too
             if (control.get() !== control.shown) control.shown = control.get(), control.show();
-        this.readouts.forEach((output, i) => {
-            const value = of.readout(i), length = Math.abs(value);
-            output.textContent = length === Infinity ? (value < 0 ? "−∞" : "∞") : Number.isNaN(value) ? "no number" : length >= 1e6 || (length < 1e-3 && length > 0)
-                ? value.toExponential(2) : String(Number(value.toPrecision(4)));
-        });
-        const said = count(of.fuses()).filter(i => of.fuse(i) >= 0)
-            .map(i => `${this.words(of.fuse_text(i))} blew up at step ${of.fuse(i)}.`);
-        if (of.broken()) said.push(`At step ${of.steps()} a place is no number any more, and is not drawn.`);
-        if (this.broke) said.push(this.broke);
-        if (this.status.textContent !== said.join(" ")) this.status.textContent = said.join(" ");
+        this.readouts.forEach((output, i) => { output.textContent = of.known(i) ? written(of.readout(i)) + output.unit : "measuring"; });
+        const blown = count(of.fuses()).filter(i => of.fuse(i) >= 0).map(i => `${this.words(of.fuse_text(i))} at step ${of.fuse(i)}`);
+        const said = [blown.length && `Blew up: ${blown.join(", ")}.`, this.broke,
+            of.broken() && `At step ${of.steps()} a place is no number, and is not drawn.`].filter(Boolean).join(" ");
+        if (this.status.textContent !== said) this.status.textContent = said;
+        this.showInShell();
     }
 
     // ---- The settings, as words: in a link, #live-three_eulers:omega_h=1.2,x=1, and for the shell
@@ -361,13 +364,17 @@ class LivePanel {
             this.controls.find(control => control.name === name)?.set(Number(value));
     }
     inShell() {
-        const details = make("details", { className: "live-shell" }, make("summary", { textContent: "The same run in a shell" }), this.shell);
-        details.addEventListener("toggle", () => {
-            const source = `chapters/${this.figure.dataset.live.replace("/", "/live/")}.cpp`;
-            this.shell.textContent = `c++ -std=c++20 -Iinclude -Itools/live -I/usr/include/eigen3 ${source} -o panel && ` +
-                `./panel ${[...this.set(), `steps=${this.of.steps()}`].join(" ")}`;
-        });
-        return details;
+        return make("details", { className: "live-shell", ontoggle: () => this.showInShell() },
+            make("summary", { textContent: "The same run in a shell" }), this.shell);
+    }
+    // While it is open it says what stands there. A panel that moves a control stands where that one is.
+    showInShell() {
+        if (!this.shell.parentElement.open) return;
+        const source = `chapters/${this.figure.dataset.live.replace("/", "/live/")}.cpp`;
+        const steps = this.controls.some((control, i) => this.of.moves(i)) ? 0 : this.of.steps();
+        const words = `c++ -std=c++20 -Iinclude -Itools/live -I/usr/include/eigen3 ${source} -o panel && ` +
+            `./panel ${[...this.set(), `steps=${steps}`].join(" ")}`;
+        if (this.shell.textContent !== words) this.shell.textContent = words;
     }
 }
 

@@ -155,3 +155,38 @@ int main() {
 #endif
     return start.x.x() > 2;
 }
+
+// ---- two kinds of real numbers
+// A body's inertia in float, its state in double.
+// error: timestep: the inertia and the state hold one kind of number: both float, or both double
+#include <timestep/gyroscopic/calm_half_step.hpp>
+#include <timestep/rigid/body.hpp>
+
+using namespace timestep;
+
+int main() {
+#ifdef MISUSE
+    const PrincipalInertia<float> inertia(1, 2, 2.5f);
+#else
+    const PrincipalInertia<double> inertia(1, 2, 2.5);
+#endif
+    const RigidState<double> s{0, Quaternion<double>::Identity(), {1, 2, 3}};
+    return turn(calm_half_step, inertia, s, 0.01).omega.x() > 2;
+}
+
+// ---- two kinds of real numbers in flight
+// The same of a method for the whole body.
+// error: timestep: the inertia and the state hold one kind of number: both float, or both double
+#include <timestep/rigid/symmetric_remainder.hpp>
+
+using namespace timestep;
+
+int main() {
+#ifdef MISUSE
+    const PrincipalInertia<float> inertia(1, 2, 2.5f);
+#else
+    const PrincipalInertia<double> inertia(1, 2, 2.5);
+#endif
+    const SpinState<double> s{0, Quaternion<double>::Identity(), {1, 2, 3}};
+    return symmetric_remainder_2.step(inertia, s, 0.01).omega.x() > 2;
+}

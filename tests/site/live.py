@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""Do the live panels and the films of the site work in a browser, with real events, and do panels end on the
-bits of the programs?
+"""Do the live panels of the site work in a browser, with real events, and do they end on the bits of the programs?
 
     live.py SITE BUILD [PANEL]    prints a line for each fault; exit status 0 when there is none, 1 when there is
                                   one, 77 (skipped) when Chromium, Selenium or a panel's module is not there
@@ -15,95 +14,10 @@ import sys
 import time
 
 import browser
+from panel import BITS, CONTROLS, DRAWN, LIVE, PICTURE, READY, STEPS, Faults, Page
 
 MODULE, SCRIPT = 60_000, 15_000  # bytes, at most
 PANEL = re.compile(r'<figure id="live-(\w+)"[^>]*data-live="([^"]+)" data-module="([^"]+)"')
-
-# What the test asks of a panel on the page: the object that live.js leaves at its figure.
-READY = "return document.getElementById(arguments[0]).classList.contains('is-live')"
-LIVE = "const live = document.getElementById(arguments[0]).live, of = live.of; "
-CONTROLS = LIVE + """
-return live.controls.map((c, i) => ({ name: c.name, kind: of.control_number(i, 0), least: of.control_number(i, 1),
-    most: of.control_number(i, 2), value: c.get() }));"""
-# Restarts, carries out the words as the program for the shell does, and hashes what is drawn (FNV-1a, 64 bits).
-BITS = LIVE + """
-live.play(false);
-for (const c of live.controls) c.set(c.first);
-of.begin();
-for (const word of arguments[1]) {
-    const [name, value] = word.split("=");
-    if (name === "steps") live.steps(Number(value));
-    else if (name === "grab" || name === "drag") of[name](...value.split(",").map(Number));
-    else if (name === "let_go") of.let_go();
-    else live.controls.find(c => c.name === name).set(Number(value));
-}
-const size = of.draw(0), bytes = new Uint8Array(of.memory.buffer, of.commands(), size * 8);
-let sum = 14695981039346656037n;
-for (const byte of bytes) sum = (sum ^ BigInt(byte)) * 1099511628211n & 0xffffffffffffffffn;
-const readouts = [...Array(of.readouts()).keys()].map(i => of.readout(i));
-return [sum.toString(16).padStart(16, "0"), readouts, of.broken(), live.broke || ""];"""
-# All places of the picture, as one number.
-PICTURE = LIVE + """
-const size = of.draw(0);
-return new Float64Array(of.memory.buffer, of.commands(), size).reduce((sum, x, i) => sum + x * (1 + i % 97), 0);"""
-STEPS = LIVE + "return of.steps()"
-DRAWN = LIVE + """
-const pixels = live.picture.pen.getImageData(0, 0, live.canvas.width, live.canvas.height).data;
-let inked = 0;
-for (let i = 3; i < pixels.length; i += 4) inked += pixels[i] > 0;
-return inked / (pixels.length / 4);"""
-
-
-class Faults(list):
-    def unless(self, holds, sentence):
-        if not holds:
-            self.append(sentence)
-
-
-class Page:
-    """A panel's page in the browser."""
-
-    def __init__(self, on, file, name):
-        self.on, self.driver = on, on.driver
-        self.address = pathlib.Path(file).resolve().as_uri()
-        self.id = "live-" + name
-
-    def run(self, script, *arguments):
-        return self.driver.execute_script(script, self.id, *arguments)
-
-    def wait(self, holds, looks=600):
-        for _ in range(looks):
-            if holds():
-                return True
-            time.sleep(0.05)
-        return False
-
-    def open(self, words=""):
-        self.driver.get("about:blank")
-        self.driver.get(self.address + "#" + self.id + (":" + words if words else ""))
-        there = self.wait(lambda: self.run(READY))
-        self.run("document.getElementById(arguments[0]).scrollIntoView()")
-        return there
-
-    def part(self, what):
-        return self.driver.find_element("css selector", f"#{self.id} {what}")
-
-    def button(self, words):
-        return next(b for b in self.driver.find_elements("css selector", f"#{self.id} button") if words in b.text)
-
-    def controls(self):
-        return self.run(CONTROLS)
-
-    def box(self, what):
-        return self.driver.execute_script(
-            "const b = arguments[0].getBoundingClientRect(); return [b.left, b.top, b.width, b.height]", self.part(what))
-
-    def touch(self, *places):
-        """A finger: down at the first place, through the others, and up."""
-        for i, (x, y) in enumerate(places):
-            self.driver.execute_cdp_cmd("Input.dispatchTouchEvent", {
-                "type": "touchMove" if i else "touchStart", "touchPoints": [{"x": x, "y": y}]})
-        self.driver.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
 
 
 def native(build, live, words):
@@ -164,6 +78,51 @@ def goes_and_stops(page, faults):
     faults.unless(run(STEPS) == there, "steps off screen")
     run("document.getElementById(arguments[0]).scrollIntoView()")
     faults.unless(page.wait(lambda: run(STEPS) > there), "does not go on when it is back on screen")
+
+
+def goes_on_where_it_is_left(page, faults):
+    """What a panel moves by itself stands as soon as the reader takes it, and Play goes on from there."""
+    from selenium.webdriver.common.keys import Keys
+    page.open()
+    moved = page.run(LIVE + "return live.controls.findIndex((c, i) => of.moves(i))")
+    if moved < 0:
+        return
+    name = page.controls()[moved]["name"]
+    page.part(f"#{page.id}-{name}").send_keys(Keys.END + Keys.ARROW_LEFT)
+    taken = page.controls()[moved]["value"]
+    time.sleep(0.3)
+    if page.controls()[moved]["value"] != taken:
+        faults.append(f"moves {name} on though the reader has it")
+        return
+    page.button("Play").click()
+    faults.unless(page.wait(lambda: page.controls()[moved]["value"] != taken), f"Play does not move {name}, which was taken")
+
+
+def leaves_its_sliders_in_place(page, faults):
+    """Whatever it says in the end, its sliders stand where they stood."""
+    page.open()
+    page.button("Stop").click()
+    page.button("Restart").click()
+    place = lambda: page.run("return document.querySelector(`#${arguments[0]} .live-controls`).offsetTop")
+    before, controls = place(), page.controls()
+    for end in ("least", "most"):
+        page.run(BITS, [f"{c['name']}={c[end]}" for c in controls] + ["steps=500"])
+        page.run(LIVE + "live.show()")
+        faults.unless(place() == before, f"its sliders move by {place() - before} px after 500 steps with all at their {end}")
+
+
+def says_what_the_shell_would(page, faults):
+    """The line for the shell stays true while it stands open."""
+    page.open()
+    page.button("Stop").click()
+    page.button("Restart").click()
+    page.part("summary").click()
+    for step in range(2):
+        page.button("One step").click()
+    line = page.part("details code").text
+    moved = page.run(LIVE + "return live.controls.some((c, i) => of.moves(i))")
+    words = page.run(LIVE + "return live.set()") if moved else ["steps=2"]
+    faults.unless(all(word in line for word in words), f"after two steps its line for the shell is {line}")
 
 
 def moves(page, action):
@@ -304,75 +263,6 @@ def two_at_once(pages, faults):
         faults.unless(page.wait(lambda: page.run(STEPS) > before), f"{page.id} stands beside another")
 
 
-# What the test asks of a film: a hash of each of these frames, as the canvas shows it.
-FRAMES = """
-const film = document.querySelectorAll("figure.animation")[arguments[0]].film, done = arguments[2];
-film.play(false);
-(async () => {
-    const hashes = [];
-    for (const k of arguments[1]) {
-        await film.show(Math.min(k, film.frames.length - 1));
-        const data = film.pen.getImageData(0, 0, film.canvas.width, film.canvas.height).data;
-        let sum = 0;
-        for (let i = 0; i < data.length; i += 4) sum = Math.imul(sum, 31) + data[i] + 7 * data[i + 1] | 0;
-        hashes.push(sum);
-    }
-    return hashes;
-})().then(done);"""
-
-
-def film_plays(on, i, faults):
-    """The page is open: its film number i plays, stops, shows each frame wherever it comes from, and stays calm."""
-    driver = on.driver
-    film = lambda what: driver.execute_script(f"const f = document.querySelectorAll('figure.animation')[arguments[0]]; {what}", i)
-    film("f.scrollIntoView({block: 'center'})")
-    wait = Page(on, "/", "").wait
-    if not wait(lambda: film("return f.classList.contains('is-film')")):
-        faults.append(f"film {i} does not start")
-        return
-    shown = film("return f.film.shown")
-    faults.unless(wait(lambda: film("return f.film.shown") != shown), f"film {i} does not play")
-    film("f.querySelector('button.play').click()")
-    time.sleep(0.2)
-    shown = film("return f.film.shown")
-    time.sleep(0.3)
-    faults.unless(film("return f.film.shown") == shown, f"film {i} plays on when it is stopped")
-    there, back, again, first, last = driver.execute_async_script(FRAMES, i, [40, 5, 40, 0, 1e6])
-    faults.unless(there == again, f"frame 40 of film {i} is another when it comes after frame 5")
-    faults.unless(len({there, back, first, last}) >= 3, f"film {i} stands still")
-    from selenium.webdriver.common.keys import Keys
-    slider = film("return f.querySelector('input[type=range]')")
-    slider.send_keys(Keys.HOME)
-    faults.unless(wait(lambda: film("return f.film.shown") == 0), f"Home does not lead film {i} to its start")
-    slider.send_keys(Keys.ARROW_RIGHT)
-    faults.unless(wait(lambda: film("return f.film.shown") == 1), f"an arrow does not move film {i} by a frame")
-    faults.unless(film("f.querySelector('select').value = 4; f.querySelector('select').dispatchEvent(new Event('change')); "
-                       "return f.film.speed") == 4, f"film {i} has no speed")
-
-
-def films(on, site, faults):
-    for file in sorted(pathlib.Path(site).glob("*.html")):
-        number = file.read_text(encoding="utf-8", errors="replace").count('class="picture animation"')
-        if number == 0:
-            continue
-        on.driver.get(file.resolve().as_uri())
-        found = Faults()
-        for i in range(number):
-            film_plays(on, i, found)
-        on.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]})
-        on.driver.get("about:blank")
-        on.driver.get(file.resolve().as_uri())
-        on.driver.execute_script("document.querySelector('figure.animation').scrollIntoView({block: 'center'})")
-        page = Page(on, file, "")
-        page.wait(lambda: on.driver.execute_script("return document.querySelector('figure.animation').classList.contains('is-film')"))
-        time.sleep(0.4)
-        found.unless(on.driver.execute_script("return document.querySelector('figure.animation').film.shown") == 0,
-                     "a film plays though the reader prefers reduced motion")
-        on.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
-        found += ["console: " + entry["message"] for entry in on.driver.get_log("browser") if entry["level"] == "SEVERE"]
-        faults += [f"{file.name}: {fault}" for fault in found]
-
-
 def main():
     if len(sys.argv) not in (3, 4):
         sys.exit("usage: live.py SITE BUILD [PANEL]")
@@ -410,7 +300,8 @@ def main():
             page.open()
             same_bits(page, build, live, (root / "chapters" / live.replace("/", "/live/")).with_suffix(".cpp").read_text(), faults)
             stands_extremes(page, faults)
-            for look in (by_keyboard, by_finger, scrolls_under_a_finger, carries_settings, grows_not, keeps_calm, stands_without_scripts):
+            for look in (by_keyboard, by_finger, goes_on_where_it_is_left, leaves_its_sliders_in_place,
+                         says_what_the_shell_would, scrolls_under_a_finger, carries_settings, grows_not, keeps_calm, stands_without_scripts):
                 look(page, faults)
             faults += ["console: " + entry["message"] for entry in on.driver.get_log("browser") if entry["level"] == "SEVERE"]
             for fault in faults:
@@ -420,8 +311,6 @@ def main():
         for pages in by_page.values():
             if len(pages) > 1:
                 two_at_once(pages[:2], faults)
-        if len(sys.argv) == 3:
-            films(on, site, faults)
         for fault in faults:
             print(fault)
         count += len(faults)

@@ -192,6 +192,18 @@ many with O3_native"
     is "$(cat err)" 'Bullet is not installed'
 }
 
+test_bench_engines_hands_its_words_over() {
+    mkdir -p build/tools/bench/engines
+    printf '#!/bin/sh\necho "$@"\n' >build/tools/bench/engines/bench_engines
+    chmod +x build/tools/bench/engines/bench_engines
+    expect 0 course bench engines --quick --scene top --scene cost --engine ODE --out there
+    is "$(cat out)" '--out there --quick --engine ODE --scene top --scene cost'
+    says calls '--target bench_engines'
+    expect 0 course bench engines
+    is "$(cat out)" "--out $folder/build/runs/engines"
+    refuses '--again: bench engines does not take it' engines --again
+}
+
 # Fails as a shell does that finds none.
 no_gnuplot() { printf '#!/bin/sh\nexit 127\n' >bin/gnuplot; chmod +x bin/gnuplot; }
 draws_badly() { printf '#!/bin/sh\necho no\nexit 1\n' >bin/gnuplot; chmod +x bin/gnuplot; }

@@ -63,12 +63,25 @@ test_where_nothing_lets_panels_move_the_site_is_made_all_the_same() {
     touch checkout/course
     expect 7 course tour
     silent_on err 'stand still'
-    # A system that has no such packages is not asked for them.
+    # A system that has no such packages is not asked for them; that is said once, in one line.
     fake id 'echo 0'
+    for candidate in '' '(none)'; do
+        rm -r checkout/build
+        fake apt-cache "case \$2 in gnuplot-nox) echo '  Candidate: 5.4' ;; *) echo '  Candidate: $candidate' ;; esac"
+        expect 7 course tour
+        silent_on calls apt-get
+        is "$(grep -c 'stand still' err)" 1
+        says err "course: the site's panels stand still: this system has no package clang"
+        touch checkout/course
+        expect 7 course tour
+        silent_on err 'stand still'
+    done
+    # Nor is one without apt-get.
     rm -r checkout/build
-    fake apt-cache "case \$2 in gnuplot-nox) echo '  Candidate: 5.4' ;; *) echo '  Candidate: (none)' ;; esac"
+    mv bin/apt-get bin/apt-get.not
     expect 7 course tour
-    silent_on calls apt-get
+    says err "course: the site's panels stand still: there is no apt-get here to install what they need, in Debian $panels"
+    mv bin/apt-get.not bin/apt-get
     # One whose packages cannot be installed goes without.
     rm -r checkout/build
     fake apt-cache "echo '  Candidate: 5.4'"

@@ -183,7 +183,7 @@ int main() {
 " @ONLY)
   set(list "")
   foreach(mistake IN LISTS mistakes)
-    string(APPEND list "    {\"${mistake}\", checker::answer_of(&mistakes::${mistake}::${name})},\n")
+    string(APPEND list "    {\"${mistake}\", checker::function_of(&mistakes::${mistake}::${name})},\n")
   endforeach()
   file(CONFIGURE OUTPUT "${generated}/${name}_hidden.cpp" CONTENT
 "// The mistakes that are known, with the headers that they include read before; and the hidden tests. One source, for
@@ -200,7 +200,7 @@ namespace solution {
 #include \"@source@/@solution@\"
 }
 const bool known = checker::know(\"@name@\", {
-@list@}) && checker::know_truth(\"@name@\", checker::truth_of(&solution::@name@));
+@list@}) && checker::know_truth(\"@name@\", checker::function_of(&solution::@name@));
 }
 
 #include \"@source@/@room@/properties.cpp\"

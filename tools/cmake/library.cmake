@@ -5,7 +5,13 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+# Inside somebody else's project nothing is installed unless they ask for it, and who needs no vectors needs no Eigen.
+option(TIMESTEP_INSTALL "Install the library with the project" ${PROJECT_IS_TOP_LEVEL})
+if(PROJECT_IS_TOP_LEVEL)
+  find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+elseif(NOT TARGET Eigen3::Eigen)
+  find_package(Eigen3 3.4 QUIET NO_MODULE)
+endif()
 
 add_library(timestep_headers INTERFACE)
 add_library(timestep::headers ALIAS timestep_headers)
@@ -16,8 +22,11 @@ target_include_directories(timestep_headers INTERFACE
 
 add_library(timestep INTERFACE)
 add_library(timestep::timestep ALIAS timestep)
-target_link_libraries(timestep INTERFACE timestep_headers Eigen3::Eigen)
+target_link_libraries(timestep INTERFACE timestep_headers Eigen3::Eigen)  # an error where it is used and Eigen is not there
 
+if(NOT TIMESTEP_INSTALL)
+  return()
+endif()
 install(TARGETS timestep timestep_headers EXPORT timestep_targets)
 install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 set(package_folder ${CMAKE_INSTALL_DATADIR}/cmake/timestep)

@@ -2,18 +2,35 @@
 # picture) and, where there is a compiler for it, a module of WebAssembly. Both are left in
 # ${build}/chapters/NN_name/live.
 
-# Clang, its linker, and a C and C++ library for WebAssembly: asked for by compiling something.
+# Clang, its linker, and a C and C++ library for WebAssembly: asked for by compiling something. The files that this took
+# are remembered: when one of them is gone CMake configures again, as for all else that it has found, and asks anew.
 find_program(WASM_CXX NAMES clang++ clang++-20 clang++-19 clang++-18 clang++-17 clang++-16 clang++-15 clang++-14)
 set(wasm_options --target=wasm32-wasi -mexec-model=reactor -std=c++20)
-if(WASM_CXX AND NOT DEFINED TIMESTEP_WASM)
+if(NOT WASM_CXX IN_LIST TIMESTEP_WASM)
+  unset(TIMESTEP_WASM CACHE)
+endif()
+foreach(file IN LISTS TIMESTEP_WASM)
+  if(NOT EXISTS "${file}")
+    message(STATUS "${file} is gone; looking for another")
+    unset(TIMESTEP_WASM CACHE)
+  endif()
+endforeach()
+if(WASM_CXX AND NOT TIMESTEP_WASM)
   set(probe "${PROJECT_BINARY_DIR}/live_probe")
   file(WRITE "${probe}.cpp" "#include <cmath>\n#include <string>\nstd::string s;\nextern \"C\" double f(double x) { s += 'x'; return std::sin(x); }\n")
-  execute_process(COMMAND "${WASM_CXX}" ${wasm_options} "${probe}.cpp" -o "${probe}.wasm"
-    RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+  execute_process(COMMAND "${WASM_CXX}" ${wasm_options} "${probe}.cpp" -o "${probe}.wasm" -MD -MF "${probe}.d" -Wl,--trace
+    RESULT_VARIABLE status OUTPUT_VARIABLE linked ERROR_QUIET)
   if(status EQUAL 0)
-    set(TIMESTEP_WASM ON CACHE INTERNAL "a compiler for WebAssembly is there")
+    execute_process(COMMAND "${WASM_CXX}" -print-prog-name=wasm-ld OUTPUT_VARIABLE linker OUTPUT_STRIP_TRAILING_WHITESPACE)
+    file(READ "${probe}.d" included)
+    string(REGEX MATCHALL "/[^ \n]*/(cmath|math[.]h)" included "${included}")
+    string(REGEX MATCHALL "/[^\n]*(/crt1-reactor[.]o|[.]a)" linked "${linked}")
+    set(files "${WASM_CXX}" "${linker}" ${included} ${linked})
+    list(REMOVE_DUPLICATES files)
+    set(TIMESTEP_WASM "${files}" CACHE INTERNAL "with these files a module of WebAssembly can be made")
   endif()
 endif()
+set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${TIMESTEP_WASM})
 if(NOT TIMESTEP_WASM)
   message(STATUS "No compiler for WebAssembly: the panels stand still (packages clang, lld, wasi-libc, "
                  "libc++-…-dev-wasm32, libclang-rt-…-dev-wasm32)")
@@ -23,6 +40,8 @@ endif()
 # property TIMESTEP_LIVE_${chapter}, and to TIMESTEP_LIVE.
 function(timestep_live chapter needs)
   file(GLOB panels CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/chapters/${chapter}/live/*.cpp")
+  # What their lines `// still:` and `// wasm:` say is read here.
+  set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${panels})
   set(folder "${PROJECT_BINARY_DIR}/chapters/${chapter}/live")
   foreach(panel IN LISTS panels)
     cmake_path(GET panel STEM name)
@@ -75,6 +94,8 @@ function(timestep_live chapter needs)
         DEPENDS "${panel}" DEPFILE "${folder}/${name}.d"
         COMMENT "Compiling the panel ${name} for the page" VERBATIM)
       list(APPEND made "${folder}/${name}.wasm")
+    else()  # one that was made before would stay as it is, whatever becomes of the panel
+      file(REMOVE "${folder}/${name}.wasm")
     endif()
     set_property(GLOBAL APPEND PROPERTY TIMESTEP_LIVE_${chapter} ${made})
     set_property(GLOBAL APPEND PROPERTY TIMESTEP_LIVE ${made})

@@ -63,6 +63,20 @@ void bench_many() {
     run_each({"bench_many_O2", "bench_many_O2_native", "bench_many_O3_native"});
 }
 
+void bench_engines(const Contest& contest, const std::optional<std::string>& engine) {
+    {
+        ProgressLine progress;
+        build({"bench_engines"}, progress);
+    }
+    const auto folder = places().build / "runs/engines";
+    std::vector<std::string> command{(places().build / "tools/bench/engines/bench_engines").string(), "--out",
+                                     contest.out.value_or(folder.string())};
+    if (contest.quick) command.push_back("--quick");
+    if (engine) command.insert(command.end(), {"--engine", *engine});
+    for (const auto& scene : contest.scenes) command.insert(command.end(), {"--scene", scene});
+    hand_over(command);
+}
+
 // The course's own answers are checked, round by round, so that a busy moment touches every
 // exercise.
 void bench_latency(int rounds) {

@@ -183,14 +183,18 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress, cons
     const char* const builder = std::getenv("TIMESTEP_BUILDS_IN");
     if (builder == nullptr || builder != places().build.string()) {
         const fs::path lock = places().build / "course.lock";
-        if (Lock::is_held(lock))
-            progress.say("Another ./course is building here; this goes on when it makes a pause");
-        for (int looks = 1; Lock::is_held(lock); ++looks) {
+        const std::string words = "Another ./course is building here; this goes on when it makes a pause";
+        for (int looks = 0; Lock::is_held(lock); ++looks) {
             stop_if_interrupted();
+            if (looks == 0) {
+                progress.say(words);
+                progress.now("waiting for another ./course");
+            }
             usleep(20'000);
-            if (looks % 50 == 0) progress.tick();
+            if (looks % 50 == 49) progress.tick();
         }
-        one_at_a_time.emplace(lock);
+        progress.clear();
+        one_at_a_time.emplace(lock, words);  // a third may have been faster
         setenv("TIMESTEP_BUILDS_IN", places().build.c_str(), 1);
     }
     if (is_kit()) configure_kit(progress);

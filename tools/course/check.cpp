@@ -96,7 +96,7 @@ void check_all(const std::optional<Chapter>& chapter, bool json, const std::opti
             first_wrong = told(exercise, verdict, exercise.file()) + way_on(exercise, verdict);
         if (!json)
             std::printf("%s %s\n", padded(exercise.place() + " " + exercise.name, 34).c_str(),
-                        verdict.kind == "pass" ? "✓" : ("✗ " + verdict.kind).c_str());
+                        verdict.kind == "pass" ? "✓" : ("✗ " + headline(verdict.kind)).c_str());
     }
     if (json)
         std::printf("[%s]\n", list.c_str());

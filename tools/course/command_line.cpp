@@ -21,6 +21,7 @@ namespace course {
 namespace {
 
 struct Asked {
+    std::string engine;  // of bench engines
     bool yes = false, all = false, study = false, json = false, open = false, sanitize = false;
     bool with_solutions = false;
     std::string chapter, exercise, kit, name;
@@ -100,6 +101,13 @@ void declare_bench(CLI::App& app, Asked& asked) {
     table("loops", "the library beside loops written by hand, and the targets");
     table("gyroscopic", "the gyroscopic solvers beside Bullet's, and the target");
     table("many", "springs and bodies by the thousand, and the targets");
+    const auto engines = table("engines", "gyroscopic rules inside Bullet, ODE, Box3D and Jolt, before and after: two minutes");
+    engines->add_flag("--quick", contest.quick, "fewer throws and shorter flights: half a minute");
+    engines->add_option("--scene", contest.scenes, "alone, top, throws, piles or cost only; may be given again")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    engines->add_option("--engine", asked.engine, "engines only whose name begins so")->type_name("NAME");
+    engines->add_option("--out", asked.out, "leave the numbers (TSV) in this folder")->type_name("DIR");
     table("front-door", "how long a reader waits, in a copy of the course: ten minutes")
         ->add_flag("--tests", asked.all, "and how long the tests take: half an hour");
     table("latency", "from a saved file to its verdict")
@@ -282,6 +290,10 @@ void bench_or_table(const CLI::App& bench, Asked& asked) {
     if (name == "loops") bench_loops();
     if (name == "gyroscopic") bench_gyroscopic();
     if (name == "many") bench_many();
+    if (name == "engines") {
+        asked.contest.out = given(*others.front(), "--out", asked.out);
+        bench_engines(asked.contest, given(*others.front(), "--engine", asked.engine));
+    }
     if (name == "latency") bench_latency(asked.rounds);
     if (name == "front-door") bench_front_door(asked.all);
 }

@@ -86,6 +86,9 @@ void bench_gyroscopic();
 /// What a spring and a body cost among many, in lanes and otherwise.
 void bench_many();
 
+/// Gyroscopic rules inside physics engines; of those only whose name begins with `engine`.
+void bench_engines(const Contest& contest, const std::optional<std::string>& engine);
+
 /// How long it takes from a saved file to its verdict.
 void bench_latency(int rounds);
 

@@ -126,11 +126,12 @@ void reset(const std::string& name, bool all) {
         throw Stop(Status::bad_use, "reset takes an EXERCISE, or --all for all of them (./course reset --help)");
     const std::vector<Exercise> exercises = all ? read_exercises() : std::vector{find_exercise(name)};
     if (std::any_of(exercises.begin(), exercises.end(), made_from_an_older_solution)) configure();
-    int changed = 0;
+    int changed = 0, passes = 0;
     change_progress([&](auto& progress) {
         for (const Exercise& exercise : exercises) {
             if (!untouched(exercise)) ++changed;
             begin_again(exercise);
+            passes += progress[exercise.name].passed;
             progress.erase(exercise.name);
         }
     });
@@ -139,6 +140,9 @@ void reset(const std::string& name, bool all) {
                     exercises.size(), changed);
     else
         std::printf("%s is as it was at the beginning.\n", shown(exercises.front().file()).c_str());
+    if (passes > 0)
+        std::printf("%s no longer as passed, until an answer passes again.\n",
+                    passes == 1 ? "One exercise counts" : (std::to_string(passes) + " exercises count").c_str());
 }
 
 }  // namespace course

@@ -29,7 +29,7 @@ struct Part {
 };
 const std::vector<Part> parts{
     {"chapters", {".cpp", ".hpp", ".gp", ".md", ".json", "CMakeLists.txt"}},
-    {"docs/engines", {".hpp"}},
+    {"docs/engines", {".hpp", ".patch"}},
     {"include", {".hpp"}},
     {"tools/bench", {".cpp", ".hpp", "CMakeLists.txt"}},
     {"tools/checker/learner", {".hpp"}},

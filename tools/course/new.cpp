@@ -214,8 +214,9 @@ void new_exercise(const std::string& chapter_meant, const std::string& name) {
     exercise.name = name;
     unfinished.write("exercises/" + file, contents(exercise.stub()));
     unfinished.keep();
-    std::printf("Exercise %d.%d, %s: a small example, whole. Put your own in its place, where FILL IN stands:\n\n",
-                chapter.number(), number, name.c_str());
+    std::printf("Exercise %d.%d, %s: a small example, whole. Put your own in its place, where FILL IN stands:\n"
+                "  grep -rn 'FILL IN' %s solutions/%s\n\n",
+                chapter.number(), number, name.c_str(), room.c_str(), file.c_str());
     tell(parts, "The learner's file is exercises/" + file + ";\n./course reset " + name +
                     " makes it again from the solution.\n"
                     "Next: ./course check " + name + " --file solutions/" + file + ", and ./course test.\n");

@@ -14,13 +14,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The first `most` lines, each of at most 200 characters, and how many there were.
+// At most 200 characters. Of an assertion what it asserts, which stands behind a long name of the function it is in.
+std::string to_the_point(const std::string& line) {
+    constexpr std::size_t most = 200;
+    const auto point = line.find(": Assertion ");
+    if (point == std::string::npos || width_of(line) <= most) return shortened(line, most);
+    return shortened(line.substr(0, point), 80) + shortened(line.substr(point), most - 80);
+}
+
+// The first `most` lines, none too long, and how many there were.
 std::string head_of(const std::string& text, int most, const std::string& indent) {
     std::istringstream lines(text);
     std::string head;
     int seen = 0;
     for (std::string line; std::getline(lines, line);)
-        if (++seen <= most) head += indent + shortened(line, 200) + "\n";
+        if (++seen <= most) head += indent + to_the_point(line) + "\n";
     if (seen > most) head += indent + "… and " + std::to_string(seen - most) + " more lines\n";
     return head;
 }
@@ -70,6 +78,8 @@ std::string call(const Exercise& exercise, const Verdict& verdict) {
 
 // No call has been made where there are no arguments: only the file's variables.
 std::string when(const Exercise& exercise, const Verdict& verdict) {
+    if (verdict.arguments == "at the end")  // as the checker says it (tools/checker/ended.hpp)
+        return "after the last call of " + exercise.name + ", when the program ended";
     return verdict.arguments.empty() ? "before the first call of " + exercise.name
                                      : "in the call " + call(exercise, verdict);
 }
@@ -85,15 +95,31 @@ const std::map<std::string, std::string>& families() {
         {"squared", "the square of the right one: a root is missing."},
         {"root", "the root of the right one."},
         {"inverse", "one over the right one."},
+        {"constant", "the right one times a number near one, the same in every call: is there a constant with too few "
+                     "digits, as 3.14 for π?"},
+        {"digits", "mostly off by little, less than a five-hundredth of it: is there a constant with too few digits, a difference "
+                   "of nearly equal numbers, a slope that is found by differences, or a loop that ends too soon?"},
         {"single", "off by as much as numbers of six or seven digits make it: is there a float, a number with an f at "
                    "its end, a constant with too few digits, or a tolerance?"}};
     return words;
 }
 
+// Is a value kept by `auto`: of what is no lambda, and no list of names?
+bool keeps_by_auto(const std::string& code) {
+    const std::string blanks = " \t\n";
+    for (auto at = code.find("auto"); at != std::string::npos; at = code.find("auto", at + 1)) {
+        const auto end = code.find_first_of("=;({[", at + 4);  // of the name, or of what has none
+        if (end == std::string::npos || code[end] != '=') continue;
+        const auto value = code.find_first_not_of(blanks, end + 1);
+        if (value != std::string::npos && code[value] != '[') return true;
+    }
+    return false;
+}
+
 // What crashes, or is wrong for no known reason, where an expression of Eigen's may have been kept by `auto`.
 std::string of_auto(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
     if (!exercise.eigen || verdict.watched || !verdict.misconception.empty() ||
-        contents(file).find("auto ") == std::string::npos)
+        !keeps_by_auto(contents(file)))
         return {};
     return "\n" + wrapped("With auto you may keep a sum or a product of Eigen's that is not worked out yet, and refers to "
                           "what is gone by then. ./course check " + exercise.name + " --sanitize looks for that.", 2);
@@ -170,7 +196,10 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
     return wrapped("The checker itself failed, which is not your fault: " + verdict.detail, 2);
 }
 
+}  // namespace
+
 std::string headline(const std::string& kind) {
+    if (kind == "not_started") return "not started";
     if (kind == "does_not_compile") return "does not compile";
     if (kind == "wrong") return "not yet";
     if (kind == "not_finite") return "not a number";
@@ -180,8 +209,6 @@ std::string headline(const std::string& kind) {
     if (kind == "left_early") return "does not return";
     return "could not be checked";
 }
-
-}  // namespace
 
 std::string told(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
     std::string text;

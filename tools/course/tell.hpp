@@ -12,6 +12,9 @@ namespace course {
 std::string told(const Exercise& exercise, const Verdict& verdict,
                  const std::filesystem::path& file);
 
+/// A verdict's kind in two or three words: "does not compile".
+std::string headline(const std::string& kind);
+
 /// exercise, verdict, property, misconception, seed and seconds; what does not apply is null.
 std::string as_json(const Exercise& exercise, const Verdict& verdict);
 

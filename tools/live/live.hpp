@@ -54,11 +54,13 @@ struct Toggle : Control {
 // What is no method may name the look that it is drawn in.
 struct Readout {
     Readout(Panel* panel, const char* label, const char* unit = "", const char* look = nullptr);
-    void operator=(double v) { value = v; }
+    void operator=(double v) { value = v, known = true; }
+    void not_yet() { value = 0, known = false; }  // it is still being measured
     const char* label;
     const char* unit;
     const char* look;
     double value = 0;
+    bool known = true;
 };
 
 // Something that may blow up: what has is said once, "explicit Euler blew up at step 57", and is drawn no more.
@@ -183,6 +185,8 @@ public:
     virtual void draw(Picture& picture) const = 0;
     virtual double seconds() const { return 1.0 / 60; }  // of the reader's time that a step stands for
     virtual bool restarts(const Control&) const { return true; }  // when the reader changes this one
+    // Does the panel move this one by itself? Then it stops when the reader takes it, and goes on from there by Play.
+    virtual bool moves(const Control&) const { return false; }
     // A finger: it takes hold of what is near (true: the page does not scroll), drags it, lets go.
     virtual bool grab(double, double) { return false; }
     virtual void drag(double, double) {}

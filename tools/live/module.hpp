@@ -60,6 +60,7 @@ EXPORTED(control_number) double live_control_number(int i, int which) {
     const double numbers[] = {static_cast<double>(c.kind), c.least, c.most, c.step, c.first, c.value};
     return numbers[which];
 }
+EXPORTED(moves) int live_moves(int i) { return live::the_panel().moves(live::control(i)) ? 1 : 0; }
 EXPORTED(set) void live_set(int i, double value) {
     live::the_panel().set(*live::the_panel().controls[static_cast<std::size_t>(i)], value);
 }
@@ -67,10 +68,12 @@ EXPORTED(set) void live_set(int i, double value) {
 EXPORTED(readouts) int live_readouts() { return live::count(live::the_panel().readouts); }
 EXPORTED(readout_text) const char* live_readout_text(int i, int which) {
     const live::Readout& r = live::readout(i);
-    if (which == 2) return live::is_look(r.look) ? live::look_of(r.look).colour : "";
+    if (which > 1 && !live::is_look(r.look)) return "";
+    if (which > 1) return which == 2 ? live::look_of(r.look).colour : live::look_of(r.look).dashes;
     return which == 0 ? r.label : r.unit;
 }
 EXPORTED(readout) double live_readout(int i) { return live::readout(i).value; }
+EXPORTED(known) int live_known(int i) { return live::readout(i).known ? 1 : 0; }
 
 EXPORTED(fuses) int live_fuses() { return live::count(live::the_panel().fuses); }
 EXPORTED(fuse_text) const char* live_fuse_text(int i) { return live::fuse(i).name; }

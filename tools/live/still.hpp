@@ -11,16 +11,17 @@ namespace live {
 
 class Still {
 public:
-    Still(const Picture& picture, double aspect) : picture_(picture), height_(width_ * aspect) {
-        svg_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width_) + "\" height=\"" +
-               number(height_) + "\" viewBox=\"0 0 " + number(width_) + " " + number(height_) +
-               "\" font-family=\"sans-serif\" font-size=\"14\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
-    }
+    Still(const Picture& picture, const Panel& panel)
+        : picture_(picture), panel_(panel), height_(width_ * panel.aspect) {}
 
     std::string svg() {
         for (const double *at = picture_.commands(), *end = at + picture_.size(); at < end;) at = carry_out(at);
         unclip();
-        return svg_ + "</svg>\n";
+        const double height = key();
+        return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width_) + "\" height=\"" + number(height) +
+               "\" viewBox=\"0 0 " + number(width_) + " " + number(height) +
+               "\" font-family=\"sans-serif\" font-size=\"14\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" +
+               svg_ + "</svg>\n";
     }
 
 private:
@@ -28,6 +29,27 @@ private:
         char text[32];
         std::snprintf(text, sizeof text, "%.5g", std::clamp(value, -1e5, 1e5));
         return text;
+    }
+    // Below the picture its key, which in the page the readouts are; unless the picture itself has the names. Returns
+    // where it ends.
+    double key() {
+        const auto keyed = [](const Readout* readout) { return readout && is_look(readout->look); };
+        int named = 0;
+        for (const Readout* readout : panel_.readouts)
+            named += keyed(readout) && texts_.find("\n" + std::string(readout->label) + "\n") != std::string::npos;
+        double left = 16, bottom = height_;
+        for (const Readout* readout : panel_.readouts) {
+            if (!keyed(readout) || named > 1) continue;
+            const std::string label = readout->label;
+            const double length = 60 + 8 * static_cast<double>(label.size());
+            if (bottom == height_ || left + length > width_) bottom += 24, left = 16;
+            colour_ = look_of(readout->look).colour, dashes_ = look_of(readout->look).dashes;
+            path_ = "M" + number(left) + " " + number(bottom - 12) + "h30", stroke_ = "3", strength_ = "1";
+            path("none", colour_);
+            text(left + 38, bottom - 7, label, "start", "#333333");
+            left += length;
+        }
+        return bottom;
     }
     std::string word(double i) const { return picture_.said(static_cast<int>(i)); }
     std::string written(double i) const {
@@ -87,7 +109,10 @@ private:
                 svg_ += "<circle cx=\"" + number(x(a[0])) + "\" cy=\"" + number(y(a[1])) + "\" r=\"" + number(a[2]) +
                         "\" fill=\"" + colour_ + "\" opacity=\"" + strength_ + "\"/>\n";
                 return at + 4;
-            default: text(x(a[0]), y(a[1]), written(a[2]), "start", colour_); return at + 4;
+            default:
+                text(x(a[0]), y(a[1]), written(a[2]), "start", colour_);
+                texts_ += word(a[2]) + "\n";
+                return at + 4;
         }
     }
     void path(const std::string& fill, const std::string& line) {
@@ -105,21 +130,26 @@ private:
                 colour + "\"/>\n";
     }
     // Ticks at 1, 2 or 5 times a power of ten; on a log axis at whole powers.
-    static double gap(double range, bool log, double most = 10) {
+    static double gap(double range, bool log, double most) {
         double step = std::pow(10, std::floor(std::log10(range / 5)));
-        if (range / step > most) step *= range / step > 2.5 * most ? 5 : 2;
+        const double many = range / step / most;
+        step *= many > 5 ? 10 : many > 2.5 ? 5 : many > 1 ? 2 : 1;
         return log ? std::max(1.0, std::ceil(step)) : step;
     }
-    std::string tick(double at, double step, bool log) const {
-        if (log) return "1e" + number(at);
-        return number(std::fabs(at) < step / 1000 ? 0 : at);
+    // With a true minus sign; on a log axis the power of ten.
+    static std::string tick(double at, double step, bool log) {
+        static const char* const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+        std::string words = log ? "10" : "";
+        for (const char c : number(std::fabs(at) < step / 1000 ? 0 : at))
+            words += c == '-' ? (log ? "⁻" : "−") : log ? raised[c - '0'] : std::string(1, c);
+        return words;
     }
     void axes(const double* a) {
-        left_ += 48, bottom_ -= 38;
+        left_ += 48, bottom_ -= 38, top_ += 22;  // the words stand outside
         fit();
         const double right = from_x_ + (right_ - left_) / scale_x_, top = from_y_ + (bottom_ - top_) / scale_y_;
-        const double most = a[2] != 0 ? (right_ - left_) / 50 : right_ - left_ < 300 ? 6 : 10;
-        const double dx = gap(right - from_x_, a[2] != 0, most), dy = gap(top - from_y_, a[3] != 0);
+        const double dx = gap(right - from_x_, a[2] != 0, (right_ - left_) / 50);
+        const double dy = gap(top - from_y_, a[3] != 0, (bottom_ - top_) / 30);
         for (double at = std::ceil(from_x_ / dx) * dx; at <= right + dx / 1000; at += dx) {
             tick_line(x(at), top_, x(at), bottom_, "#dddddd");
             text(x(at), bottom_ + 16, tick(at, dx, a[2] != 0), "middle", "#333333");
@@ -131,12 +161,14 @@ private:
         tick_line(left_, bottom_, right_, bottom_, "#333333");
         tick_line(left_, top_, left_, bottom_, "#333333");
         text((left_ + right_) / 2, bottom_ + 33, written(a[0]), "middle", "#333333");
-        text(left_ + 6, top_ + 12, written(a[1]), "start", "#333333");
+        text(left_ - 40, top_ - 11, written(a[1]), "start", "#333333");
     }
 
     const Picture& picture_;
+    const Panel& panel_;
     const double width_ = 640, height_;
     bool begun_ = false;  // is a path?
+    std::string texts_ = "\n";  // all words in the picture
     std::string svg_, path_, colour_ = "#333333", dashes_, stroke_ = "2", strength_ = "1";
     double left_ = 0, right_ = 0, bottom_ = 0, top_ = 0;
     double from_x_ = 0, from_y_ = 0, scale_x_ = 1, scale_y_ = 1;
@@ -147,7 +179,7 @@ private:
 
 inline bool write_still(const Picture& picture, const Panel& panel, const char* file) {
     std::ofstream out(file);
-    out << Still(picture, panel.aspect).svg();
+    out << Still(picture, panel).svg();
     return static_cast<bool>(out.flush());
 }
 

@@ -20,7 +20,7 @@ struct Bell {
     }
 };
 
-// By hand: f′ to compare with, f″ and f‴ for the prediction.
+// By hand: f′ to compare with, the others for the prediction.
 double slope(double t) {
     return -2 * t / ((1 + t * t) * (1 + t * t));
 }
@@ -30,6 +30,10 @@ double second(double t) {
 double third(double t) {
     const double q = 1 + t * t;
     return 24 * t * (1 - t * t) / (q * q * q * q);
+}
+double fifth(double t) {
+    const double q = 1 + t * t;
+    return -240 * t * (3 - 10 * t * t + 3 * t * t * t * t) / (q * q * q * q * q * q);
 }
 
 class TangentAndChord : public live::Panel {
@@ -44,10 +48,12 @@ public:
     void restart() override { h.value = sweep[place = 5], back = false; }
     double seconds() const override { return 1.0 / 30; }
     bool restarts(const live::Control&) const override { return false; }
+    bool moves(const live::Control& c) const override { return &c == &h; }
 
-    // Down to 1e-16 and up again.
+    // Down to 1e-16 and up again, from where the reader has left it.
     void step() override {
-        if (h != sweep[place]) return;  // the reader has it
+        if (h != sweep[place])
+            for (place = 0; place + 1 < sweep.size() && sweep[place + 1] >= h;) ++place;
         back = place == 0 ? false : place + 1 == sweep.size() ? true : back;
         h.value = sweep[back ? --place : ++place];
     }
@@ -132,8 +138,9 @@ private:
     void draw_errors(live::Picture& p) const {
         p.window(-16.3, 0.3, -13, 2.2, false, p.narrow ? 0 : 0.4, 1, 0, p.narrow ? 0.62 : 1);
         p.axes("step h", "error of the slope", true, true);
-        formula == forward ? draw_prediction(p, forward_difference, second(t))
-                           : draw_prediction(p, central_difference, third(t));
+        // The second term counts where the first one's derivative is nearly zero: where the curve hardly bends.
+        formula == forward ? draw_prediction(p, forward_difference, second(t), std::fabs(third(t)) / 6, 2)
+                           : draw_prediction(p, central_difference, third(t), std::fabs(fifth(t)) / 120, 4);
         for (const int of : {1 - formula, static_cast<int>(formula)}) {
             p.ink(of == forward ? forward_difference.name : central_difference.name, 2, of == formula ? 1 : 0.3);
             for (std::size_t i = 0; i < sweep.size(); ++i) {
@@ -146,19 +153,25 @@ private:
     }
     // The formula's two errors, as the library declares them: the one goes with h^order, the other with 1/h.
     template <class Formula>
-    void draw_prediction(live::Picture& p, const Formula&, double next) const {
+    void draw_prediction(live::Picture& p, const Formula&, double next, double more, int more_order) const {
         using std::numeric_limits;
         const double epsilon = in_float ? numeric_limits<float>::epsilon() : numeric_limits<double>::epsilon();
         const double noise = 1.5 * epsilon * bell(at());  // f rounds three times, each time by half an ε at most
-        const double truncation = live::log10(Formula::error_constant * std::fabs(next) + 1e-20);
+        const double term = Formula::error_constant * std::fabs(next) + 1e-20, truncation = live::log10(term);
         const double roundoff = live::log10(Formula::noise_gain * noise);
         p.ink("faint", 1.5);
-        p.segment(-16.3, truncation - 16.3 * Formula::order, 0.3, truncation + 0.3 * Formula::order);
+        for (std::size_t i = sweep.size(); i-- > 0;) {
+            const double x = live::log10(sweep[i]), higher = more * power(sweep[i], more_order - Formula::order);
+            const double y = live::log10(term + higher) + x * Formula::order;
+            i + 1 == sweep.size() ? p.move(x, y) : p.line(x, y);
+        }
+        p.stroke();
         p.segment(-16.3, roundoff + 16.3, 0.3, roundoff - 0.3);
         p.ink("ink");
         p.text(std::min((-1 - truncation) / Formula::order, 0.0) - 3.8, -1, "truncation");
         p.text(roundoff + 0.2, 0.3, "roundoff");
     }
+    static double power(double x, int n) { return n > 0 ? x * power(x, n - 1) : 1; }
     // A slope may be right by chance, to the last digit: that is drawn at the lower edge.
     static double decade(double error) { return live::log10(std::max(error, 1e-13)); }
 

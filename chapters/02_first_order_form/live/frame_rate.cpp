@@ -154,9 +154,9 @@ private:
             if (i == shown || rate < 100) p.dot(frames[i].time, 1 + frames[i].*x, i == shown ? 7 : 2.5);
     }
 
-    live::Slider rate{this, "rate", "frame rate", 10, 240, 1, 30, "1/s"};
+    live::Slider rate{this, "rate", "frame rate", 10, 240, 1, 30, "Hz"};
     live::Slider hitch{this, "hitch", "hitch each second", 0, 250, 5, 0, "ms"};
-    live::Slider fixed_rate{this, "fixed", "fixed step rate", 20, 240, 1, 60, "1/s"};
+    live::Slider fixed_rate{this, "fixed", "fixed step rate", 20, 240, 1, 60, "Hz"};
     live::Toggle interpolated{this, "interpolated", "interpolate", true};
     live::Choice method{this, "method", "method", "explicit Euler|semi-implicit Euler|Runge-Kutta 4"};
     live::Slider start{this, "start", "let go at", -0.5, 0.5, 0.01, -0.45, "m"};

@@ -123,10 +123,11 @@ private:
 
     live::Slider zeta{this, "zeta", "damping ratio ζ", 0, 2, 0.01, 0.4};
     live::Slider h{this, "omega_h", "ωh", 0.05, 5, 0.01, 1.4, "rad"};
-    live::Readout old_limit{this, semi_implicit_euler.name, "rad, largest stable ωh"};
-    live::Readout new_limit{this, semi_implicit_euler_new_damping.name, "rad, largest stable ωh"};
-    live::Fuse old_holds{this, semi_implicit_euler.name};
-    live::Fuse new_holds{this, semi_implicit_euler_new_damping.name};
+    live::Readout old_limit{this, "old velocity", "rad, longest stable ωh", semi_implicit_euler.name};
+    live::Readout new_limit{this, "new velocity", "rad, longest stable ωh",
+                            semi_implicit_euler_new_damping.name};
+    live::Fuse old_holds{this, "the damper at the old velocity"};
+    live::Fuse new_holds{this, "the damper at the new velocity"};
 
     Run old_run, new_run, true_run;
 };

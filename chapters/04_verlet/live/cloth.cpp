@@ -72,6 +72,7 @@ public:
         p.ink("ink");
         for (int i = 0; i < points; ++i)
             if (hangs(i) || i == grabbed) p.dot(across(now[i].x), up(now[i].x), 4);
+        if (torn.value > 0) p.text(-0.88, -1.43, "torn: Restart gives a new one");
     }
 
     // The finger takes the nearest point, and pulls it in the plane in which it is; a ring takes the rail with it.

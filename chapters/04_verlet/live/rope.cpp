@@ -146,7 +146,7 @@ private:
     live::Readout plain_too_long{this, verlet.name, "% too long"};
     live::Readout corrected_too_long{this, "corrected for Δt", "% too long", "first"};
     live::Readout dt_now{this, "Δt", "ms"};
-    live::Readout iterations{this, "cost of a frame", "iterations"};
+    live::Readout iterations{this, "iterations a frame"};
     live::Fuse plain_holds{this, verlet.name};
     live::Fuse corrected_holds{this, "corrected Verlet"};
 

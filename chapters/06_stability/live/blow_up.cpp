@@ -17,7 +17,8 @@ using namespace timestep;
 // Those that take a damper. Verlet, velocity Verlet and leapfrog do not; without one they go as semi-implicit Euler.
 constexpr std::tuple methods{explicit_euler, semi_implicit_euler, semi_implicit_euler_new_damping, midpoint,
                              runge_kutta_4,  implicit_euler,      implicit_midpoint,               bdf2};
-constexpr std::size_t most_samples = 600;  // of a run
+constexpr std::size_t most_samples = 600;                 // of a run
+constexpr std::size_t most_exact = 2 * most_samples + 1;  // of the true motion
 
 // A run of one method.
 struct Run {
@@ -59,15 +60,19 @@ public:
         const double period = 2 * 3.14159265358979 / s, steps_shown = std::fmax(60, 6 * period);  // in steps
         stride = static_cast<int>(std::ceil(steps_shown / most_samples));
         shown = std::min(most_samples, static_cast<std::size_t>(steps_shown));
+        // The true motion goes on between the steps. Where it swings too fast to be drawn we fill what it sweeps.
+        finer = static_cast<int>(2 * most_samples / shown);
+        omega_damped = zeta.value < 1 ? spring.omega * std::sqrt(1 - zeta.value * zeta.value) : 0;
+        swings = omega_damped * h / (2 * 3.14159265358979);
         // As advise does, we compare the first period with the truth (beyond ζ = 1 that of the slow decay), and
         // where fewer than three steps fit into it, eight steps.
         const double slow = zeta.value < 1 ? 1 : 1 / (zeta.value + std::sqrt(zeta.value * zeta.value - 1));
         compared = period / slow < 3 ? 8 : static_cast<long>(period / slow);
         // The exact motion without a sine: Runge-Kutta 4 with a millionth of the step, doubled twenty times.
-        exact_step = step_matrix(runge_kutta_4, spring, h / (1 << 20));
+        exact_step = step_matrix(runge_kutta_4, spring, h / finer / (1 << 20));
         for (int i = 0; i < 20; ++i) exact_step = twice(exact_step);
-        exact = {0, 1, 0}, taken = 0, sampled = 0;
-        record();
+        exact = {0, 1, 0}, taken = 0, sampled = 0, exact_sampled = 0;
+        record_exact(), record();
     }
     double seconds() const override { return 4.0 / static_cast<double>(shown); }
 
@@ -107,16 +112,25 @@ private:
             else
                 run.now = taken == 1 ? method.start(damped, last, h) : method.step(damped, run.before, last, h);
             run.before = last;
+            if (taken <= compared) run.off = std::fmax(run.off.value, 100 * std::fabs(run.now.x - exact.x));
             if (!run.holds.holds(std::fabs(run.now.x) < 1e6)) run.holds.blown_at = taken;
-            else if (taken <= compared) run.off = std::fmax(run.off.value, 100 * std::fabs(run.now.x - exact.x));
         };
         ++taken;
-        exact = {0, exact_step.xx * exact.x + exact_step.xv * exact.v, exact_step.vx * exact.x + exact_step.vv * exact.v};
+        for (int i = 0; i < finer; ++i) {
+            exact = {0, exact_step.xx * exact.x + exact_step.xv * exact.v, exact_step.vx * exact.x + exact_step.vv * exact.v};
+            if (stride == 1 || (i + 1 == finer && taken % stride == 0)) record_exact();
+        }
         std::size_t i = 0;
         std::apply([&](const auto&... method) { (step_one(method, runs[i++]), ...); }, methods);
     }
+    // The place; where it cannot be followed, how far the swing goes to both sides.
+    void record_exact() {
+        const double u = too_fast() ? (exact.v + zeta.value * s / h * exact.x) / omega_damped : 0;
+        exact_samples[exact_sampled++ % most_exact] = too_fast() ? std::sqrt(exact.x * exact.x + u * u) : exact.x;
+    }
+    bool too_fast() const { return swings.value > finer / 8.0; }  // eight of its places a swing make a curve
     void record() {
-        exact_samples[sampled++ % most_samples] = exact.x;
+        ++sampled;
         for (Run& run : runs)
             if (run.holds) run.samples[(sampled - 1) % most_samples] = run.now.x, run.end = sampled;
     }
@@ -128,17 +142,30 @@ private:
         double middle = -2.5;
         for (const Run& run : runs) {
             p.ink("soft", 1), p.segment(0, middle, width, middle);
-            p.ink("exact", 4, 0.5), draw_run(p, exact_samples, sampled, middle);
+            draw_exact(p, middle);
             p.ink(run.name, 1.5), draw_run(p, run.samples, run.end, middle);
             p.text(0, middle + 1.5, run.name == semi_implicit_euler_new_damping.name ? "new damping" : run.name);
             p.ink("ink"), p.text(0.4 * width, middle + 1.5, run.verdict);
             middle -= 4;
         }
     }
+    void draw_exact(live::Picture& p, double middle) const {
+        const int places = stride > 1 ? 1 : finer;  // from one step that is drawn to the next
+        const std::size_t from = (sampled > shown ? sampled - shown : 0) * static_cast<std::size_t>(places);
+        const auto to = [&](std::size_t n, double side) {
+            const double x = static_cast<double>(n - from) / places, y = middle + side * exact_samples[n % most_exact];
+            n == from && side > 0 ? p.move(x, y) : p.line(x, y);
+        };
+        p.ink("exact", 4, 0.5);
+        for (std::size_t n = from; n < exact_sampled; ++n) to(n, 1);
+        if (!too_fast()) return p.stroke();
+        for (std::size_t n = exact_sampled; n > from; --n) to(n - 1, -1);
+        p.fill();
+    }
     void draw_run(live::Picture& p, const double (&positions)[most_samples], std::size_t end, double middle) const {
         const std::size_t from = sampled > shown ? sampled - shown : 0;
         for (std::size_t n = from; n < end; ++n) {
-            const double x = static_cast<double>(n - from), y = std::clamp(positions[n % most_samples], -1.4, 1.4);
+            const double x = static_cast<double>(n - from), y = std::clamp(positions[n % most_samples], -1.2, 1.2);
             n == from ? p.move(x, middle + y) : p.line(x, middle + y);
         }
         if (end > from) p.stroke();
@@ -186,15 +213,17 @@ private:
     live::LogSlider rate{this, "rate", "steps a second", 10, 1000, 60, "Hz"};
     live::Readout omega_h{this, "ωh"};
     live::Readout zeta{this, "ζ"};
+    live::Readout swings{this, "true swings", "a step"};
     std::array<Run, std::tuple_size_v<decltype(methods)>> runs = std::apply(
         [this](const auto&... method) { return std::array{Run(this, method)...}; }, methods);
 
-    double h = 0, s = 0;
+    double h = 0, s = 0, omega_damped = 0;  // the last: of the true motion, rad/s
     int stride = 1;  // steps from one sample to the next
+    int finer = 20;  // places of the true motion in a step
     long taken = 0, compared = 0;
-    std::size_t shown = 60, sampled = 0;
+    std::size_t shown = 60, sampled = 0, exact_sampled = 0;
     StepMatrix<double> exact_step{};
     State<double> exact{};
-    double exact_samples[most_samples]{};
+    double exact_samples[most_exact]{};
 };
 LIVE_PANEL(BlowUp)

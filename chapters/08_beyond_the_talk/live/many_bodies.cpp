@@ -34,15 +34,19 @@ struct BoxPack : BodyPack<PrincipalInertia<Pack>> {
 
 // What a solver takes a box, and whether it has blown one up.
 struct Price {
-    Price(live::Panel* panel, const char* name) : nanoseconds{panel, name, "ns a box"}, holds{panel, name} {}
-    live::Readout nanoseconds;
+    Price(live::Panel* panel, const char* name) : nanoseconds{panel, name, "ns a box", ""}, holds{panel, name} {}
+    live::Readout nanoseconds;  // without the solver's colour, which here is that of a box
     live::Fuse holds;
     double least = 1e9;
 };
 
 class ManyBoxes : public live::Panel {
 public:
-    ManyBoxes() { title = "Many bodies in SIMD lanes", aspect = 0.66, aspect_narrow = 1.6; }
+    ManyBoxes() {
+        title = "Many bodies in SIMD lanes", aspect = 0.66, aspect_narrow = 1.6;
+        frame.not_yet();
+        for (Price& price : prices) price.nanoseconds.not_yet();
+    }
 
     void restart() override {
         seed = 1;
@@ -85,7 +89,8 @@ public:
         }
         p.window(-1.2, 1.2, -1.5, 1.4, true, p.narrow ? 0 : 0.6, 1, 0, p.narrow ? 0.39 : 1);
         if (alive(shown)) draw_large(p);
-        p.ink("ink"), p.text(-1.15, 1.2, steps < 30 ? "one of them" : "the worst of them");
+        else p.ink("ink"), p.text(-1.15, 0, "all have blown up: Restart, or another solver");
+        p.ink("ink"), p.text(-1.15, 1.2, !alive(shown) ? "" : steps < 30 ? "one of them" : "the worst of them");
         p.ink(name(slower)), p.text(-1.15, -1.2, "blue: has lost a tenth of its energy");
         p.ink(name(faster)), p.text(-1.15, -1.38, "orange: has gained a tenth");
     }
@@ -155,7 +160,7 @@ private:
         const double begin = live::clock();
         for (int n = 0; n < 400; ++n) advance(which, apart.data(), few);
         price.least = std::fmin(price.least, 1e6 * (live::clock() - begin) / (400 * few * lanes));
-        price.nanoseconds = price.least;
+        price.nanoseconds = std::round(price.least);  // more digits the clock has not
     }
 
     // The faces that we see, of a box of its moments: b² + c², c² + a² and a² + b².
@@ -184,9 +189,9 @@ private:
     live::Slider spin{this, "spin", "fastest spin", 1, 60, 0.5, 15, "rad/s"};
     live::Readout frame{this, "all of them", "ms a frame"};
     live::Readout mean{this, "mean energy", "% of the start"};
-    live::Readout of_shown{this, "the large one's", "% of the start"};
-    live::Readout slowed{this, "a tenth lost by", "%"};
-    live::Readout gone{this, "blown up", "boxes"};
+    live::Readout of_shown{this, "that of the large one", "% of the start"};
+    live::Readout slowed{this, "have lost a tenth", "% of all"};
+    live::Readout gone{this, "have blown up", "of them"};
     std::array<Price, std::tuple_size_v<decltype(solvers)>> prices = std::apply(
         [this](const auto&... each) { return std::array{Price(this, each.name)...}; }, solvers);
 

@@ -18,7 +18,7 @@ template <class Rule>
 Method made(const Rule& rule, const std::string& name, const std::string& key) {
     const auto of_body = [=](const Body& inertia) -> Steps {
         const auto body = timestep::detail::prepared(rule, inertia);
-        return [=](Spin s, double h, long steps) {
+        return [=, rule = rule](Spin s, double h, long steps) mutable {  // one remembers its last slope
             for (long n = 0; n < steps; ++n) s = rule.step(body, s, h);
             return s;
         };
