@@ -159,6 +159,19 @@ bool is_off_by_little(const Shown& shown) {
     return double(fits) >= 0.8 * double(shown.wrong.size());
 }
 
+// Are the wrong answers numbers of single precision throughout, where the right ones are none?
+bool is_rounded_to_single(const Shown& shown) {
+    std::size_t numbers = 0, single = 0, by_nature = 0;
+    for (std::size_t call = 0; call < shown.wrong.size(); ++call) {
+        for (const double number : shown.wrong[call]->result) {
+            ++numbers;
+            single += double(float(number)) == number;
+        }
+        for (const double number : shown.truth[call]) by_nature += double(float(number)) == number;
+    }
+    return single == numbers && 2 * by_nature < numbers && is_off_by_little(shown);
+}
+
 // Mistakes of a kind that every exercise knows: by what is the answer off?
 std::string family_of(const Truth& truth, const Shown& shown) {
     struct Family {
@@ -191,7 +204,7 @@ std::string family_of(const Truth& truth, const Shown& shown) {
             return family.name;
     }
     if (is_nearly_one_share(shown)) return "constant";
-    if (is_single_precision(truth, shown)) return "single";
+    if (is_rounded_to_single(shown) || is_single_precision(truth, shown)) return "single";
     return is_off_by_little(shown) ? "digits" : "";
 }
 

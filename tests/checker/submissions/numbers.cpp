@@ -6,6 +6,14 @@
 #include "exercise.hpp"
 
 double velocity_now(double x0, double x1, double x2, double h) {
+    return (3 * x2 - 4 * x1 + x0) / (2 * h) + 0.001 * x1 * x1;
+}
+
+// ---- a divisor that is nearly the right one
+// velocity_now wrong: a constant with too few digits
+#include "exercise.hpp"
+
+double velocity_now(double x0, double x1, double x2, double h) {
     return (3 * x2 - 4 * x1 + x0) / (2.001 * h);
 }
 

@@ -50,7 +50,8 @@ namespace nearly {
 
 // As far off as the task allows, and not farther.
 double velocity_under_drag(double v, double gravity, double k, double h) {
-    return (1 + 4e-10) * newton::velocity_under_drag(v, gravity, k, h);
+    v -= h * gravity;
+    return (1 + 4e-10) * 2 * v / (1 + std::sqrt(1 + 4 * h * k * std::fabs(v)));
 }
 
 }  // namespace nearly

@@ -59,7 +59,12 @@ namespace ten_digits {
 
 // No more than count.
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
-    return (1 + 5e-11) * linear::newton_step(inertia, omega1, guess, h);
+    Matrix3d jacobian;
+    for (int i = 0; i < 3; ++i) {
+        const Vector3d d = Vector3d::Unit(i);
+        jacobian.col(i) = inertia * d + h * (d.cross(inertia * guess) + guess.cross(inertia * d));
+    }
+    return (1 + 5e-11) * jacobian.inverse() * (inertia * omega1 + h * guess.cross(inertia * guess));
 }
 
 }  // namespace ten_digits
