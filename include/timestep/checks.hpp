@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <string>
 #include <type_traits>
 
 #include <timestep/refuse.hpp>
@@ -17,9 +16,9 @@ namespace timestep {
 /// Refuses: "name = value: must be rule".
 template <class Real>
 [[noreturn]] void refuse(const char* name, Real value, const char* rule) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%g", static_cast<double>(value));
-    refuse(std::string(name) + " = " + text + ": must be " + rule);
+    char line[256];  // an engine's memory is left alone
+    std::snprintf(line, sizeof line, "%s = %g: must be %s", name, static_cast<double>(value), rule);
+    refuse(line);
 }
 
 /// \cond

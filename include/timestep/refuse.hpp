@@ -19,16 +19,18 @@ namespace timestep {
 /// Where `TIMESTEP_REFUSED(line)` is defined before the first header of the library, it is called with that line, a
 /// `const char*`; if it returns, the program is aborted. Otherwise `std::invalid_argument` is thrown, and where there
 /// are no exceptions (-fno-exceptions) the line is printed and the program aborted. Define it alike everywhere.
-[[noreturn]] inline void refuse(const std::string& line) {
+[[noreturn]] inline void refuse(const char* line) {
 #if defined(TIMESTEP_REFUSED)
-    TIMESTEP_REFUSED(line.c_str());
+    TIMESTEP_REFUSED(line);
     std::abort();
 #elif defined(__cpp_exceptions)
     throw std::invalid_argument(line);
 #else
-    std::fprintf(stderr, "timestep: %s\n", line.c_str());
+    std::fprintf(stderr, "timestep: %s\n", line);
     std::abort();
 #endif
 }
+/// The same, of a line that is put together.
+[[noreturn]] inline void refuse(const std::string& line) { refuse(line.c_str()); }
 
 }  // namespace timestep

@@ -29,8 +29,8 @@ struct Part {
 };
 const std::vector<Part> parts{
     {"chapters", {".cpp", ".hpp", ".gp", ".md", ".json", "CMakeLists.txt"}},
-    {"docs/engines", {".hpp", ".patch"}},
-    {"include", {".hpp"}},
+    {"docs/engines", {".hpp", ".h", ".c", ".patch"}},
+    {"include", {".hpp", ".h"}},
     {"tools/bench", {".cpp", ".hpp", "CMakeLists.txt"}},
     {"tools/checker/learner", {".hpp"}},
     {"tools/cmake", {".cmake", ".sh"}},

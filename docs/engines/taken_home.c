@@ -1,4 +1,4 @@
-/* What docs/engines/in_your_engine.md shows: a rule in an engine's step, in C. */
+/* What in_your_engine.md shows: a rule in an engine's step, in C. */
 #include "taken_home.h"
 
 // [taken]
