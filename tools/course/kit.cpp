@@ -31,7 +31,7 @@ const std::vector<Part> parts{
     {"chapters", {".cpp", ".hpp", ".gp", ".md", ".json", "CMakeLists.txt"}},
     {"docs/engines", {".hpp", ".h", ".c", ".patch"}},
     {"include", {".hpp", ".h"}},
-    {"tools/bench", {".cpp", ".hpp", "CMakeLists.txt"}},
+    {"tools/bench", {".cpp", ".hpp", ".cmake", "CMakeLists.txt"}},
     {"tools/checker/learner", {".hpp"}},
     {"tools/cmake", {".cmake", ".sh"}},
     {"tools/course", {".cpp", ".hpp", "CMakeLists.txt"}},
