@@ -25,6 +25,27 @@ plot "exact.tsv" using 1:2 with lines @exact title "exact", \
      "there.tsv" using 2:3 with lines @implicit_euler title "implicit, h", \
      "back.tsv" using 2:3 with points pt 6 ps 0.9 lw 1.6 lc rgb "#d55e00" title "explicit, −h"
 
+# What a step makes of the unit square, and of its area.
+call figure "square.svg" 640 560
+set xlabel "position x (m)\n " offset 0,0.4
+set ylabel "velocity v / ω (m)"
+set xrange [-0.3:1.8]
+set yrange [-0.8:1.3]
+set key outside bottom center horizontal Left reverse
+plot "square_before.tsv" using 1:2 with lines @exact title "before", \
+     "square_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "explicit", \
+     "square_implicit_euler.tsv" using 1:2 with lines @implicit_euler title "implicit", \
+     "square_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit"
+
+# Powers of a complex number: turned and stretched again and again.
+call figure "turn_and_stretch.svg" 640 620
+set xrange [-2.7:2.7]
+set yrange [-2.7:2.7]
+plot "powers_exact.tsv" using 1:2 with linespoints pt 7 ps 0.7 @exact title "true motion", \
+     "powers_explicit_euler.tsv" using (0):(0):1:2 with vectors nohead lc rgb "#d55e00" lw 0.8, \
+     "" using 1:2 with linespoints pt 7 ps 0.8 @explicit_euler title "times 1 − 0.5 i", \
+     "powers_implicit_euler.tsv" using 1:2 with linespoints pt 6 ps 0.9 @implicit_euler title "divided by 1 + 0.5 i"
+
 # Eigenvalues in the complex plane while ωh grows from 0 to 3.
 call figure "eigenvalues.svg" 640 600
 set xlabel "real part of λ"

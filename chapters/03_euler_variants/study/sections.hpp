@@ -30,6 +30,7 @@ inline double amplitude(const timestep::State<double>& s, double omega) {
 void portraits(const Settings&, lab::Findings&);    // portraits.cpp
 void energies(const Settings&, lab::Findings&);     // energy.cpp
 void eigenvalue_paths(const Settings&, lab::Findings&);  // eigenvalues.cpp
+void matrices(const Settings&, lab::Findings&);    // matrices.cpp
 void areas(const Settings&, lab::Findings&);        // areas.cpp
 void sweep(const Settings&, lab::Findings&);        // sweep.cpp
 void damping(const Settings&, lab::Findings&);      // damping.cpp

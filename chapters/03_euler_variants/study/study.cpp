@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
         portraits(settings, out);
         energies(settings, out);
         eigenvalue_paths(settings, out);
+        matrices(settings, out);
         areas(settings, out);
         sweep(settings, out);
         damping(settings, out);
