@@ -195,6 +195,9 @@ private:
         if (name == "check") {
             return check_markdown(context_, directive);
         }
+        if (name == "line") {
+            return line_markdown(context_, directive);
+        }
         static const std::set<std::string> blocks{"figure", "code",     "run",  "table",    "claims",
                                                   "talks",  "chapters", "said", "exercises", "which", "program", "live", "ask", "answered"};
         if (blocks.count(name) == 0) {

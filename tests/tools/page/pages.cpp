@@ -292,6 +292,15 @@ TEST_CASE("a directive in the wrong form is an error") {
           "no number in it");
 }
 
+TEST_CASE("a method's line looks as in the figures") {
+    const Course course;
+    course.write("tools/figures/style.gp", "dropped = \"lc rgb '#b15a98' lw 2.5 dt (14,5)\"\nkept    = \"lc rgb '#009e73' lw 2 dt 1\"\n");
+    CHECK_THAT(course.fill_paragraph("a {{line kept}} b"),
+               ContainsSubstring("a <span class=\"line\" style=\"border-top: 3px solid #009e73\"></span> b"));
+    CHECK_THAT(course.fill_paragraph("{{line dropped}}"), ContainsSubstring("3px dashed #b15a98"));
+    CHECK(course.paragraph_error("{{line lost}}") == "chapter.md:5: tools/figures/style.gp draws no line \"lost\"");
+}
+
 TEST_CASE("a chapter has its nine sections in their order") {
     const Course course;
     const std::string file = "chapters/03_springs/chapter.md";
