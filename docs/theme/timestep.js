@@ -41,8 +41,19 @@ async function typesetFormulas() {
     } finally {
         page.remove("typesetting");
     }
-    // An address with a place in the page: the place has moved.
-    if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView();
+    goToPlace();  // what an address leads to has moved
+}
+
+// An address with a place in the page that is folded away.
+function goToPlace() {
+    const place = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    for (let around = place; around; around = around.parentElement)
+        if (around.tagName === "DETAILS") around.open = true;
+    place?.scrollIntoView();
+}
+// Nobody can unfold paper.
+function unfoldAll() {
+    for (const fold of document.querySelectorAll("details.ask")) fold.open = true;
 }
 
 // What is wider than the page scrolls in itself. Its edge fades where it goes on.
@@ -60,4 +71,7 @@ document.addEventListener("DOMContentLoaded", () => {
     if (document.querySelector("figure[data-module]")) load("script", { src: "live.js" });
     if (document.querySelector("figure.animation")) load("script", { src: "film.js" });
     typesetFormulas().finally(fadeWhatGoesOn);
+    addEventListener("hashchange", goToPlace);
+    addEventListener("beforeprint", unfoldAll);
+    goToPlace();
 });

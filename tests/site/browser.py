@@ -27,6 +27,7 @@ import zlib
 SKIPPED = 77
 PHONE = (360, 740)  # CSS pixels
 SEARCHED = "SemiImplicitEuler"
+FOLDS = "chapter_06.html"  # has figures and tables that are folded away
 KINDS = {  # of pages made from one template
     "sources": r".*_source\.html",
     "lists of members": r".*-members\.html",
@@ -177,6 +178,30 @@ class Browser:
         return False
 
 
+    def folds_open(self, path):
+        """Does an address lead to a place that is folded away, by a link, too, and does paper show what is folded?"""
+        address = pathlib.Path(path).resolve().as_uri()
+        self.driver.get(address)
+        inside = self.driver.execute_script("return [...document.querySelectorAll('details.ask [id]')].map(e => e.id)")
+        if not inside:
+            return ["no place is folded away, so nothing is tried"]
+        shown = "return document.getElementById(arguments[0]).closest('details').open"
+        found = []
+        if self.driver.execute_script(shown, inside[0]):
+            found.append(f"#{inside[0]} is not folded to begin with")
+        self.driver.execute_script("location.hash = arguments[0]; dispatchEvent(new HashChangeEvent('hashchange'))", inside[0])
+        if not self.driver.execute_script(shown, inside[0]):
+            found.append(f"a link to #{inside[0]} leads into a fold that stays shut")
+        self.driver.get("about:blank")
+        self.driver.get(address + "#" + inside[-1])
+        if not self.driver.execute_script(shown, inside[-1]):
+            found.append(f"the address #{inside[-1]} leads into a fold that stays shut")
+        self.driver.execute_script("dispatchEvent(new Event('beforeprint'))")
+        if not self.driver.execute_script("return [...document.querySelectorAll('details.ask')].every(e => e.open)"):
+            found.append("paper does not show what is folded")
+        return found
+
+
 def kind_of(page):
     return next((kind for kind, names in KINDS.items() if re.fullmatch(names, page)), None)
 
@@ -214,6 +239,9 @@ def main():
                 count += 1
         if not browser.search_finds(os.path.join(site, "index.html"), SEARCHED):
             print(f"index.html: the search does not find {SEARCHED}")
+            count += 1
+        for fault in browser.folds_open(os.path.join(site, FOLDS)):
+            print(f"{FOLDS}: {fault}")
             count += 1
     print(f"{len(pages)} of {whole} pages, {count} faults")
     sys.exit(1 if count or not pages else 0)
