@@ -1,9 +1,11 @@
 // What stands around a chapter, and the list of them all.
 
 #include "directives.hpp"
+#include "exercise.hpp"
 #include "image.hpp"
 #include "text.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace page {
@@ -17,6 +19,17 @@ std::string seconds(long milliseconds) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2g", static_cast<double>(milliseconds) / 1000);
     return text;
+}
+
+/// How long it takes to read a page, without what it folds away: so many words a minute, with formulas and figures between them.
+std::string minutes_to_read(std::string source) {
+    constexpr std::size_t words_a_minute = 150, grain = 5;
+    for (std::size_t open; (open = source.find("{{ask:")) != std::string::npos;) {
+        const std::size_t end = source.find("{{answered}}", open);
+        source.erase(open, end == std::string::npos ? end : end - open + 12);
+    }
+    const std::size_t minutes = split_words(source).size() / words_a_minute;
+    return std::to_string(std::max(grain, (minutes + grain / 2) / grain * grain));
 }
 
 /// The chapter's picture, as a link to its page.
@@ -33,12 +46,17 @@ std::string card(Context& context, const Chapter& chapter) {
 
 }  // namespace
 
-std::string chapter_header(Context& context) {
+std::string chapter_header(Context& context, const std::string& source) {
     const Chapter& chapter = *context.chapter();
     std::string name;
     const std::string program = chapter.program();
-    std::string facts =
-        "Program: " +
+    const std::string number = std::to_string(chapter.number);
+    std::vector<std::filesystem::path> inputs;
+    const std::size_t exercises = load_exercises(context.root(), chapter.folder, inputs).size();
+    context.inputs.insert(inputs.begin(), inputs.end());
+    std::string facts = "Chapter " + number + " of " + std::to_string(context.chapters().size()) + " · " + minutes_to_read(source) +
+        " minutes to read" + (exercises == 0 ? "" : " · [" + std::to_string(exercises) + (exercises == 1 ? " exercise" : " exercises") +
+        "](@ref " + chapter.section_prefix() + "exercises)") + " · <code>./course run " + number + "</code>: " +
         source_link(program, 0, escape_markdown(program.substr(program.rfind('/') + 1)));
     try {
         const RunData& run = context.run_of(chapter.folder + "/", name);

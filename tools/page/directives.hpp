@@ -61,7 +61,7 @@ std::string exercises_markdown(Context& context);
 std::string talks_markdown(Context& context);
 
 /// What stands above and below a chapter: its heading and facts, the way to its neighbours.
-std::string chapter_header(Context& context);
+std::string chapter_header(Context& context, const std::string& source);
 std::string chapter_footer(const Context& context);
 
 /// A link to a source file in the site, to be resolved by link_sources once the site is made.

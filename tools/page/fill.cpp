@@ -353,7 +353,7 @@ std::string fill(Context& context, std::string_view source, const std::string& f
         if (context.gaps == 0) {
             check_complete(context);
         }
-        page = chapter_header(context) + body + chapter_footer(context);
+        page = chapter_header(context, std::string{source}) + body + chapter_footer(context);
     }
     filler.check_answered(pieces.empty() ? 1 : pieces.back().line);
     return context.gaps > 0 ? with_notice(page) : page;

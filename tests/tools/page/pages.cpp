@@ -177,8 +177,19 @@ TEST_CASE("the page stands under its title, with badges of the talks' rows") {
     const std::string page = course.fill();
     CHECK(page.starts_with("# 3 · Springs {#chapter_03}\n\n[TOC]\n"));
     CHECK_THAT(page, !ContainsSubstring("\n# Springs"));
+    CHECK_THAT(page, ContainsSubstring("<div class=\"facts\">Chapter 3 of 1 · 5 minutes to read · <code>./course run 3</code>: "));
     CHECK_THAT(page, ContainsSubstring("runs in 0.42\u202fs"));
     CHECK_THAT(page, ContainsSubstring("<a class=\"row\" href=\"talks.html#row_N22\">N22</a>"));
+}
+
+TEST_CASE("reading takes time, but not what is folded away") {
+    const Course course;
+    std::string many;
+    for (int i = 0; i < 1600; ++i) many += "word ";
+    course.replace("chapters/03_springs/chapter.md", "## The code", many + "\n\n## The code");
+    CHECK_THAT(course.fill(), ContainsSubstring("· 10 minutes to read"));
+    course.replace("chapters/03_springs/chapter.md", many, "{{ask: Why?}}\n\n" + many + "\n\n{{answered}}\n");
+    CHECK_THAT(course.fill(), ContainsSubstring("· 5 minutes to read"));
 }
 
 TEST_CASE("what is measured beside the chapters is quoted by its folder") {
