@@ -12,6 +12,7 @@ gnuplot-nox          have_one gnuplot
 doxygen              have_one doxygen
 doxygen-awesome-css  have_file share/doxygen-awesome-css/doxygen-awesome.css
 libjs-katex          have_file share/javascript/katex/katex.min.js
+libjs-lunr           have_file share/javascript/lunr/lunr.min.js
 libcli11-dev         have_file include/CLI/CLI.hpp
 nlohmann-json3-dev   have_file include/nlohmann/json.hpp
 valgrind             have_one valgrind
@@ -245,7 +246,7 @@ install() {
 set_up() {
     command=$1
     list=$needs
-    [ -z "$kit" ] || list=$(echo "$needs" | grep -v -e '^catch2' -e '^doxygen' -e '^libjs-katex' -e '^valgrind')
+    [ -z "$kit" ] || list=$(echo "$needs" | grep -v -e '^catch2' -e '^doxygen' -e '^libjs-katex' -e '^libjs-lunr' -e '^valgrind')
     without=$list
     [ "$command" != grade ] || list=$list$isolation
     yes=no

@@ -1,0 +1,140 @@
+// search_index: what the search of the site looks through.
+//
+//     search_index SITE TAGS
+//
+// Cuts every page of words into its sections, takes the glossary's words with the place to which each leads, and
+// the library's names from the file TAGS that Doxygen leaves. Writes SITE/search_places.js: one entry a place, with its
+// address `u`, its title `t`, the title of its page `p` and its words `x`.
+
+#include "error.hpp"
+#include "text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <regex>
+#include <set>
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Words without tags, formulas and listings.
+std::string words_of(std::string html) {
+    const std::pair<std::string, std::string> gone[] = {{"<div class=\"fragment\">", "<!-- fragment -->"}, {"<pre", "</pre>"}, {"<script", "</script>"},
+                                                        {"<!--", "-->"}, {"\\(", "\\)"}, {"\\[", "\\]"}, {"<", ">"}};
+    for (const auto& [open, close] : gone)
+        for (std::size_t at = 0; (at = html.find(open, at)) != std::string::npos;) {
+            const std::size_t end = html.find(close, at);
+            html.replace(at, end == std::string::npos ? end : end - at + close.size(), " ");
+        }
+    std::string text = html;
+    for (const auto& [name, sign] : {std::pair{"&#39;", "'"}, {"&quot;", "\""}, {"&lt;", "<"}, {"&gt;", ">"}, {"&#160;", " "}, {"&amp;", "&"}})
+        text = page::replace_all(text, name, sign);
+    std::string line;
+    for (const std::string& word : page::split_words(text)) line += (line.empty() ? "" : " ") + word;
+    return line;
+}
+
+std::string between(const std::string& text, const std::string& open, const std::string& close, std::size_t from = 0) {
+    const std::size_t begin = text.find(open, from);
+    const std::size_t end = begin == std::string::npos ? begin : text.find(close, begin + open.size());
+    return end == std::string::npos ? "" : text.substr(begin + open.size(), end - begin - open.size());
+}
+
+/// A page of words, section by section.
+void add_sections(const fs::path& file, json& places) {
+    const std::string html = page::read_file(file), name = file.filename().string();
+    const std::string title = words_of(between(html, "<div class=\"title\">", "</div>"));
+    const std::size_t begin = html.find("<div class=\"textblock\">");
+    if (begin == std::string::npos) return;
+    const std::string text = html.substr(begin, html.find("<!-- contents -->") - begin);
+    static const std::string heading = "<a class=\"anchor\" id=\"";
+    std::size_t at = text.find(heading);
+    places.push_back({{"u", name}, {"t", title}, {"p", ""}, {"x", words_of(text.substr(0, at))}});
+    while (at != std::string::npos) {
+        const std::size_t next = text.find(heading, at + 1);
+        const std::string part = text.substr(at, next - at);
+        const std::string id = between(part, heading, "\"");
+        const std::size_t end = part.find("</h");
+        if (end != std::string::npos && !id.starts_with("autotoc"))
+            places.push_back({{"u", name + "#" + id}, {"t", words_of(part.substr(0, end))}, {"p", title}, {"x", words_of(part.substr(end))}});
+        at = next;
+    }
+}
+
+/// Each word of the glossary leads to where it is explained.
+void add_glossary(const fs::path& file, json& places) {
+    const std::string html = page::read_file(file);
+    static const std::regex entry{"<li><b>(.*?</b>(?: \\(<em>.*?</em>\\))?)([\\s\\S]*?)</li>"}, place{"href=\"([^\"]*)\""};
+    for (std::sregex_iterator each{html.begin(), html.end(), entry}, end; each != end; ++each) {
+        const std::string rest = (*each)[2];
+        std::smatch to;
+        if (!std::regex_search(rest, to, place)) continue;
+        places.push_back({{"u", to.str(1)}, {"t", words_of((*each)[1])}, {"p", "Glossary"}, {"x", words_of(rest)}});
+    }
+}
+
+/// "SemiImplicitEuler" is found by its words, too.
+std::string apart(const std::string& name) {
+    std::string words;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        if (i > 0 && std::isupper(static_cast<unsigned char>(name[i])) && std::islower(static_cast<unsigned char>(name[i - 1]))) words += ' ';
+        words += name[i] == '_' ? ' ' : name[i];
+    }
+    return words;
+}
+
+/// The library's names, from Doxygen's file of tags.
+void add_names(const fs::path& tags, json& places) {
+    std::ifstream stream(tags);
+    std::set<std::string> seen;
+    std::string compound, kind, name, page_file;
+    for (std::string line; std::getline(stream, line);) {
+        if (const std::string opened = between(line, "<compound kind=\"", "\""); !opened.empty()) compound = kind = opened;
+        if (const std::string opened = between(line, "<member kind=\"", "\""); !opened.empty()) kind = opened;
+        if (const std::string found = between(line, "<name>", "</name>"); !found.empty()) name = words_of(found);
+        std::string address;
+        if (line.find("<filename>") != std::string::npos) {
+            page_file = between(line, "<filename>", "</filename>");
+            if (compound == "struct" || compound == "class") address = page_file;
+        }
+        if (line.find("<anchorfile>") != std::string::npos) page_file = between(line, "<anchorfile>", "</anchorfile>");
+        if (line.find("<anchor>") != std::string::npos && kind == "function" && compound == "namespace")
+            address = page_file + "#" + between(line, "<anchor>", "</anchor>");
+        if (address.empty() || name.find("detail") != std::string::npos || !address.ends_with("html") == (address.find('#') == std::string::npos)) continue;
+        const std::string bare = name.substr(name.rfind(':') == std::string::npos ? 0 : name.rfind(':') + 1);
+        if (bare.starts_with("operator") || !seen.insert(page_file + bare).second) continue;
+        places.push_back({{"u", address}, {"t", bare}, {"p", "The library"}, {"x", apart(bare)}});
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 3) {
+        std::cerr << "usage: search_index SITE TAGS\n";
+        return 2;
+    }
+    try {
+        const fs::path site = argv[1];
+        json places = json::array();
+        static const std::regex of_words{"(chapter_[0-9]+|index|which_method|exercises|teaching|promises|methods|rigid_methods|in_your_engine)\\.html"};
+        std::set<fs::path> files;
+        for (const auto& entry : fs::directory_iterator{site}) files.insert(entry.path());
+        for (const fs::path& file : files) {
+            const std::string name = file.filename().string();
+            if (std::regex_match(name, of_words)) add_sections(file, places);
+            if (name == "glossary.html") add_glossary(file, places);
+        }
+        add_names(argv[2], places);
+        if (places.empty()) throw page::Error{site.string(), 1, "has no pages to search"};
+        page::write_file(site / "search_places.js", "const searchPlaces = " + places.dump(-1, ' ', false, json::error_handler_t::replace) + ";\n");
+    } catch (const std::exception& error) {
+        std::cerr << "search_index: " << error.what() << '\n';
+        return 1;
+    }
+}
