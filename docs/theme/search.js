@@ -62,10 +62,12 @@ function beginSearch() {
     const old = document.getElementById("MSearchField");
     if (!old) return;
     const field = old.cloneNode();  // without what Doxygen listens to
-    for (const name of ["onfocus", "onblur", "onkeyup"]) field.removeAttribute(name);
+    for (const name of ["onfocus", "onblur", "onkeyup", "value"]) field.removeAttribute(name);
+    field.placeholder = "Search";
     field.setAttribute("aria-label", "Search the course");
     old.replaceWith(field);
-    document.getElementById("MSearchSelect")?.remove();
+    const glass = document.getElementById("MSearchSelect");
+    for (const name of ["onmouseover", "onmouseout"]) glass?.removeAttribute(name);
     const list = Object.assign(document.createElement("div"), { id: "found", hidden: true });
     document.body.append(list);
     const look = async () => {

@@ -35,7 +35,8 @@ class Search:
     def hits(self, text):
         """The addresses that are offered, below the site."""
         self.driver.execute_script("document.getElementById('found').replaceChildren()")
-        self.field.clear()
+        if self.field.get_attribute("value"):
+            self.field.clear()
         self.field.send_keys(text)
         shown = ("const list = document.getElementById('found'); return list.hidden || list.textContent.startsWith('Reading') || "
                  "!list.textContent ? null : [...list.querySelectorAll('a')].map(a => a.getAttribute('href'))")

@@ -36,6 +36,8 @@ std::string words_of(std::string html) {
         text = page::replace_all(text, name, sign);
     std::string line;
     for (const std::string& word : page::split_words(text)) line += (line.empty() ? "" : " ") + word;
+    for (const auto& [apart, close] : {std::pair{"( ", "("}, {" )", ")"}, {" .", "."}, {" ,", ","}, {" :", ":"}, {" ;", ";"}})
+        line = page::replace_all(line, apart, close);
     return line;
 }
 
@@ -74,7 +76,7 @@ void add_glossary(const fs::path& file, json& places) {
         const std::string rest = (*each)[2];
         std::smatch to;
         if (!std::regex_search(rest, to, place)) continue;
-        places.push_back({{"u", to.str(1)}, {"t", words_of((*each)[1])}, {"p", "Glossary"}, {"x", words_of(rest)}});
+        places.push_back({{"u", to.str(1)}, {"t", words_of((*each)[1])}, {"p", "Glossary"}, {"x", words_of(rest.substr(std::min(rest.find(' '), rest.size())))}});
     }
 }
 
