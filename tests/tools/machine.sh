@@ -46,6 +46,7 @@ mkdir -p '$folder/usr/clang/lib/linux'; : >'$folder/usr/clang/lib/linux/libclang
     offer_file catch2 include/catch2/catch_all.hpp
     offer_file doxygen-awesome-css share/doxygen-awesome-css/doxygen-awesome.css
     offer_file libjs-katex share/javascript/katex/katex.min.js
+    offer_file libjs-lunr share/javascript/lunr/lunr.min.js
     offer_file libcli11-dev include/CLI/CLI.hpp
     offer_file nlohmann-json3-dev include/nlohmann/json.hpp
     offer_file python3-selenium lib/python3/dist-packages/selenium/__init__.py
@@ -66,7 +67,7 @@ offer_file() { echo "mkdir -p '$folder/usr/${2%/*}'; : >'$folder/usr/$2'" >"apt/
 have() { for package; do sh "$folder/apt/$package"; done; }
 have_all() {
     have g++ cmake ninja-build libeigen3-dev catch2 gnuplot-nox doxygen doxygen-awesome-css \
-        libjs-katex libcli11-dev nlohmann-json3-dev valgrind libc++-dev-wasm32
+        libjs-katex libjs-lunr libcli11-dev nlohmann-json3-dev valgrind libc++-dev-wasm32
 }
 
 # A CMake that configures by leaving a cache, and builds a course program that tells its arguments.

@@ -5,7 +5,7 @@ here=$(dirname "$0")
 . "$here/machine.sh"
 
 everything='g++ cmake ninja-build libeigen3-dev catch2 gnuplot-nox doxygen doxygen-awesome-css'
-everything="$everything libjs-katex libcli11-dev nlohmann-json3-dev valgrind"
+everything="$everything libjs-katex libjs-lunr libcli11-dev nlohmann-json3-dev valgrind"
 panels='clang lld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32'
 
 test_root_installs_what_is_missing_then_builds_and_hands_over() {
