@@ -14,6 +14,7 @@
 #include <timestep/gyroscopic/half_step_jacobian.hpp>
 #include <timestep/gyroscopic/implicit_gyroscopic.hpp>
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
+#include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/rigid/many_bodies.hpp>
 #include "live.hpp"
 
@@ -57,6 +58,7 @@ public:
             const Vector3<Pack> way{random(-1, 1), random(-1, 1), random(0.1f, 1)};
             box.omega = Pack(static_cast<float>(spin)) * random(0.5f, 1) / sqrt(way.squaredNorm()) * way;
             at_start[i] = energy(box);
+            thrown[i] = {box.q, box.omega};
         }
         shown = 0;
         look();
@@ -87,12 +89,16 @@ public:
             }
             p.stroke();
         }
-        p.window(-1.2, 1.2, -1.5, 1.4, true, p.narrow ? 0 : 0.6, 1, 0, p.narrow ? 0.39 : 1);
-        if (alive(shown)) draw_large(p);
+        // Beside it, or below it, where it truly is.
+        p.narrow ? p.window(-1.2, 1.2, -1.5, 1.4, true, 0, 0.5, 0, 0.39) : p.window(-1.2, 1.2, -1.5, 1.4, true, 0.6, 1, 0.5, 1);
+        if (alive(shown)) draw_large(p, orientation(shown), name(look_of(shown)));
         else p.ink("ink"), p.text(-1.15, 0, "all have blown up: Restart, or another solver");
         p.ink("ink"), p.text(-1.15, 1.2, !alive(shown) ? "" : steps < 30 ? "one of them" : "the worst of them");
-        p.ink(name(slower)), p.text(-1.15, -1.2, "blue: has lost a tenth of its energy");
-        p.ink(name(faster)), p.text(-1.15, -1.38, "orange: has gained a tenth");
+        p.ink(name(slower)), p.text(-1.15, -1.2, "blue: lost a tenth of its energy");
+        p.ink(name(faster)), p.text(-1.15, -1.45, "orange: gained a tenth");
+        p.narrow ? p.window(-1.2, 1.2, -1.5, 1.4, true, 0.5, 1, 0, 0.39) : p.window(-1.2, 1.2, -1.5, 1.4, true, 0.6, 1, 0, 0.5);
+        draw_large(p, truth(shown), "exact");
+        p.ink("ink"), p.text(-1.15, 1.2, "that one in truth");
     }
 
 private:
@@ -129,20 +135,31 @@ private:
         const int lane = static_cast<int>(i % lanes);
         return {q.w()[lane], q.x()[lane], q.y()[lane], q.z()[lane]};
     }
+    // The exact motion, from the throw on.
+    Quaternion<float> truth(std::size_t i) const {
+        const std::size_t pack = i / lanes;
+        const int lane = static_cast<int>(i % lanes);
+        const auto& [q, omega] = thrown[pack];
+        const Vector3<Pack>& I = boxes[pack].inertia.moments;
+        const PrincipalInertia<double> inertia(I[0][lane], I[1][lane], I[2][lane]);
+        const Quaternion<double> at(q.w()[lane], q.x()[lane], q.y()[lane], q.z()[lane]);
+        const ExactFreeBody<double> body(inertia, {0, at.normalized(), {omega[0][lane], omega[1][lane], omega[2][lane]}});
+        return body(static_cast<double>(steps) * h).q.cast<float>();
+    }
     float left(std::size_t i) const { return shares[i / lanes][static_cast<int>(i % lanes)]; }  // of its energy
     bool alive(std::size_t i) const { return left(i) < 1000; }                                  // no NaN is
     Look look_of(std::size_t i) const { return left(i) < 0.9f ? slower : left(i) > 1.1f ? faster : right; }
 
     void look() {
-        double living = 0, sum = 0, lost = 0;
+        double living = 0, sum = 0, lost = 0, won = 0;
         for (std::size_t i = 0; i * lanes < size(); ++i) shares[i] = energy(boxes[i]) / at_start[i];
         for (std::size_t i = 0; i < size(); ++i) {
             if (!alive(i)) continue;
-            living += 1, sum += left(i), lost += look_of(i) == slower;
+            living += 1, sum += left(i), lost += look_of(i) == slower, won += look_of(i) == faster;
         }
         prices[static_cast<std::size_t>(solver)].holds.holds(living >= size());
         mean = living > 0 ? 100 * sum / living : 0;
-        slowed = 100.0 * lost / size(), gone = static_cast<double>(size() - living);
+        slowed = 100.0 * lost / size(), sped = 100.0 * won / size(), gone = static_cast<double>(size() - living);
         if (steps % 30 == 0 || !alive(shown)) shown = worst();
         of_shown = alive(shown) ? 100 * left(shown) : 0;
     }
@@ -164,8 +181,8 @@ private:
     }
 
     // The faces that we see, of a box of its moments: b² + c², c² + a² and a² + b².
-    void draw_large(live::Picture& p) const {
-        const Matrix3<float> R = orientation(shown).toRotationMatrix();
+    void draw_large(live::Picture& p, const Quaternion<float>& q, const char* paint) const {
+        const Matrix3<float> R = q.toRotationMatrix();
         const Vector3<Pack>& I = boxes[shown / lanes].inertia.moments;
         const int lane = static_cast<int>(shown % lanes);
         const float sum = (I[0][lane] + I[1][lane] + I[2][lane]) / 2;
@@ -176,7 +193,7 @@ private:
             const Vector3<float> face = sign * edges.col(k), u = edges.col((k + 1) % 3), v = edges.col((k + 2) % 3);
             const Vector3<float> corners[] = {face + u + v, face + u - v, face - u - v, face - u + v, face + u + v};
             for (const bool filled : {true, false}) {
-                filled ? p.ink(name(look_of(shown)), 1, 0.2 + 0.6 * std::fabs(R(2, k))) : p.ink("ink", 1.5);
+                filled ? p.ink(paint, 1, 0.2 + 0.6 * std::fabs(R(2, k))) : p.ink("ink", 1.5);
                 for (const auto& at : corners) &at == corners ? p.move(at.x(), at.y()) : p.line(at.x(), at.y());
                 filled ? p.fill() : p.stroke();
             }
@@ -190,13 +207,18 @@ private:
     live::Readout frame{this, "all of them", "ms a frame"};
     live::Readout mean{this, "mean energy", "% of the start"};
     live::Readout of_shown{this, "that of the large one", "% of the start"};
-    live::Readout slowed{this, "have lost a tenth", "% of all"};
+    live::Readout slowed{this, "have lost a tenth", "% of all"}, sped{this, "have gained a tenth", "% of all"};
     live::Readout gone{this, "have blown up", "of them"};
     std::array<Price, std::tuple_size_v<decltype(solvers)>> prices = std::apply(
         [this](const auto&... each) { return std::array{Price(this, each.name)...}; }, solvers);
 
     std::array<BoxPack, most / lanes> boxes;
     std::array<BoxPack, few> apart;
+    struct Throw {
+        Quaternion<Pack> q;
+        Vector3<Pack> omega;
+    };
+    std::array<Throw, most / lanes> thrown;
     std::array<Pack, most / lanes> at_start{}, shares{};
     std::uint32_t seed = 1;
     std::size_t shown = 0;
