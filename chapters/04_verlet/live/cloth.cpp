@@ -163,7 +163,7 @@ private:
     live::Slider gravity{this, "gravity", "gravity", 0, 20, 0.01, 9.81, "m/s²"};
     live::Slider tears_at{this, "tears_at", "tears when too long by", 50, 300, 10, 150, "%"};
     live::Readout too_long{this, "the longest link", "% too long"};
-    live::Readout torn{this, "torn", "links"}, first_torn{this, "the first one tore at", "(step)"};
+    live::Readout torn{this, "torn links"}, first_torn{this, "the first tore at step"};
 
     std::array<State<Vector3d>, points> before, now;
     std::array<bool, points> whole_across, whole_down;

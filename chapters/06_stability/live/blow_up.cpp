@@ -146,7 +146,7 @@ private:
     // The runs, one below the other, in front of the exact motion.
     void draw_runs(live::Picture& p) const {
         const double width = static_cast<double>(shown);
-        p.window(0, width, -4.0 * static_cast<double>(runs.size()), 0, false, 0, p.narrow ? 1 : 0.58, p.narrow ? 0.4 : 0, 1);
+        p.window(0, width, -4.0 * static_cast<double>(runs.size()), 0.8, false, 0, p.narrow ? 1 : 0.58, p.narrow ? 0.4 : 0, 1);
         double middle = -2.5;
         for (const Run& run : runs) {
             p.ink("soft", 1), p.segment(0, middle, width, middle);
@@ -159,7 +159,7 @@ private:
             const double scale = 1.2 / (end < run.end || !run.holds ? 12 : largest);
             draw_exact(p, middle, scale);
             p.ink(run.name, 1.5), draw_run(p, run.samples, from, end, middle, scale);
-            if (end < run.end || !run.holds) p.text(std::fmin(0.8 * width, static_cast<double>(end - from)), middle - 0.4, "→ 12 m");
+            if (end < run.end || !run.holds) p.text(std::fmin(0.8 * width, static_cast<double>(end - from)), middle - 1.2, "past 12 m");
             p.text(0, middle + 1.5, run.name == semi_implicit_euler_new_damping.name ? "new damping" : run.name);
             p.ink("ink"), p.text(0.4 * width, middle + 1.5, run.verdict);
             middle -= 4;
@@ -199,7 +199,7 @@ private:
             p.stroke();
         }
         p.ink("ink"), p.dot(dot_x(), dot_y(), 7);
-        if (zeta.value > 2) p.text(1.55, std::fmin(dot_y() + 0.3, 4.6), outside[0]);
+        if (zeta.value > 2) p.text(1.3, std::fmin(dot_y() + 0.3, 4.6), outside[0]);
         if (s > 5) p.text(std::fmin(dot_x() + 0.08, 1.45), 4.6, outside[1]);
     }
 

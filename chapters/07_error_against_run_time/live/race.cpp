@@ -105,8 +105,8 @@ public:
         }
         p.ink("ink");
         const Runner& last = runners.back();
-        if (last.measured > 0) p.text(std::log10(last.time[0]) - 0.9, std::log10(last.error[0]) - 0.2, "15 Hz");
-        if (last.measured > 2) p.text(std::log10(last.time[2]) - 0.9, std::log10(last.error[2]) - 0.2, "60 Hz");
+        if (last.measured > 0) p.text(std::log10(last.time[0]) - 0.7, std::log10(last.error[0]) - 0.2, "15 Hz");
+        if (last.measured > 2) p.text(std::log10(last.time[2]) - 0.7, std::log10(last.error[2]) - 0.2, "60 Hz");
         const bool all_known = std::all_of(runners.begin(), runners.end(), [](const Runner& r) { return r.needs.known; });
         if (!all_known) return p.text(2.3, 2.1, steps <= warm ? "warming up" : "first there: not all are that far yet");
         if (!first) return;
