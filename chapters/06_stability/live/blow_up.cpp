@@ -159,7 +159,7 @@ private:
             const double scale = 1.2 / (end < run.end || !run.holds ? 12 : largest);
             draw_exact(p, middle, scale);
             p.ink(run.name, 1.5), draw_run(p, run.samples, from, end, middle, scale);
-            if (end < run.end || !run.holds) p.text(std::fmin(0.8 * width, static_cast<double>(end - from)), middle - 1.2, "past 12 m");
+            if (end < run.end || !run.holds) p.text(0.78 * width, middle + 1.5, "past 12 m");
             p.text(0, middle + 1.5, run.name == semi_implicit_euler_new_damping.name ? "new damping" : run.name);
             p.ink("ink"), p.text(0.4 * width, middle + 1.5, run.verdict);
             middle -= 4;
@@ -199,8 +199,8 @@ private:
             p.stroke();
         }
         p.ink("ink"), p.dot(dot_x(), dot_y(), 7);
-        if (zeta.value > 2) p.text(1.3, std::fmin(dot_y() + 0.3, 4.6), outside[0]);
-        if (s > 5) p.text(std::fmin(dot_x() + 0.08, 1.45), 4.6, outside[1]);
+        if (zeta.value > 2) p.text(1.3, std::fmin(dot_y() + 0.3, 3.5), outside[0]);
+        if (s > 5) p.text(std::fmin(dot_x() + 0.08, 1.3), 4.3, outside[1]);
     }
 
     // The plane of z = hλ. In the direction of each ζ a stability region ends where |z| = ωh is the limit.
