@@ -33,12 +33,12 @@ class LiveCanvas {
     }
 
     resize(aspect) {
-        const scale = window.devicePixelRatio || 1;
+        const scale = devicePixelRatio;
         this.width = this.canvas.clientWidth;
         this.height = Math.round(this.width * aspect);
         this.canvas.style.height = this.height + "px";
-        this.canvas.width = Math.round(this.width * scale);
-        this.canvas.height = Math.round(this.height * scale);
+        this.canvas.width = this.width * scale;
+        this.canvas.height = this.height * scale;
         this.pen.setTransform(scale, 0, 0, scale, 0, 0);
     }
 
@@ -164,7 +164,7 @@ class LivePanel {
         this.of.begin();
         this.build();
         this.shape();
-        this.play(!window.matchMedia("(prefers-reduced-motion: reduce)").matches);
+        this.play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
         this.settings();
         new ResizeObserver(() => this.shape()).observe(this.canvas);
         this.figure.classList.add("is-live");
@@ -327,9 +327,11 @@ class LivePanel {
     // ---- What is shown
 
     shape() {
-        this.narrow = Number(this.canvas.clientWidth < 480);
+        const wide = this.canvas.clientWidth;
+        this.narrow = wide < 480;
         this.canvas.parentElement.classList.toggle("is-narrow", this.narrow);
-        this.picture.resize(this.of.aspect(this.narrow));
+        // On a phone the picture stays on the screen (timestep.css) and leaves room for the sliders.
+        this.picture.resize(Math.min(this.of.aspect(this.narrow), this.narrow ? .5 * innerHeight / wide : 9));
         this.show();
     }
     show() {
@@ -337,7 +339,7 @@ class LivePanel {
         this.picture.draw(new Float64Array(of.memory.buffer, of.commands(), size));
         for (const control of this.controls)  // the panel may have moved it, too
             if (control.get() !== control.shown) control.shown = control.get(), control.show();
-        this.readouts.forEach((output, i) => { output.textContent = of.known(i) ? written(of.readout(i)) + output.unit : "measuring"; });
+        this.readouts.forEach((output, i) => { output.textContent = of.known(i) ? written(of.readout(i)) + output.unit : "not yet"; });
         const blown = count(of.fuses()).filter(i => of.fuse(i) >= 0).map(i => `${this.words(of.fuse_text(i))} at step ${of.fuse(i)}`);
         const said = [blown.length && `Blew up: ${blown.join(", ")}.`, this.broke,
             of.broken() && `At step ${of.steps()} a place is no number, and is not drawn.`].filter(Boolean).join(" ");
@@ -393,7 +395,7 @@ function startLivePanels() {
         }
     }, { rootMargin: "200px" });
     for (const figure of document.querySelectorAll("figure[data-module]")) near.observe(figure);
-    window.addEventListener("hashchange", () => {
+    addEventListener("hashchange", () => {
         for (const figure of document.querySelectorAll("figure.is-live")) figure.live.settings();
     });
     if (location.hash.startsWith("#live-")) document.getElementById(location.hash.slice(1).split(":")[0])?.scrollIntoView();

@@ -17,6 +17,8 @@ import browser
 from panel import BITS, CONTROLS, DRAWN, LIVE, PICTURE, READY, STEPS, Faults, Page
 
 MODULE, SCRIPT = 60_000, 15_000  # bytes, at most
+DESK, PHONE = ({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
+               for width, height in ((900, 900), (390, 844)))
 PANEL = re.compile(r'<figure id="live-(\w+)"[^>]*data-live="([^"]+)" data-module="([^"]+)"')
 
 
@@ -26,7 +28,7 @@ def native(build, live, words):
     program = pathlib.Path(build, "chapters", "live_" + name)
     said = subprocess.run([program, *words], capture_output=True, text=True, check=True).stdout
     return (re.search(r"^bits: (\w+)$", said, re.M)[1],
-            [float(number) for number in re.findall(r"^.*: (\S+) \S*$", said, re.M)])
+            [float(number) for number in re.findall(r"^.*: (?!not yet)(\S+) \S*$", said, re.M)])
 
 
 def same_bits(page, build, live, source, faults):
@@ -204,6 +206,22 @@ def scrolls_under_a_finger(page, faults):
     faults.unless(len(taken) == 4 and not all(taken), f"no corner of it lets the page scroll under a finger ({taken})")
 
 
+def seen_together(page, faults):
+    """On a phone the picture stands whole above each slider that has been scrolled to."""
+    page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", PHONE)
+    page.open()
+    hidden = page.run("""
+        const figure = document.getElementById(arguments[0]), canvas = figure.querySelector("canvas");
+        return [...figure.querySelectorAll(".live-control")].filter(row => {
+            row.querySelector("input, select").scrollIntoView({ block: "nearest" });
+            const picture = canvas.getBoundingClientRect(), control = row.getBoundingClientRect();
+            const at = document.elementFromPoint(picture.left + picture.width / 2, picture.top + 2);
+            return at !== canvas || picture.bottom > control.top + 1 || control.bottom > innerHeight + 1;
+        }).map(row => row.textContent)""")
+    faults.unless(not hidden, f"on a phone its picture is not whole while one slides {', '.join(hidden)}")
+    page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", DESK)
+
+
 def carries_settings(page, faults):
     page.open()
     sliders = [c for c in page.controls() if c["kind"] < 2]
@@ -283,8 +301,7 @@ def main():
         print(f"live.js: has {script} bytes, must have at most {SCRIPT}")
         count += 1
     with browser.Browser() as on:
-        on.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-            "width": 900, "height": 900, "deviceScaleFactor": 1, "mobile": False})
+        on.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", DESK)
         on.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True})
         seen, by_page = set(), {}
         for file, name, live, module in panels:
@@ -301,7 +318,7 @@ def main():
             same_bits(page, build, live, (root / "chapters" / live.replace("/", "/live/")).with_suffix(".cpp").read_text(), faults)
             stands_extremes(page, faults)
             for look in (by_keyboard, by_finger, goes_on_where_it_is_left, leaves_its_sliders_in_place,
-                         says_what_the_shell_would, scrolls_under_a_finger, carries_settings, grows_not, keeps_calm, stands_without_scripts):
+                         says_what_the_shell_would, scrolls_under_a_finger, seen_together, carries_settings, grows_not, keeps_calm, stands_without_scripts):
                 look(page, faults)
             faults += ["console: " + entry["message"] for entry in on.driver.get_log("browser") if entry["level"] == "SEVERE"]
             for fault in faults:

@@ -49,6 +49,7 @@ inline constexpr Look looks[] = {
     {"implicit, converged", "converged_gyroscopic", "#56b4e9", "3,4"},
     {"passive", "passive_gyroscopic", "#009e73", ""},
     {"half-step Jacobian", "half_step_jacobian", "#e69f00", ""},
+    {"calm half-step", "", "#56b4e9", ""},
     {"Cayley", "cayley_gyroscopic", "#56b4e9", ""},
     {"Strang splitting", "strang_splitting", "#b15a98", "6,4"},
     {"ball and remainder 2", "ball_and_remainder_2", "#882255", "14,5"},

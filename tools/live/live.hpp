@@ -55,7 +55,7 @@ struct Toggle : Control {
 struct Readout {
     Readout(Panel* panel, const char* label, const char* unit = "", const char* look = nullptr);
     void operator=(double v) { value = v, known = true; }
-    void not_yet() { value = 0, known = false; }  // it is still being measured
+    void not_yet() { value = 0, known = false; }  // still being measured, or to come
     const char* label;
     const char* unit;
     const char* look;

@@ -112,7 +112,7 @@ int main(int count, char** words) {
     std::printf("%ld steps\n", panel.steps);
     for (const Readout* readout : panel.readouts)
         if (readout && readout->known) std::printf("%s: %.17g %s\n", readout->label, readout->value, readout->unit);
-        else if (readout) std::printf("%s: measuring\n", readout->label);
+        else if (readout) std::printf("%s: not yet\n", readout->label);
     for (const Fuse* fuse : panel.fuses)
         if (fuse && fuse->blown_at >= 0) std::printf("%s blew up at step %ld\n", fuse->name, fuse->blown_at);
     if (picture.broken()) std::printf("a place in the picture is no number\n");

@@ -72,6 +72,7 @@ public:
 
 private:
     static constexpr int shown = 40;   // steps
+    static constexpr double gone = 6;  // m: three times what the diagrams show
     static constexpr int finer = 20;  // steps of RK4 in one of ours: no eye tells them from the true motion
 
     // What the spring has done, let go at one metre.
@@ -92,17 +93,18 @@ private:
     // The true motion, and a method on it: its steps are the dots.
     void draw(live::Picture& p, const char* look, bool holds, const Run& run) const {
         p.ink("exact", 4);
-        line(p, true_run, 1.0 / finer);
-        p.ink(look);
-        if (!holds) return p.text(1, -1.5, "blew up");
+        line(p, true_run, 1.0 / finer, true_run.size);
+        int drawn = 0;  // steps, until it is gone
+        while (drawn < run.size && std::fabs(run.x[drawn]) < gone) ++drawn;
         p.ink(look, 1.5, 0.6);
-        line(p, run, 1);
+        line(p, run, 1, drawn);
         p.ink(look);
-        for (int i = 0; i < run.size && i <= shown; ++i) p.dot(i, run.x[i], 3);
+        for (int i = 0; i < drawn && i <= shown; ++i) p.dot(i, run.x[i], 3);
+        if (drawn < run.size || !holds) p.text(drawn + 1, -1.6, "grows out of the picture");
     }
-    static void line(live::Picture& p, const Run& run, double step) {
+    static void line(live::Picture& p, const Run& run, double step, int size) {
         p.move(0, run.x[0]);
-        for (int i = 1; i < run.size; ++i) p.line(i * step, run.x[i]);
+        for (int i = 1; i < size; ++i) p.line(i * step, run.x[i]);
         p.stroke();
     }
     // The largest stable ωh. The last bit of its hypot is another one in the page than in the shell: float drops it.

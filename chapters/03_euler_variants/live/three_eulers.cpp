@@ -44,7 +44,10 @@ public:
         p.stroke();
         draw(p, implicit_euler.name, implicit_state, implicit_trail);
         draw(p, semi_implicit_euler.name, semi_implicit_state, semi_implicit_trail);
-        if (explicit_holds) draw(p, explicit_euler.name, explicit_state, explicit_trail);
+        draw(p, explicit_euler.name, explicit_state, explicit_trail);
+        if (amplitude(explicit_state) > 4) p.text(-2.9, 2.1, "explicit Euler has left the picture");
+        p.ink(semi_implicit_euler.name);
+        if (amplitude(semi_implicit_state) > 40) p.text(-2.9, -2.3, "semi-implicit Euler has left the picture");
         p.ink("ink", 2);
         p.dot(x, v, 4);
     }

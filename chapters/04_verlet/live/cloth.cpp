@@ -27,12 +27,14 @@ public:
         for (int i = 0; i < points; ++i) before[i] = now[i] = {0, start(i), Vector3d(0, 0, 0)};
         whole_across.fill(true), whole_down.fill(true);
         rail = Vector3d(0, 0, 0), grabbed = -1, torn = 0, too_long = 0;
+        first_torn.not_yet(), still = 0;
         gust_before = gust = {0, 0.0, 0.0};
         gust.x = 0.03;
     }
     bool restarts(const live::Control&) const override { return steps == 0; }  // else they act on the moving cloth
 
     void step() override {
+        if (still > 0 && grabbed < 0) return void(--still);  // so that what has torn is seen before it flies away
         // Gusts come and go as a spring swings; Verlet steps that, too.
         const State<double> next_gust = verlet.step(Spring(2.0), gust_before, gust, h);
         gust_before = gust, gust = next_gust;
@@ -72,7 +74,10 @@ public:
         p.ink("ink");
         for (int i = 0; i < points; ++i)
             if (hangs(i) || i == grabbed) p.dot(across(now[i].x), up(now[i].x), 4);
-        if (torn.value > 0) p.text(-0.88, -1.43, "torn: Restart gives a new one");
+        if (torn.value > 0) p.text(-0.88, -1.43, still > 0 ? "orange: the first to tear" : "torn: Restart gives a new one");
+        if (still == 0) return;
+        p.ink("explicit", 3);
+        each_link([&](bool whole, int a, int b) { whole ? void() : (to(p, a, true), to(p, b), p.stroke()); });
     }
 
     // The finger takes the nearest point, and pulls it in the plane in which it is; a ring takes the rail with it.
@@ -139,6 +144,10 @@ private:
         each_link([&](bool whole, int a, int b) {
             whole ? void(longest = std::fmax(longest, length(a, b))) : torn = torn.value + 1;
         });
+        if (torn.value > 0 && !first_torn.known) {
+            first_torn = static_cast<double>(steps);
+            still = grabbed < 0 ? 90 : 0;
+        }
         too_long = longest > 0 ? 100 * (longest / link - 1) : 0;
     }
 
@@ -154,12 +163,12 @@ private:
     live::Slider gravity{this, "gravity", "gravity", 0, 20, 0.01, 9.81, "m/s²"};
     live::Slider tears_at{this, "tears_at", "tears when too long by", 50, 300, 10, 150, "%"};
     live::Readout too_long{this, "the longest link", "% too long"};
-    live::Readout torn{this, "torn", "links"};
+    live::Readout torn{this, "torn links"}, first_torn{this, "the first tore at step"};
 
     std::array<State<Vector3d>, points> before, now;
     std::array<bool, points> whole_across, whole_down;
     State<double> gust_before{}, gust{};
     Vector3d finger, rail;
-    int grabbed = -1;
+    int grabbed = -1, still = 0;  // the point in the finger, or -1; for how many steps all stands
 };
 LIVE_PANEL(Cloth)

@@ -51,7 +51,7 @@ public:
     }
 
     void draw(live::Picture& p) const override {
-        p.window(-2.4, 2.4, -2.5, 1.3, true);
+        p.window(-2.4, 2.4, lowest, 1.3, true);
         p.ink("faint", 1.5);  // a rope of the right length cannot leave this circle
         double x = links * link, y = 0;
         p.move(hook(0) + x, hook(1));
@@ -66,6 +66,11 @@ public:
         p.ink("ink");
         p.dot(hook(0), hook(1), 5);
         if (grabbed > 0) p.dot(finger(0), finger(1), 4);
+        const bool both = corrected_too_long.value > 5;
+        if (plain_too_long.value > 5 || both) {
+            p.text(-2.3, 1.1, both ? "both too long: too few iterations or steps" : "too long: too few iterations or steps");
+            if (both) p.text(-2.3, 0.8, "(what is corrected is Δt, not the links)");
+        }
     }
 
     // The finger takes the nearest point of either rope, and holds that point of both.
@@ -82,7 +87,7 @@ public:
     }
     void drag(double x, double y) override {
         const auto within = [](double a, double least, double most) { return a < least ? least : a > most ? most : a; };
-        finger = Vector2d(within(x, -2.4, 2.4), within(y, -2.5, 1.3));
+        finger = Vector2d(within(x, -2.4, 2.4), within(y, lowest, 1.3));
         if (grabbed == 0) hook = finger;
     }
     void let_go() override { grabbed = -1; }
@@ -90,7 +95,8 @@ public:
 
 private:
     static constexpr int links = 20;
-    static constexpr double link = 0.1;  // m
+    static constexpr double link = 0.1;     // m
+    static constexpr double lowest = -3.3;  // of the picture, m
     struct Rope {
         std::array<State<Vector2d>, links + 1> before, now;
     };

@@ -1,9 +1,11 @@
-// A capsule set on one end on a plane, almost upright, and spun: who comes to rest? Drag to look from elsewhere.
+// A capsule set on one end on a plane, or dropped from above it, and spun: who comes to rest, and who gains energy? Drag
+// to look from elsewhere.
 // still: steps=600
 
 #include <algorithm>
 #include <cmath>
 
+#include <timestep/gyroscopic/calm_half_step.hpp>
 #include <timestep/gyroscopic/implicit_gyroscopic.hpp>
 #include <timestep/gyroscopic/no_gyroscopic.hpp>
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
@@ -19,7 +21,7 @@ using plane::V;
 class CapsuleOnPlane : public live::Panel {
 public:
     CapsuleOnPlane() {
-        title = "A capsule on a plane, its gyroscopic torque treated in four ways";
+        title = "A capsule on a plane, its gyroscopic torque treated in five ways";
         aspect = 0.6, aspect_narrow = 1.3;
         solid.add_capsule(capsule.radius, capsule.half_length);
     }
@@ -32,8 +34,10 @@ public:
     void restart() override {
         const plane::Orientation leaning = plane::Orientation(1, lean / 2, 0, 0).normalized();
         const V axis = leaning * V::UnitZ(), halfway = (axis + V::UnitY()).normalized();
-        now.fill(placed(capsule, leaning, spin * halfway));
+        now.fill(placed(capsule, leaning, spin * halfway, height_above));
+        energy_at_start = energy(capsule, ground(), now[0]);
         for (Trail& trail : spins) trail.clear();
+        for (Trail& trail : energies) trail.clear();
         next_record = 0;
         measure();
     }
@@ -43,28 +47,24 @@ public:
         advance(lagged_inertia, 1);
         advance(implicit_gyroscopic, 2);
         advance(passive_gyroscopic, 3);
+        advance(plane::AroundContacts<CalmHalfStep>{calm_half_step, 1 - place / 2.0}, 4);
         measure();
     }
 
     void draw(live::Picture& p) const override {
-        const int columns = p.narrow ? 2 : 4, rows = 4 / columns;
-        p.window(0, columns * width, 0, rows * height, true, 0, 1, p.narrow ? 0.33 : 0.47, 1);
-        for (int i = 0; i < 4; ++i) {
+        const int columns = p.narrow ? 3 : 5, rows = p.narrow ? 2 : 1;
+        p.window(0, columns * width, 0, rows * height, true, 0, 1, p.narrow ? 0.4 : 0.47, 1);
+        for (int i = 0; i < 5; ++i) {
             const double x = (i % columns + 0.5) * width, y = (rows - i / columns - 0.72) * height;
             p.ink(names[i]);
-            p.text(x - 0.46 * width, y + 0.62 * height, i == 1 ? "lagged inertia" : names[i]);
+            p.text(x - 0.46 * width, y + 0.62 * height, i == 1 ? "lagged inertia" : i == 2 ? "one iteration" : names[i]);
             draw_floor(p, now[i].x, x, y);
             if (!holds[i]) continue;
             const V above = view.seen(V(0, 0, now[i].x.z()));
             solid.draw(p, view, now[i].turning.q, x + above.x(), y + above.y());
         }
-        const double end = std::max(shown, now[0].turning.t);
-        p.window(end - shown, end, 0, highest, false, 0, 1, 0, p.narrow ? 0.33 : 0.47);
-        p.axes("t, s", "spin |ω|, rad/s");
-        for (int i = 0; i < 4; ++i) {
-            p.ink(names[i]);
-            spins[i].draw(p);
-        }
+        draw(p, spins, highest, "spin |ω|, rad/s", 0);
+        draw(p, energies, 1.6, "energy, at the start 1", 0.5);
     }
 
     // A finger on a capsule turns the view.
@@ -79,17 +79,19 @@ public:
 
 private:
     using Trail = live::Trail<600>;
-    static constexpr double width = 1.4, height = 1.5;  // of a capsule's place in the picture, m
+    static constexpr double width = 1.3, height = 1.5;  // of a capsule's place in the picture, m
     static constexpr double shown = 20, highest = 150;  // of the lines: s, rad/s
     static constexpr const char* names[] = {no_gyroscopic.name, lagged_inertia.name, implicit_gyroscopic.name,
-                                            passive_gyroscopic.name};
+                                            passive_gyroscopic.name, calm_half_step.name};
 
+    plane::Ground ground() const {
+        return {9.81, friction, rolling, arms == 0 ? plane::Arms::start : plane::Arms::middle};
+    }
     template <class Solver>
     void advance(const Solver& solver, int i) {
         if (!holds[i]) return;
-        const plane::Ground ground{9.81, friction, rolling, arms == 0 ? plane::Arms::start : plane::Arms::middle};
         plane::Contacts contacts;
-        auto& [turning, x, v] = now[i] = plane::step(solver, capsule, ground, now[i], 1 / rate, contacts);
+        auto& [turning, x, v] = now[i] = plane::step(solver, capsule, ground(), now[i], 1 / rate, contacts);
         // Rolling resistance leaves the turning about the normal alone. Spinning resistance is the same for that
         // axis: it stops this turning, or takes off as much of it as the load allows.
         const V by_one = turning.q * capsule.inertia.velocity(turning.q.conjugate() * V::UnitZ());  // N m s
@@ -100,11 +102,22 @@ private:
     void measure() {
         const bool record = now[0].turning.t >= next_record;
         if (record) next_record += shown / 600;
-        for (int i = 0; i < 4; ++i) {
+        for (int i = 0; i < 5; ++i) {
             const double speed = now[i].turning.omega.norm();
             if (!holds[i].holds(speed < 1000 && now[i].x.allFinite())) continue;
             left[i] = speed < 1e-9 ? 0 : speed;  // what roundoff leaves is rest
-            if (record) spins[i].add(now[i].turning.t, std::min(speed, highest));
+            if (!record) continue;
+            spins[i].add(now[i].turning.t, speed);
+            energies[i].add(now[i].turning.t, energy(capsule, ground(), now[i]) / energy_at_start);
+        }
+    }
+    void draw(live::Picture& p, const std::array<Trail, 5>& trails, double most, const char* words, double from) const {
+        const double end = std::max(shown, now[0].turning.t);
+        p.window(end - shown, end, 0, most, false, from, from + 0.5, 0, p.narrow ? 0.4 : 0.47);
+        p.axes("t, s", words);
+        for (int i = 0; i < 5; ++i) {
+            p.ink(names[i]);
+            trails[i].draw(p);
         }
     }
 
@@ -129,19 +142,21 @@ private:
     live::Slider spinning{this, "spinning", "spinning resistance", 0, 0.1, 0.005, 0, "radii"};
     live::Slider friction{this, "friction", "friction", 0, 1, 0.05, 0.5};
     live::Choice arms{this, "arms", "contacts' lever arms", "start of the step, as engines do|middle of the step"};
+    live::Choice place{this, "place", "calm half-step", "before the contacts|half before, half after|after the contacts", 2};
+    live::Slider height_above{this, "height", "dropped from", 0, 2, 0.1, 0, "m"};
     live::Slider spin{this, "spin", "spin at the start", 5, 60, 1, 40, "rad/s"};
     live::Slider lean{this, "lean", "lean at the start", 0, 1, 0.01, 0.05, "rad"};
     live::Slider rate{this, "rate", "steps a second", 30, 240, 1, 60, "Hz"};
     // Under the names of the methods: the spin.
-    live::Readout left[4] = {{this, names[0], "rad/s"}, {this, names[1], "rad/s"},
-                             {this, names[2], "rad/s"}, {this, names[3], "rad/s"}};
-    live::Fuse holds[4] = {{this, names[0]}, {this, names[1]}, {this, names[2]}, {this, names[3]}};
+    live::Readout left[5] = {{this, names[0], "rad/s"}, {this, names[1], "rad/s"}, {this, names[2], "rad/s"},
+                             {this, names[3], "rad/s"}, {this, names[4], "rad/s"}};
+    live::Fuse holds[5] = {{this, names[0]}, {this, names[1]}, {this, names[2]}, {this, names[3]}, {this, names[4]}};
 
     // 90 cm long, 30 cm thick, 1 kg.
     const plane::Capsule<SymmetricInertia<double>> capsule{timestep::capsule(1.0, 0.15, 0.6), 1, 0.15, 0.3};
-    std::array<plane::Motion, 4> now{};
-    std::array<Trail, 4> spins;
-    double next_record = 0;
+    std::array<plane::Motion, 5> now{};
+    std::array<Trail, 5> spins, energies;
+    double next_record = 0, energy_at_start = 1;
     live::Solid solid;
     live::View view;
 };

@@ -63,9 +63,11 @@ public:
 
     void restart() override {
         const Quaternion<double> upright = Quaternion<double>(1, 1, 0, 0).normalized();  // the body's y axis points up
-        now.fill({0, upright, upright * V(touch, spin, touch)});
+        true_one = {0, upright, V(touch, spin, touch)};
+        now.fill(in_world(true_one));
         for (Trail& trail : energies) trail.clear();
         for (Trail& trail : momenta) trail.clear();
+        left_at.fill(-1);
         next_record = 0;
         with_body([&](const auto& inertia) {
             energy_at_start = kinetic_energy(inertia, now[0]);
@@ -77,8 +79,8 @@ public:
     void step() override {
         with_body([&](const auto& inertia) {
             const double h = 1 / rate;
-            // As good as exact: many short steps of chapter 8's solver, which keeps energy and |L|.
-            SpinState<double> true_one = in_body(now[0]);
+            // As good as exact: many short steps of chapter 8's solver, which keeps energy and |L|. In the body's
+            // axes: there a zero stays zero, and what spins about one axis alone never turns over.
             for (int n = 0; n < 100; ++n) true_one = tumble<CalmHalfStep>.step(inertia, true_one, h / 100);
             now[0] = in_world(true_one);
             now[1] = turn(no_gyroscopic, inertia, now[1], h);
@@ -96,7 +98,7 @@ public:
         for (int i = 0; i < 6; ++i) {
             const double x = (i % columns + 0.5) * width, y = (rows - i / columns - 0.5) * height;
             p.ink(names[i]);
-            p.text(x - 0.46 * width, y + 0.4 * height, i == 3 ? "lagged inertia" : names[i]);
+            p.text(x - 0.46 * width, y + 0.4 * height, i == 3 ? "lagged inertia" : i == 4 ? "one iteration" : names[i]);
             if (holds[i])
                 solids[body].draw(p, view, now[i].q, x, y - 0.06 * height);
             else
@@ -141,8 +143,9 @@ private:
             if (!holds[i].holds(energy < 1e6)) continue;
             left[i] = energy;
             if (!record) continue;
-            energies[i].add(now[i].t, std::min(energy, highest));  // what is higher lies on the upper edge
-            momenta[i].add(now[i].t, std::min(momentum, highest));
+            energies[i].add(now[i].t, energy);
+            momenta[i].add(now[i].t, momentum);
+            left_at[i] = energy > highest && left_at[i] < 0 ? now[i].t : left_at[i];
         }
     }
 
@@ -153,6 +156,7 @@ private:
         for (int i = 0; i < 6; ++i) {
             p.ink(names[i], i == 0 ? 5 : 2, i == 0 ? 0.6 : 1);
             trails[i].draw(p);
+            if (left_at[i] >= 0 && from == 0) p.text(std::max(left_at[i], end - shown) + 0.2, highest - 0.3, "leaves upwards");
         }
     }
 
@@ -170,7 +174,9 @@ private:
                                    a_wing_nut = same_bits(inertia_of_wing_nut()),
                                    a_plank = same_bits(box(1.0, 0.04, 0.3, 1.2));
     const SymmetricInertia<double> a_staff = staff(1.0, 1.3, 0.06);
+    SpinState<double> true_one{};  // the exact body, in its axes
     std::array<RigidState<double>, 6> now{};
+    std::array<double, 6> left_at{};  // when its line left the diagrams upwards, s; −1 while it is there
     std::array<Trail, 6> energies, momenta;
     double energy_at_start = 1, momentum_at_start = 1, next_record = 0;
     std::array<live::Solid, 4> solids;

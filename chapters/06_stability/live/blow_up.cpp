@@ -52,6 +52,14 @@ public:
         const DampedSpring<double> spring = this->spring();
         h = 1 / rate, s = spring.omega * h;
         omega_h = s, zeta = spring.zeta;
+        // What the map and the plane cannot show they tell.
+        std::snprintf(outside[0], sizeof outside[0], "→ ζ = %.3g", zeta.value);
+        std::snprintf(outside[1], sizeof outside[1], "↑ ωh = %.3g", s);
+        const double real = zeta.value * s, apart = real * real - s * s, root = std::sqrt(std::fabs(apart));
+        const double left = real + (apart > 0 ? root : 0), up = apart > 0 ? 0 : root;
+        outside[2][0] = '\0';
+        if (left > 5.1 && apart > 0) std::snprintf(outside[2], sizeof outside[2], "← one root at −%.3g", left);
+        else if (left > 5.1 || up > 3.1) std::snprintf(outside[2], sizeof outside[2], "roots at −%.3g ± %.3g i", left, up);
         for (Run& run : runs) {
             say(run, verdict(s, run.limit(zeta.value)), spring.omega / run.limit(zeta.value));
             run.now = {0, 1, 0}, run.off = 0;  // let go at rest, a metre from its place
@@ -138,22 +146,30 @@ private:
     // The runs, one below the other, in front of the exact motion.
     void draw_runs(live::Picture& p) const {
         const double width = static_cast<double>(shown);
-        p.window(0, width, -4.0 * static_cast<double>(runs.size()), 0, false, 0, p.narrow ? 1 : 0.58, p.narrow ? 0.4 : 0, 1);
+        p.window(0, width, -4.0 * static_cast<double>(runs.size()), 0.8, false, 0, p.narrow ? 1 : 0.58, p.narrow ? 0.4 : 0, 1);
         double middle = -2.5;
         for (const Run& run : runs) {
             p.ink("soft", 1), p.segment(0, middle, width, middle);
-            draw_exact(p, middle);
-            p.ink(run.name, 1.5), draw_run(p, run.samples, run.end, middle);
+            // A run that grows shrinks its row, to a tenth at most. Farther out it is gone.
+            double largest = 1.2;
+            const std::size_t from = sampled > shown ? sampled - shown : 0;
+            std::size_t end = from;
+            for (; end < run.end && std::fabs(run.samples[end % most_samples]) < 12; ++end)
+                largest = std::fmax(largest, std::fabs(run.samples[end % most_samples]));
+            const double scale = 1.2 / (end < run.end || !run.holds ? 12 : largest);
+            draw_exact(p, middle, scale);
+            p.ink(run.name, 1.5), draw_run(p, run.samples, from, end, middle, scale);
+            if (end < run.end || !run.holds) p.text(0.78 * width, middle + 1.5, "past 12 m");
             p.text(0, middle + 1.5, run.name == semi_implicit_euler_new_damping.name ? "new damping" : run.name);
             p.ink("ink"), p.text(0.4 * width, middle + 1.5, run.verdict);
             middle -= 4;
         }
     }
-    void draw_exact(live::Picture& p, double middle) const {
+    void draw_exact(live::Picture& p, double middle, double scale) const {
         const int places = stride > 1 ? 1 : finer;  // from one step that is drawn to the next
         const std::size_t from = (sampled > shown ? sampled - shown : 0) * static_cast<std::size_t>(places);
         const auto to = [&](std::size_t n, double side) {
-            const double x = static_cast<double>(n - from) / places, y = middle + side * exact_samples[n % most_exact];
+            const double x = static_cast<double>(n - from) / places, y = middle + side * scale * exact_samples[n % most_exact];
             n == from && side > 0 ? p.move(x, y) : p.line(x, y);
         };
         p.ink("exact", 4, 0.5);
@@ -162,11 +178,11 @@ private:
         for (std::size_t n = exact_sampled; n > from; --n) to(n - 1, -1);
         p.fill();
     }
-    void draw_run(live::Picture& p, const double (&positions)[most_samples], std::size_t end, double middle) const {
-        const std::size_t from = sampled > shown ? sampled - shown : 0;
+    static void draw_run(live::Picture& p, const double (&positions)[most_samples], std::size_t from, std::size_t end,
+                         double middle, double scale) {
         for (std::size_t n = from; n < end; ++n) {
-            const double x = static_cast<double>(n - from), y = std::clamp(positions[n % most_samples], -1.2, 1.2);
-            n == from ? p.move(x, middle + y) : p.line(x, middle + y);
+            const double x = static_cast<double>(n - from), y = middle + scale * positions[n % most_samples];
+            n == from ? p.move(x, y) : p.line(x, y);
         }
         if (end > from) p.stroke();
     }
@@ -183,11 +199,13 @@ private:
             p.stroke();
         }
         p.ink("ink"), p.dot(dot_x(), dot_y(), 7);
+        if (zeta.value > 2) p.text(1.3, std::fmin(dot_y() + 0.3, 3.5), outside[0]);
+        if (s > 5) p.text(std::fmin(dot_x() + 0.08, 1.3), 4.3, outside[1]);
     }
 
     // The plane of z = hλ. In the direction of each ζ a stability region ends where |z| = ωh is the limit.
     void draw_plane(live::Picture& p) const {
-        p.window(-4, 0.6, -3.2, 3.2, true, 0.58, 1, 0, 0.45);
+        p.window(-5.2, 1.4, -3.2, 3.2, true, 0.58, 1, 0, 0.45);
         p.axes("real part of hλ", "imaginary part");
         for (const Run& run : runs) {
             if (!run.has_limit()) continue;
@@ -204,7 +222,8 @@ private:
         p.ink("ink");
         const double inside = 1 - zeta.value * zeta.value, root = s * std::sqrt(std::fabs(inside));
         for (const double apart : {-root, root})
-            p.dot(std::fmax(-zeta.value * s + (inside < 0 ? apart : 0), -1e4), inside < 0 ? 0 : apart, 6);
+            p.dot(std::fmax(-zeta.value * s + (inside < 0 ? apart : 0), -5.1), std::clamp(inside < 0 ? 0 : apart, -3.1, 3.1), 6);
+        if (outside[2][0]) p.text(-5, 0.3, outside[2]);
     }
 
     live::LogSlider k{this, "k", "stiffness k", 10, 1e6, 10000, "N/m"};
@@ -222,6 +241,7 @@ private:
     int finer = 20;  // places of the true motion in a step
     long taken = 0, compared = 0;
     std::size_t shown = 60, sampled = 0, exact_sampled = 0;
+    char outside[3][64] = {};  // what lies beyond the edges of map and plane
     StepMatrix<double> exact_step{};
     State<double> exact{};
     double exact_samples[most_exact]{};

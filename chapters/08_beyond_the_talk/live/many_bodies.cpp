@@ -14,6 +14,8 @@
 #include <timestep/gyroscopic/half_step_jacobian.hpp>
 #include <timestep/gyroscopic/implicit_gyroscopic.hpp>
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
+#include <timestep/methods/runge_kutta_4.hpp>
+#include <timestep/rigid/free_body.hpp>
 #include <timestep/rigid/many_bodies.hpp>
 #include "live.hpp"
 
@@ -57,8 +59,9 @@ public:
             const Vector3<Pack> way{random(-1, 1), random(-1, 1), random(0.1f, 1)};
             box.omega = Pack(static_cast<float>(spin)) * random(0.5f, 1) / sqrt(way.squaredNorm()) * way;
             at_start[i] = energy(box);
+            thrown[i] = stacked(RigidState<Pack>{Pack(0), box.q, box.omega});
         }
-        shown = 0;
+        show(0);
         look();
     }
 
@@ -67,6 +70,7 @@ public:
         advance(solver, boxes.data(), (size() + lanes - 1) / lanes);
         spent += live::clock() - begin;
         look();
+        follow_truth();
         if (steps % 30 == 0) frame = spent / 30, spent = 0;
         if (steps % 5 == 0) measure(static_cast<int>(steps / 5 % 5));
     }
@@ -87,12 +91,16 @@ public:
             }
             p.stroke();
         }
-        p.window(-1.2, 1.2, -1.5, 1.4, true, p.narrow ? 0 : 0.6, 1, 0, p.narrow ? 0.39 : 1);
-        if (alive(shown)) draw_large(p);
+        // Beside it, or below it, where it truly is.
+        p.narrow ? p.window(-1.2, 1.2, -1.5, 1.4, true, 0, 0.5, 0, 0.39) : p.window(-1.2, 1.2, -1.5, 1.4, true, 0.6, 1, 0.5, 1);
+        if (alive(shown)) draw_large(p, orientation(shown), name(look_of(shown)));
         else p.ink("ink"), p.text(-1.15, 0, "all have blown up: Restart, or another solver");
         p.ink("ink"), p.text(-1.15, 1.2, !alive(shown) ? "" : steps < 30 ? "one of them" : "the worst of them");
-        p.ink(name(slower)), p.text(-1.15, -1.2, "blue: has lost a tenth of its energy");
-        p.ink(name(faster)), p.text(-1.15, -1.38, "orange: has gained a tenth");
+        p.ink(name(slower)), p.text(-1.15, -1.2, "blue: lost a tenth");
+        p.ink(name(faster)), p.text(-1.15, -1.45, "orange: gained a tenth");
+        p.narrow ? p.window(-1.2, 1.2, -1.5, 1.4, true, 0.5, 1, 0, 0.39) : p.window(-1.2, 1.2, -1.5, 1.4, true, 0.6, 1, 0, 0.5);
+        if (true_steps >= steps) draw_large(p, orientation(true_one.y.head<4>(), shown), "exact");
+        p.ink("ink"), p.text(-1.15, 1.2, true_steps < steps ? "that one in truth: not yet" : "that one in truth");
     }
 
 private:
@@ -124,26 +132,40 @@ private:
         const Matrix3<Pack> R = pack.q.toRotationMatrix();
         return kinetic_energy(pack.inertia, in_body(R, pack.omega));
     }
-    Quaternion<float> orientation(std::size_t i) const {
-        const Quaternion<Pack>& q = boxes[i / lanes].q;
+    static Quaternion<float> orientation(const Eigen::Matrix<Pack, 4, 1>& q, std::size_t i) {  // x, y, z, w
         const int lane = static_cast<int>(i % lanes);
-        return {q.w()[lane], q.x()[lane], q.y()[lane], q.z()[lane]};
+        return {q[3][lane], q[0][lane], q[1][lane], q[2][lane]};
+    }
+    Quaternion<float> orientation(std::size_t i) const { return orientation(boxes[i / lanes].q.coeffs(), i); }
+
+    void show(std::size_t which) { shown = which, true_one = thrown[which / lanes], true_steps = 0; }
+    // As good as exact: RK4 with a sixteenth of the step. Whoever is shown anew is followed from its throw on, twenty seconds
+    // of it each frame.
+    void follow_truth() {
+        const FreeBody<PrincipalInertia<Pack>> body(boxes[shown / lanes].inertia);
+        for (int n = 0; n < 1200 && true_steps < steps; ++n, ++true_steps)
+            for (int part = 0; part < 16; ++part) {
+                true_one = runge_kutta_4.step(body, true_one, Pack(h / 16));
+                const Eigen::Matrix<Pack, 4, 1> q = true_one.y.head<4>();
+                true_one.y.head<4>() = q / sqrt(q.squaredNorm());
+            }
     }
     float left(std::size_t i) const { return shares[i / lanes][static_cast<int>(i % lanes)]; }  // of its energy
     bool alive(std::size_t i) const { return left(i) < 1000; }                                  // no NaN is
     Look look_of(std::size_t i) const { return left(i) < 0.9f ? slower : left(i) > 1.1f ? faster : right; }
 
     void look() {
-        double living = 0, sum = 0, lost = 0;
+        double living = 0, sum = 0, lost = 0, won = 0;
         for (std::size_t i = 0; i * lanes < size(); ++i) shares[i] = energy(boxes[i]) / at_start[i];
         for (std::size_t i = 0; i < size(); ++i) {
             if (!alive(i)) continue;
-            living += 1, sum += left(i), lost += look_of(i) == slower;
+            living += 1, sum += left(i), lost += look_of(i) == slower, won += look_of(i) == faster;
         }
         prices[static_cast<std::size_t>(solver)].holds.holds(living >= size());
         mean = living > 0 ? 100 * sum / living : 0;
-        slowed = 100.0 * lost / size(), gone = static_cast<double>(size() - living);
-        if (steps % 30 == 0 || !alive(shown)) shown = worst();
+        slowed = 100.0 * lost / size(), sped = 100.0 * won / size(), gone = static_cast<double>(size() - living);
+        const std::size_t now_worst = steps % 30 == 0 || !alive(shown) ? worst() : shown;
+        if (now_worst != shown) show(now_worst);
         of_shown = alive(shown) ? 100 * left(shown) : 0;
     }
     std::size_t worst() const {
@@ -164,8 +186,8 @@ private:
     }
 
     // The faces that we see, of a box of its moments: b² + c², c² + a² and a² + b².
-    void draw_large(live::Picture& p) const {
-        const Matrix3<float> R = orientation(shown).toRotationMatrix();
+    void draw_large(live::Picture& p, const Quaternion<float>& q, const char* paint) const {
+        const Matrix3<float> R = q.toRotationMatrix();
         const Vector3<Pack>& I = boxes[shown / lanes].inertia.moments;
         const int lane = static_cast<int>(shown % lanes);
         const float sum = (I[0][lane] + I[1][lane] + I[2][lane]) / 2;
@@ -176,7 +198,7 @@ private:
             const Vector3<float> face = sign * edges.col(k), u = edges.col((k + 1) % 3), v = edges.col((k + 2) % 3);
             const Vector3<float> corners[] = {face + u + v, face + u - v, face - u - v, face - u + v, face + u + v};
             for (const bool filled : {true, false}) {
-                filled ? p.ink(name(look_of(shown)), 1, 0.2 + 0.6 * std::fabs(R(2, k))) : p.ink("ink", 1.5);
+                filled ? p.ink(paint, 1, 0.2 + 0.6 * std::fabs(R(2, k))) : p.ink("ink", 1.5);
                 for (const auto& at : corners) &at == corners ? p.move(at.x(), at.y()) : p.line(at.x(), at.y());
                 filled ? p.fill() : p.stroke();
             }
@@ -190,13 +212,17 @@ private:
     live::Readout frame{this, "all of them", "ms a frame"};
     live::Readout mean{this, "mean energy", "% of the start"};
     live::Readout of_shown{this, "that of the large one", "% of the start"};
-    live::Readout slowed{this, "have lost a tenth", "% of all"};
+    live::Readout slowed{this, "have lost a tenth", "% of all"}, sped{this, "have gained a tenth", "% of all"};
     live::Readout gone{this, "have blown up", "of them"};
     std::array<Price, std::tuple_size_v<decltype(solvers)>> prices = std::apply(
         [this](const auto&... each) { return std::array{Price(this, each.name)...}; }, solvers);
 
     std::array<BoxPack, most / lanes> boxes;
     std::array<BoxPack, few> apart;
+    using Turning = FirstOrder<Eigen::Matrix<Pack, 7, 1>>;
+    std::array<Turning, most / lanes> thrown;
+    Turning true_one{};
+    long true_steps = 0;  // so far it is followed
     std::array<Pack, most / lanes> at_start{}, shares{};
     std::uint32_t seed = 1;
     std::size_t shown = 0;

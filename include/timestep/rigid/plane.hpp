@@ -83,6 +83,14 @@ Motion placed(const Capsule<Inertia>& body, const Orientation& q, const V& omega
             V::Zero()};
 }
 
+/// A way to treat the torque, cut in two: this share of the step before the contacts, the rest after
+/// them, just before the body turns. 1 is where engines put all of it, 0 all of it after, ½ in halves.
+template <class Gyroscopic>
+struct AroundContacts {
+    Gyroscopic rule;    ///< that changes ω
+    double before = 0;  ///< share of the step, from 0 to 1
+};
+
 /// \cond
 namespace detail {
 // The two places in a step where the ways to treat the torque differ. All but the lagged inertia
@@ -102,6 +110,17 @@ Turning moved(const Gyroscopic&, const Inertia&, const Turning& s, double h) {
 template <class Inertia>
 Turning moved(const LaggedInertia& solver, const Inertia& inertia, const Turning& s, double h) {
     return turn(solver, inertia, s, h);
+}
+
+template <class Gyroscopic, class Inertia>
+V spun(const AroundContacts<Gyroscopic>& solver, const Inertia& inertia, const Turning& s, double h) {
+    return solver.before > 0 ? spun(solver.rule, inertia, s, solver.before * h) : s.omega;
+}
+template <class Gyroscopic, class Inertia>
+Turning moved(const AroundContacts<Gyroscopic>& solver, const Inertia& inertia, const Turning& s, double h) {
+    const double after = 1 - solver.before;
+    const V omega = after > 0 ? spun(solver.rule, inertia, s, after * h) : s.omega;
+    return moved(solver.rule, inertia, Turning{s.t, s.q, omega}, h);
 }
 
 inline Flat within(double limit, const Flat& impulse) {
