@@ -125,8 +125,8 @@ struct SymmetricInertia {
         return detail::is_positive(across_) && detail::is_positive(along_) && detail::is_triangle(across_, across_, along_);
     }
 
-    /// Moments in kg m², above zero, `along` at most 2 `across`. Throws `std::invalid_argument`. A body whose odd axis
-    /// is x or y, or known only when it is loaded, is AnyInertia's.
+    /// Moments in kg m², above zero, `along` at most 2 `across`. Throws `std::invalid_argument`. Where the odd axis
+    /// is x or y, see about(); where it is known only when the body is loaded, AnyInertia.
     SymmetricInertia(Real across_, Real along_)
         : across(positive("moment of inertia", across_)),
           along(positive("moment of inertia", along_)),
