@@ -42,7 +42,7 @@ struct SymmetricAbout {
 
 /// The body with its axis of symmetry along `axis` instead of z.
 template <Axis axis, class Real>
-SymmetricAbout<axis, Real> about(const SymmetricInertia<Real>& along_z) {
+constexpr SymmetricAbout<axis, Real> about(const SymmetricInertia<Real>& along_z) {
     return {along_z};
 }
 
