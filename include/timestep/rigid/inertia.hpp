@@ -52,7 +52,7 @@ constexpr void triangle_rule(Real a, Real b, Real c) {
 // the product is not one. (64 ε is what three cube roots may be off by, cubed.)
 template <class Real>
 bool is_comparable(Real I1, Real I2, Real I3) {
-    return std::isfinite(std::max({I1, I2, I3}) / std::min({I1, I2, I3}));
+    return is_finite_parameter(std::max({I1, I2, I3}) / std::min({I1, I2, I3}));
 }
 template <class Real>
 bool is_one(Real product) {
