@@ -2,6 +2,9 @@
 /// \file
 /// For a game with Bullet: a world whose bodies keep their spin, with any rule of this course.
 
+#include <cstddef>
+#include <vector>
+
 #include <btBulletDynamicsCommon.h>
 
 #include "rule_in_engine.hpp"
@@ -37,15 +40,7 @@ public:
     }
 
     /// One step of `h` seconds of the rule, for one body.
-    static void act(btRigidBody& body, btScalar h) {
-        if (!body.isActive() || body.isStaticOrKinematicObject()) return;
-        const btVector3& factor = body.getAngularFactor();
-        if (factor.x() != 1 || factor.y() != 1 || factor.z() != 1) return;
-        const btMatrix3x3& axes = body.getWorldTransform().getBasis();
-        Vector3<btScalar> omega = numbers(body.getAngularVelocity() * axes);  // in the body: axesᵀ ω
-        if (Rule::step(numbers(body.getInvInertiaDiagLocal()), omega, h))
-            body.setAngularVelocity(axes * btVector3(omega.x(), omega.y(), omega.z()));
-    }
+    static void act(btRigidBody& body, btScalar h) { act(body, h, Known()); }
 
 protected:
     void internalSingleStepSimulation(btScalar h) override {
@@ -58,14 +53,36 @@ protected:
     }
 
 private:
+    // What a rule has computed of a body's moments.
+    struct Known {
+        Vector3<btScalar> inverse_moments = Vector3<btScalar>::Zero();
+        decltype(Rule::body(Vector3<btScalar>())) body = Rule::body(Vector3<btScalar>::Zero().eval());
+    };
+    // `known` is that of the body that stood at its place in the step before: nearly always this one. Other moments make
+    // it anew, so that nothing need be told when bodies come and go, or change their mass.
+    static void act(btRigidBody& body, btScalar h, Known&& known) { act(body, h, known); }
+    static void act(btRigidBody& body, btScalar h, Known& known) {
+        if (!body.isActive() || body.isStaticOrKinematicObject()) return;
+        const btVector3& factor = body.getAngularFactor();
+        if (factor.x() != 1 || factor.y() != 1 || factor.z() != 1) return;
+        const btMatrix3x3& axes = body.getWorldTransform().getBasis();
+        Vector3<btScalar> omega = numbers(body.getAngularVelocity() * axes);  // in the body: axesᵀ ω
+        const Vector3<btScalar> inverse_moments = numbers(body.getInvInertiaDiagLocal());
+        if (inverse_moments != known.inverse_moments) known = {inverse_moments, Rule::body(inverse_moments)};
+        if (Rule::step(known.body, omega, h))
+            body.setAngularVelocity(axes * btVector3(omega.x(), omega.y(), omega.z()));
+    }
     void act_on_all(btScalar h) {
-        for (int i = 0; i < this->m_nonStaticRigidBodies.size(); ++i) act(*this->m_nonStaticRigidBodies[i], h);
+        known_.resize(std::size_t(this->m_nonStaticRigidBodies.size()));
+        for (int i = 0; i < this->m_nonStaticRigidBodies.size(); ++i)
+            act(*this->m_nonStaticRigidBodies[i], h, known_[std::size_t(i)]);
     }
     static void switch_off(btRigidBody& body) {
         body.setFlags(body.getFlags() & ~(BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT | BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD |
                                           BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY));
     }
     static Vector3<btScalar> numbers(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+    std::vector<Known> known_;
 };
 
 }  // namespace timestep

@@ -37,7 +37,7 @@ public:
         const FullInertia<double> inertia(I);
         dBodySetGyroscopicMode(body, 0);
         remove(body);
-        bodies_.push_back({body, Quaternion<double>(inertia.axes), inertia.principal.moments.cwiseInverse(),
+        bodies_.push_back({body, Quaternion<double>(inertia.axes), Rule::body(inertia.principal.moments.cwiseInverse().eval()),
                            orientation(body)});
     }
     /// Lets a body go, without its own term.
@@ -60,9 +60,9 @@ public:
 private:
     struct Body {
         dBodyID id;
-        Quaternion<double> axes;          // of the principal moments, in the body
-        Vector3<double> inverse_moments;  // about them, 1/(kg m²)
-        Quaternion<double> before;        // the orientation before the step
+        Quaternion<double> axes;    // of the principal moments, in the body
+        decltype(Rule::body(Vector3<double>())) known;  // what the rule has computed of them
+        Quaternion<double> before;  // the orientation before the step
     };
     static Quaternion<double> orientation(dBodyID body) {
         const dReal* q = dBodyGetQuaternion(body);
@@ -73,7 +73,7 @@ private:
         if (!dBodyIsEnabled(body.id) || dBodyIsKinematic(body.id)) return false;
         const Quaternion<double> to_world = body.before * body.axes;
         Vector3<double> w = to_world.conjugate() * spin(body.id);
-        if (!Rule::step(body.inverse_moments, w, h)) return false;
+        if (!Rule::step(body.known, w, h)) return false;
         const Vector3<double> omega = to_world * w;
         dBodySetAngularVel(body.id, dReal(omega.x()), dReal(omega.y()), dReal(omega.z()));
         return true;

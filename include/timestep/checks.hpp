@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <type_traits>
 
 #include <timestep/refuse.hpp>
@@ -24,15 +25,16 @@ template <class Real>
 /// \cond
 namespace detail {
 template <class Real>
-bool is_finite_parameter(Real value) {
+constexpr bool is_finite_parameter(Real value) {
     static_assert(!std::is_integral_v<Real>,
                   "timestep: parameters are real numbers: write 1.0 instead of 1");
-    return std::isfinite(value);
+    // What std::isfinite says, which can do so when compiling from C++23 on only.
+    return std::numeric_limits<Real>::lowest() <= value && value <= std::numeric_limits<Real>::max();
 }
 
 // Refuses the first number, of one or of a pack, for which `holds` is false.
 template <class Real, class Holds>
-const Real& ask(const char* name, const Real& value, const char* rule, const Holds& holds) {
+constexpr const Real& ask(const char* name, const Real& value, const char* rule, const Holds& holds) {
     for_each_number(
         [&](auto number) {
             if (!(is_finite_parameter(number) && holds(number))) refuse(name, number, rule);
@@ -45,19 +47,19 @@ const Real& ask(const char* name, const Real& value, const char* rule, const Hol
 
 /// A finite number.
 template <class Real>
-Real finite(const char* name, Real value) {
+constexpr Real finite(const char* name, Real value) {
     return detail::ask(name, value, "a finite number", [](auto) { return true; });
 }
 
 /// A finite number above zero.
 template <class Real>
-Real positive(const char* name, Real value) {
+constexpr Real positive(const char* name, Real value) {
     return detail::ask(name, value, "finite and greater than zero", [](auto x) { return x > 0; });
 }
 
 /// A finite number, zero or more.
 template <class Real>
-Real not_negative(const char* name, Real value) {
+constexpr Real not_negative(const char* name, Real value) {
     return detail::ask(name, value, "finite and zero or more", [](auto x) { return x >= 0; });
 }
 

@@ -15,7 +15,7 @@ inline constexpr bool is_number = std::is_arithmetic_v<X>;
 
 /// Calls `look(a, b, …)` with real numbers, or lane by lane where they are packs of them.
 template <class Look, class Real, class... More>
-void for_each_number(const Look& look, const Real& a, const More&... more) {
+constexpr void for_each_number(const Look& look, const Real& a, const More&... more) {
     if constexpr (std::is_arithmetic_v<Real>)
         look(a, more...);
     else

@@ -190,3 +190,42 @@ int main() {
     const SpinState<double> s{0, Quaternion<double>::Identity(), {1, 2, 3}};
     return symmetric_remainder_2.step(inertia, s, 0.01).omega.x() > 2;
 }
+
+// ---- world taken for body
+// A spin in the world's axes, where the inertia's are the body's.
+// error: timestep: this angular velocity is in the world's axes: hand over the orientation, too
+#include <timestep/gyroscopic/calm_half_step.hpp>
+#include <timestep/rigid/omega.hpp>
+
+using namespace timestep;
+
+int main() {
+    const PrincipalInertia<double> inertia(1, 2, 2.5);
+    const OmegaWorld<double> omega({1, 2, 3});
+#ifdef MISUSE
+    return after_gyroscopic_torque(calm_half_step, inertia, omega, 0.01).in_the_world.x() > 2;
+#else
+    const Quaternion<double> q = Quaternion<double>::Identity();
+    return after_gyroscopic_torque(calm_half_step, inertia, q, omega, 0.01).in_the_world.x() > 2;
+#endif
+}
+
+// ---- body taken for world
+// And the other way round.
+// error: timestep: this angular velocity is in the body's axes: it takes no orientation
+#include <timestep/gyroscopic/calm_half_step.hpp>
+#include <timestep/rigid/omega.hpp>
+
+using namespace timestep;
+
+int main() {
+    const PrincipalInertia<double> inertia(1, 2, 2.5);
+    const Quaternion<double> q = Quaternion<double>::Identity();
+#ifdef MISUSE
+    const OmegaBody<double> omega({1, 2, 3});
+    return after_gyroscopic_torque(calm_half_step, inertia, q, omega, 0.01).in_the_body.x() > 2;
+#else
+    const OmegaBody<double> omega = in_body(q, OmegaWorld<double>({1, 2, 3}));
+    return after_gyroscopic_torque(calm_half_step, inertia, omega, 0.01).in_the_body.x() > 2;
+#endif
+}

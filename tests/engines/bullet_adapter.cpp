@@ -91,6 +91,28 @@ TEST_CASE("Bullet's own substeps are the rule's, too", "[engines]") {
     CHECK(one.in_body().y() != tumbling.y());
 }
 
+TEST_CASE("A body in Bullet whose mass or place in the world changes has its own moments' rule", "[engines]") {
+    const btVector3 long_one(2, 3, 5), spin(1, 2, 3);
+    Alone<GyroscopicWorld<>> changed(tumbling), fresh(spin, long_one);
+    changed.steps(3);  // the world knows the brick's moments now
+    changed.body.setMassProps(12, long_one);
+    changed.body.setWorldTransform(fresh.body.getWorldTransform());
+    changed.body.updateInertiaTensor();
+    changed.body.setAngularVelocity(spin), changed.body.setInterpolationAngularVelocity(spin);
+    changed.steps(1), fresh.steps(1);
+    CHECK(same(changed.body.getAngularVelocity(), fresh.body.getAngularVelocity()));
+    CHECK(!same(changed.body.getAngularVelocity(), spin));
+    // Another body stands at its place.
+    changed.world.removeRigidBody(&changed.body);
+    btRigidBody ball(btRigidBody::btRigidBodyConstructionInfo(1, nullptr, &changed.shape, btVector3(2, 2, 2)));
+    ball.setAngularVelocity(spin), ball.setSleepingThresholds(0, 0);
+    changed.world.addRigidBody(&ball);
+    changed.steps(1);
+    CHECK(same(ball.getAngularVelocity(), spin));
+    changed.world.removeRigidBody(&ball);
+    changed.world.addRigidBody(&changed.body);
+}
+
 TEST_CASE("Where the rule has no business in Bullet, the spin stays", "[engines]") {
     const btVector3 spin(1, 2, 3);
     SECTION("a locked axis") {

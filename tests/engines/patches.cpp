@@ -88,12 +88,13 @@ TEST_CASE("Patched, Box3D keeps a box's energy for a minute; as it is, it does n
 TEST_CASE("Patched, Jolt keeps a box's energy for a minute and its tumbling; as it is, the energy is another", "[engines]") {
     keeps(engine("Jolt", "calm half-step, before"));
     keeps(engine("Jolt", "calm half-step, after"));
+    keeps(engine("Jolt", "calm half-step, halves"));
     // About its longest side, that is its least moment: Jolt's own rule takes energy from it, towards what it would have
     // about the middle axis. Patched it keeps it.
     const Vector longest(0.3, 0.3, 1);
     CHECK(minute(engine("Jolt", "as it is"), 10, longest).energy < 0.8);
     CHECK(minute(engine("Jolt", "as it is"), 10).off > 0.03);
-    for (const char* rule : {"calm half-step, before", "calm half-step, after"})
+    for (const char* rule : {"calm half-step, before", "calm half-step, halves", "calm half-step, after"})
         CHECK(std::fabs(minute(engine("Jolt", rule), 10, longest).energy - 1) < 0.02);
 }
 #endif

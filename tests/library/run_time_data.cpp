@@ -11,6 +11,7 @@
 #include <timestep/models/damped_spring.hpp>
 #include <timestep/models/spring.hpp>
 #include <timestep/rigid/shapes.hpp>
+#include <timestep/rigid/symmetric_about.hpp>
 
 using namespace timestep;
 
@@ -43,13 +44,22 @@ std::array<Real, 15> awkward() {
 
 TEMPLATE_TEST_CASE("valid() says what the constructor takes", "[library]", float, double) {
     using Real = TestType;
-    Said spring, damped, symmetric, principal, full;
+    Said spring, damped, symmetric, principal, full, uniform, rods, spheres, cubes, cylinders, capsules, staffs, boxes;
     for (const Real a : awkward<Real>()) {
         spring.compare(Spring<Real>::valid(a), [&] { Spring<Real>{a}; });
+        uniform.compare(UniformInertia<Real>::valid(a), [&] { UniformInertia<Real>{a}; });
+        rods.compare(RodInertia<Real>::valid(a), [&] { RodInertia<Real>{a}; });
         for (const Real b : awkward<Real>()) {
             damped.compare(DampedSpring<Real>::valid(a, b), [&] { DampedSpring<Real>(a, b); });
             symmetric.compare(SymmetricInertia<Real>::valid(a, b), [&] { SymmetricInertia<Real>(a, b); });
+            spheres.compare(valid_sphere(a, b), [&] { sphere(a, b); });
+            cubes.compare(valid_cube(a, b), [&] { cube(a, b); });
+            rods.compare(valid_rod(a, b), [&] { rod(a, b); });
             for (const Real c : awkward<Real>()) {
+                cylinders.compare(valid_cylinder(a, b, c), [&] { cylinder(a, b, c); });
+                capsules.compare(valid_capsule(a, b, c), [&] { capsule(a, b, c); });
+                staffs.compare(valid_staff(a, b, c), [&] { staff(a, b, c); });
+                for (const Real d : awkward<Real>()) boxes.compare(valid_box(a, b, c, d), [&] { box(a, b, c, d); });
                 principal.compare(PrincipalInertia<Real>::valid(a, b, c), [&] { PrincipalInertia<Real>(a, b, c); });
                 const Matrix3<Real> I = Vector3<Real>(a, b, c).asDiagonal();
                 full.compare(FullInertia<Real>::valid(I), [&] { FullInertia<Real>{I}; });
@@ -77,13 +87,22 @@ TEMPLATE_TEST_CASE("valid() says what the constructor takes", "[library]", float
                           [&] { PrincipalInertia<Real>(p.x(), p.y(), p.z()); });
     }
     // Neither answer was given by rote.
-    for (const Said& said : {spring, damped, symmetric, principal, full}) {
+    for (const Said& said : {spring, damped, symmetric, principal, full, uniform, rods, spheres, cubes, cylinders, capsules, staffs, boxes}) {
         CHECK(said.yes >= 5);
         CHECK(said.no >= 5);
     }
     CHECK(full.yes >= 1000);
     CHECK(full.no >= 1000);
 }
+
+// Known when compiling: a game's tables of bodies cost nothing when it starts.
+static_assert(Spring(3.0).slope_x() == -9 && DampedSpring(3.0, 0.5).acceleration(1.0, 2.0) == -15);
+static_assert(Spring<float>::valid(3) && !Spring<float>::valid(-3) && !DampedSpring<double>::valid(-1, 0));
+static_assert(sphere(5.0, 1.0).moment == 2 && cube(6.0, 1.0).moment == 1 && rod(12.0f, 1.0f).moment == 1);
+static_assert(cylinder(12.0, 1.0, 3.0).across == 12 && cylinder(12.0, 1.0, 3.0).along == 6);
+static_assert(about<Axis::y>(staff(12.0, 2.0, 1.0)).about_z.across == 5 && capsule(1.0, 0.1, 0.5).wobble < 0);
+static_assert(valid_capsule(1.0, 0.1, 0.5) && !valid_capsule(1.0, 0.0, 0.5) && !valid_sphere(1.0f, 1e-30f));
+static_assert(!UniformInertia<double>::valid(0) && !SymmetricInertia<double>::valid(1, 3));
 
 TEST_CASE("a box by its half extents is the box of twice as much", "[library]") {
     const PrincipalInertia<double> half = box_of_half_extents(12.0, 0.5, 1.0, 1.5), whole = box(12.0, 1.0, 2.0, 3.0);

@@ -1,5 +1,5 @@
 # Counts instructions a step: cmake -DSTEPS=program -DSPINS=program -DTERMS=program -DKINDS=program
-#     -DVALGRIND=… -DOUT=folder [-DHOLD=ON] [-DCOUNTED=folder] -P count.cmake
+#     -DPLAIN=program -DVALGRIND=… -DOUT=folder [-DHOLD=ON] [-DCOUNTED=folder] -P count.cmake
 # Two runs of different length are counted; what start and end cost drops out of the difference. Where
 # COUNTED, the OUT of an earlier run, is younger than the programs, its numbers are taken and nothing is
 # counted. With HOLD, fails where the library takes more than 1.05 times the hand-written loop, or semi-implicit
@@ -20,7 +20,7 @@ endfunction()
 # The same programs count the same: nothing is counted anew for what was only built again.
 if(NOT HOLD)
   set(made_from "${VALGRIND}\n")
-  foreach(file IN ITEMS "${STEPS}" "${SPINS}" "${TERMS}" "${KINDS}" "${CMAKE_CURRENT_LIST_FILE}"
+  foreach(file IN ITEMS "${STEPS}" "${SPINS}" "${TERMS}" "${KINDS}" "${PLAIN}" "${CMAKE_CURRENT_LIST_FILE}"
       "${CMAKE_CURRENT_LIST_DIR}/leave_out.cmake")
     file(SHA256 "${file}" sum)
     string(APPEND made_from "${sum}\n")
@@ -38,7 +38,7 @@ endif()
 # Instructions that `what` takes in `per` steps, the number called `name`: a run of twice as many steps less
 # one of `few`.
 set(counted_before ON)
-foreach(program "${STEPS}" "${SPINS}" "${TERMS}" "${KINDS}")
+foreach(program "${STEPS}" "${SPINS}" "${TERMS}" "${KINDS}" "${PLAIN}")
   if(NOT COUNTED OR NOT EXISTS "${COUNTED}/done" OR "${program}" IS_NEWER_THAN "${COUNTED}/done")
     set(counted_before OFF)
   endif()
@@ -145,15 +145,56 @@ foreach(body ball capsule box any)
   string(APPEND gyroscopic_table "\n")
 endforeach()
 include("${CMAKE_CURRENT_LIST_DIR}/leave_out.cmake")
+
+# The plain functions of gyroscopic.h beside the library's templates, and Bullet's own rule where Bullet is installed.
+set(plain_table "spin in the world, orientation at hand\tplain function\tlibrary's template\tBullet's own\n")
+set(name_passive "passive")
+set(name_half_step "half-step Jacobian")
+set(name_calm "calm half-step")
+set(bullet_own "")
+if(VALGRIND)
+  execute_process(COMMAND "${PLAIN}" bullet own 1 RESULT_VARIABLE no_bullet OUTPUT_QUIET ERROR_QUIET)
+  if(no_bullet EQUAL 0)
+    instructions("${PLAIN}" "bullet;own" bullet_own 1000 1 bullet_own)
+  endif()
+endif()
+note_number(${CMAKE_CURRENT_LIST_LINE} "bullet_own" "${bullet_own}" "instructions a step")
+foreach(rule passive half_step calm)
+  foreach(whose functions library)
+    set(${whose} "")
+    if(VALGRIND)
+      instructions("${PLAIN}" "${whose};${rule}" ${whose}_${rule} 1000 1 ${whose})
+    endif()
+    note_number(${CMAKE_CURRENT_LIST_LINE} "${whose}_${rule}" "${${whose}}" "instructions a step")
+  endforeach()
+  set(bullets "")
+  if(rule STREQUAL "half_step")  # the same formula, but for h/2
+    set(bullets "${bullet_own}")
+  endif()
+  string(APPEND plain_table "${name_${rule}}\t${functions}\t${library}\t${bullets}\n")
+  if(HOLD AND VALGRIND)
+    math(EXPR left "100 * ${functions}")
+    math(EXPR right "130 * ${library}")
+    if(left GREATER right)
+      message(SEND_ERROR "${rule}: the plain function takes ${functions} instructions, the template ${library}")
+    endif()
+    math(EXPR left "3 * ${functions}")
+    math(EXPR right "2 * ${bullet_own} + 0")
+    if(bullet_own AND left GREATER right)
+      message(SEND_ERROR "${rule}: the plain function takes ${functions} instructions, Bullet's own ${bullet_own}")
+    endif()
+  endif()
+endforeach()
 file(WRITE "${OUT}/numbers.tsv" "${numbers}")  # without valgrind, without values
 file(WRITE "${OUT}/checks.tsv" "name\tstatement\n")
 if(VALGRIND)
-  message(NOTICE "${methods_table}${scenes_table}${gyroscopic_table}${terms_table}${kinds_table}")
+  message(NOTICE "${methods_table}${scenes_table}${gyroscopic_table}${terms_table}${kinds_table}${plain_table}")
   write_table(${CMAKE_CURRENT_LIST_LINE} instructions.tsv "${methods_table}")
   write_table(${CMAKE_CURRENT_LIST_LINE} scenes.tsv "${scenes_table}")
   write_table(${CMAKE_CURRENT_LIST_LINE} gyroscopic.tsv "${gyroscopic_table}")
   write_table(${CMAKE_CURRENT_LIST_LINE} terms.tsv "${terms_table}")
   write_table(${CMAKE_CURRENT_LIST_LINE} kinds.tsv "${kinds_table}")
+  write_table(${CMAKE_CURRENT_LIST_LINE} plain.tsv "${plain_table}")
 endif()
 file(WRITE "${OUT}/places.tsv" "${places}")
 if(NOT HOLD)

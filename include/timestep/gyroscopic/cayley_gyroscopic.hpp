@@ -60,6 +60,14 @@ struct CayleyGyroscopic {
         return passive_gyroscopic.step(inertia, omega, h);
     }
 
+    /// The same with another odd axis.
+    template <Axis axis, class Real>
+    TIMESTEP_INLINE
+    Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia, const Vector3<Real>& omega,
+                       Real h) const noexcept {
+        return inertia.from_z(step(inertia.about_z, inertia.to_z(omega), h));
+    }
+
     /// The same in any axes: there and back by way of the principal ones.
     template <class Real>
     Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega, Real h) const noexcept {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include <timestep/rigid/inertia.hpp>
+#include <timestep/rigid/symmetric_about.hpp>
 #include <timestep/rigid/solve3.hpp>
 
 namespace timestep {
@@ -52,6 +52,14 @@ struct ConvergedGyroscopic {
         const Real share = 1 / (1 + angle * angle);
         return {share * (omega.x() - angle * omega.y()), share * (omega.y() + angle * omega.x()),
                 omega.z()};
+    }
+
+    /// The same with another odd axis.
+    template <Axis axis, class Real>
+    TIMESTEP_INLINE
+    Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia, const Vector3<Real>& omega,
+                       Real h) const {
+        return inertia.from_z(step(inertia.about_z, inertia.to_z(omega), h));
     }
 
     /// The same in any axes: there and back by way of the principal ones.

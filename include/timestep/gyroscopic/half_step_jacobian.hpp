@@ -65,6 +65,14 @@ struct HalfStepJacobian {
                        Real h) const noexcept {
         return passive_gyroscopic.step(inertia, omega, h);
     }
+
+    /// The same with another odd axis.
+    template <Axis axis, class Real>
+    TIMESTEP_INLINE
+    Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia, const Vector3<Real>& omega,
+                       Real h) const noexcept {
+        return inertia.from_z(step(inertia.about_z, inertia.to_z(omega), h));
+    }
 };
 
 inline constexpr HalfStepJacobian half_step_jacobian;  ///< the method as a value

@@ -3,7 +3,7 @@
 /// The talk's solver: implicit Euler on the gyroscopic torque, one Newton-Raphson iteration.
 
 #include <timestep/inline.hpp>
-#include <timestep/rigid/inertia.hpp>
+#include <timestep/rigid/symmetric_about.hpp>
 #include <timestep/rigid/solve3.hpp>
 
 namespace timestep {
@@ -68,6 +68,14 @@ struct ImplicitGyroscopic {
                 omega.z()};
     }
     /// [symmetric]
+
+    /// The same with another odd axis.
+    template <Axis axis, class Real>
+    TIMESTEP_INLINE
+    Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia, const Vector3<Real>& omega,
+                       Real h) const noexcept {
+        return inertia.from_z(step(inertia.about_z, inertia.to_z(omega), h));
+    }
 };
 
 inline constexpr ImplicitGyroscopic implicit_gyroscopic;  ///< the method as a value

@@ -3,7 +3,7 @@
 /// A gyroscopic step that never adds energy: for engines where a rule can only act before the contacts.
 
 #include <timestep/inline.hpp>
-#include <timestep/rigid/inertia.hpp>
+#include <timestep/rigid/symmetric_about.hpp>
 
 namespace timestep {
 
@@ -70,6 +70,14 @@ struct PassiveGyroscopic {
         return {x - t * y, y, omega.z()};
     }
     /// [symmetric]
+
+    /// The same with another odd axis.
+    template <Axis axis, class Real>
+    TIMESTEP_INLINE
+    Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia, const Vector3<Real>& omega,
+                       Real h) const noexcept {
+        return inertia.from_z(step(inertia.about_z, inertia.to_z(omega), h));
+    }
 
     /// The same in any axes: there and back by way of the principal ones.
     template <class Real>

@@ -57,11 +57,6 @@ static inline TIMESTEP_BODY TIMESTEP_NAME(gyroscopic_from_inverse_moments)(TIMES
 TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_on_axis)(const TIMESTEP_REAL w[3]) {
     return w[0] == 0 ? w[1] == 0 || w[2] == 0 : w[1] == 0 && w[2] == 0;
 }
-// The same the other way round, of numbers: one comparison each where == takes two.
-TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_off_axis)(const TIMESTEP_REAL w[3]) {
-    const TIMESTEP_REAL x = TIMESTEP_NAME(fabs)(w[0]), y = TIMESTEP_NAME(fabs)(w[1]), z = TIMESTEP_NAME(fabs)(w[2]);
-    return x > 0 ? y > 0 || z > 0 : y > 0 && z > 0;
-}
 TIMESTEP_C_INLINE int TIMESTEP_NAME(gyroscopic_idle)(const TIMESTEP_BODY* body, const TIMESTEP_REAL omega[3]) {
     return body->kind == 0 || TIMESTEP_NAME(timestep_on_axis)(omega) || (body->kind == 1 && omega[body->odd] == 0);
 }
@@ -76,7 +71,7 @@ TIMESTEP_C_INLINE TIMESTEP_REAL TIMESTEP_NAME(timestep_scaled)(const TIMESTEP_RE
 }
 
 // The rules are homogeneous: a step of h with ω is a step of ch with ω/c, times c. So ω and h can be brought to where no
-// product overflows. Are they there already, as in every game? (Where not, taming() finds whether they really are not.)
+// product overflows. Are they there already?
 TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_tame)(const TIMESTEP_BODY* body, const TIMESTEP_REAL w[3],
                                                   TIMESTEP_REAL h) {
     return TIMESTEP_NAME(fabs)(h) <= 1 &&
@@ -100,7 +95,7 @@ static inline TIMESTEP_REAL TIMESTEP_NAME(timestep_taming)(const TIMESTEP_BODY* 
 // Two equal moments: a turn about the odd axis, in three shears (PassiveGyroscopic).
 TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_symmetric)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
                                                         TIMESTEP_REAL h) {
-    const int k = body->odd, i = (k + 1) % 3, j = (k + 2) % 3;
+    const int k = body->odd, i = k < 2 ? k + 1 : 0, j = 3 - k - i;
     const TIMESTEP_REAL u = h / 2 * body->ratio[i] * w[k];
     const TIMESTEP_REAL p = u * u / 3;
     const TIMESTEP_REAL t = u / (1 - p + p * p);
@@ -123,8 +118,9 @@ TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_passive)(const TIMESTEP_BODY* body
     w[2] = share * z - a2 * x * (share * y) + l_l * U[2] * (share * z);
 }
 
+// With `singular` equations that have no solution leave ω as it is; without, they give what is no number.
 TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_half_step)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
-                                                        TIMESTEP_REAL h) {
+                                                        TIMESTEP_REAL h, int singular) {
     const TIMESTEP_REAL half = h / 2;
     const TIMESTEP_REAL a0 = half * body->ratio[0], a1 = half * body->ratio[1], a2 = half * body->ratio[2];
     const TIMESTEP_REAL x = w[0], y = w[1], z = w[2];
@@ -135,7 +131,7 @@ TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_half_step)(const TIMESTEP_BODY* bo
     const TIMESTEP_REAL ca0 = cy * az - ay, ca1 = 1 - cx * az, ca2 = cx * ay - cy;
     const TIMESTEP_REAL ab0 = ay * bz - az, ab1 = az * bx - bz, ab2 = 1 - ay * bx;
     const TIMESTEP_REAL volume = bc0 + (ay * bc1 + az * bc2);
-    const TIMESTEP_REAL share = volume != 0 ? 1 / volume : 0;
+    const TIMESTEP_REAL share = singular && volume == 0 ? 0 : 1 / volume;
     w[0] = x - share * (r0 * bc0 + (r1 * bc1 + r2 * bc2));
     w[1] = y - share * (r0 * ca0 + (r1 * ca1 + r2 * ca2));
     w[2] = z - share * (r0 * ab0 + (r1 * ab1 + r2 * ab2));
@@ -147,65 +143,88 @@ TIMESTEP_C_INLINE TIMESTEP_REAL TIMESTEP_NAME(timestep_energy)(const TIMESTEP_BO
     return body->unit[0] * (x * x) + (body->unit[1] * (y * y) + body->unit[2] * (z * z));
 }
 
+// The square of the angle by which ω circles in a step, or more.
+TIMESTEP_C_INLINE TIMESTEP_REAL TIMESTEP_NAME(timestep_circled2)(const TIMESTEP_BODY* body, const TIMESTEP_REAL w[3],
+                                                                TIMESTEP_REAL h) {
+    const TIMESTEP_REAL x = h * w[0], y = h * w[1], z = h * w[2];
+    return body->circling[0] * (x * x) + (body->circling[1] * (y * y) + body->circling[2] * (z * z));
+}
+// Scales ω to the energy that it had before; in parts of a step, whose angles are such that their squares are numbers.
+TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_scale_back)(const TIMESTEP_BODY* body, const TIMESTEP_REAL before[3],
+                                                         TIMESTEP_REAL w[3], TIMESTEP_REAL part) {
+    const TIMESTEP_REAL E1 = TIMESTEP_NAME(timestep_energy)(body, before, part);
+    const TIMESTEP_REAL E2 = TIMESTEP_NAME(timestep_energy)(body, w, part);
+    const TIMESTEP_REAL share = E2 > 0 ? (E1 - E2) / (E2 + TIMESTEP_NAME(sqrt)(E1 * E2)) : 0;
+    w[0] = w[0] + share * w[0];
+    w[1] = w[1] + share * w[1];
+    w[2] = w[2] + share * w[2];
+}
 TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_calm_half_step)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
                                                              TIMESTEP_REAL h) {
-    const TIMESTEP_REAL x = h * w[0], y = h * w[1], z = h * w[2];
-    const TIMESTEP_REAL circled2 =
-        body->circling[0] * (x * x) + (body->circling[1] * (y * y) + body->circling[2] * (z * z));
-    TIMESTEP_REAL part = h, parts = 1, n, E1, E2, share;
-    TIMESTEP_REAL before[3];
+    const TIMESTEP_REAL circled2 = TIMESTEP_NAME(timestep_circled2)(body, w, h);
+    TIMESTEP_REAL part = h, parts = 1, n, before[3];
     before[0] = w[0], before[1] = w[1], before[2] = w[2];
     if (circled2 > TIMESTEP_NUMBER(0.25)) {  // half a radian
         const TIMESTEP_REAL wanted = TIMESTEP_NAME(ceil)(TIMESTEP_NAME(sqrt)(circled2) / TIMESTEP_NUMBER(0.5));
         part = h / wanted;
         parts = wanted < 32 ? wanted : 32;
     }
-    for (n = 0; n < parts; n += 1) TIMESTEP_NAME(timestep_half_step)(body, w, part);
-    E1 = TIMESTEP_NAME(timestep_energy)(body, before, part);
-    E2 = TIMESTEP_NAME(timestep_energy)(body, w, part);
-    share = E2 > 0 ? (E1 - E2) / (E2 + TIMESTEP_NAME(sqrt)(E1 * E2)) : 0;
-    w[0] = w[0] + share * w[0];
-    w[1] = w[1] + share * w[1];
-    w[2] = w[2] + share * w[2];
+    for (n = 0; n < parts; n += 1) TIMESTEP_NAME(timestep_half_step)(body, w, part, 1);
+    TIMESTEP_NAME(timestep_scale_back)(body, before, w, part);
 }
 
-// The rule of this number. (No pointer to a function: some compilers then cannot inline what they are told to.)
-TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_rule)(int rule, const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
-                                                   TIMESTEP_REAL h) {
-    if (rule == 0)
-        TIMESTEP_NAME(timestep_passive)(body, w, h);
-    else if (rule == 1)
-        TIMESTEP_NAME(timestep_half_step)(body, w, h);
-    else
-        TIMESTEP_NAME(timestep_calm_half_step)(body, w, h);
-}
-// What is rare: two equal moments, and numbers to be tamed.
-TIMESTEP_C_RARE int TIMESTEP_NAME(timestep_take_with_care)(int rule, const TIMESTEP_BODY* body,
-                                                         TIMESTEP_REAL w[3], TIMESTEP_REAL h) {
+// The long way, for any numbers. (No pointer to a function for the rule: some compilers then cannot inline what they are
+// told to.) Has ω changed?
+TIMESTEP_C_APART int TIMESTEP_NAME(timestep_take_with_care)(int rule, const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
+                                                          TIMESTEP_REAL h) {
     TIMESTEP_REAL c;
     if (h == 0 || TIMESTEP_NAME(gyroscopic_idle)(body, w)) return 0;
-    c = TIMESTEP_NAME(timestep_taming)(body, w, &h);
+    c = TIMESTEP_NAME(timestep_tame)(body, w, h) ? 1 : TIMESTEP_NAME(timestep_taming)(body, w, &h);
     if (c == 0) return 0;
     if (body->kind == 1)
         TIMESTEP_NAME(timestep_symmetric)(body, w, h);
+    else if (rule == 0)
+        TIMESTEP_NAME(timestep_passive)(body, w, h);
+    else if (rule == 1)
+        TIMESTEP_NAME(timestep_half_step)(body, w, h, 1);
     else
-        TIMESTEP_NAME(timestep_rule)(rule, body, w, h);
+        TIMESTEP_NAME(timestep_calm_half_step)(body, w, h);
     w[0] *= c, w[1] *= c, w[2] *= c;
     return 1;
 }
 
-// A rule with all that every rule asks before and does after. Has ω changed?
-TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_take)(int rule, const TIMESTEP_BODY* body,
-                                                   TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
-    TIMESTEP_REAL w[3];  // a copy, which may stay in registers
-    if (body->kind != 2) return body->kind == 0 ? 0 : TIMESTEP_NAME(timestep_take_with_care)(rule, body, omega, h);
+// A rule with all that every rule asks before and after. Was that enough?
+//
+// The short way takes its formula and looks whether the result is a number: if no product overflows, it is; and a passive
+// step that divides by infinity makes nothing of ω, or no number. What is asked before is what the formula would round:
+// about a principal axis a half step gives back every bit, and so does the scaling, but the passive step does not.
+TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_take_short)(int rule, const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
+                                                        TIMESTEP_REAL h) {
+    TIMESTEP_REAL before[3], size;
+    before[0] = w[0], before[1] = w[1], before[2] = w[2];
+    if (body->kind != 2) return 0;
+    if (rule == 0) {
+        if (w[0] * w[1] == 0 && TIMESTEP_NAME(timestep_on_axis)(w)) return 0;
+        TIMESTEP_NAME(timestep_passive)(body, w, h);
+    } else {
+        if (rule == 2 && !(TIMESTEP_NAME(timestep_circled2)(body, w, h) <= TIMESTEP_NUMBER(0.25))) return 0;
+        TIMESTEP_NAME(timestep_half_step)(body, w, h, 0);
+        if (rule == 2) TIMESTEP_NAME(timestep_scale_back)(body, before, w, h);
+    }
+    TIMESTEP_C_ALONE(w[0]);
+    TIMESTEP_C_ALONE(w[1]);
+    TIMESTEP_C_ALONE(w[2]);
+    size = TIMESTEP_NAME(fabs)(w[0] + w[1] + w[2]);
+    return size <= TIMESTEP_LARGEST && (rule != 0 || size > 0);
+}
+TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_take)(int rule, const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3],
+                                                   TIMESTEP_REAL h) {
+    TIMESTEP_REAL w[3];
     w[0] = omega[0], w[1] = omega[1], w[2] = omega[2];
-    if (!TIMESTEP_NAME(timestep_tame)(body, w, h))
-        return TIMESTEP_NAME(timestep_take_with_care)(rule, body, omega, h);
-    if (!TIMESTEP_NAME(timestep_off_axis)(w)) return 0;
-    TIMESTEP_NAME(timestep_rule)(rule, body, w, h);
-    omega[0] = w[0], omega[1] = w[1], omega[2] = w[2];
-    return 1;
+    if (TIMESTEP_NAME(timestep_take_short)(rule, body, w, h))
+        omega[0] = w[0], omega[1] = w[1], omega[2] = w[2];
+    else if (body->kind != 0)
+        TIMESTEP_NAME(timestep_take_with_care)(rule, body, omega, h);
 }
 
 // Rounded, R is no exact rotation: only the change of ω goes back through it (after_gyroscopic_torque()).
@@ -223,12 +242,24 @@ TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_take_in_world)(int rule, const TIM
     TIMESTEP_REAL y = R01 * omega[0] + R11 * omega[1] + R21 * omega[2];
     TIMESTEP_REAL z = R02 * omega[0] + R12 * omega[1] + R22 * omega[2];
     TIMESTEP_REAL w[3];
+    TIMESTEP_C_ALONE(x);
+    TIMESTEP_C_ALONE(y);
+    TIMESTEP_C_ALONE(z);
     w[0] = x, w[1] = y, w[2] = z;
-    if (!TIMESTEP_NAME(timestep_take)(rule, body, w, h)) return;
+    if (!TIMESTEP_NAME(timestep_take_short)(rule, body, w, h)) {
+        TIMESTEP_REAL slow[3];  // w stays in registers, as nobody else is told where it is
+        slow[0] = x, slow[1] = y, slow[2] = z;
+        if (!TIMESTEP_NAME(timestep_take_with_care)(rule, body, slow, h)) return;
+        w[0] = slow[0], w[1] = slow[1], w[2] = slow[2];
+    }
     x = w[0] - x, y = w[1] - y, z = w[2] - z;
-    omega[0] += R00 * x + R01 * y + R02 * z;
-    omega[1] += R10 * x + R11 * y + R12 * z;
-    omega[2] += R20 * x + R21 * y + R22 * z;
+    w[0] = omega[0] + (R00 * x + R01 * y + R02 * z);
+    w[1] = omega[1] + (R10 * x + R11 * y + R12 * z);
+    w[2] = omega[2] + (R20 * x + R21 * y + R22 * z);
+    TIMESTEP_C_ALONE(w[0]);
+    TIMESTEP_C_ALONE(w[1]);
+    TIMESTEP_C_ALONE(w[2]);
+    omega[0] = w[0], omega[1] = w[1], omega[2] = w[2];
 }
 
 static inline void TIMESTEP_NAME(gyroscopic_passive)(const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {

@@ -19,20 +19,21 @@ struct DampedSpring {
     Real zeta;   ///< damping ratio, no unit
 
     /// What the constructor takes, and without an exception.
-    static bool valid(Real omega_, Real zeta_) noexcept {
-        return std::isfinite(omega_) && omega_ >= 0 && std::isfinite(omega_ * omega_) && std::isfinite(zeta_) &&
-               zeta_ >= 0 && std::isfinite(2 * zeta_ * omega_);
+    static constexpr bool valid(Real omega_, Real zeta_) noexcept {
+        using detail::is_finite_parameter;
+        return is_finite_parameter(omega_) && omega_ >= 0 && is_finite_parameter(omega_ * omega_) &&
+               is_finite_parameter(zeta_) && zeta_ >= 0 && is_finite_parameter(2 * zeta_ * omega_);
     }
 
     /// `omega` in rad/s and `zeta`, both zero or more; ω² and 2ζω finite.
     /// Throws `std::invalid_argument`.
-    DampedSpring(Real omega_, Real zeta_)
+    constexpr DampedSpring(Real omega_, Real zeta_)
         : omega(not_negative("omega", omega_)), zeta(not_negative("zeta", zeta_)) {
         for_each_number(
             [](auto w, auto z) {
-                if (!std::isfinite(w * w))
+                if (!detail::is_finite_parameter(w * w))
                     refuse("omega", w, "small enough that its square is finite");
-                if (!std::isfinite(2 * z * w))
+                if (!detail::is_finite_parameter(2 * z * w))
                     refuse("zeta", z, "small enough that 2 zeta omega is finite");
             },
             omega, zeta);
@@ -50,13 +51,13 @@ struct DampedSpring {
     /// −ω² x − 2ζω v, m/s²
     /// [model]
     template <class X>
-    X acceleration(const X& x, const X& v) const {
+    constexpr X acceleration(const X& x, const X& v) const {
         return -omega * omega * x - 2 * zeta * omega * v;
     }
     /// [model]
 
-    Real slope_x() const { return -omega * omega; }     ///< ∂a/∂x, 1/s²
-    Real slope_v() const { return -2 * zeta * omega; }  ///< ∂a/∂v, 1/s
+    constexpr Real slope_x() const { return -omega * omega; }     ///< ∂a/∂x, 1/s²
+    constexpr Real slope_v() const { return -2 * zeta * omega; }  ///< ∂a/∂v, 1/s
 
     /// The exact state a time `t` after `start`, for every ζ.
     template <class X>

@@ -18,13 +18,15 @@ struct Spring {
     Real omega;  ///< angular frequency, rad/s
 
     /// What the constructor takes, and without an exception.
-    static bool valid(Real omega_) noexcept { return std::isfinite(omega_) && omega_ >= 0 && std::isfinite(omega_ * omega_); }
+    static constexpr bool valid(Real omega_) noexcept {
+        return omega_ >= 0 && detail::is_finite_parameter(omega_) && detail::is_finite_parameter(omega_ * omega_);
+    }
 
     /// `omega` in rad/s, zero or more, its square finite. Throws `std::invalid_argument`.
-    explicit Spring(Real omega_) : omega(not_negative("omega", omega_)) {
+    explicit constexpr Spring(Real omega_) : omega(not_negative("omega", omega_)) {
         for_each_number(
             [](auto w) {
-                if (!std::isfinite(w * w))
+                if (!detail::is_finite_parameter(w * w))
                     refuse("omega", w, "small enough that its square is finite");
             },
             omega);
@@ -40,13 +42,13 @@ struct Spring {
     /// −ω² x, m/s²
     /// [model]
     template <class X>
-    X acceleration(const X& x) const {
+    constexpr X acceleration(const X& x) const {
         return -omega * omega * x;
     }
     /// [model]
 
     /// ∂a/∂x = −ω², everywhere the same.
-    Real slope_x() const { return -omega * omega; }
+    constexpr Real slope_x() const { return -omega * omega; }
 
     /// Energy per unit of mass, m²/s²: kinetic ½v² and stored ½ω²x².
     template <class X>

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <variant>
 
-#include <timestep/rigid/inertia.hpp>
+#include <timestep/rigid/symmetric_about.hpp>
 
 namespace timestep {
 
@@ -31,51 +32,42 @@ public:
     }
 
     /// Moments about x, y and z, kg m², as PrincipalInertia takes them. Throws `std::invalid_argument`.
-    explicit AnyInertia(const Vector3<Real>& moments) : odd_(odd_axis(moments)), kind_(picked(moments, odd_)) {}
+    explicit AnyInertia(const Vector3<Real>& moments) : kind_(picked(moments)) {}
 
-    /// Which kind was picked: UniformInertia, SymmetricInertia or PrincipalInertia.
-    const std::variant<UniformInertia<Real>, SymmetricInertia<Real>, PrincipalInertia<Real>>& kind() const {
-        return kind_;
-    }
-    /// The axis of the odd moment, 0, 1 or 2, of a symmetric body; otherwise 2.
-    int odd() const { return odd_; }
+    /// What may be picked.
+    using Kind = std::variant<UniformInertia<Real>, SymmetricAbout<Axis::x, Real>, SymmetricAbout<Axis::y, Real>,
+                              SymmetricInertia<Real>, PrincipalInertia<Real>>;
+    /// Which was.
+    const Kind& kind() const { return kind_; }
 
     /// One gyroscopic step by `solver`, `omega` in the body's axes, rad/s, with the formula of the kind.
     template <class Gyroscopic>
     Vector3<Real> step(const Gyroscopic& solver, const Vector3<Real>& omega, Real h) const {
-        return std::visit([&](const auto& inertia) { return step(solver, inertia, omega, h); }, kind_);
+        return std::visit(
+            [&](const auto& inertia) -> Vector3<Real> {
+                if constexpr (std::decay_t<decltype(inertia)>::gyroscopic)
+                    return solver.step(inertia, omega, h);
+                else
+                    return omega;
+            },
+            kind_);
     }
 
 private:
-    template <class Gyroscopic, class Inertia>
-    Vector3<Real> step(const Gyroscopic& solver, const Inertia& inertia, const Vector3<Real>& omega, Real h) const {
-        if constexpr (!Inertia::gyroscopic) {
-            return omega;
-        } else {  // a cyclic change of axes brings the odd one to z, and back
-            const int i = (odd_ + 1) % 3, j = (odd_ + 2) % 3;
-            const Vector3<Real> after = solver.step(inertia, Vector3<Real>(omega[i], omega[j], omega[odd_]), h);
-            Vector3<Real> back;
-            back[i] = after.x(), back[j] = after.y(), back[odd_] = after.z();
-            return back;
-        }
-    }
     static bool equal(Real a, Real b) {
         return std::abs(a - b) <= 8 * std::numeric_limits<Real>::epsilon() * std::max(a, b);
     }
-    static int odd_axis(const Vector3<Real>& I) {
-        return equal(I.x(), I.y()) ? 2 : equal(I.y(), I.z()) ? 0 : equal(I.z(), I.x()) ? 1 : 2;
-    }
-    static std::variant<UniformInertia<Real>, SymmetricInertia<Real>, PrincipalInertia<Real>> picked(
-        const Vector3<Real>& I, int odd) {
+    static Kind picked(const Vector3<Real>& I) {
         const PrincipalInertia<Real> checked(I.x(), I.y(), I.z());  // refuses what is none
-        const Real across = I[(odd + 1) % 3];
-        if (!equal(across, I[(odd + 2) % 3])) return checked;
-        if (equal(across, I[odd])) return UniformInertia<Real>(across);
-        return SymmetricInertia<Real>(across, I[odd]);
+        const bool xy = equal(I.x(), I.y()), yz = equal(I.y(), I.z()), zx = equal(I.z(), I.x());
+        if (xy && zx) return UniformInertia<Real>(I.x());
+        if (xy) return SymmetricInertia<Real>(I.x(), I.z());
+        if (yz) return about<Axis::x>(SymmetricInertia<Real>(I.y(), I.x()));
+        if (zx) return about<Axis::y>(SymmetricInertia<Real>(I.z(), I.y()));
+        return checked;
     }
 
-    int odd_;
-    std::variant<UniformInertia<Real>, SymmetricInertia<Real>, PrincipalInertia<Real>> kind_;
+    Kind kind_;
 };
 
 }  // namespace timestep

@@ -20,62 +20,25 @@
 
 namespace timestep {
 
-/// The same moment about every axis: Iω points along ω, and the gyroscopic torque vanishes (N41).
-template <class Real>
-struct UniformInertia {
-    using Scalar = Real;                        ///< the real number type
-    static constexpr bool gyroscopic = false;  ///< has the body a gyroscopic torque at all?
-    Real moment;                               ///< about any axis, kg m²
-
-    /// `moment` in kg m², above zero. Throws `std::invalid_argument`.
-    explicit UniformInertia(Real moment_) : moment(positive("moment of inertia", moment_)) {}
-
-    /// Angular momentum Iω, kg m²/s.
-    Vector3<Real> momentum(const Vector3<Real>& omega) const { return moment * omega; }
-    /// The angular velocity of the angular momentum L, I⁻¹L, rad/s.
-    Vector3<Real> velocity(const Vector3<Real>& L) const { return L / moment; }
-};
-
-/// A line of mass along the body's z axis. It has no moment about that axis and cannot be said to
-/// spin about it: that component of ω is always zero, and with it the gyroscopic torque.
-template <class Real>
-struct RodInertia {
-    using Scalar = Real;                        ///< the real number type
-    static constexpr bool gyroscopic = false;  ///< ω × Iω = 0 while ω_z = 0
-    Real moment;                               ///< about any axis across the rod, kg m²
-
-    /// `moment` in kg m², above zero. Throws `std::invalid_argument`.
-    explicit RodInertia(Real moment_) : moment(positive("moment of inertia", moment_)) {}
-
-    /// Angular momentum Iω, kg m²/s.
-    Vector3<Real> momentum(const Vector3<Real>& omega) const {
-        return {moment * omega.x(), moment * omega.y(), Real(0)};
-    }
-    /// The angular velocity of the angular momentum L, rad/s; what L has along the rod is dropped.
-    Vector3<Real> velocity(const Vector3<Real>& L) const {
-        return {L.x() / moment, L.y() / moment, Real(0)};
-    }
-};
-
 /// \cond
 namespace detail {
 template <class Real>
-bool is_positive(Real I) {
-    return std::isfinite(I) && I > 0;
+constexpr bool is_positive(Real I) {
+    return is_finite_parameter(I) && I > 0;
 }
 
 // Mass is never negative, so no moment exceeds the sum of the other two: with moments
 // ∫(y² + z²), ∫(z² + x²), ∫(x² + y²) the difference is twice ∫x², ∫y² or ∫z². An exact plate has
 // equality, so roundoff is allowed for.
 template <class Real>
-bool is_triangle(Real I1, Real I2, Real I3) {
+constexpr bool is_triangle(Real I1, Real I2, Real I3) {
     const Real allowance = 1 + 8 * std::numeric_limits<Real>::epsilon();
     const Real largest = std::max({I1, I2, I3});
     const Real others = largest == I1 ? I2 + I3 : largest == I2 ? I3 + I1 : I1 + I2;
     return largest <= others * allowance;
 }
 template <class Real>
-void triangle_rule(Real a, Real b, Real c) {
+constexpr void triangle_rule(Real a, Real b, Real c) {
     for_each_number(
         [](auto I1, auto I2, auto I3) {
             if (!is_triangle(I1, I2, I3))
@@ -89,7 +52,7 @@ void triangle_rule(Real a, Real b, Real c) {
 // the product is not one. (64 ε is what three cube roots may be off by, cubed.)
 template <class Real>
 bool is_comparable(Real I1, Real I2, Real I3) {
-    return std::isfinite(std::max({I1, I2, I3}) / std::min({I1, I2, I3}));
+    return is_finite_parameter(std::max({I1, I2, I3}) / std::min({I1, I2, I3}));
 }
 template <class Real>
 bool is_one(Real product) {
@@ -111,6 +74,49 @@ void scale_rule(const Vector3<Real>& moments, const Vector3<Real>& unit) {
 }  // namespace detail
 /// \endcond
 
+/// The same moment about every axis: Iω points along ω, and the gyroscopic torque vanishes (N41).
+template <class Real>
+struct UniformInertia {
+    using Scalar = Real;                        ///< the real number type
+    static constexpr bool gyroscopic = false;  ///< has the body a gyroscopic torque at all?
+    Real moment;                               ///< about any axis, kg m²
+
+    /// Is there a body with this moment? What the constructor takes, and without an exception.
+    static constexpr bool valid(Real moment_) noexcept { return detail::is_positive(moment_); }
+
+    /// `moment` in kg m², above zero. Throws `std::invalid_argument`.
+    explicit constexpr UniformInertia(Real moment_) : moment(positive("moment of inertia", moment_)) {}
+
+    /// Angular momentum Iω, kg m²/s.
+    Vector3<Real> momentum(const Vector3<Real>& omega) const { return moment * omega; }
+    /// The angular velocity of the angular momentum L, I⁻¹L, rad/s.
+    Vector3<Real> velocity(const Vector3<Real>& L) const { return L / moment; }
+};
+
+/// A line of mass along the body's z axis. It has no moment about that axis and cannot be said to
+/// spin about it: that component of ω is always zero, and with it the gyroscopic torque.
+template <class Real>
+struct RodInertia {
+    using Scalar = Real;                        ///< the real number type
+    static constexpr bool gyroscopic = false;  ///< ω × Iω = 0 while ω_z = 0
+    Real moment;                               ///< about any axis across the rod, kg m²
+
+    /// Is there a body with this moment? What the constructor takes, and without an exception.
+    static constexpr bool valid(Real moment_) noexcept { return detail::is_positive(moment_); }
+
+    /// `moment` in kg m², above zero. Throws `std::invalid_argument`.
+    explicit constexpr RodInertia(Real moment_) : moment(positive("moment of inertia", moment_)) {}
+
+    /// Angular momentum Iω, kg m²/s.
+    Vector3<Real> momentum(const Vector3<Real>& omega) const {
+        return {moment * omega.x(), moment * omega.y(), Real(0)};
+    }
+    /// The angular velocity of the angular momentum L, rad/s; what L has along the rod is dropped.
+    Vector3<Real> velocity(const Vector3<Real>& L) const {
+        return {L.x() / moment, L.y() / moment, Real(0)};
+    }
+};
+
 /// Two equal moments: a body of revolution about its z axis, or any rod with a square profile.
 template <class Real>
 struct SymmetricInertia {
@@ -121,13 +127,13 @@ struct SymmetricInertia {
     Real wobble;                              ///< (along − across) / across: see rate()
 
     /// Is there a body with these moments? What the constructor takes, and without an exception.
-    static bool valid(Real across_, Real along_) noexcept {
+    static constexpr bool valid(Real across_, Real along_) noexcept {
         return detail::is_positive(across_) && detail::is_positive(along_) && detail::is_triangle(across_, across_, along_);
     }
 
-    /// Moments in kg m², above zero, `along` at most 2 `across`. Throws `std::invalid_argument`. A body whose odd axis
-    /// is x or y, or known only when it is loaded, is AnyInertia's.
-    SymmetricInertia(Real across_, Real along_)
+    /// Moments in kg m², above zero, `along` at most 2 `across`. Throws `std::invalid_argument`. Where the odd axis
+    /// is x or y, see about(); where it is known only when the body is loaded, AnyInertia.
+    constexpr SymmetricInertia(Real across_, Real along_)
         : across(positive("moment of inertia", across_)),
           along(positive("moment of inertia", along_)),
           wobble((along - across) / across) {

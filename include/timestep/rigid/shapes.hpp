@@ -6,17 +6,74 @@
 
 namespace timestep {
 
-/// A ball: ⅖ m r². `mass` in kg and `radius` in m above zero; throws `std::invalid_argument`, as
-/// all shapes do.
+/// \cond
+namespace detail {
+// The moments from sizes that have been asked for, for the shapes and for what is said of them beforehand.
 template <class Real>
-UniformInertia<Real> sphere(Real mass, Real radius) {
-    return UniformInertia(2 * positive("mass", mass) * positive("radius", radius) * radius / 5);
+struct Symmetric {
+    Real across, along;
+};
+template <class Real>
+constexpr Real sphere_moment(Real mass, Real radius) {
+    return 2 * mass * radius * radius / 5;
+}
+template <class Real>
+constexpr Real cube_moment(Real mass, Real side) {
+    return mass * side * side / 6;
+}
+template <class Real>
+constexpr Real rod_moment(Real mass, Real length) {
+    return mass * length * length / 12;
+}
+template <class Real>
+constexpr Symmetric<Real> cylinder_moments(Real mass, Real radius, Real length) {
+    return {mass * (3 * radius * radius + length * length) / 12, mass * radius * radius / 2};
+}
+template <class Real>
+constexpr Symmetric<Real> capsule_moments(Real mass, Real radius, Real length) {
+    const Real volume = length + 4 * radius / 3;  // over π r²
+    const Real middle = mass * (length / volume), caps = mass * (4 * radius / 3 / volume);
+    const Real r2 = radius * radius, l2 = length * length;
+    return {middle * (l2 / 12 + r2 / 4) + caps * (2 * r2 / 5 + l2 / 4 + 3 * length * radius / 8),
+            middle * r2 / 2 + caps * 2 * r2 / 5};
+}
+template <class Real>
+constexpr Symmetric<Real> staff_moments(Real mass, Real length, Real thickness) {
+    const Real t2 = thickness * thickness;
+    return {mass * (length * length + t2) / 12, mass * t2 / 6};
+}
+template <class Real>
+constexpr bool are_positive(Real a, Real b, Real c) {
+    return is_positive(a) && is_positive(b) && is_positive(c);
+}
+template <class Real>
+constexpr bool is_body(const Symmetric<Real>& I) {
+    return SymmetricInertia<Real>::valid(I.across, I.along);
+}
+}  // namespace detail
+/// \endcond
+
+/// A ball: ⅖ m r². `mass` in kg and `radius` in m above zero; throws `std::invalid_argument`, as
+/// all shapes do. Beside each stands one that says, without an exception, whether it would.
+template <class Real>
+constexpr UniformInertia<Real> sphere(Real mass, Real radius) {
+    return UniformInertia(detail::sphere_moment(positive("mass", mass), positive("radius", radius)));
+}
+/// Would sphere() take them?
+template <class Real>
+constexpr bool valid_sphere(Real mass, Real radius) noexcept {
+    return detail::are_positive(mass, radius, radius) && UniformInertia<Real>::valid(detail::sphere_moment(mass, radius));
 }
 
 /// A cube: m a²/6 about every axis, although it is no ball (N41).
 template <class Real>
-UniformInertia<Real> cube(Real mass, Real side) {
-    return UniformInertia(positive("mass", mass) * positive("side", side) * side / 6);
+constexpr UniformInertia<Real> cube(Real mass, Real side) {
+    return UniformInertia(detail::cube_moment(positive("mass", mass), positive("side", side)));
+}
+/// Would cube() take them?
+template <class Real>
+constexpr bool valid_cube(Real mass, Real side) noexcept {
+    return detail::are_positive(mass, side, side) && UniformInertia<Real>::valid(detail::cube_moment(mass, side));
 }
 
 /// A box with sides `a`, `b`, `c` along x, y and z: m (b² + c²)/12 and so on round.
@@ -27,6 +84,13 @@ PrincipalInertia<Real> box(Real mass, Real a, Real b, Real c) {
     const Real share = mass / 12;
     return {share * (b * b + c * c), share * (c * c + a * a), share * (a * a + b * b)};
 }
+/// Would box() take them?
+template <class Real>
+bool valid_box(Real mass, Real a, Real b, Real c) noexcept {
+    const Real share = mass / 12;
+    return detail::is_positive(mass) && detail::are_positive(a, b, c) &&
+           PrincipalInertia<Real>::valid(share * (b * b + c * c), share * (c * c + a * a), share * (a * a + b * b));
+}
 
 /// The same box by its half extents, as most engines keep them: from its centre to its faces along x, y and z.
 template <class Real>
@@ -36,37 +100,56 @@ PrincipalInertia<Real> box_of_half_extents(Real mass, Real hx, Real hy, Real hz)
     return box(mass, 2 * hx, 2 * hy, 2 * hz);
 }
 
-/// A cylinder along z: m r²/2 about it, m (3r² + l²)/12 across.
+/// A cylinder along z: m r²/2 about it, m (3r² + l²)/12 across. Along another axis: about().
 template <class Real>
-SymmetricInertia<Real> cylinder(Real mass, Real radius, Real length) {
+constexpr SymmetricInertia<Real> cylinder(Real mass, Real radius, Real length) {
     positive("mass", mass), positive("radius", radius), positive("length", length);
-    return {mass * (3 * radius * radius + length * length) / 12, mass * radius * radius / 2};
+    const detail::Symmetric<Real> I = detail::cylinder_moments(mass, radius, length);
+    return {I.across, I.along};
+}
+/// Would cylinder() take them?
+template <class Real>
+constexpr bool valid_cylinder(Real mass, Real radius, Real length) noexcept {
+    return detail::are_positive(mass, radius, length) && detail::is_body(detail::cylinder_moments(mass, radius, length));
 }
 
-/// A capsule along z: a cylinder of `length` between two half balls. Each half ball's centre of mass
-/// lies ⅜ r beyond the end of the cylinder.
+/// A capsule along z: a cylinder of `length` between two half balls (Bullet's height is that length; Jolt's and Box3D's
+/// capsules go by half of it, or by its ends). Each half ball's centre of mass
+/// lies ⅜ r beyond the end of the cylinder. Along another axis: about().
 template <class Real>
-SymmetricInertia<Real> capsule(Real mass, Real radius, Real length) {
+constexpr SymmetricInertia<Real> capsule(Real mass, Real radius, Real length) {
     positive("mass", mass), positive("radius", radius), positive("length", length);
-    const Real volume = length + 4 * radius / 3;  // over π r²
-    const Real middle = mass * (length / volume), caps = mass * (4 * radius / 3 / volume);
-    const Real r2 = radius * radius, l2 = length * length;
-    return {middle * (l2 / 12 + r2 / 4) + caps * (2 * r2 / 5 + l2 / 4 + 3 * length * radius / 8),
-            middle * r2 / 2 + caps * 2 * r2 / 5};
+    const detail::Symmetric<Real> I = detail::capsule_moments(mass, radius, length);
+    return {I.across, I.along};
+}
+/// Would capsule() take them?
+template <class Real>
+constexpr bool valid_capsule(Real mass, Real radius, Real length) noexcept {
+    return detail::are_positive(mass, radius, length) && detail::is_body(detail::capsule_moments(mass, radius, length));
 }
 
-/// A staff: a slender box, `length` along z and `thickness` along x and y.
+/// A staff: a slender box, `length` along z and `thickness` along x and y. Along another axis: about().
 template <class Real>
-SymmetricInertia<Real> staff(Real mass, Real length, Real thickness) {
+constexpr SymmetricInertia<Real> staff(Real mass, Real length, Real thickness) {
     positive("mass", mass), positive("length", length), positive("thickness", thickness);
-    const Real t2 = thickness * thickness;
-    return {mass * (length * length + t2) / 12, mass * t2 / 6};
+    const detail::Symmetric<Real> I = detail::staff_moments(mass, length, thickness);
+    return {I.across, I.along};
+}
+/// Would staff() take them?
+template <class Real>
+constexpr bool valid_staff(Real mass, Real length, Real thickness) noexcept {
+    return detail::are_positive(mass, length, thickness) && detail::is_body(detail::staff_moments(mass, length, thickness));
 }
 
 /// A rod without thickness along z: m l²/12 across, nothing along.
 template <class Real>
-RodInertia<Real> rod(Real mass, Real length) {
-    return RodInertia(positive("mass", mass) * positive("length", length) * length / 12);
+constexpr RodInertia<Real> rod(Real mass, Real length) {
+    return RodInertia(detail::rod_moment(positive("mass", mass), positive("length", length)));
+}
+/// Would rod() take them?
+template <class Real>
+constexpr bool valid_rod(Real mass, Real length) noexcept {
+    return detail::are_positive(mass, length, length) && RodInertia<Real>::valid(detail::rod_moment(mass, length));
 }
 
 }  // namespace timestep

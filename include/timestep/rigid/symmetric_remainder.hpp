@@ -42,6 +42,10 @@ struct RemainderInertia {
     /// Of two equal moments and another one: A or B is zero.
     explicit RemainderInertia(const SymmetricInertia<Real>& I)
         : RemainderInertia(PrincipalInertia<Real>(I.across, I.across, I.along)) {}
+    /// The same with another odd axis.
+    template <Axis axis>
+    explicit RemainderInertia(const SymmetricAbout<axis, Real>& I)
+        : RemainderInertia(PrincipalInertia<Real>(I.moments().x(), I.moments().y(), I.moments().z())) {}
 };
 
 /// \cond

@@ -1,0 +1,79 @@
+// Takes a number of gyroscopic steps, in float, with the spin in the world and the orientation at hand, as an engine has
+// them, and prints the last spin: a program for a profiler to count. `plain library calm 1000` takes the library's
+// templates, `plain functions calm 1000` those of gyroscopic.h, and `plain bullet own 1000` Bullet's rule.
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include <timestep/gyroscopic.h>
+#include <timestep/gyroscopic/calm_half_step.hpp>
+#include <timestep/rigid/body.hpp>
+
+#ifdef TIMESTEP_WITH_BULLET
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+#endif
+
+namespace {
+
+using namespace timestep;
+
+struct Body {
+    PrincipalInertia<float> inertia;
+    gyroscopic_bodyf plain;
+    Quaternion<float> q;
+    Vector3<float> omega;
+};
+
+// Each in a function that is called, or a compiler may take several bodies at once: an engine's are not so handy.
+template <class Solver>
+[[gnu::noinline]] void library(const Solver& solver, Body& b, float h) {
+    b.omega = after_gyroscopic_torque(solver, b.inertia, b.q, b.omega, h);
+}
+[[gnu::noinline]] void passive(Body& b, float h) {
+    gyroscopic_passive_in_worldf(&b.plain, b.q.coeffs().data(), b.omega.data(), h);
+}
+[[gnu::noinline]] void half_step(Body& b, float h) {
+    gyroscopic_half_step_in_worldf(&b.plain, b.q.coeffs().data(), b.omega.data(), h);
+}
+[[gnu::noinline]] void calm(Body& b, float h) {
+    gyroscopic_calm_half_step_in_worldf(&b.plain, b.q.coeffs().data(), b.omega.data(), h);
+}
+
+template <class Step>
+int print(const Step& step, Body b, long n) {
+    for (long i = 0; i < n; ++i) step(b, 0.001f);
+    return std::printf("%.9g %.9g %.9g\n", double(b.omega.x()), double(b.omega.y()), double(b.omega.z())) > 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 4) return std::fputs("plain: usage: plain WHOSE RULE COUNT\n", stderr), 2;
+    const std::string whose = argv[1], rule = argv[2];
+    const long n = std::atol(argv[3]);
+    const float size = float(argc) - 3;  // which the compiler does not know
+    const Body b{{size, 2, 2.5f}, gyroscopic_from_momentsf(size, 2, 2.5f),
+                 Quaternion<float>(size, 2, 3, 4).normalized(), {size, 2, 3}};
+    const auto by = [&](const auto& solver) {
+        return print([&](Body& body, float h) { library(solver, body, h); }, b, n);
+    };
+    if (whose == "library" && rule == "passive") return by(passive_gyroscopic);
+    if (whose == "library" && rule == "half_step") return by(half_step_jacobian);
+    if (whose == "library" && rule == "calm") return by(calm_half_step);
+    if (whose == "functions" && rule == "passive") return print(passive, b, n);
+    if (whose == "functions" && rule == "half_step") return print(half_step, b, n);
+    if (whose == "functions" && rule == "calm") return print(calm, b, n);
+#ifdef TIMESTEP_WITH_BULLET
+    if (whose == "bullet") {
+        btRigidBody body(10, nullptr, nullptr, btVector3(btScalar(size), 2, btScalar(2.5)));
+        btTransform place(btQuaternion(btScalar(b.q.x()), btScalar(b.q.y()), btScalar(b.q.z()), btScalar(b.q.w())));
+        body.setCenterOfMassTransform(place);
+        body.setAngularVelocity(btVector3(btScalar(size), 2, 3));
+        for (long i = 0; i < n; ++i)
+            body.setAngularVelocity(body.getAngularVelocity() + body.computeGyroscopicImpulseImplicit_Body(btScalar(0.001)));
+        return std::printf("%.9g\n", double(body.getAngularVelocity().x())) > 0 ? 0 : 1;
+    }
+#endif
+    return std::fprintf(stderr, "plain: %s %s: no such step\n", argv[1], argv[2]), 2;
+}
