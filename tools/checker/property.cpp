@@ -34,8 +34,12 @@ double Draw::log(double low, double high) {
 }
 
 double Draw::any_of(double low, double high, std::initializer_list<double> special) {
-    if (special.size() > 0 && share() < 0.25)
-        return special.begin()[static_cast<std::size_t>(share() * static_cast<double>(special.size()))];
+    if (special.size() > 0 && share() < 0.3) {
+        const double one = special.begin()[static_cast<std::size_t>(share() * static_cast<double>(special.size()))];
+        if (share() < 0.6) return one;
+        const double near = one * (1 + sign() * log(1e-4, 0.03));  // nearly equal is not equal
+        return near >= low && near <= high ? near : one;
+    }
     if (share() < 0.5) return real(low, high);
     const double most = std::max(std::fabs(low), std::fabs(high)), least = low > 0 ? low : 1e-12 * most;
     for (;;) {

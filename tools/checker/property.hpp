@@ -56,7 +56,8 @@ public:
     double real(double low, double high);
     /// Uniform in its logarithm: for steps, masses, stiffnesses.
     double log(double low, double high);
-    /// Whatever a range holds, `special` among it: now and then one of those, else as often small as large.
+    /// Whatever a range holds, `special` among it: now and then one of those, or what is nearly one, else as often small
+    /// as large.
     double any_of(double low, double high, std::initializer_list<double> special = {});
     /// The i-th of `parts` equal parts of the range, in its logarithm, over and over: each seed draws from all of it.
     /// Two arguments with parts that have no common divisor meet in every combination.

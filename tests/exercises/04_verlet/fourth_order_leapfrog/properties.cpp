@@ -152,7 +152,8 @@ PROPERTY("any step, slow or fast, forth or back, from any angle, ends near where
         const double omega = i % 5 == 0 ? 0 : draw.any_of(1e-6, 1e4);
         const double size = omega > 0 ? draw.log(1e-6, 1) / omega : draw.log(1e-6, 1e6);
         const double h = draw.sign() * size, t = draw.any_of(0, 1e6, {0});
-        const State<double> s{t, draw.any_of(-20, 20, {0}), draw.any_of(-1, 1, {0}) / size};
+        const double x = draw.any_of(-20, 20, {0, std::numbers::pi, -std::numbers::pi});
+        const State<double> s{t, x, draw.any_of(-1, 1, {0}) / size};
         const State<double> next = learner(s, omega, h), right = exact(s, omega, h, 100);
         const double force = omega * omega * size;
         const double angle = std::max(omega * size, std::fabs(s.v * h));

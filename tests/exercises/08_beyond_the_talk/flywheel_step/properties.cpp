@@ -118,6 +118,7 @@ PROPERTY("it is right wherever the task allows: small and large ships, slow and 
         const double least = draw.any_of(1e-5, 1e3, {1e-5, 1e3}), ratio = draw.log(1, 1000);
         ship.inertia = Vector3d(least, least * draw.log(1, ratio), least * draw.log(1, ratio));
         if (i % 8 == 1) ship.inertia.setConstant(least);  // a ball, whose wheel turns its spin
+        if (i % 8 == 3) ship.inertia = least * Vector3d(1, 1 + draw.log(1e-9, 1e-2), 1 + draw.log(1e-9, 1e-2));  // nearly one
         ship.omega = draw.any_of(0, 1000, {0, 1000}) * draw_direction(draw);
         ship.wheel = i % 4 == 0 ? Vector3d::Zero() : Vector3d(draw.log(1e-9, 1e12) * draw_direction(draw));
         ship.h = draw.any_of(0, 1e6, {0, 1.0 / 60, 60, 1e6});

@@ -234,6 +234,7 @@ PROPERTY("it is right wherever the task allows: any angle, forth and back, hardl
     for (int i = 0; i < 400; ++i) {
         Top top = draw_top(draw, i % 2 == 0 ? draw.real(0.1, 12) : draw.log(1e-6, 1000), draw.log(1e-6, 1));
         if (i % 3 == 0) top.L = top.inertia.cwiseProduct(top.L.norm() / top.inertia[i % 2] * Vector3d::Unit(i / 3 % 3));
+        if (i % 6 == 4) top.L = top.L.norm() / 1.02 * (Vector3d::Unit(i / 6 % 3) + draw.log(1e-8, 1e-2) * draw_direction(draw));
         if (i % 5 == 1) top.L *= draw.any_of(0, 1, {0});
         if (i % 5 == 2) top.mgl = 0;
         if (i % 7 == 3) top.up = draw.sign() * Vector3d::Unit(i / 7 % 3);
