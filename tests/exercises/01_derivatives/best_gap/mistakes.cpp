@@ -72,7 +72,7 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 }  // namespace velocity_now
 
-// Says: The noise of one position is divided by the gap. There are two positions, each with noise.
+// Says: The noise counts half of what it should. There are two positions, each with noise.
 // Hint: At the worst the one position is off to the left and the other to the right. By how much does their
 //       difference err?
 namespace noise_once {

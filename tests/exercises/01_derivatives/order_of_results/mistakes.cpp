@@ -67,8 +67,7 @@ double order_of_results(double coarse, double middle, double fine) {
 
 }  // namespace whole_number
 
-// Says: This takes the two differences as if they lay a factor of four apart in the step. The order is half
-//       of what it should be.
+// Says: The order is half of what it should be.
 // Hint: From coarse to fine the step falls to a quarter. But from the first difference to the second it only
 //       falls by half.
 namespace quarter_of_step {

@@ -166,7 +166,7 @@ double implicit_half_life(double omega, double h) {
 
 }  // namespace half_for_its_logarithm
 
-// Says: The root has been counted twice: this is twice the time.
+// Says: This is twice the time.
 // Hint: The factor of a step is one over the root of 1 + omega² h². Its logarithm has one half in front,
 //       and only one.
 namespace twice_the_time {

@@ -221,8 +221,8 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 
 }  // namespace no_damping
 
-// Says: Right to seven digits: the state has gone through float.
-// Hint: Use double for everything.
+// Says: Right to seven or eight digits, and no more.
+// Hint: Use double for everything, and let std::sqrt find the root of two.
 namespace single_precision {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {

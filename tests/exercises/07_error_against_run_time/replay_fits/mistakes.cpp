@@ -88,7 +88,7 @@ bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, 
 
 }  // namespace only_nan_seen
 
-// Says: The error in metres is compared with the accuracy, which is a share. The size is not used.
+// Says: The error in metres is not compared with accuracy times size.
 // Hint: What is an error of 0.5 m in a scene of 20 m?
 namespace no_size {
 
@@ -293,9 +293,9 @@ bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, 
 
 }  // namespace whole_metres
 
-// Says: The error's share of the size is cut to a whole number: nearly every error counts as nothing, and NaN becomes
-//       some whole number that passes.
-// Hint: Look for abs without std:: before it, which may be the one for whole numbers, and for an int.
+// Says: Replays pass whose errors are far too large, as if nearly every error counted as nothing.
+// Hint: Must every mark be near, or is one enough? And is the share cut to a whole number: look for an int, and for abs
+//       without std:: before it, which may be the one for whole numbers.
 namespace whole_share {
 
 bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
