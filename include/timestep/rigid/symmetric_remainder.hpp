@@ -6,6 +6,7 @@
 
 #include <timestep/rigid/axis_spin.hpp>
 #include <timestep/rigid/spin_state.hpp>
+#include <timestep/rigid/symmetric_about.hpp>
 
 namespace timestep {
 
