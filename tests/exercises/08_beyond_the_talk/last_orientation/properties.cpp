@@ -227,8 +227,9 @@ PROPERTY("it is right wherever the task allows: tiny turns, tiny gaps, spins of 
         Replay one{draw_rotation(draw), {0, gap}, {}};
         for (int end = 0; end < 2; ++end)
             one.spins.push_back(draw.any_of(0, 1, {0, 1}) * angle / gap * draw_direction(draw));
+        const Vector3d axis = draw.sign() * Vector3d::Unit(i / 5 % 3);
         if (i % 5 == 3)
-            for (Vector3d& spin : one.spins) spin = draw.sign() * spin.norm() * Vector3d::Unit(i / 5 % 3);
+            for (Vector3d& spin : one.spins) spin = spin.norm() * axis;
         if (i % 4 == 0) one.spins[1] = draw.log(0.1, 1) * one.spins[0];
         for (int pause = i % 3 == 0 ? draw.integer(1, 3) : 0; pause > 0; --pause) {
             const int frame = i % 2 == 0 ? 0 : static_cast<int>(one.times.size()) - 1;
