@@ -3,7 +3,8 @@
 
 // [taken]
 void after_loading(Body* b) {
-    b->gyroscopic = gyroscopic_from_inverse_momentsf(b->inverse_moments[0], b->inverse_moments[1], b->inverse_moments[2]);
+    const float* I = b->inverse_moments;
+    b->gyroscopic = gyroscopic_from_inverse_momentsf(I[0], I[1], I[2]);
 }
 
 void step(Body* b, float h) {
