@@ -52,6 +52,11 @@ run("${LINK_SOURCES}" "${html}" ${UNLINKED})
 if(LUNR)
   configure_file("${LUNR}/lunr.min.js" "${html}/lunr.min.js" COPYONLY)
   run("${SEARCH_INDEX}" "${html}" "${SITE}/names.tag")
+  # What Doxygen's own search would read.
+  file(GLOB unread "${html}/search/*_*.js" "${html}/search/*_*.html")
+  if(unread)
+    file(REMOVE ${unread})
+  endif()
 endif()
 
 file(WRITE "${html}/made" "")
