@@ -99,7 +99,7 @@ def find_faults(site):
     # there the page is all that is asked for.
     for origin, addresses in scripts.items():
         for address in addresses:
-            check(origin, address if origin == "navtreedata.js" else address.split("#")[0], "")
+            check(origin, address if origin in ("navtreedata.js", "search_places.js") else address.split("#")[0], "")
     return sorted(set(faults))
 
 
