@@ -192,6 +192,13 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
                               [&](const std::string& content) {
                                   return page::replace_all(content, "[" + tag + "]", "");
                               });
+    } else if (kind == "line") {
+        const std::string style = "tools/figures/style.gp", name = words.at(1);
+        deletions.try_without(name + " in " + style, copy.root() / style, [&](const std::string& content) {
+            return without_lines(content, [&](const std::string& line) {
+                return line.starts_with(name) && line.find_first_not_of(' ', name.size()) == line.find('=');
+            });
+        });
     } else if (kind != "end" && kind != "claims" && kind != "chapters" && kind != "talks" && kind != "exercises" && kind != "which" && kind != "ask" && kind != "answered") {
         std::string name = kind;
         if (name.ends_with(".value")) {
