@@ -129,7 +129,7 @@ PROPERTY("it is right for any body, however it spins, and with any torque or non
         Body body(draw);
         body.inertia = draw.log(1e-12, 1e12) * draw_moments(draw, 100);
         if (i % 3 == 0) body.inertia[i % 2] = body.inertia[2];
-        if (i % 6 == 3) body.inertia[i % 2] *= 1 - draw.log(1e-6, 1e-2);
+        if (i % 3 == 1) body.inertia[i / 3 % 3] = (1 - draw.log(1e-6, 1e-2)) * body.inertia[(i / 3 + 1) % 3];
         const double speed = draw.log(1e-6, 1e6), moment = body.inertia[i % 3];
         body.omega = speed * draw_direction(draw);
         if (i % 4 == 0) body.q = Quaterniond::Identity();
