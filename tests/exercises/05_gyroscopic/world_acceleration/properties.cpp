@@ -129,7 +129,8 @@ PROPERTY("it is right for any body, however it spins, and with any torque or non
         Body body(draw);
         body.inertia = draw.log(1e-12, 1e12) * draw_moments(draw, 100);
         if (i % 3 == 0) body.inertia[i % 2] = body.inertia[2];
-        if (i % 3 == 1) body.inertia[i / 3 % 3] = (1 - draw.log(1e-6, 1e-2)) * body.inertia[(i / 3 + 1) % 3];
+        if (i % 3 == 1)  // nearly a ball
+            body.inertia = body.inertia[0] * Vector3d(1, 1 - draw.log(1e-8, 1e-2), 1 - draw.log(1e-8, 1e-2));
         const double speed = draw.log(1e-6, 1e6), moment = body.inertia[i % 3];
         body.omega = speed * draw_direction(draw);
         if (i % 4 == 0) body.q = Quaterniond::Identity();
