@@ -150,13 +150,15 @@ bool is_nearly_one_share(const Shown& shown) {
 
 // Is the answer wrong by a small part of it in most calls?
 bool is_off_by_little(const Shown& shown) {
-    std::size_t fits = 0;
+    std::size_t fits = 0, parts = 0;
     for (std::size_t call = 0; call < shown.wrong.size(); ++call) {
         double size = 0;
         for (const double number : shown.truth[call]) size = std::max(size, std::fabs(number));
+        if (size == 0) continue;  // of nothing there is no part
+        ++parts;
         fits += apart(shown.wrong[call]->result, shown.truth[call]) <= little * size;
     }
-    return double(fits) >= 0.97 * double(shown.wrong.size());  // another method errs by much somewhere
+    return parts > 0 && double(fits) >= 0.97 * double(parts);  // another method errs by much somewhere
 }
 
 // Are the wrong answers numbers of single precision throughout, where the right ones are none?
