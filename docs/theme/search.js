@@ -1,7 +1,7 @@
 // The search: sections, the glossary's words and the library's names, found in the reader's browser by lunr. It takes the
 // place of Doxygen's, which knows names alone.
 
-const searchIndex = { of: null };
+let searchIndex;
 const apart = /[^\p{L}\p{N}]+/u;  // what stands between words
 
 // Read when somebody begins to search.
@@ -73,15 +73,15 @@ function beginSearch() {
     const look = async () => {
         const text = field.value.trim();
         if (!text) return void (list.hidden = true);
-        if (!searchIndex.of) list.textContent = "Reading the index …", list.hidden = false;
-        const index = await (searchIndex.of ??= readIndex());
+        if (!searchIndex) list.textContent = "Reading the index …", list.hidden = false;
+        const index = await (searchIndex ??= readIndex());
         if (field.value.trim() === text) showPlaces(list, placesFor(index, text), text);
     };
     field.addEventListener("input", look);
-    field.addEventListener("focus", look);
+    field.addEventListener("click", look);
     const step = event => {
         const links = [...list.children], at = links.indexOf(document.activeElement);
-        if (event.key === "Escape") list.hidden = true, field.focus(), list.hidden = true;
+        if (event.key === "Escape") list.hidden = true, field.focus();
         else if (event.key === "Enter" && event.target === field) links[0]?.click();
         else if (event.key === "ArrowDown") (links[at + 1] ?? links[at])?.focus();
         else if (event.key === "ArrowUp") (links[at - 1] ?? field).focus();
@@ -94,4 +94,4 @@ function beginSearch() {
         if (event.target.closest("#found a") || !event.target.closest("#found, #MSearchBox")) list.hidden = true;
     });
 }
-beginSearch();
+addEventListener("load", beginSearch);  // Doxygen makes the field when the page has been read

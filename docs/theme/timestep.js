@@ -70,7 +70,6 @@ function fadeWhatGoesOn() {
 document.addEventListener("DOMContentLoaded", () => {
     if (document.querySelector("figure[data-module]")) load("script", { src: "live.js" });
     if (document.querySelector("figure.animation")) load("script", { src: "film.js" });
-    if (typeof lunrHere !== "undefined") load("script", { src: "search.js" });
     typesetFormulas().finally(fadeWhatGoesOn);
     addEventListener("hashchange", goToPlace);
     addEventListener("beforeprint", unfoldAll);

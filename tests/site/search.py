@@ -58,6 +58,8 @@ def faults(driver, site):
         driver.switch_to.active_element.send_keys(key)
         if driver.execute_script(focused) != right:
             yield f"after {key!r} {driver.execute_script(focused)} has the focus, not {right}"
+    if driver.execute_script("return !document.getElementById('found').hidden"):
+        yield "after Escape the hits are still there"
     search.hits("eigenvalue")
     search.field.send_keys(Keys.ENTER)
     if not search.until(lambda: driver.current_url.endswith(first)):

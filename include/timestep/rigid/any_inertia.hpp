@@ -22,13 +22,7 @@ public:
     using Scalar = Real;  ///< the real number type
     /// Is there a body with these moments? What the constructor takes, and without an exception.
     static bool valid(const Vector3<Real>& moments) {
-        const Real largest = moments.maxCoeff(), least = moments.minCoeff();
-        const Real roundoff = 8 * std::numeric_limits<Real>::epsilon();
-        using std::cbrt;  // the product of the moments' roots is a number, too
-        const Real mean = cbrt(moments.x()) * cbrt(moments.y()) * cbrt(moments.z());
-        return moments.allFinite() && std::isfinite(mean) && least >= std::numeric_limits<Real>::min() &&
-               largest / least <= std::numeric_limits<Real>::max() &&
-               largest <= (moments.sum() - largest) * (1 + roundoff);
+        return PrincipalInertia<Real>::valid(moments.x(), moments.y(), moments.z());
     }
 
     /// Moments about x, y and z, kg m², as PrincipalInertia takes them. Throws `std::invalid_argument`.
