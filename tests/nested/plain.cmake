@@ -67,9 +67,10 @@ step("configure" "${CMAKE_COMMAND}" --preset strict -S "${ROOT}" -B "${WORK}" ${
   "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DEigen3_DIR=${EIGEN}" -DTIMESTEP_NESTED_TESTS=OFF
   "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
   "-DCMAKE_PROJECT_timestep_INCLUDE=${CMAKE_CURRENT_LIST_DIR}/sanitize.cmake" "-DSANITIZE=${sanitize}"
-  -DTIMESTEP_COURSE=OFF -DTIMESTEP_WITHOUT=ODEINT,GSL,SUNDIALS,BULLET,ODE -DVALGRIND= -DKATEX= -DAWESOME=)
+  -DTIMESTEP_COURSE=OFF -DTIMESTEP_WITHOUT=ODEINT,GSL,SUNDIALS,BULLET,ODE -DVALGRIND= -DKATEX= -DAWESOME= -DLUNR=)
 foreach(sentence
     "KaTeX not found: formulas stand as TeX source (package libjs-katex)"
+    "lunr not found: the search knows names alone (package libjs-lunr)"
     "GSL not found: it is left out of the diagrams (package libgsl-dev)"
     "doxygen-awesome-css not found: Doxygen's own theme (package doxygen-awesome-css)")
   string(FIND "${said}" "${sentence}" place)
