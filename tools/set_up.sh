@@ -25,20 +25,32 @@ wasi-libc                have_wasm
 libc++-dev-wasm32        have_wasm
 libclang-rt-dev-wasm32   have_wasm
 '
+# The other desks of tests/bits: arm64, Windows, 32 bits, and the C++ library of macOS and its like.
+desks='
+libc++-dev                 have_libcxx
+libc++abi-dev              have_libcxx
+nodejs                     have_one node nodejs
+g++-aarch64-linux-gnu      have_desk aarch64-linux-gnu-g++ g++-aarch64-linux-gnu
+qemu-user                  have_desk qemu-aarch64 qemu-user
+g++-i686-linux-gnu         have_desk i686-linux-gnu-g++ g++-i686-linux-gnu
+g++-mingw-w64-x86-64-posix have_desk x86_64-w64-mingw32-g++-posix g++-mingw-w64-x86-64-posix
+wine                       have_desk wine wine
+'
 # What only some checks need, and the libraries that chapter 7 measures beside ours: installed by --all,
 # skipped by the tests where it is not there.
-extras='
+extras="
 clang                have_one clang++
 libclang-rt-dev      have_sanitizers_of clang++
 chromium             have_one chromium google-chrome
 chromium-driver      have_one chromedriver
+poppler-utils        have_one pdftotext
 python3-selenium     have_file lib/python3/dist-packages/selenium/__init__.py
 libboost-dev         have_file include/boost/numeric/odeint.hpp
 libgsl-dev           have_file include/gsl/gsl_odeiv2.h
 libsundials-dev      have_sundials
 libbullet-dev        have_file include/bullet/BulletDynamics/Dynamics/btRigidBody.h
 libode-dev           have_file include/ode/ode.h
-'
+$desks"
 # What grade needs, to shut strangers' code away.
 isolation='
 bubblewrap           have_one bwrap
@@ -62,6 +74,17 @@ have_cmake() {
 have_wasm() {
     for place in $places; do
         set -- "$place"/lib/llvm-*/include/wasm32-wasi/c++/v1
+        [ ! -e "$1" ] || return 0
+    done
+    return 1
+}
+# A compiler for another processor: not wished for on other machines than these, nor where the system has no such package.
+have_desk() {
+    have_one "$1" || [ "$(uname -m)" != x86_64 ] || [ "$(candidate "$2")" = '(none)' ]
+}
+have_libcxx() {
+    for place in $places; do
+        set -- "$place"/lib/llvm-*/include/c++/v1
         [ ! -e "$1" ] || return 0
     done
     return 1

@@ -44,6 +44,8 @@
 #include <float.h>
 #include <math.h>
 
+#include <timestep/own_math.h>
+
 /// A body: what the rules take from its moments. Made once by gyroscopic_from_moments(); not to be filled in by hand.
 typedef struct gyroscopic_body {
     int kind;           ///< 0: no gyroscopic torque; 1: two equal moments; 2: three

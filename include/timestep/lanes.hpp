@@ -18,6 +18,7 @@
 #endif
 
 #include <timestep/inline.hpp>
+#include <timestep/own_math.hpp>
 #include <timestep/real.hpp>
 
 namespace timestep {
@@ -145,15 +146,25 @@ public:
     }
     /// ∛, lane by lane: no processor has an instruction for it.
     friend Lanes cbrt(const Lanes& a) {
-        return a.each([](Real x) { return std::cbrt(x); });
+        return a.each([](Real x) { return cube_root(x); });
     }
     /// The sine, lane by lane.
     friend Lanes sin(const Lanes& a) {
-        return a.each([](Real x) { return std::sin(x); });
+        return a.each([](Real x) { return sine_cosine(x).sine; });
     }
     /// The cosine, lane by lane.
     friend Lanes cos(const Lanes& a) {
-        return a.each([](Real x) { return std::cos(x); });
+        return a.each([](Real x) { return sine_cosine(x).cosine; });
+    }
+
+    /// Both, lane by lane.
+    friend SineCosine<Lanes> sine_cosine(const Lanes& a) {
+        SineCosine<Lanes> of;
+        for (int i = 0; i < N; ++i) {
+            const auto [sine, cosine] = sine_cosine(a[i]);
+            of.sine.set(i, sine), of.cosine.set(i, cosine);
+        }
+        return of;
     }
 
 private:

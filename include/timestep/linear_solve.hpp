@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <timestep/state.hpp>
+#include <timestep/sums.hpp>
 
 namespace timestep {
 
@@ -54,7 +55,7 @@ real_of<X> magnitude(const X& x) {
     if constexpr (is_number<X>)
         return x < 0 ? -x : x;
     else
-        return x.norm();
+        return norm(x);
 }
 
 /// The same where the squares of the parts are too large or too small for numbers, at twice the cost.
@@ -126,7 +127,7 @@ X direction(const X& x) {
         const real_of<X> largest = x.cwiseAbs().maxCoeff();
         if (largest == real_of<X>(0)) return x;
         const X scaled = x / largest;
-        return scaled / scaled.norm();
+        return scaled / norm(scaled);
     }
 }
 

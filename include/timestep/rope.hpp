@@ -9,6 +9,7 @@
 #include <timestep/linear_solve.hpp>
 #include <timestep/methods/verlet.hpp>
 #include <timestep/models/projectile.hpp>
+#include <timestep/sums.hpp>
 
 namespace timestep {
 
@@ -30,7 +31,7 @@ public:
         : gravity_(gravity), link_(positive("link", link)) {
         if (links == 0) refuse("links: must be one or more");
         if (!is_finite(top)) refuse("top: must be a finite place");
-        positive("length of the direction", Real(along.norm()));
+        positive("length of the direction", Real(norm(along)));
         for (std::size_t i = 0; i <= links; ++i) {
             const X x = top + Real(i) * link * direction(along);
             points_.push_back({x, x});
@@ -68,7 +69,7 @@ public:
     Real stretch() const {
         Real length = 0;
         for (std::size_t i = 1; i < points_.size(); ++i)
-            length += (points_[i].x - points_[i - 1].x).norm();
+            length += norm(X(points_[i].x - points_[i - 1].x));
         return length / (link_ * Real(points_.size() - 1)) - 1;
     }
 

@@ -49,7 +49,7 @@ set(answer_headers_only "1 -2\n")
 foreach(project with_eigen headers_only)
   set(build "${WORK}/${project}")
   set(options "-DCMAKE_PREFIX_PATH=${WORK}/moved" "-DCMAKE_CXX_COMPILER=${COMPILER}"
-              "-DCMAKE_MAKE_PROGRAM=${MAKE}" -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+              "-DCMAKE_MAKE_PROGRAM=${MAKE}" -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -DCMAKE_EXPORT_COMPILE_COMMANDS=ON)
   if(project STREQUAL "with_eigen")
     list(APPEND options "-DEigen3_DIR=${EIGEN}")
   else()
@@ -58,6 +58,13 @@ foreach(project with_eigen headers_only)
   execute(_ "${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${CMAKE_CURRENT_LIST_DIR}/${project}"
           -B "${build}" ${options})
   execute(_ "${CMAKE_COMMAND}" --build "${build}")
+  # With the library comes plain arithmetic: no product and sum in one operation.
+  if(EXISTS "${build}/compile_commands.json" AND NOT COMPILER MATCHES "cl(\\.exe)?$")
+    file(READ "${build}/compile_commands.json" commands)
+    if(NOT commands MATCHES " -ffp-contract=off ")
+      message(FATAL_ERROR "${project}: whoever uses the package contracts products and sums:\n${commands}")
+    endif()
+  endif()
   find_program(ball_${project} ball PATHS "${build}" "${build}/Debug" "${build}/Release"
                NO_DEFAULT_PATH REQUIRED)
   execute(answer "${ball_${project}}")

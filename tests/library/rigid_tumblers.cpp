@@ -130,8 +130,9 @@ TEST_CASE("in any axes, and with two equal moments, it is the same step", "[libr
     }
 }
 
-// y turns about t: y + 2(t × y + t × (t × y))/(1 + t·t). The last term is up to 2|y| long and made
-// by some six roundings, half an ε of |y| each on the worst day; the energy counts twice.
+// y turns about t: y + 2(t × y + t × (t × y))/(1 + t·t). The last term is up to 2|y| long. Thirteen roundings make it, half
+// an ε each on the worst day: four t·t, two the share, one its product with y, and three each cross product with its
+// scale. The energy counts them twice.
 TEMPLATE_TEST_CASE("the Cayley step keeps the energy of any body, for every step", "[library][ch8]",
                    float, double) {
     RandomInertia random(3);
@@ -145,7 +146,7 @@ TEMPLATE_TEST_CASE("the Cayley step keeps the energy of any body, for every step
             worst = std::max(worst, std::fabs(energy(I, after) / energy(I, w) - 1));
             if (!after.allFinite()) worst = INFINITY;
         }
-    CHECK(worst <= 12 * eps);
+    CHECK(worst <= 26 * eps);
 }
 
 // Each turn rounds its sine and cosine, and some six products: 2 ε a turn, and 13 turns.

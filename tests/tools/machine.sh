@@ -42,6 +42,7 @@ mkdir -p '$folder/usr/clang/lib/linux'; : >'$folder/usr/clang/lib/linux/libclang
         >apt/libclang-rt-dev
     offer_tool chromium chromium
     offer_tool chromium-driver chromedriver
+    offer_tool poppler-utils pdftotext
     offer_file libeigen3-dev include/eigen3/Eigen/Core
     offer_file catch2 include/catch2/catch_all.hpp
     offer_file doxygen-awesome-css share/doxygen-awesome-css/doxygen-awesome.css
@@ -55,6 +56,14 @@ mkdir -p '$folder/usr/clang/lib/linux'; : >'$folder/usr/clang/lib/linux/libclang
     offer_file libsundials-dev include/arkode/arkode_erkstep.h
     offer_file libbullet-dev include/bullet/BulletDynamics/Dynamics/btRigidBody.h
     offer_file libode-dev include/ode/ode.h
+    offer_file libc++-dev lib/llvm-14/include/c++/v1
+    offer_file libc++abi-dev lib/llvm-14/include/c++/v1
+    offer_tool nodejs node
+    offer_tool g++-aarch64-linux-gnu aarch64-linux-gnu-g++
+    offer_tool qemu-user qemu-aarch64
+    offer_tool g++-i686-linux-gnu i686-linux-gnu-g++
+    offer_tool g++-mingw-w64-x86-64-posix x86_64-w64-mingw32-g++-posix
+    offer_tool wine wine
     offer_file libc++-dev-wasm32 lib/llvm-14/include/wasm32-wasi/c++/v1
     echo "cp '$folder/cmake_3.25.1' '$folder/bin/cmake'" >apt/cmake
     make_cmake 3.25.1

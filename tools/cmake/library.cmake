@@ -20,6 +20,11 @@ target_compile_features(timestep_headers INTERFACE cxx_std_20)
 target_include_directories(timestep_headers INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
+# Plain IEEE arithmetic: clang, and g++ where the processor has it, contract a product and a sum to one operation
+# otherwise, and a run ends on other bits than elsewhere. (MSVC does not, with /fp:precise, which is its default.)
+target_compile_options(timestep_headers INTERFACE
+  $<$<AND:$<COMPILE_LANGUAGE:C,CXX>,$<NOT:$<CXX_COMPILER_ID:MSVC>>>:-ffp-contract=off>)
+
 add_library(timestep INTERFACE)
 add_library(timestep::timestep ALIAS timestep)
 target_link_libraries(timestep INTERFACE timestep_headers Eigen3::Eigen)  # an error where it is used and Eigen is not there

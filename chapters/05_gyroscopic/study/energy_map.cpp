@@ -61,6 +61,11 @@ std::string added(double gain) {
     return gain < 1 + 1e-12 ? "0" : words("%.2g", gain - 1);
 }
 
+// Not inlined: g++ 12 at -O3 takes double → float → double for no change where it does so with several numbers at once.
+[[gnu::noinline]] PrincipalInertia<float> rounded(const Body& inertia) {
+    return {float(inertia.moments.x()), float(inertia.moments.y()), float(inertia.moments.z())};
+}
+
 // How many times its |ω| of now a free body reaches as it tumbles. Energy and momentum make the
 // squares of two components linear in the third, and with them |ω|²: it is largest at an end of its
 // way, where one component vanishes.
@@ -233,8 +238,7 @@ void energy_map(const Settings& settings, lab::Findings& out) {
         const V next = passive_gyroscopic.step(inertia, d, size);
         least_momentum =
             std::min(least_momentum, inertia.momentum(next).norm() / inertia.momentum(d).norm());
-        const PrincipalInertia<float> rough(float(inertia.moments.x()), float(inertia.moments.y()),
-                                            float(inertia.moments.z()));
+        const PrincipalInertia<float> rough = rounded(inertia);
         const Body same(rough.moments.x(), rough.moments.y(), rough.moments.z());
         const Vector3<float> f = d.cast<float>();
         const V before = f.cast<double>(),

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <timestep/gyroscopic/half_step_jacobian.hpp>
+#include <timestep/sums.hpp>
 
 namespace timestep {
 
@@ -38,7 +39,7 @@ struct CalmHalfStep {
                        const Vector3<Real>& omega, Real h) const noexcept {
         const Vector3<Real>& a = inertia.ratio;
         const Vector3<Real> aa(a.y() * a.z(), a.z() * a.x(), a.x() * a.y());
-        const Real circled2 = aa.cwiseAbs().dot((h * omega).cwiseAbs2());
+        const Real circled2 = dot(aa.cwiseAbs(), (h * omega).cwiseAbs2());
         Real part = h;
         int parts = 1;
         if (circled2 > Real(angle * angle)) {
@@ -51,7 +52,7 @@ struct CalmHalfStep {
             w = half_step_jacobian.step(inertia, w, part);
 
         const auto energy = [&](const Vector3<Real>& spin) {
-            return inertia.unit.dot((part * spin).cwiseAbs2());
+            return dot(inertia.unit, (part * spin).cwiseAbs2());
         };
         const Real E1 = energy(omega), E2 = energy(w);
         const Real share = E2 > 0 ? (E1 - E2) / (E2 + std::sqrt(E1 * E2)) : 0;
@@ -78,8 +79,8 @@ struct CalmHalfStep {
     /// The same in any axes: there and back by way of the principal ones.
     template <class Real>
     Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega, Real h) const noexcept {
-        const Vector3<Real> turned = inertia.axes.transpose() * omega;
-        return inertia.axes * step(inertia.principal, turned, h);
+        const Vector3<Real> turned = in_body(inertia.axes, omega);
+        return in_world(inertia.axes, step(inertia.principal, turned, h));
     }
 };
 

@@ -65,8 +65,8 @@ struct ConvergedGyroscopic {
     /// The same in any axes: there and back by way of the principal ones.
     template <class Real>
     Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega, Real h) const {
-        const Vector3<Real> turned = inertia.axes.transpose() * omega;
-        return inertia.axes * step(inertia.principal, turned, h);
+        const Vector3<Real> turned = in_body(inertia.axes, omega);
+        return in_world(inertia.axes, step(inertia.principal, turned, h));
     }
 
 private:

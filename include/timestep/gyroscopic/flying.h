@@ -15,9 +15,10 @@ TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_times)(const TIMESTEP_REAL a[4], c
 TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_turn)(TIMESTEP_REAL q[4], TIMESTEP_REAL x, TIMESTEP_REAL y,
                                                    TIMESTEP_REAL z) {
     const TIMESTEP_REAL half = TIMESTEP_NAME(sqrt)(x * x + (y * y + z * z)) / 2;
-    const TIMESTEP_REAL share = half > 0 ? TIMESTEP_NAME(sin)(half) / half / 2 : TIMESTEP_NUMBER(0.5);
-    TIMESTEP_REAL turn[4], turned[4];
-    turn[0] = share * x, turn[1] = share * y, turn[2] = share * z, turn[3] = TIMESTEP_NAME(cos)(half);
+    TIMESTEP_REAL sine, cosine, share, turn[4], turned[4];
+    TIMESTEP_NAME(timestep_sine_cosine)(half, &sine, &cosine);
+    share = half > 0 ? sine / half / 2 : TIMESTEP_NUMBER(0.5);
+    turn[0] = share * x, turn[1] = share * y, turn[2] = share * z, turn[3] = cosine;
     TIMESTEP_NAME(timestep_times)(q, turn, turned);
     q[0] = turned[0], q[1] = turned[1], q[2] = turned[2], q[3] = turned[3];
 }
@@ -30,9 +31,10 @@ TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_over_its_length)(TIMESTEP_REAL q[4
 // A turn by `angle` about the body's axis i; L, at rest in the world, turns the other way in the body (AxisSpin).
 TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_spin)(TIMESTEP_REAL v[4], TIMESTEP_REAL L[3], int i, TIMESTEP_REAL angle) {
     const int j = i < 2 ? i + 1 : 0, k = 3 - i - j;
-    const TIMESTEP_REAL c = TIMESTEP_NAME(cos)(angle / 2), s = TIMESTEP_NAME(sin)(angle / 2);
-    const TIMESTEP_REAL less = 2 * s * s, sine = 2 * s * c;
     const TIMESTEP_REAL Lj = L[j], Lk = L[k], w = v[3], vi = v[i], vj = v[j], vk = v[k];
+    TIMESTEP_REAL c, s, less, sine;
+    TIMESTEP_NAME(timestep_sine_cosine)(angle / 2, &s, &c);
+    less = 2 * s * s, sine = 2 * s * c;
     L[j] += sine * Lk - less * Lj;
     L[k] -= sine * Lj + less * Lk;
     v[3] = c * w - s * vi;

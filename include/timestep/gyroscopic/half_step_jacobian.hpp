@@ -4,6 +4,7 @@
 
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
 #include <timestep/rigid/solve3.hpp>
+#include <timestep/sums.hpp>
 
 namespace timestep {
 
@@ -31,9 +32,9 @@ struct HalfStepJacobian {
     Vector3<Real> step(const FullInertia<Real>& inertia,
                        const Vector3<Real>& omega, Real h) const noexcept {
         const Matrix3<Real>& I = inertia.unit;
-        const Vector3<Real> L = I * omega;
+        const Vector3<Real> L = times(I, omega);
         const Vector3<Real> residual = h * omega.cross(L);
-        const Matrix3<Real> J = I + h / 2 * (skew(omega) * I - skew(L));
+        const Matrix3<Real> J = I + h / 2 * (skew_times(omega, I) - skew(L));
         return omega - solve3(J, residual);
     }
     /// [step]

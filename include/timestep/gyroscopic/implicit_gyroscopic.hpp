@@ -5,6 +5,7 @@
 #include <timestep/inline.hpp>
 #include <timestep/rigid/symmetric_about.hpp>
 #include <timestep/rigid/solve3.hpp>
+#include <timestep/sums.hpp>
 
 namespace timestep {
 
@@ -25,9 +26,9 @@ struct ImplicitGyroscopic {
     Vector3<Real> step(const FullInertia<Real>& inertia,
                        const Vector3<Real>& omega, Real h) const noexcept {
         const Matrix3<Real>& I = inertia.unit;  // so scaled that no determinant underflows
-        const Vector3<Real> L = I * omega;
+        const Vector3<Real> L = times(I, omega);
         const Vector3<Real> residual = h * omega.cross(L);
-        const Matrix3<Real> J = I + h * (skew(omega) * I - skew(L));
+        const Matrix3<Real> J = I + h * (skew_times(omega, I) - skew(L));
         return omega - solve3(J, residual);
     }
     /// [step]

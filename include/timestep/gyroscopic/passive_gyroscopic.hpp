@@ -4,6 +4,7 @@
 
 #include <timestep/inline.hpp>
 #include <timestep/rigid/symmetric_about.hpp>
+#include <timestep/sums.hpp>
 
 namespace timestep {
 
@@ -41,7 +42,7 @@ struct PassiveGyroscopic {
         const Real share =
             1 / (1 + (U.x() * l.x() * l.x() + U.y() * l.y() * l.y() +
                       U.z() * l.z() * l.z()));
-        const Real l_l = l.dot(l);
+        const Real l_l = dot(l, l);
         return Vector3<Real>(
             share * x - a.x() * y * (share * z) + l_l * U.x() * (share * x),
             share * y - a.y() * z * (share * x) + l_l * U.y() * (share * y),
@@ -83,8 +84,8 @@ struct PassiveGyroscopic {
     template <class Real>
     TIMESTEP_INLINE
     Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega, Real h) const noexcept {
-        const Vector3<Real> turned = inertia.axes.transpose() * omega;
-        return inertia.axes * step(inertia.principal, turned, h);
+        const Vector3<Real> turned = in_body(inertia.axes, omega);
+        return in_world(inertia.axes, step(inertia.principal, turned, h));
     }
 };
 

@@ -29,7 +29,7 @@ static inline TIMESTEP_BODY TIMESTEP_NAME(gyroscopic_from_moments)(TIMESTEP_REAL
         body.kind = 0;
         return body;
     }
-    mean = TIMESTEP_NAME(cbrt)(moment[0]) * TIMESTEP_NAME(cbrt)(moment[1]) * TIMESTEP_NAME(cbrt)(moment[2]);
+    mean = TIMESTEP_NAME(timestep_cbrt)(moment[0]) * TIMESTEP_NAME(timestep_cbrt)(moment[1]) * TIMESTEP_NAME(timestep_cbrt)(moment[2]);
     for (i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         body.ratio[i] = (moment[k] - moment[j]) / moment[i];

@@ -10,6 +10,7 @@
 #include <timestep/checks.hpp>
 #include <timestep/eigenvectors.hpp>
 #include <timestep/models/spring.hpp>
+#include <timestep/sums.hpp>
 
 namespace timestep {
 
@@ -56,7 +57,7 @@ public:
     /// [model]
     template <class X>
     X acceleration(const X& x) const {
-        return slope_x_ * x;
+        return times(slope_x_, x);
     }
     /// [model]
 

@@ -6,6 +6,7 @@
 
 #include <timestep/checks.hpp>
 #include <timestep/forces.hpp>
+#include <timestep/sums.hpp>
 
 namespace timestep {
 
@@ -56,7 +57,7 @@ struct Spring {
         if constexpr (is_number<X>)
             return (s.v * s.v + omega * omega * s.x * s.x) / 2;
         else
-            return (s.v.squaredNorm() + omega * omega * s.x.squaredNorm()) / 2;
+            return (dot(s.v, s.v) + omega * omega * dot(s.x, s.x)) / 2;
     }
 
     /// [exact]

@@ -4,6 +4,7 @@
 
 #include <timestep/checks.hpp>
 #include <timestep/linear_solve.hpp>
+#include <timestep/sums.hpp>
 
 namespace timestep {
 
@@ -45,7 +46,7 @@ struct Tether {
         } else {
             using Slope = decltype(outer(x, x));
             const X u = direction(x);
-            Number across = Number(omega * omega * length) / u.dot(x);  // ω² L/|x|, without |x|²
+            Number across = Number(omega * omega * length) / dot(u, x);  // ω² L/|x|, without |x|²
             if (!is_finite(across)) across = 0;
             return Slope(across * (identity<Slope>() - outer(u, u)) - omega * omega * identity<Slope>());
         }

@@ -2,9 +2,8 @@
 /// \file
 /// A turn about one axis of the body: what splittings are made of.
 
-#include <cmath>
-
 #include <timestep/inline.hpp>
+#include <timestep/own_math.hpp>
 #include <timestep/rigid/rotation.hpp>
 
 namespace timestep {
@@ -23,9 +22,8 @@ struct AxisSpin {
     /// other way in the body.
     /// [spin]
     TIMESTEP_INLINE void spin(int i, Real angle) {
-        using std::cos, std::sin;
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const Real c = cos(angle / 2), s = sin(angle / 2);
+        const auto [s, c] = sine_cosine(angle / 2);
         const Real less = 2 * s * s, sine = 2 * s * c;  // 1 − cos θ, sin θ
         const Real Lj = L[j], Lk = L[k];
         L[j] += sine * Lk - less * Lj;

@@ -39,7 +39,7 @@ bool is_finite(const RigidState<Real>& s) {
 template <class Inertia, class Real>
 Vector3<Real> angular_momentum(const Inertia& inertia, const RigidState<Real>& s) {
     const Matrix3<Real> R = s.q.toRotationMatrix();
-    return R * inertia.momentum(R.transpose() * s.omega);
+    return in_world(R, inertia.momentum(in_body(R, s.omega)));
 }
 
 /// The kinetic energy of the rotation, J.

@@ -4,6 +4,7 @@
 
 #include <timestep/rigid/body.hpp>
 #include <timestep/state.hpp>
+#include <timestep/sums.hpp>
 
 namespace timestep {
 
@@ -30,7 +31,7 @@ struct FreeBody {
         const Quaternion<Real> turning(0, half.x(), half.y(), half.z());
         const Vector3<Real> torque = -omega.cross(inertia.momentum(omega));
         Y rate;
-        rate << (q * turning).coeffs(), inertia.velocity(torque);
+        rate << quaternion_product(q, turning).coeffs(), inertia.velocity(torque);
         return rate;
     }
     /// [rate]
@@ -57,7 +58,7 @@ template <class Real>
 FirstOrder<Eigen::Matrix<Real, 7, 1>> orientation_scaled(
     const FirstOrder<Eigen::Matrix<Real, 7, 1>>& s) {
     FirstOrder<Eigen::Matrix<Real, 7, 1>> scaled = s;
-    scaled.y.template head<4>().normalize();
+    scaled.y.template head<4>() /= norm(scaled.y.template head<4>());
     return scaled;
 }
 

@@ -17,6 +17,7 @@
 #include <timestep/checks.hpp>
 #include <timestep/eigenvectors.hpp>
 #include <timestep/rigid/rotation.hpp>
+#include <timestep/sums.hpp>
 
 namespace timestep {
 
@@ -192,8 +193,7 @@ struct PrincipalInertia {
 
 private:
     static Vector3<Real> over_their_mean(const Vector3<Real>& I) noexcept {
-        using std::cbrt;
-        return I / (cbrt(I.x()) * cbrt(I.y()) * cbrt(I.z()));
+        return I / (cube_root(I.x()) * cube_root(I.y()) * cube_root(I.z()));
     }
 };
 
@@ -225,9 +225,9 @@ struct FullInertia {
     explicit FullInertia(const Matrix3<Real>& I) : FullInertia(checked(I), Matrix3<Real>(I)) {}
 
     /// Angular momentum Iω, kg m²/s.
-    Vector3<Real> momentum(const Vector3<Real>& omega) const { return matrix * omega; }
+    Vector3<Real> momentum(const Vector3<Real>& omega) const { return times(matrix, omega); }
     /// The angular velocity of the angular momentum L, I⁻¹L, rad/s.
-    Vector3<Real> velocity(const Vector3<Real>& L) const { return inverse * L; }
+    Vector3<Real> velocity(const Vector3<Real>& L) const { return times(inverse, L); }
 
 private:
     // `turned` is the matrix, to be seen from its principal axes.
@@ -251,7 +251,7 @@ private:
         return !(asymmetry(I) > 8 * std::numeric_limits<Real>::epsilon() * I.cwiseAbs().maxCoeff());
     }
     static Matrix3<Real> inverse_of(const Matrix3<Real>& axes, const Vector3<Real>& moments) {
-        return axes * moments.cwiseInverse().asDiagonal() * axes.transpose();
+        return times(Matrix3<Real>(axes * moments.cwiseInverse().asDiagonal()), Matrix3<Real>(axes.transpose()));
     }
     // From the eigenvalues, rising. Each is off by as much as the matrix at the worst (Weyl), and that
     // is some ε of the LARGEST: up to 4 ε by the products that turned the body into these axes, and up
@@ -281,7 +281,7 @@ private:
 template <class Inertia>
 typename Inertia::Scalar kinetic_energy(const Inertia& inertia,
                                         const Vector3<typename Inertia::Scalar>& omega) {
-    return omega.dot(inertia.momentum(omega)) / 2;
+    return dot(omega, inertia.momentum(omega)) / 2;
 }
 
 }  // namespace timestep

@@ -9,6 +9,7 @@
 #include <timestep/gyroscopic/lagged_inertia.hpp>
 #include <timestep/rigid/body.hpp>
 #include <timestep/rigid/body_scene.hpp>
+#include <timestep/sums.hpp>
 
 /// \namespace timestep::plane
 /// A capsule, the plane z = 0 that carries it, and one step of the two, in `double`.
@@ -124,7 +125,7 @@ Turning moved(const AroundContacts<Gyroscopic>& solver, const Inertia& inertia, 
 }
 
 inline Flat within(double limit, const Flat& impulse) {
-    const double length = impulse.norm();
+    const double length = norm(impulse);
     return length > limit ? Flat(impulse * (limit / length)) : impulse;
 }
 }  // namespace detail
@@ -149,7 +150,7 @@ inline void solve(Contacts& contacts, double mass, const M& inverse_inertia, con
     for (int i = 0; i < contacts.count; ++i) {
         Contact& c = contacts.at[i];
         const M arm = skew(c.arm);
-        c.response = M::Identity() / mass - arm * inverse_inertia * arm;
+        c.response = M::Identity() / mass - times(times(arm, inverse_inertia), arm);
         slide[i] = c.response.topLeftCorner<2, 2>().inverse();
     }
     for (int round = 0; round < 12; ++round) {
@@ -159,7 +160,7 @@ inline void solve(Contacts& contacts, double mass, const M& inverse_inertia, con
             const auto velocity = [&] { return V(v + omega.cross(c.arm)); };
             const auto push = [&](const V& impulse) {
                 v += impulse / mass;
-                omega += inverse_inertia * c.arm.cross(impulse);
+                omega += times(inverse_inertia, V(c.arm.cross(impulse)));
             };
             const double allowed = -std::max(0.0, c.gap) / h;
             const double normal =
@@ -170,16 +171,16 @@ inline void solve(Contacts& contacts, double mass, const M& inverse_inertia, con
 
             const Flat sliding = velocity().head<2>();
             const Flat friction =
-                detail::within(ground.friction * normal, c.friction - slide[i] * sliding);
+                detail::within(ground.friction * normal, c.friction - times(slide[i], sliding));
             const Flat more = friction - c.friction;
             push({more.x(), more.y(), 0});
             c.friction = friction;
         }
         const Flat turning = omega.head<2>();
         const Flat rolling =
-            detail::within(ground.rolling * radius * pressed, contacts.rolling - roll * turning);
+            detail::within(ground.rolling * radius * pressed, contacts.rolling - times(roll, turning));
         const Flat more = rolling - contacts.rolling;
-        omega += inverse_inertia * V(more.x(), more.y(), 0);
+        omega += times(inverse_inertia, V(more.x(), more.y(), 0));
         contacts.rolling = rolling;
     }
 }
@@ -196,7 +197,7 @@ void touch(const Capsule<Inertia>& body, const Ground& ground, const Motion& m1,
     const M R = m1.turning.q.toRotationMatrix();
     M inverse;
     for (int i = 0; i < 3; ++i)
-        inverse.col(i) = R * body.inertia.velocity(R.transpose() * V::Unit(i));
+        inverse.col(i) = in_world(R, body.inertia.velocity(in_body(R, V(V::Unit(i)))));
 
     const V v1 = v, omega1 = omega;
     const int passes = ground.arms == Arms::start ? 1 : 4;

@@ -9,6 +9,8 @@
 #include <Eigen/Geometry>
 
 #include <timestep/inline.hpp>
+#include <timestep/own_math.hpp>
+#include <timestep/sums.hpp>
 
 namespace timestep {
 
@@ -30,6 +32,15 @@ Matrix3<Real> skew(const Vector3<Real>& a) noexcept {
     return s;
 }
 /// [skew]
+
+/// skew(a) B: the cross products of a and B's columns.
+template <class Real>
+TIMESTEP_INLINE
+Matrix3<Real> skew_times(const Vector3<Real>& a, const Matrix3<Real>& B) noexcept {
+    Matrix3<Real> product;
+    for (int i = 0; i < 3; ++i) product.col(i) = a.cross(B.col(i));
+    return product;
+}
 
 /// A vector in world coordinates whose body coordinates are `v`: R v, where `R` is the orientation as
 /// a matrix. Spelt out, as at -O2 a compiler may call Eigen's product for each of the three.
@@ -54,7 +65,7 @@ Vector3<Real> in_body(const Matrix3<Real>& R, const Vector3<Real>& v) noexcept {
 /// in radians while it is small, and at most 2.
 template <class Real>
 Real apart(const Quaternion<Real>& p, const Quaternion<Real>& q) {
-    return 2 * std::min(Real(1), (p.conjugate() * q).vec().norm());
+    return 2 * std::min(Real(1), norm(quaternion_product(p.conjugate(), q).vec()));
 }
 
 /// A quaternion over its length. (Eigen's `normalized` asks first whether that is zero, a question that
@@ -63,7 +74,7 @@ template <class Real>
 TIMESTEP_INLINE
 Quaternion<Real> over_its_length(const Quaternion<Real>& q) noexcept {
     using std::sqrt;
-    return Quaternion<Real>(q.coeffs() / sqrt(q.squaredNorm()));
+    return Quaternion<Real>(q.coeffs() / sqrt(dot(q.coeffs(), q.coeffs())));
 }
 
 /// The orientation after `h` seconds at the angular velocity `omega`, in rad/s and world coordinates
@@ -76,7 +87,7 @@ Quaternion<Real> over_its_length(const Quaternion<Real>& q) noexcept {
 template <class Real>
 Quaternion<Real> turned(const Quaternion<Real>& q1, const Vector3<Real>& omega, Real h) noexcept {
     const Vector3<Real> half = h / 2 * omega;
-    const Quaternion<Real> rate = Quaternion<Real>(0, half.x(), half.y(), half.z()) * q1;
+    const Quaternion<Real> rate = vector_product(half, q1);
     return over_its_length(Quaternion<Real>(q1.coeffs() + rate.coeffs()));
 }
 /// [orientation]
@@ -95,7 +106,7 @@ Quaternion<Real> turned_in_body(const Quaternion<Real>& q1,
     const Real half = h / 2;
     const Vector3<Real> v = half * omega;
     const Quaternion<Real> cayley(1, v.x(), v.y(), v.z());
-    return over_its_length(q1 * cayley);
+    return over_its_length(quaternion_product(q1, cayley));
 }
 /// [in_body]
 
@@ -104,10 +115,10 @@ Quaternion<Real> turned_in_body(const Quaternion<Real>& q1,
 template <class Real>
 TIMESTEP_INLINE
 Quaternion<Real> turn_by(const Vector3<Real>& v) noexcept {
-    using std::cos, std::sin;
-    const Real half = v.norm() / 2;
-    const Real share = half > 0 ? sin(half) / half / 2 : Real(0.5);
-    return Quaternion<Real>(cos(half), share * v.x(), share * v.y(), share * v.z());
+    const Real half = norm(v) / 2;
+    const auto [sine, cosine] = sine_cosine(half);
+    const Real share = half > 0 ? sine / half / 2 : Real(0.5);
+    return Quaternion<Real>(cosine, share * v.x(), share * v.y(), share * v.z());
 }
 /// [exponential]
 

@@ -4,6 +4,7 @@
 
 #include <timestep/inline.hpp>
 #include <timestep/rigid/rotation.hpp>
+#include <timestep/sums.hpp>
 
 namespace timestep {
 
@@ -15,9 +16,9 @@ TIMESTEP_INLINE
 Vector3<Real> solve3(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c,
                      const Vector3<Real>& right) {
     const Vector3<Real> b_c = b.cross(c), c_a = c.cross(a), a_b = a.cross(b);
-    const Real volume = a.dot(b_c);
+    const Real volume = dot(a, b_c);
     const Real share = 1 / volume;  // a division takes as long as ten products
-    return share * Vector3<Real>(right.dot(b_c), right.dot(c_a), right.dot(a_b));
+    return share * Vector3<Real>(dot(right, b_c), dot(right, c_a), dot(right, a_b));
 }
 /// [solve]
 

@@ -7,6 +7,7 @@
 #include <timestep/rigid/axis_spin.hpp>
 #include <timestep/rigid/spin_state.hpp>
 #include <timestep/rigid/symmetric_about.hpp>
+#include <timestep/sums.hpp>
 
 namespace timestep {
 
@@ -63,7 +64,7 @@ struct RemainderStep {
     TIMESTEP_INLINE
     RemainderStep(const RemainderInertia<Real>& inertia_, const SpinState<Real>& s, Real h_)
         : inertia(inertia_), h(h_), body{s.q, inertia_.unit.cwiseProduct(s.omega)} {
-        body.q = s.q * turn_by(Vector3<Real>(h * (inertia.ball * body.L)));
+        body.q = quaternion_product(s.q, turn_by(Vector3<Real>(h * (inertia.ball * body.L))));
     }
     TIMESTEP_INLINE void a(Real part) {
         const int i = inertia.a;
