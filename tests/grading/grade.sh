@@ -100,7 +100,7 @@ test_the_courses_own_answer_cannot_be_called() {
     needs_isolation
     command -v nm >/dev/null || exit 77
     hidden=$real_build/exercises/hidden/velocity_now
-    place=$(nm -C "$hidden" | sed -n 's/^0*\([0-9a-f]*\) t .*::solution::velocity_now(.*/\1/p')
+    place=$(nm -C "$hidden" | sed -n 's/^0*\([0-9a-f]*\) t (anonymous namespace)::solution::velocity_now(.*/\1/p')
     [ -n "$place" ] || fail 'the hidden tests do not hold the answer: this tests nothing'
     mkdir class/gus
     cat >class/gus/velocity_now.cpp <<CODE

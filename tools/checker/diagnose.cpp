@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "session.hpp"
+#include "shown.hpp"
 
 namespace checker {
 
@@ -22,12 +22,6 @@ double apart(const Numbers& a, const Numbers& b) {
     }
     return difference;
 }
-
-// Calls whose answers were wrong, what was right there, and calls whose answers were right.
-struct Shown {
-    std::vector<const Call*> wrong, right;
-    std::vector<Numbers> truth;  // of each of the wrong ones
-};
 
 // An answer that is not called wrong counts as such where it differs by more than `least` of the right one: where
 // many answers are right, the one that is not the course's says most.
@@ -52,16 +46,14 @@ Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least) {
 struct Fit {
     double where_wrong = 0, where_right = 0;
     // Of yes and no, or of two counts, many agree by chance.
-    bool good(bool counted) const { return where_wrong >= 0.9 && where_right >= (counted ? 0.98 : 0.75); }
+    bool good(bool counted) const { return where_wrong >= 0.97 && where_right >= (counted ? 0.98 : 0.9); }
 };
 
 Fit fit_of(const Mistake& mistake, const Shown& shown) {
     Fit fit;
     for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
         const Call& call = *shown.wrong[i];
-        const double gap = apart(call.result, shown.truth[i]), miss = apart(call.result, mistake.made.answer(call.arguments));
-        // A thousandth of what is wrong: what another way to write the same mistake makes of it is far less.
-        fit.where_wrong += gap < HUGE_VAL ? miss <= 1e-3 * gap : miss == 0;
+        fit.where_wrong += errs_alike(mistake.made.answer(call.arguments), call.result, shown.truth[i]);
     }
     for (const Call* call : shown.right) {
         const Numbers answer = mistake.made.answer(call->arguments);
@@ -90,7 +82,7 @@ bool loses_as_many_digits(const Mistake& mistake, const Truth& truth, const Show
         const double gap = apart(call.result, shown.truth[i]);
         // What is always off by as much is off by more than roundoff: there the two must agree.
         const bool is_roundoff = lost < HUGE_VAL && least < 0.7 * lost;
-        const bool agrees = gap < HUGE_VAL && apart(call.result, mistake.made.answer(call.arguments)) <= 1e-3 * gap;
+        const bool agrees = gap < HUGE_VAL && errs_alike(mistake.made.answer(call.arguments), call.result, shown.truth[i]);
         fits += agrees || (is_roundoff && gap <= 4 * lost);
         many += agrees || (is_roundoff && gap >= 0.05 * lost);
     }
@@ -175,7 +167,7 @@ bool is_rounded_to_single(const Shown& shown) {
 }
 
 // Mistakes of a kind that every exercise knows: by what is the answer off?
-std::string family_of(const Truth& truth, const Shown& shown) {
+std::string family_of(const Shown& shown) {
     struct Family {
         const char* name;
         double (*makes)(double right);
@@ -205,6 +197,12 @@ std::string family_of(const Truth& truth, const Shown& shown) {
         if (double(fits) >= 0.95 * double(shown.wrong.size()) && double(misfits) <= 0.05 * double(shown.wrong.size() + shown.right.size()))
             return family.name;
     }
+    return {};
+}
+
+// Mistakes that make the answer inexact, whatever the exercise.
+std::string inexact(const Truth& truth, const Shown& shown) {
+    if (shown.wrong.size() < 3) return {};
     if (is_nearly_one_share(shown)) return "constant";
     if (is_rounded_to_single(shown) || is_single_precision(truth, shown)) return "single";
     return is_off_by_little(shown) ? "digits" : "";
@@ -229,10 +227,15 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
             best = mistake.name;
         }
     }
-    if (!best.empty() || counted) return best.empty() ? family_of(truth, shown) : best;
+    if (best.empty()) best = family_of(shown);
+    if (best.empty()) best = slip_of(exercise, shown, counted);
+    if (best.empty() && counted) best = two_slips_of(exercise, shown, counted);
+    if (!best.empty() || counted) return best;
     for (const Mistake& mistake : mistakes_of(exercise))
         if (loses_as_many_digits(mistake, truth, shown)) return mistake.name;
-    return family_of(truth, shown);
+    const std::string how = inexact(truth, shown);
+    if (how.empty() || how == "digits") best = two_slips_of(exercise, shown, counted);
+    return best.empty() ? how : best;
 }
 
 }  // namespace checker

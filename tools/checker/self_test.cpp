@@ -2,15 +2,20 @@
 // told apart, whatever the seed.
 //
 //     self_test EXERCISE SEEDS
+//     self_test EXERCISE slips
 //
-// Right answers are checked with so many seeds, mistakes with a tenth of that.
+// Right answers are checked with so many seeds, mistakes with a tenth of that. With `slips`, each slip that can be made
+// in the right answers is checked with one seed: it must be caught, unless its every answer is right, and have a name.
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
 #include "self_test.hpp"
 #include "session.hpp"
+#include "slips.hpp"
 
 namespace checker {
 
@@ -50,6 +55,52 @@ void test(const std::string& exercise, std::uint64_t seeds) {
                 print(seeds / 10));
 }
 
+// Does the slip ever leave its vectors, or not end? Then no worker would bring its answers to the tests.
+struct LeadsNowhere {};
+
+void test_slips(const std::string& exercise) {
+    std::size_t caught = 0, named = 0, right = 0, nowhere = 0;
+    for (const Answer& answer : slips_of(exercise)) {
+        std::vector<slip::Made> slips;
+        const Answer noting = [&](const Numbers& arguments) {
+            slip::note(answer, arguments, slips);
+            return truth_of_exercise(exercise).answer(arguments);
+        };
+        session().check(exercise, noting, 1);
+        const bool is_solution = &answer == &slips_of(exercise).front();
+        for (const slip::Made& made : slips) {
+            if (!is_solution && made.form > slip::last_of_arithmetic) continue;  // no name is looked for there
+            bool leads_nowhere = false;
+            double most = 0;
+            const Answer slipping = [&](const Numbers& arguments) {
+                const Numbers result = slip::answered(answer, arguments, made);
+                leads_nowhere |= result.empty();
+                if (result.empty()) throw Ended(Kind::crash, "a slip that leads nowhere");
+                const Numbers truth = truth_of_exercise(exercise).answer(arguments);
+                for (std::size_t i = 0; i < std::min(truth.size(), result.size()); ++i)
+                    most = std::max(most, std::fabs(result[i] - truth[i]) / std::max(1e-300, std::fabs(truth[i])));
+                return result;
+            };
+            const Verdict verdict = session().check(exercise, slipping, 1);
+            if (leads_nowhere) {
+                ++nowhere;
+            } else if (verdict.kind == Kind::pass) {
+                ++right;
+                if (within(exercise).relative != many_are_right && most > 1e-3) {
+                    ++failures;
+                    std::printf("%s: the slip %s at %d is off by %g, and passes\n", exercise.c_str(), slip::name_of(made.form), made.site, most);
+                }
+            } else {
+                ++caught;
+                named += !verdict.misconception.empty();
+            }
+        }
+    }
+    std::printf("%s: of the slips %zu are caught, %zu of them by name; %zu change nothing that is wrong, %zu lead nowhere\n", exercise.c_str(),
+                caught, named, right, nowhere);
+    if (10 * named < 9 * caught) ++failures;
+}
+
 }  // namespace
 
 }  // namespace checker
@@ -57,9 +108,13 @@ void test(const std::string& exercise, std::uint64_t seeds) {
 int main(int argc, char** argv) {
     std::uint64_t seeds = 0;
     const std::string word = argc == 3 ? argv[2] : "";
+    if (word == "slips") {
+        checker::test_slips(argv[1]);
+        return checker::failures == 0 ? 0 : 1;
+    }
     const auto read = std::from_chars(word.data(), word.data() + word.size(), seeds);
     if (read.ptr != word.data() + word.size() || seeds < 10) {
-        std::fprintf(stderr, "self_test: takes EXERCISE SEEDS, of which there are 10 or more\n");
+        std::fprintf(stderr, "self_test: takes EXERCISE SEEDS, of which there are 10 or more, or EXERCISE slips\n");
         return 2;
     }
     checker::test(argv[1], seeds);

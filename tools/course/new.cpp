@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& line) {
+[[noreturn]] void give_up(const std::string& line) {
     throw Stop(Status::bad_use, line);
 }
 
@@ -30,7 +30,7 @@ namespace {
 using Words = std::vector<std::pair<std::string, std::string>>;
 
 // A file that is made from one of tools/new, and what is to be filled in there.
-struct Part {
+struct Skeleton {
     std::string sample, place, fill_in;
 };
 
@@ -41,23 +41,23 @@ std::string filled(const std::string& sample, const Words& words) {
     const auto left = text.find("NEW_");
     if (left != std::string::npos) {
         const auto end = text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_", left);
-        refuse(shown(file) + ": nothing stands for " + text.substr(left, end - left));
+        give_up(shown(file) + ": nothing stands for " + text.substr(left, end - left));
     }
     return text;
 }
 
 // Files in the making: in the end all of them are there, or nothing has changed.
-class Unfinished {
+class InTheMaking {
 public:
-    Unfinished() = default;
-    ~Unfinished() { undo(); }
-    Unfinished(const Unfinished&) = delete;
-    Unfinished& operator=(const Unfinished&) = delete;
+    InTheMaking() = default;
+    ~InTheMaking() { undo(); }
+    InTheMaking(const InTheMaking&) = delete;
+    InTheMaking& operator=(const InTheMaking&) = delete;
 
     void write(const std::string& place, const std::string& text) {
         const fs::path file = places().source / place;
         std::error_code error;
-        if (fs::exists(fs::symlink_status(file, error))) refuse(place + " is there already; nothing was made");
+        if (fs::exists(fs::symlink_status(file, error))) give_up(place + " is there already; nothing was made");
         make_folder(file.parent_path());
         write_whole(file, text);
         undo_.emplace_back(file, std::nullopt);
@@ -93,7 +93,7 @@ private:
         std::error_code error;
         if (fs::is_directory(folder, error)) return;
         make_folder(folder.parent_path());
-        if (!fs::create_directory(folder, error)) refuse(folder.string() + ": cannot be made");
+        if (!fs::create_directory(folder, error)) give_up(folder.string() + ": cannot be made");
         undo_.emplace_back(folder, std::nullopt);
     }
 
@@ -113,13 +113,13 @@ std::string readme_with(const std::string& line) {
     std::string text = contents(places().source / "README.md");
     const auto last = text.rfind("](chapters/");
     const auto end = last == std::string::npos ? last : text.find('\n', last);
-    if (end == std::string::npos) refuse("README.md has no table of chapters, where the new one belongs");
+    if (end == std::string::npos) give_up("README.md has no table of chapters, where the new one belongs");
     return text.insert(end + 1, line + "\n");
 }
 
 // The build must take it; else it is not made, and the build is what it was. CMake may have written what Ninja cannot
 // read, and who cannot read it does not ask CMake again: so we do.
-void try_out(const std::string& name, Unfinished& unfinished) {
+void try_out(const std::string& name, InTheMaking& unfinished) {
     std::string why;
     try {
         configure();
@@ -135,10 +135,10 @@ void try_out(const std::string& name, Unfinished& unfinished) {
     } catch (const Stop& stop) {  // as before
         if (stop.status() != Status::bad_use) throw;
     }
-    refuse("'" + name + "' was not made: " + why);
+    give_up("'" + name + "' was not made: " + why);
 }
 
-void tell(const std::vector<Part>& parts, const std::string& next) {
+void tell(const std::vector<Skeleton>& parts, const std::string& next) {
     std::size_t width = 0;
     for (const auto& part : parts) width = std::max(width, part.place.size());
     for (const auto& part : parts) std::printf("  %s  %s\n", padded(part.place, width).c_str(), part.fill_in.c_str());
@@ -148,23 +148,23 @@ void tell(const std::vector<Part>& parts, const std::string& next) {
 }  // namespace
 
 void new_chapter(const std::string& name) {
-    if (is_kit()) refuse("this is the learner's edition: chapters are added to the whole course");
+    if (is_kit()) give_up("this is the learner's edition: chapters are added to the whole course");
     check_name(name);
     const auto chapters = read_chapters();
     int number = 1;
     for (const auto& chapter : chapters) {
         if (chapter.program == name || chapter.study() == name || chapter.program == name + "_study")
-            refuse("'" + name + "': chapters/" + chapter.folder + " has a program of that name");
+            give_up("'" + name + "': chapters/" + chapter.folder + " has a program of that name");
         number = chapter.number() + 1;
     }
-    if (number > 99) refuse("there are chapters up to 99, and a chapter's number has two digits");
+    if (number > 99) give_up("there are chapters up to 99, and a chapter's number has two digits");
     check_chapter_is_new(name);
 
     const std::string digits = (number < 10 ? "0" : "") + std::to_string(number), folder = digits + "_" + name;
     const Words words{{"NEW_NAME", name}, {"NEW_TITLE", title_from(name)}, {"NEW_NUMBER", std::to_string(number)},
                       {"NEW_DIGITS", digits}, {"NEW_CHAPTER", folder}};
     const std::string room = "chapters/" + folder + "/";
-    const std::vector<Part> parts{
+    const std::vector<Skeleton> parts{
         {"chapter/about.json", room + "about.json", "title, question, claims of the talks, figures"},
         {"chapter/chapter.md", room + "chapter.md", "the page"},
         {"chapter/program.cpp", room + name + ".cpp", "the program: one short file, its numbers to play with at the top"},
@@ -173,7 +173,7 @@ void new_chapter(const std::string& name) {
         {"chapter/study/study.cpp", room + "study/study.cpp", "what finds the page's numbers and checks"},
         {"chapter/study/figures.gp", room + "study/figures.gp", "more figures, from what the study finds"},
         {"chapter/test.cpp", "tests/chapters/" + folder + ".cpp", "what the chapter claims, as tests"}};
-    Unfinished unfinished;
+    InTheMaking unfinished;
     for (const auto& part : parts) unfinished.write(part.place, filled(part.sample, words));
     const auto about = json_of(filled("chapter/about.json", words));
     unfinished.change("README.md", readme_with("| [" + std::to_string(number) + " " + std::string(about.at("title")) +
@@ -188,12 +188,12 @@ void new_chapter(const std::string& name) {
 }
 
 void new_exercise(const std::string& chapter_meant, const std::string& name) {
-    if (is_kit()) refuse("this is the learner's edition: exercises are added to the whole course");
+    if (is_kit()) give_up("this is the learner's edition: exercises are added to the whole course");
     check_name(name);
     const Chapter chapter = find_chapter(chapter_meant);
     int number = 1;
     for (const auto& exercise : read_exercises()) {
-        if (exercise.name == name) refuse("'" + name + "': exercise " + exercise.place() + " has that name");
+        if (exercise.name == name) give_up("'" + name + "': exercise " + exercise.place() + " has that name");
         if (exercise.chapter == chapter.folder) number = std::max(number, exercise.number + 1);
     }
     check_exercise_is_new(name);
@@ -201,13 +201,13 @@ void new_exercise(const std::string& chapter_meant, const std::string& name) {
     const Words words{{"NEW_NAME", name}, {"NEW_TITLE", title_from(name)}, {"NEW_PLACE", std::to_string(number)},
                       {"NEW_NUMBER", std::to_string(chapter.number())}};
     const std::string room = "tests/exercises/" + chapter.folder + "/" + name + "/", file = chapter.folder + "/" + name + ".cpp";
-    const std::vector<Part> parts{
+    const std::vector<Skeleton> parts{
         {"exercise/solution.cpp", "solutions/" + file, "the task, and the course's answer between two lines // [answer]"},
         {"exercise/about.json", room + "about.json", "title, declaration, hints"},
         {"exercise/properties.cpp", room + "properties.cpp", "the hidden tests"},
         {"exercise/correct.cpp", room + "correct.cpp", "two answers or more that are right"},
         {"exercise/mistakes.cpp", room + "mistakes.cpp", "four or more that are wrong, and what is said of each"}};
-    Unfinished unfinished;
+    InTheMaking unfinished;
     for (const auto& part : parts) unfinished.write(part.place, filled(part.sample, words));
     try_out(name, unfinished);  // makes the learner's file from the solution
     Exercise exercise;

@@ -1,11 +1,11 @@
 #include "tell.hpp"
 
 #include <cmath>
-#include <map>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
 
+#include "misconception.hpp"
 #include "terminal.hpp"
 
 namespace course {
@@ -84,26 +84,6 @@ std::string when(const Exercise& exercise, const Verdict& verdict) {
                                      : "in the call " + call(exercise, verdict);
 }
 
-// What the answer is of the right one, where that is the same in every call (tools/checker/diagnose.cpp).
-const std::map<std::string, std::string>& families() {
-    static const std::map<std::string, std::string> words{
-        {"minus", "the negative of the right one: a sign is lost."},
-        {"twice", "twice the right one."},
-        {"half", "half of the right one."},
-        {"degrees", "180/π times the right one: degrees instead of radians?"},
-        {"radians", "π/180 times the right one: radians instead of degrees?"},
-        {"squared", "the square of the right one: a root is missing."},
-        {"root", "the root of the right one."},
-        {"inverse", "one over the right one."},
-        {"constant", "the right one times a number near one, the same in every call: is there a constant with too few "
-                     "digits, as 3.14 for π?"},
-        {"digits", "mostly off by little, less than a five-hundredth of it: is there a constant with too few digits, a difference "
-                   "of nearly equal numbers, a slope that is found by differences, or a loop that ends too soon?"},
-        {"single", "off by as much as numbers of six or seven digits make it: is there a float, a number with an f at "
-                   "its end, a constant with too few digits, or a tolerance?"}};
-    return words;
-}
-
 // Is a value kept by `auto`: of what is no lambda, and no list of names?
 bool keeps_by_auto(const std::string& code) {
     const std::string blanks = " \t\n";
@@ -134,18 +114,9 @@ std::string wrong(const Exercise& exercise, const Verdict& verdict, const fs::pa
     else if (!verdict.result.empty())
         text += "  It was noticed after the call\n" +
                 wrapped(call(exercise, verdict) + ", which returned " + verdict.result, 6) + "\n";
-    const auto known = exercise.mistakes();
-    const auto mistake = known.find(verdict.misconception);
-    const auto family = families().find(verdict.misconception);
-    if (mistake != known.end())
-        text += wrapped(mistake->second.says, 2) + wrapped("Hint: " + mistake->second.hint, 2);
-    else if (family != families().end())
-        text += wrapped("Wherever your answer is wrong, it is " + family->second, 2);
-    else
-        text += wrapped(
-            "This is none of the usual mistakes. Work the property out by hand for the numbers "
-            "above.",
-            2);
+    const std::string mistake = told_of(exercise, verdict.misconception);
+    text += !mistake.empty() ? mistake
+                             : wrapped("This is none of the usual mistakes. Work the property out by hand for the numbers above.", 2);
     return text + of_auto(exercise, verdict, file);
 }
 
@@ -158,11 +129,8 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
                                        ". Every answer "
                                        "must be a finite number.",
                                    2);
-        const auto known = exercise.mistakes();
-        const auto mistake = known.find(verdict.misconception);
-        return mistake == known.end() ? text + of_auto(exercise, verdict, file)
-                                      : text + "\n" + wrapped(mistake->second.says, 2) +
-                                            wrapped("Hint: " + mistake->second.hint, 2);
+        const std::string mistake = told_of(exercise, verdict.misconception);
+        return mistake.empty() ? text + of_auto(exercise, verdict, file) : text + "\n" + mistake;
     }
     if (kind == "crash") {
         std::string text = wrapped(verdict.detail + ", " + when(exercise, verdict), 2);

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// The calls of a check that tell one mistake from another.
+
+#include <vector>
+
+#include "session.hpp"
+
+namespace checker {
+
+/// Calls whose answers were wrong, what was right there, and calls whose answers were right.
+struct Shown {
+    std::vector<const Call*> wrong, right;
+    std::vector<Numbers> truth;  ///< of each of the wrong ones
+};
+
+/// Does `made` err as the learner does, who found `found` where `right` is right? Number by number, for one number off
+/// by much must not hide another: to a thousandth of what is wrong there, which is more than another way to write the
+/// same mistake makes of it.
+bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right);
+/// Are they one but for roundoff?
+bool is_same(const Numbers& made, const Numbers& found);
+
+/// The slip, or the two at once, that answer as the learner does: their kinds' names, as "slip_sign" or "slip_sign_term"; nothing
+/// where none does. `counted`: of a yes and a no, or of counts, many agree by chance. (slips/slipped.cpp)
+std::string slip_of(const std::string& exercise, const Shown& shown, bool counted);
+std::string two_slips_of(const std::string& exercise, const Shown& shown, bool counted);
+
+}  // namespace checker

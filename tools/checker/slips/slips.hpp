@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// Which slips there are in an exercise's answers, and what comes of them.
+
+#include <string>
+#include <vector>
+
+#include "answer.hpp"
+#include "slip.hpp"
+
+namespace checker {
+
+namespace slip {
+
+/// One slip: the place, which of those that can be made there, and its form.
+struct Made {
+    int site = 0, number = 0;
+    Form form = Form::none;
+};
+
+/// What the answer gives with one slip, or with two. Nothing where that leads nowhere.
+Numbers answered(const Answer& answer, const Numbers& arguments, const Made& first, const Made* second = nullptr);
+/// Adds the slips that can be made at the places which a call passes, and are not among `noted`.
+void note(const Answer& answer, const Numbers& arguments, std::vector<Made>& noted);
+/// How many places all calls have passed.
+long work();
+
+/// "sign", as the learner is told of it.
+const char* name_of(Form form);
+
+}  // namespace slip
+
+/// The right answers of an exercise, written so that they can slip.
+bool know_slips(const std::string& exercise, std::vector<Answer> answers);
+const std::vector<Answer>& slips_of(const std::string& exercise);
+
+}  // namespace checker

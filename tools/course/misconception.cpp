@@ -1,0 +1,82 @@
+#include "misconception.hpp"
+
+#include <map>
+
+#include "terminal.hpp"
+
+namespace course {
+
+namespace {
+
+// What the answer is of the right one, where that is the same in every call.
+const std::map<std::string, std::string>& families() {
+    static const std::map<std::string, std::string> words{
+        {"minus", "the negative of the right one: a sign is lost."},
+        {"twice", "twice the right one."},
+        {"half", "half of the right one."},
+        {"degrees", "180/π times the right one: degrees instead of radians?"},
+        {"radians", "π/180 times the right one: radians instead of degrees?"},
+        {"squared", "the square of the right one: a root is missing."},
+        {"root", "the root of the right one."},
+        {"inverse", "one over the right one."},
+        {"constant", "the right one times a number near one, the same in every call: is there a constant with too few "
+                     "digits, as 3.14 for π?"},
+        {"digits", "mostly off by little, less than a five-hundredth of it: is there a constant with too few digits, a difference "
+                   "of nearly equal numbers, a slope that is found by differences, or a loop that ends too soon?"},
+        {"single", "off by as much as numbers of six or seven digits make it: is there a float, a number with an f at "
+                   "its end, a constant with too few digits, or a tolerance?"}};
+    return words;
+}
+
+// What would have to be done to a right answer for it to do as the learner's does. It says the kind and not the place,
+// and no more than is true of every slip that has this name (tools/checker/slips/slip.hpp).
+const std::map<std::string, std::string>& slips() {
+    static const std::map<std::string, std::string> words{
+        {"sign", "a sign turned round: a plus for a minus, a minus for a plus, or a minus lost"},
+        {"twice", "one part of it twice as large as it should be"},
+        {"half", "one part of it half as large as it should be"},
+        {"term", "one term of a sum or of a difference left out"},
+        {"factor", "one factor or divisor left out"},
+        {"upside_down", "something turned upside down: multiplied where it should be divided, or the other way round"},
+        {"power", "one factor or divisor counted twice"},
+        {"function", "a function left out, or another of its kind in its place: a root, a length, sine and cosine, a logarithm, a rounding"},
+        {"reversed", "a comparison the wrong way round, or the larger of two taken for the smaller"},
+        {"edge", "a comparison that is off at its very edge, with < for ≤ or the other way round, or a count that is off by one"},
+        {"guard", "a condition or a limit left out"},
+        {"loop", "a loop that begins one too late or ends one too soon"},
+        {"exchanged", "two arguments that have changed places, or the two factors of a product that has an order"},
+        {"variable", "one variable, or one part of it, taken for another"},
+        {"constant", "π with too few digits"},
+        {"degrees", "an angle in degrees where radians belong, or the other way round"},
+        {"single", "numbers of single precision: is there a float, or a number with an f at its end?"}};
+    return words;
+}
+
+// Of "slip_sign" and "slip_sign_and_term".
+std::string of_slips(const std::string& name) {
+    const std::string begin = "slip_", between = "_and_";
+    if (name.compare(0, begin.size(), begin) != 0) return {};
+    const auto at = name.find(between);
+    const auto first = slips().find(name.substr(begin.size(), at == std::string::npos ? at : at - begin.size()));
+    if (first == slips().end()) return {};
+    const std::string as_right = "Your answer does what a right one does with ";
+    if (at == std::string::npos) return as_right + first->second + (first->second.back() == '?' ? "" : ".");
+    const auto second = slips().find(name.substr(at + between.size()));
+    if (second == slips().end()) return {};
+    if (first == second) return as_right + "two slips of one kind, each of them " + first->second + ".";
+    return as_right + "two slips at once: " + first->second + "; and " + second->second + ".";
+}
+
+}  // namespace
+
+std::string told_of(const Exercise& exercise, const std::string& misconception) {
+    const auto known = exercise.mistakes();
+    const auto mistake = known.find(misconception);
+    if (mistake != known.end()) return wrapped(mistake->second.says, 2) + wrapped("Hint: " + mistake->second.hint, 2);
+    const auto family = families().find(misconception);
+    if (family != families().end()) return wrapped("Wherever your answer is wrong, it is " + family->second, 2);
+    const std::string slip = of_slips(misconception);
+    return slip.empty() ? slip : wrapped(slip, 2);
+}
+
+}  // namespace course
