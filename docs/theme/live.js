@@ -10,10 +10,10 @@ function make(tag, attributes = {}, ...children) {
 const count = n => [...Array(n).keys()];
 // Numbers as they are printed: −1.5, 10⁻⁸, 2.5·10⁷.
 const minus = words => String(words).replace("-", "−");
-const powerOfTen = n => "10" + String(Number(n)).replace(/./g, c => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]);
+const powerOfTen = n => "10" + String(+n).replace(/./g, c => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]);
 const written = value => {
     const length = Math.abs(value);
-    if (!(length >= 1e6 || length > 0 && length < 1e-3)) return minus(Number(value.toPrecision(4)));
+    if (!(length >= 1e6 || length > 0 && length < 1e-3)) return minus(+value.toPrecision(4));
     const [digits, tens] = value.toExponential(2).replace("Infinity", "∞").split("e");
     return minus(digits) + (tens ? "·" + powerOfTen(tens) : "");
 };
@@ -27,9 +27,7 @@ function dashed(colour, dashes) {
 
 class LiveCanvas {
     constructor(canvas, text) {
-        this.canvas = canvas;
-        this.pen = canvas.getContext("2d");
-        this.text = text;  // the words of a number among the commands
+        Object.assign(this, { canvas, text, pen: canvas.getContext("2d") });  // text: the words of a number among the commands
     }
 
     resize(aspect) {
@@ -61,7 +59,7 @@ class LiveCanvas {
     }
 
     draw(commands) {
-        const pen = this.pen, lengths = [10, 5, 4, 3, 3, 1, 1, 4, 4];
+        const pen = this.pen, lengths = [10, 5, 4, 3, 3, 1, 1, 4, 4], looks = [];
         let path = false;  // is one begun? Moves before its stroke add to it
         this.main = null;
         pen.clearRect(0, 0, this.width, this.height);
@@ -70,20 +68,22 @@ class LiveCanvas {
             const a = commands[i + 1], b = commands[i + 2], c = commands[i + 3];
             switch (commands[i]) {
             case 0: {
-                const [left, right, bottom, top] = commands.subarray(i + 6, i + 10);
-                this.part = { shown: commands.slice(i + 1, i + 6), left: left * this.width + 8, right: right * this.width - 8,
-                    bottom: (1 - bottom) * this.height - 8, top: (1 - top) * this.height + 8 };
+                // At whole pixels: there it is clipped quickly.
+                const [left, right, bottom, top] = commands.subarray(i + 6, i + 10).map((at, n) => Math.round(n < 2 ? at * this.width : (1 - at) * this.height));
+                this.part = { shown: commands.slice(i + 1, i + 6), left: left + 8, right: right - 8, bottom: bottom - 8, top: top + 8 };
                 this.main ||= this.part;
                 this.fit();
                 this.clip();
                 break;
             }
             case 1: this.axes(this.text(a), this.text(b), c, commands[i + 4]); break;
-            case 2:
-                pen.strokeStyle = pen.fillStyle = this.text(a, "colour");
-                pen.setLineDash(this.text(a, "dashes").split(",").filter(Boolean).map(Number));
+            case 2: {
+                const [colour, dashes] = looks[a] ||= [this.text(a, "colour"), this.text(a, "dashes").split(",").filter(Boolean).map(Number)];
+                pen.strokeStyle = pen.fillStyle = colour;
+                pen.setLineDash(dashes);
                 pen.lineWidth = b, pen.globalAlpha = c;
                 break;
+            }
             case 3:
                 if (!path) pen.beginPath();
                 path = true, pen.moveTo(this.x(a), this.y(b));
@@ -91,7 +91,12 @@ class LiveCanvas {
             case 4: pen.lineTo(this.x(a), this.y(b)); break;
             case 5: path = false, pen.stroke(); break;
             case 6: path = false, pen.fill(); break;
-            case 7: path = false, pen.beginPath(), pen.arc(this.x(a), this.y(b), c, 0, 7), pen.fill(); break;
+            case 7:  // dots that follow each other are filled together
+                if (!path) pen.beginPath();
+                pen.moveTo(this.x(a) + c, this.y(b)), pen.arc(this.x(a), this.y(b), c, 0, 7);
+                path = commands[i + 4] === 7;
+                if (!path) pen.fill();
+                break;
             case 8: pen.fillText(this.text(c), this.x(a), this.y(b));
             }
         }
@@ -115,34 +120,31 @@ class LiveCanvas {
         const many = length / gap / most;
         gap *= many > 5 ? 10 : many > 2.5 ? 5 : many > 1 ? 2 : 1;
         if (log) gap = Math.max(1, Math.ceil(gap));
-        const first = Math.ceil(from / gap);
-        return count(Math.max(0, Math.floor((from + length) / gap + .001) - first + 1)).map(n => {
-            const at = (first + n) * gap;
-            return [at, log ? powerOfTen(at) : minus(Number(at.toPrecision(6)))];
-        });
+        const all = [];
+        for (let n = Math.ceil(from / gap); n <= (from + length) / gap + .001; ++n)
+            all.push([n * gap, log ? powerOfTen(n * gap) : minus(+(n * gap).toPrecision(6))]);
+        return all;
     }
 
     axes(wordX, wordY, logX, logY) {
         const pen = this.pen, part = this.part;
-        const line = (x1, y1, x2, y2, colour) => {
-            pen.strokeStyle = colour, pen.beginPath(), pen.moveTo(x1, y1), pen.lineTo(x2, y2), pen.stroke();
-        };
         const write = (words, x, y, align) => { pen.textAlign = align, pen.fillText(words, x, y); };
         this.fresh();
         part.left += 48, part.bottom -= 38, part.top += 22;  // the words stand outside
         this.fit();
         const { left, right, top, bottom } = part;
-        pen.lineWidth = 1, pen.fillStyle = "#333";
+        pen.lineWidth = 1, pen.fillStyle = "#333", pen.beginPath();
         for (const [at, words] of this.ticks(part.fromX, (right - left) / part.scaleX, logX, (right - left) / 50)) {
-            line(this.x(at), top, this.x(at), bottom, "#ddd");
+            pen.moveTo(this.x(at), top), pen.lineTo(this.x(at), bottom);
             write(words, this.x(at), bottom + 16, "center");
         }
         for (const [at, words] of this.ticks(part.fromY, (bottom - top) / part.scaleY, logY, (bottom - top) / 30)) {
-            line(left, this.y(at), right, this.y(at), "#ddd");
+            pen.moveTo(left, this.y(at)), pen.lineTo(right, this.y(at));
             write(words, left - 5, this.y(at) + 5, "right");
         }
-        line(left, bottom, right, bottom, "#333");
-        line(left, top, left, bottom, "#333");
+        pen.strokeStyle = "#ddd", pen.stroke(), pen.beginPath();
+        pen.moveTo(left, top), pen.lineTo(left, bottom), pen.lineTo(right, bottom);
+        pen.strokeStyle = "#333", pen.stroke();
         write(wordX, (left + right) / 2, bottom + 33, "center");
         write(wordY, left - 40, top - 11, "left");
         this.clip();
@@ -154,7 +156,6 @@ class LiveCanvas {
 class LivePanel {
     constructor(figure) {
         this.figure = figure;
-        this.wanted = this.seen = this.plays = false;
     }
 
     async start() {
@@ -180,7 +181,7 @@ class LivePanel {
         const of = this.of;
         const button = (words, onclick) => make("button", { type: "button", className: "play", textContent: words, onclick });
         this.canvas = make("canvas", { tabIndex: 0, role: "img",
-            ariaLabel: this.words(of.title()) + (Number.isNaN(of.handle(0)) ? "" : ". The arrow keys drag.") });
+            ariaLabel: this.words(of.title()) + (isNaN(of.handle(0)) ? "" : ". The arrow keys drag.") });
         this.picture = new LiveCanvas(this.canvas, (i, what = "said") => this.words(of[what](i)));
         this.playButton = button("", () => this.play(!this.wanted));
         this.linkButton = button("Link", () => this.link());
@@ -200,7 +201,8 @@ class LivePanel {
             make("div", { className: "live-buttons" }, this.playButton,
                 button("One step", () => { this.play(false), this.steps(1); }),
                 button("Restart", () => { of.begin(), this.show(); }), this.linkButton),
-            form, list, this.status, this.inShell()));
+            form, list, this.status, make("details", { className: "live-shell", ontoggle: () => this.showInShell() },
+                make("summary", { textContent: "The same run in a shell" }), this.shell)));
         this.touch();
     }
 
@@ -209,33 +211,33 @@ class LivePanel {
         const [name, label, unit] = count(3).map(n => this.words(of.control_text(i, n)));
         const id = `${this.figure.id}-${name}`, row = make("div", { className: "live-control" });
         const control = { name, first, get: () => of.control_number(i, 5), set: value => {
-            if (!Number.isNaN(value)) this.trying(() => of.set(i, value));
+            if (!isNaN(value)) this.trying(() => of.set(i, value));
             if (of.moves(i)) this.play(false);
             this.show();
         } };
         row.append(make("label", { htmlFor: id, textContent: label }));
         if (kind === 2) {  // one of several
-            const list = make("select", { id, onchange: () => control.set(Number(list.value)) },
+            const list = make("select", { id, onchange: () => control.set(+list.value) },
                 ...unit.split("|").map((words, n) => make("option", { value: n, textContent: words })));
             control.show = () => { list.value = control.get(); };
             row.append(list);
         } else if (kind === 3) {  // on or off
-            const box = make("input", { id, type: "checkbox", onchange: () => control.set(Number(box.checked)) });
+            const box = make("input", { id, type: "checkbox", onchange: () => control.set(+box.checked) });
             control.show = () => { box.checked = control.get() !== 0; };
             row.append(box);
         } else {  // a number, on a log slider by its logarithm
-            const there = x => kind === 1 ? Math.log10(x) : x, back = x => kind === 1 ? Number((10 ** x).toPrecision(3)) : x;
+            const there = x => kind === 1 ? Math.log10(x) : x, back = x => kind === 1 ? +(10 ** x).toPrecision(3) : x;
             const range = make("input", { id, type: "range", min: there(least), max: there(most), step: kind === 1 ? .01 : step });
             const typed = make("input", { type: "number", min: least, max: most, step: "any", ariaLabel: label + " as a number" });
-            range.oninput = () => control.set(back(Number(range.value)));
+            range.oninput = () => control.set(back(+range.value));
             typed.onchange = () => {
                 control.typed = true;  // while it is being typed a number is left alone
-                control.set(typed.value === "" ? NaN : Number(typed.value));
+                control.set(typed.value === "" ? NaN : +typed.value);
                 control.show(), control.typed = false;
             };
             control.show = () => {
                 range.value = there(control.get());
-                const value = Number(control.get().toPrecision(kind === 1 ? 3 : 6));
+                const value = +control.get().toPrecision(kind === 1 ? 3 : 6);
                 if (document.activeElement !== typed || control.typed) typed.value = kind === 1 && value < 1e-3 ? value.toExponential() : value;
             };
             row.append(range, typed, make("span", { className: "unit", textContent: unit }));
@@ -252,7 +254,7 @@ class LivePanel {
         };
         let held = false;
         const at = event => {
-            const box = canvas.getBoundingClientRect(), point = event.touches ? event.touches[0] : event;
+            const box = canvas.getBoundingClientRect(), point = event.touches?.[0] || event;
             return this.picture.place(point.clientX - box.left, point.clientY - box.top);
         };
         on(canvas, "touchstart mousedown", event => {
@@ -276,7 +278,7 @@ class LivePanel {
         on(canvas, "keydown", event => {
             const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
             const x = of.handle(0), y = of.handle(1), far = 10 / this.picture.main.scaleX;
-            if (!arrow || Number.isNaN(x) || !of.grab(x, y)) return;
+            if (!arrow || isNaN(x) || !of.grab(x, y)) return;
             event.preventDefault();
             of.drag(x + arrow[0] * far, y + arrow[1] * far);
             of.let_go();
@@ -290,6 +292,7 @@ class LivePanel {
         this.wanted = wanted;
         this.playButton.textContent = wanted ? "■ Stop" : "▶ Play";
         this.look(this.seen);
+        this.show();
     }
     // Off screen nothing is done.
     look(seen) {
@@ -308,19 +311,19 @@ class LivePanel {
         this.then = now;
         const n = Math.floor(this.owed / h);
         this.owed -= n * h;
-        if (n > 0) this.steps(n);
+        if (n > 0) this.steps(n, now);
         requestAnimationFrame(next => this.frame(next));
     }
-    steps(n) {
+    steps(n, frame) {
         this.trying(() => { for (; n > 0; --n) this.of.step(); });
-        this.show();
+        this.show(frame);
     }
     trying(action) {
         try {
             action();
-        } catch (stopped) {
-            this.play(false);
+        } catch {
             this.broke = "The library refused these settings: load the page again.";
+            this.play(false);
         }
     }
 
@@ -334,9 +337,12 @@ class LivePanel {
         this.picture.resize(Math.min(this.of.aspect(this.narrow), this.narrow ? .5 * innerHeight / wide : 9));
         this.show();
     }
-    show() {
+    // Sixty times a second what has moved; what is read, some times a second and whenever the reader does something.
+    show(frame) {
         const of = this.of, size = of.draw(this.narrow);
-        this.picture.draw(new Float64Array(of.memory.buffer, of.commands(), size));
+        if (!frame || of.changed()) this.picture.draw(new Float64Array(of.memory.buffer, of.commands(), size));
+        if (frame < this.readAgain) return;
+        this.readAgain = frame + 150;
         for (const control of this.controls)  // the panel may have moved it, too
             if (control.get() !== control.shown) control.shown = control.get(), control.show();
         this.readouts.forEach((output, i) => { output.textContent = of.known(i) ? written(of.readout(i)) + output.unit : "not yet"; });
@@ -363,11 +369,7 @@ class LivePanel {
         const [id, words = ""] = location.hash.slice(1).split(":");
         if (id !== this.figure.id) return;
         for (const [name, value] of words.split(",").map(word => word.split("=")))
-            this.controls.find(control => control.name === name)?.set(Number(value));
-    }
-    inShell() {
-        return make("details", { className: "live-shell", ontoggle: () => this.showInShell() },
-            make("summary", { textContent: "The same run in a shell" }), this.shell);
+            this.controls.find(control => control.name === name)?.set(+value);
     }
     // While it is open it says what stands there. A panel that moves a control stands where that one is.
     showInShell() {
@@ -385,7 +387,9 @@ const page = new Proxy({ clock: () => performance.now() }, {
     get: (known, name) => known[name] || (() => { throw new Error("a page has no " + name); }),
 });
 
-function startLivePanels() {
+// ---- Each panel begins when it comes near the screen ----------------------------------------------------
+
+{
     const on = new IntersectionObserver(all => all.forEach(one => one.target.live.look(one.isIntersecting)));
     const near = new IntersectionObserver(all => {
         for (const { target, isIntersecting } of all) {
@@ -400,4 +404,3 @@ function startLivePanels() {
     });
     if (location.hash.startsWith("#live-")) document.getElementById(location.hash.slice(1).split(":")[0])?.scrollIntoView();
 }
-startLivePanels();

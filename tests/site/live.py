@@ -238,6 +238,30 @@ def carries_settings(page, faults):
     faults.unless(page.wait(lambda: page.run(READY)), "does not start from a link with nonsense in it")
 
 
+def costs_little(page, faults):
+    """What a frame takes, counted: few drawings, none where nothing has changed, and readouts some times a second."""
+    page.open()
+    drawn, again, written, true_at_last = page.run(LIVE + """
+        const pen = live.picture.pen, list = live.figure.querySelector("dl"), texts = new MutationObserver(() => {});
+        live.play(false), of.begin(), live.steps(100);
+        let drawings = 0;
+        for (const name of ["stroke", "fill"]) pen[name] = () => { ++drawings; };
+        live.show();
+        const drawn = drawings;
+        live.show(1);  // as another frame
+        const again = drawings - drawn;
+        texts.observe(list, { childList: true, subtree: true });
+        for (let frame = 1; frame <= 60; ++frame) live.steps(1, 1e9 + frame * 1000 / 60);
+        const changes = texts.takeRecords().length / Math.max(1, live.readouts.length);
+        live.play(false);
+        const true_at_last = live.readouts.every((output, i) => !of.known(i) || output.textContent.startsWith(written(of.readout(i))));
+        return [drawn, again, changes, true_at_last]""")
+    faults.unless(0 < drawn <= 250, f"{drawn} drawings a frame")
+    faults.unless(again == 0, f"draws what has not changed, in {again} drawings")
+    faults.unless(written <= 10, f"writes each readout {written} times in 60 frames")
+    faults.unless(true_at_last, "stopped, its readouts are not the last ones")
+
+
 def grows_not(page, faults):
     page.open()
     grown = page.run(LIVE + """
@@ -318,7 +342,7 @@ def main():
             same_bits(page, build, live, (root / "chapters" / live.replace("/", "/live/")).with_suffix(".cpp").read_text(), faults)
             stands_extremes(page, faults)
             for look in (by_keyboard, by_finger, goes_on_where_it_is_left, leaves_its_sliders_in_place,
-                         says_what_the_shell_would, scrolls_under_a_finger, seen_together, carries_settings, grows_not, keeps_calm, stands_without_scripts):
+                         says_what_the_shell_would, scrolls_under_a_finger, seen_together, carries_settings, costs_little, grows_not, keeps_calm, stands_without_scripts):
                 look(page, faults)
             faults += ["console: " + entry["message"] for entry in on.driver.get_log("browser") if entry["level"] == "SEVERE"]
             for fault in faults:

@@ -112,12 +112,13 @@ public:
 
     bool narrow = false;  // on a phone: one part above the other
 
-    void clear() { size_ = words_ = 0, broken_ = full_ = false; }
+    void clear() { size_before_ = size_, size_ = words_ = 0, broken_ = full_ = changed_ = false; }
     const double* commands() const { return commands_.data(); }
     int size() const { return static_cast<int>(size_); }
     const char* said(int i) const { return texts_[static_cast<std::size_t>(i)]; }
     bool broken() const { return broken_; }  // a place was no number: nothing of the kind is drawn in silence
     bool full() const { return full_; }
+    bool changed() const { return changed_ || size_ != size_before_; }  // is it another one than before it was cleared?
 
 private:
     template <std::size_t n>
@@ -127,20 +128,23 @@ private:
             full_ = full_ || !broken_;
             return;
         }
-        for (const double number : command) commands_[size_++] = number;
+        for (const double number : command) {
+            changed_ = changed_ || commands_[size_] != number;
+            commands_[size_++] = number;
+        }
     }
     double word(const char* text) {
         std::size_t i = 0;
         while (i < words_ && texts_[i] != text) ++i;
         if (i == texts_.size()) return full_ = true, 0;
-        if (i == words_) texts_[words_++] = text;
+        if (i == words_) changed_ = changed_ || texts_[i] != text, texts_[words_++] = text;
         return static_cast<double>(i);
     }
 
     std::array<double, 120'000> commands_{};
     std::array<const char*, 64> texts_{};
-    std::size_t size_ = 0, words_ = 0;
-    bool broken_ = false, full_ = false;
+    std::size_t size_ = 0, size_before_ = 0, words_ = 0;
+    bool broken_ = false, full_ = false, changed_ = false;
 };
 
 // The last places of something that moves.

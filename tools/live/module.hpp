@@ -97,12 +97,12 @@ EXPORTED(draw) int live_draw(int narrow) {
     live::the_panel().draw(live::picture);
     return live::picture.size();
 }
+EXPORTED(changed) int live_changed() { return live::picture.changed() ? 1 : 0; }
 EXPORTED(commands) const double* live_commands() { return live::picture.commands(); }
 EXPORTED(said) const char* live_said(int i) { return live::picture.said(i); }
 // What is said as the name of a look.
 EXPORTED(colour) const char* live_colour(int i) { return live::look_of(live::picture.said(i)).colour; }
 EXPORTED(dashes) const char* live_dashes(int i) { return live::look_of(live::picture.said(i)).dashes; }
-EXPORTED(fuse_colour) const char* live_fuse_colour(int i) { return live::look_of(live::fuse(i).name).colour; }
 EXPORTED(broken) int live_broken() { return live::picture.broken() ? 1 : live::picture.full() ? 2 : 0; }
 #undef EXPORTED
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include <timestep/checks.hpp>
 #include <timestep/rigid/rotation.hpp>
 
 #include "live.hpp"
@@ -21,6 +22,7 @@ class View {
 public:
     // In the picture to the right, upwards, and towards the eye.
     Place seen(const Place& world) const { return world_to_screen_ * world; }
+    Orientation seen(const Orientation& body_to_world) const { return world_to_screen_ * body_to_world; }
 
     void grab(double x, double y) { x_ = x, y_ = y; }
     void drag(double x, double y) {
@@ -55,7 +57,7 @@ public:
         for (int i = 0; i < 3; ++i)
             for (const int side : {-1, 1}) {
                 const int j = (i + 1) % 3, k = (i + 2) % 3;
-                Face& face = add(i != marked ? "soft" : side > 0 ? "second" : "first");
+                Face& face = add(i != marked ? soft : side > 0 ? orange : blue);
                 for (const auto& [a, b] : {std::array{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
                     Place corner;
                     corner[i] = side * sides[i] / 2, corner[j] = a * side * sides[j] / 2, corner[k] = b * sides[k] / 2;
@@ -74,7 +76,7 @@ public:
         };
         for (int ring = 0; ring < 7; ++ring)
             for (int sector = 0; sector < 12; ++sector) {
-                Face& face = add(ring > 4 ? "soft" : sector < 6 ? "second" : "first");
+                Face& face = add(ring > 4 ? soft : sector < 6 ? orange : blue);
                 if (ring > 0) face.corners[static_cast<std::size_t>(face.count++)] = at(ring, sector);
                 face.corners[static_cast<std::size_t>(face.count++)] = at(ring, sector + 1);
                 face.corners[static_cast<std::size_t>(face.count++)] = at(ring + 1, sector + 1);
@@ -86,54 +88,75 @@ public:
     // Turned by `q`, its origin at (x, y) of the picture. What looks away from the eye is hidden. Of several parts the
     // nearer ones are drawn over the others.
     void draw(Picture& p, const View& view, const Orientation& q, double x, double y) const {
+        const Matrix turned = view.seen(q).toRotationMatrix();
         std::array<bool, most_parts> drawn{};
-        for (int n = 0; n < parts_; ++n) {
-            int farthest = -1;
-            const auto depth = [&](int part) { return view.seen(q * centre_[static_cast<std::size_t>(part)]).z(); };
-            for (int part = 0; part < parts_; ++part)
-                if (!drawn[static_cast<std::size_t>(part)] && (farthest < 0 || depth(part) < depth(farthest)))
-                    farthest = part;
-            drawn[static_cast<std::size_t>(farthest)] = true;
-            for (int i = 0; i < faces_; ++i) {
-                const Face& face = face_[static_cast<std::size_t>(i)];
-                if (face.part == farthest) draw(p, view, q, x, y, face);
-            }
+        for (std::size_t n = 0; n < parts_; ++n) {
+            std::size_t farthest = most_parts;
+            const auto depth = [&](std::size_t part) { return turned.row(2).dot(centre_[part]); };
+            for (std::size_t part = 0; part < parts_; ++part)
+                if (!drawn[part] && (farthest == most_parts || depth(part) < depth(farthest))) farthest = part;
+            drawn[farthest] = true;
+            draw(p, turned, x, y, farthest);
         }
     }
 
 private:
+    using Matrix = timestep::Matrix3<double>;
     static constexpr std::size_t most_faces = 84, most_parts = 4;
+    enum Paint { soft, blue, orange };
+    static constexpr const char* look[] = {"soft", "first", "second"};
     struct Face {
         std::array<Place, 4> corners;  // counterclockwise seen from outside
-        int count, part;
-        const char* paint;
+        int count;
+        std::size_t part;
+        Paint paint;
     };
 
-    void begin_part(const Place& centre) { centre_[static_cast<std::size_t>(parts_++)] = centre; }
-    Face& add(const char* paint) {
-        Face& face = face_[static_cast<std::size_t>(faces_++)];
+    void begin_part(const Place& centre) { centre_[parts_++] = centre; }
+    Face& add(Paint paint) {
+        Face& face = face_[faces_++];
         face.count = 0, face.part = parts_ - 1, face.paint = paint;
         return face;
     }
-    static void draw(Picture& p, const View& view, const Orientation& q, double x, double y, const Face& face) {
-        std::array<Place, 4> corners;
-        for (std::size_t i = 0; i < 4; ++i) corners[i] = view.seen(q * face.corners[i]);
-        const Place normal = (corners[1] - corners[0]).cross(corners[2] - corners[1]).normalized();
-        if (!(normal.z() > 0)) return;
-        const double lit = normal.dot(Place(-0.48, 0.64, 0.6));  // light from behind the reader's left shoulder
-        p.ink(face.paint);
-        for (int i = 0; i < face.count; ++i) {
-            const Place& c = corners[static_cast<std::size_t>(i)];
-            i == 0 ? p.move(x + c.x(), y + c.y()) : p.line(x + c.x(), y + c.y());
+
+    // A drawing costs more than a face. So the faces of one paint are one drawing; above them light and shade, where
+    // those that are equally lit are one.
+    void draw(Picture& p, const Matrix& turned, double x, double y, std::size_t part) const {
+        constexpr int levels = 60, hidden = 2 * levels;  // of light: steps that no eye sees
+        std::array<int, most_faces> paint{}, light{};
+        for (std::size_t i = 0; i < faces_; ++i) {
+            const auto& [a, b, c, d] = face_[i].corners;
+            const Place normal = turned * (b - a).cross(c - b).normalized();
+            const double lit = normal.dot(Place(-0.48, 0.64, 0.6));  // from behind the reader's left shoulder
+            const bool seen = face_[i].part == part && normal.z() > 0;
+            paint[i] = seen ? face_[i].paint : hidden;
+            light[i] = seen ? static_cast<int>(std::floor(levels * lit + 0.5)) : hidden;
         }
-        p.fill();
-        p.ink(lit > 0.5 ? "paper" : "ink", 1, lit > 0.5 ? lit - 0.5 : 0.35 * (0.5 - lit));
-        p.fill();
+        for (const Paint each : {soft, blue, orange}) fill(p, turned, x, y, paint, each, look[each], 1);
+        for (int level = -levels; level <= levels; ++level) {
+            const double brighter = 1.0 * level / levels - 0.5;
+            fill(p, turned, x, y, light, level, brighter > 0 ? "paper" : "ink", brighter > 0 ? brighter : -0.35 * brighter);
+        }
+    }
+    // The faces of this kind.
+    void fill(Picture& p, const Matrix& turned, double x, double y, const std::array<int, most_faces>& kinds, int kind,
+              const char* with, double strength) const {
+        bool begun = false;
+        for (std::size_t i = 0; i < faces_; ++i) {
+            if (kinds[i] != kind) continue;
+            if (!begun) p.ink(with, 1, strength);
+            begun = true;
+            for (int j = 0; j < face_[i].count; ++j) {
+                const Place corner = turned * face_[i].corners[static_cast<std::size_t>(j)];
+                j == 0 ? p.move(x + corner.x(), y + corner.y()) : p.line(x + corner.x(), y + corner.y());
+            }
+        }
+        if (begun) p.fill();
     }
 
     std::array<Face, most_faces> face_{};
     std::array<Place, most_parts> centre_{};
-    int faces_ = 0, parts_ = 0;
+    std::size_t faces_ = 0, parts_ = 0;
 };
 
 }  // namespace live

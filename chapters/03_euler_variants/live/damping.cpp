@@ -46,7 +46,7 @@ public:
         p.axes("damping ratio ζ", "ωh, rad");
         limits(p, semi_implicit_euler);
         limits(p, semi_implicit_euler_new_damping);
-        p.text(0.95, 0.35, "old velocity");
+        p.text(0.95, 1.3, "old velocity");
         p.text(0.95, 3.9, "new velocity");
         p.ink("ink");
         p.dot(zeta, h, 6);

@@ -70,7 +70,8 @@ public:
             p.fill();
         }
         p.ink("ink", 1, 0.6);
-        each_link([&](bool whole, int a, int b) { whole ? (to(p, a, true), to(p, b), p.stroke()) : void(); });
+        each_link([&](bool whole, int a, int b) { whole ? (to(p, a, true), to(p, b)) : void(); });
+        p.stroke();
         p.ink("ink");
         for (int i = 0; i < points; ++i)
             if (hangs(i) || i == grabbed) p.dot(across(now[i].x), up(now[i].x), 4);

@@ -78,7 +78,7 @@ public:
     bool handle(double& x, double& y) const override { return x = width / 2, y = height / 2, true; }
 
 private:
-    using Trail = live::Trail<600>;
+    using Trail = live::Trail<300>;
     static constexpr double width = 1.3, height = 1.5;  // of a capsule's place in the picture, m
     static constexpr double shown = 20, highest = 150;  // of the lines: s, rad/s
     static constexpr const char* names[] = {no_gyroscopic.name, lagged_inertia.name, implicit_gyroscopic.name,
@@ -101,7 +101,7 @@ private:
 
     void measure() {
         const bool record = now[0].turning.t >= next_record;
-        if (record) next_record += shown / 600;
+        if (record) next_record += shown / 300;
         for (int i = 0; i < 5; ++i) {
             const double speed = now[i].turning.omega.norm();
             if (!holds[i].holds(speed < 1000 && now[i].x.allFinite())) continue;
@@ -133,9 +133,10 @@ private:
         p.ink("exact", 1);
         const auto first = [&](double middle) { return std::ceil((middle - half) / gap) * gap - middle; };
         for (double east = first(centre.x()); east <= half; east += gap)
-            at(east, -half, true), at(east, half, false), p.stroke();
+            at(east, -half, true), at(east, half, false);
         for (double north = first(centre.y()); north <= half; north += gap)
-            at(-half, north, true), at(half, north, false), p.stroke();
+            at(-half, north, true), at(half, north, false);
+        p.stroke();
     }
 
     live::Slider rolling{this, "rolling", "rolling resistance", 0, 0.3, 0.01, 0.1, "radii"};

@@ -119,7 +119,7 @@ public:
     bool handle(double& x, double& y) const override { return x = width / 2, y = height / 2, true; }
 
 private:
-    using Trail = live::Trail<600>;
+    using Trail = live::Trail<300>;
     static constexpr double width = 1.75, height = 1.35;  // of a body's place in the picture, m
     static constexpr double shown = 20, highest = 3;     // of the lines: s, and shares of the start
     static constexpr const char* names[] = {"exact", no_gyroscopic.name, explicit_gyroscopic.name, lagged_inertia.name,
@@ -135,7 +135,7 @@ private:
     template <class Inertia>
     void measure(const Inertia& inertia) {
         const bool record = now[0].t >= next_record;
-        if (record) next_record += shown / 600;
+        if (record) next_record += shown / 300;
         for (int i = 0; i < 6; ++i) {
             if (!holds[i]) continue;
             const double energy = kinetic_energy(inertia, now[i]) / energy_at_start;

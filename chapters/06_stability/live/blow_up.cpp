@@ -105,9 +105,9 @@ private:
     double dot_x() const { return std::fmin(zeta.value, 2); }
     double dot_y() const { return std::fmin(s, 5); }
 
-    // The verdict, and the rate at which it changes.
+    // The verdict, and the rate at which it changes: short, for a phone.
     static void say(Run& run, Verdict verdict, double at) {
-        const char* where = verdict == Verdict::stable ? "from" : verdict == Verdict::grows ? "below" : "at";
+        const char* where = verdict == Verdict::stable ? "≥" : verdict == Verdict::grows ? "<" : "at";
         const char* form = !std::isfinite(at) || at == 0 ? "%s at every rate" : at < 1000 ? "%s %s %.4g Hz" : "%s %s %.0f Hz";
         std::snprintf(run.verdict, sizeof run.verdict, form, words(verdict), where, at);
     }
@@ -159,9 +159,9 @@ private:
             const double scale = 1.2 / (end < run.end || !run.holds ? 12 : largest);
             draw_exact(p, middle, scale);
             p.ink(run.name, 1.5), draw_run(p, run.samples, from, end, middle, scale);
-            if (end < run.end || !run.holds) p.text(0.78 * width, middle + 1.5, "past 12 m");
+            if (end < run.end || !run.holds) p.text(0.79 * width, middle + 1.5, "past 12 m");
             p.text(0, middle + 1.5, run.name == semi_implicit_euler_new_damping.name ? "new damping" : run.name);
-            p.ink("ink"), p.text(0.4 * width, middle + 1.5, run.verdict);
+            p.ink("ink"), p.text(0.41 * width, middle + 1.5, run.verdict);
             middle -= 4;
         }
     }

@@ -96,8 +96,8 @@ public:
         if (alive(shown)) draw_large(p, orientation(shown), name(look_of(shown)));
         else p.ink("ink"), p.text(-1.15, 0, "all have blown up: Restart, or another solver");
         p.ink("ink"), p.text(-1.15, 1.2, !alive(shown) ? "" : steps < 30 ? "one of them" : "the worst of them");
-        p.ink(name(slower)), p.text(-1.15, -1.2, "blue: lost a tenth");
-        p.ink(name(faster)), p.text(-1.15, -1.45, "orange: gained a tenth");
+        p.ink(name(slower)), p.text(-1.15, -1.2, "blue: lost 10 %");
+        p.ink(name(faster)), p.text(-1.15, -1.45, "orange: gained 10 %");
         p.narrow ? p.window(-1.2, 1.2, -1.5, 1.4, true, 0.5, 1, 0, 0.39) : p.window(-1.2, 1.2, -1.5, 1.4, true, 0.6, 1, 0, 0.5);
         if (true_steps >= steps) draw_large(p, orientation(true_one.y.head<4>(), shown), "exact");
         p.ink("ink"), p.text(-1.15, 1.2, true_steps < steps ? "that one in truth: not yet" : "that one in truth");
