@@ -100,6 +100,23 @@ plot "damping_lines.tsv" using 1:4 with lines lc rgb "#009e73" lw 2.5 dt (14,5) 
      "" using 1:3 with points pt 6 ps 0.9 lc rgb "#009e73", \
      "" using 1:2 with points pt 6 ps 0.9 lc rgb "#d55e00"
 
+# The same spring as a force and as a soft constraint: what a step multiplies by.
+call figure "soft.svg" 640 420
+set size noratio
+set logscale x
+set format x "%g"
+set xlabel "ωh (rad)\n " offset 0,0.4
+set ylabel "a step multiplies the amplitude by"
+set xrange [0.05:50]
+set yrange [0:2]
+set key outside bottom center horizontal reverse Left
+plot 1 with lines @faint, \
+     "soft.tsv" using 1:2 with lines @exact title "exact", \
+     "" using 1:($3 < 3 ? $3 : NaN) with lines @semi_implicit_euler title "semi-implicit", \
+     "" using 1:4 with lines @implicit_euler title "soft constraint", \
+     "soft_points.tsv" using 1:2 with points pt 6 ps 0.9 lc rgb "#0072b2"
+unset logscale
+
 # Energy of the three.
 call figure "energy.svg" 640 440
 set autoscale
@@ -151,8 +168,8 @@ do for [i=1:8] {
     set tics interval
     set title "ωh = ".word(wh, i) offset 0,-0.7
     plot "exact.tsv" using 1:2 with lines lc rgb "#8a8a8a" lw 3 dt 1, \
-         "sweep_".word(wh, i).".tsv" using 1:2 with lines lc rgb "#009e73" lw (i > 6 ? 1 : 0), \
-         "" using 1:2 with points pt 7 ps 0.45 lc rgb "#009e73"
+         "sweep_".word(wh, i).".tsv" every ::::200 using 1:2 with lines lc rgb "#009e73" lw (i > 6 ? 1 : 0), \
+         "" every ::::200 using 1:2 with points pt 7 ps 0.45 lc rgb "#009e73"
 }
 unset multiplot
 set tics autofreq

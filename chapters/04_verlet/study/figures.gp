@@ -198,6 +198,23 @@ plot "stretch_60.tsv" using 1:2 with linespoints @second pt 7 ps 0.7 title "60 H
      "stretch_budget.tsv" using 1:2 with points pt 6 ps 1.8 lw 2 lc rgb ink title "480 iterations a second"
 unset logscale
 
+# The stiffness against the frame rate: PBD, and XPBD with a compliance.
+call figure "compliance.svg" 640 420
+set size noratio
+set autoscale
+set logscale xy
+set format xy "%g"
+set xlabel "steps a second (Hz)\n " offset 0,0.4
+set ylabel "too long by (%)"
+set xrange [25:600]
+set xtics (30,60,120,240,480)
+set key outside bottom center horizontal reverse Left
+plot "compliance.tsv" using 1:2 with linespoints @second pt 7 ps 0.7 title "PBD, 8 iterations", \
+     "" using 1:3 with linespoints @third pt 7 ps 0.7 title "XPBD, 8 iterations", \
+     "" using 1:4 with linespoints @first pt 7 ps 0.7 title "XPBD, 200 iterations"
+unset logscale
+set xtics autofreq
+
 # What the links do to the energy.
 call figure "rope_energy.svg" 640 440
 set autoscale

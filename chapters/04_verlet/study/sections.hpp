@@ -31,4 +31,5 @@ void three_forms(const Settings&, lab::Findings&);     // three_forms.cpp
 void changing_steps(const Settings&, lab::Findings&);  // changing_steps.cpp
 void demos(const Settings&, lab::Findings&);           // demos.cpp
 void ropes(const Settings&, lab::Findings&);           // ropes.cpp
+void compliant_ropes(const Settings&, lab::Findings&);  // compliance.cpp
 void costs(const Settings&, lab::Findings&);           // costs.cpp

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
         changing_steps(settings, out);
         demos(settings, out);
         ropes(settings, out);
+        compliant_ropes(settings, out);
         costs(settings, out);
     });
 }

@@ -25,6 +25,22 @@ plot "orientation.tsv" using 1:2 with linespoints @explicit_gyroscopic pt 7 ps 0
      "" using 1:3 with linespoints @implicit_gyroscopic pt 7 ps 0.6 title "implicit, one iteration", \
      "" using 1:4 with linespoints @passive_gyroscopic pt 7 ps 0.6 title "passive"
 
+# Between two orientations.
+call figure "between.svg" 640 420
+set autoscale
+set logscale xy
+set format x "%g"
+set format y "10^{%T}"
+set xlabel "turn from one step to the next (°)\n " offset 0,0.4
+set ylabel "off by at most (°)"
+set xrange [2:200]
+set xtics (2.5,5,10,20,45,90,180)
+set key outside bottom center vertical reverse Left
+plot "between.tsv" using 1:3 with linespoints @second pt 7 ps 0.6 title "slerp, half-way, a tumbling box", \
+     "" using 1:2 with linespoints @first pt 7 ps 0.6 title "nlerp, a constant spin"
+set xtics autofreq
+unset logscale
+
 # Newton-Raphson closes in.
 call figure "newton.svg" 640 440
 unset logscale
@@ -105,9 +121,10 @@ do for [name in "exact explicit dropped implicit passive"] {
         set xtics 2 format "%g"
         set xlabel "time t (s)"
     }
-    plot "tumble_".name.".tsv" using 1:2 with lines lc rgb "#0072b2" lw 2 title "about x", \
-         "" using 1:3 with lines lc rgb "#d55e00" lw 2 title "y (intermediate)", \
-         "" using 1:4 with lines lc rgb "#009e73" lw 2 dt (6,3) title "z"
+    thin = name eq "exact" ? 4 : name eq "passive" ? 1 : 2  # more points than a screen shows
+    plot "tumble_".name.".tsv" every thin using 1:2 with lines lc rgb "#0072b2" lw 2 title "about x", \
+         "" every thin using 1:3 with lines lc rgb "#d55e00" lw 2 title "y (intermediate)", \
+         "" every thin using 1:4 with lines lc rgb "#009e73" lw 2 dt (6,3) title "z"
     unset key
 }
 unset multiplot
@@ -124,12 +141,12 @@ set ytics 0.5
 set ylabel "energy / at the start"
 unset key
 plot 1 with lines @exact, \
-     "tumble_explicit.tsv" using 1:5 with lines @explicit_gyroscopic, \
-     "tumble_dropped.tsv" using 1:5 with lines @no_gyroscopic, \
-     "tumble_lagged_inertia.tsv" using 1:5 with lines @lagged_inertia, \
-     "tumble_implicit.tsv" using 1:5 with lines @implicit_gyroscopic, \
-     "tumble_converged.tsv" using 1:5 with lines @converged_gyroscopic, \
-     "tumble_passive.tsv" using 1:5 with lines @passive_gyroscopic
+     "tumble_explicit.tsv" every 2 using 1:5 with lines @explicit_gyroscopic, \
+     "tumble_dropped.tsv" every 2 using 1:5 with lines @no_gyroscopic, \
+     "tumble_lagged_inertia.tsv" every 2 using 1:5 with lines @lagged_inertia, \
+     "tumble_implicit.tsv" every 2 using 1:5 with lines @implicit_gyroscopic, \
+     "tumble_converged.tsv" every 2 using 1:5 with lines @converged_gyroscopic, \
+     "tumble_passive.tsv" every 2 using 1:5 with lines @passive_gyroscopic
 set xtics 2 format "%g"
 set xlabel "time t (s)"
 set ylabel "momentum / at the start"
@@ -137,12 +154,12 @@ set yrange [0.7:1.5]
 set ytics 0.2
 set key at screen 0.55,0.075 center horizontal maxrows 3 reverse Left width -4
 plot 1 with lines @exact title "exact", \
-     "tumble_explicit.tsv" using 1:6 with lines @explicit_gyroscopic title "explicit", \
-     "tumble_dropped.tsv" using 1:6 with lines @no_gyroscopic title "dropped", \
-     "tumble_lagged_inertia.tsv" using 1:6 with lines @lagged_inertia title "lagged inertia", \
-     "tumble_implicit.tsv" using 1:6 with lines @implicit_gyroscopic title "implicit", \
-     "tumble_converged.tsv" using 1:6 with lines @converged_gyroscopic title "converged", \
-     "tumble_passive.tsv" using 1:6 with lines @passive_gyroscopic title "passive"
+     "tumble_explicit.tsv" every 2 using 1:6 with lines @explicit_gyroscopic title "explicit", \
+     "tumble_dropped.tsv" every 2 using 1:6 with lines @no_gyroscopic title "dropped", \
+     "tumble_lagged_inertia.tsv" every 2 using 1:6 with lines @lagged_inertia title "lagged inertia", \
+     "tumble_implicit.tsv" every 2 using 1:6 with lines @implicit_gyroscopic title "implicit", \
+     "tumble_converged.tsv" every 2 using 1:6 with lines @converged_gyroscopic title "converged", \
+     "tumble_passive.tsv" every 2 using 1:6 with lines @passive_gyroscopic title "passive"
 unset multiplot
 
 # The worst of many random bodies.

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
     return program.run(argc, argv, [&](lab::Findings& out) {
         torque(settings, out);
         orientation(settings, out);
+        between_steps(settings, out);
         newton(settings, out);
         free_capsule(settings, out);
         uneven_capsule(settings, out);

@@ -107,3 +107,29 @@ method = "adams__adaptive"; who = "SUNDIALS"; style = "lc rgb '#56b4e9' lw 2.5 d
 method = "bdf__adaptive"; style = "lc rgb '#2f4b7c' lw 2.5 dt (6,4)"; words = "BDF, SUNDIALS"
 @add
 eval "plot " . curves
+
+# Who falls asleep, and when?
+call figure "sleeping.svg" 640 440
+set lmargin
+set rmargin
+set tmargin
+set bmargin
+unset label
+unset arrow
+unset title
+unset logscale
+set logscale y
+set xtics autofreq
+set ytics autofreq
+set format y "%g"
+set xlabel "time (s)\n " offset 0,0.4
+set ylabel "fastest in half a second (m/s)"
+set xrange [0:45]
+set yrange [0.03:5]
+set key outside bottom center horizontal reverse Left
+plot 0.05 with lines @faint title "threshold", \
+     "sleep_exact.tsv" using 1:2 with lines @exact title "exact", \
+     "sleep_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "explicit", \
+     "sleep_newton.tsv" using 1:2 with lines @newton title "constant accel.", \
+     "sleep_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit", \
+     "sleep_implicit_euler.tsv" using 1:2 with lines @implicit_euler title "implicit"

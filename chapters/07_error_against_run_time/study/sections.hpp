@@ -15,3 +15,4 @@ using All = std::map<std::string, std::vector<contest::Point>>;  // by the scene
 All diagrams(const contest::Effort&, lab::Findings&);  // diagrams.cpp
 void claims(const All&, lab::Findings&);                     // claims.cpp
 void fooled(lab::Findings&);                                  // fooled.cpp
+void sleeping(lab::Findings&);                                // sleeping.cpp

@@ -17,5 +17,6 @@ int main(int argc, char** argv) {
         effort.longest_run = double(longest) * 1e-6;
         claims(diagrams(effort, out), out);
         fooled(out);
+        sleeping(out);
     });
 }
