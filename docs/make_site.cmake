@@ -32,6 +32,9 @@ foreach(head IN LISTS HEADS)
 endforeach()
 string(REPLACE "$mathjax" "" header "${header}")
 string(REPLACE "</head>" "${lines}</head>" header "${header}")
+if(NOT header MATCHES "<html[^>]* lang=")  # a later Doxygen writes it itself
+  string(REPLACE "<html " "<html lang=\"en\" " header "${header}")
+endif()
 file(WRITE "${SITE}/header.html" "${header}")
 
 file(REMOVE_RECURSE "${html}")

@@ -60,7 +60,6 @@ function showPlaces(list, places, text) {
 
 function beginSearch() {
     const old = document.getElementById("MSearchField");
-    if (!old) return;
     const field = old.cloneNode();  // without what Doxygen listens to
     for (const name of ["onfocus", "onblur", "onkeyup", "value"]) field.removeAttribute(name);
     field.placeholder = "Search";
@@ -94,4 +93,10 @@ function beginSearch() {
         if (event.target.closest("#found a") || !event.target.closest("#found, #MSearchBox")) list.hidden = true;
     });
 }
-addEventListener("load", beginSearch);  // Doxygen makes the field when the page has been read
+// Doxygen makes the field some time after the page has been read, on a short page after it has been loaded.
+const waiting = new MutationObserver(() => {
+    if (!document.getElementById("MSearchField")) return;
+    waiting.disconnect();
+    beginSearch();
+});
+waiting.observe(document.body, { childList: true, subtree: true });

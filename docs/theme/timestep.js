@@ -58,16 +58,32 @@ function unfoldAll() {
 
 // What is wider than the page scrolls in itself. Its edge fades where it goes on.
 function fadeWhatGoesOn() {
-    for (const box of document.querySelectorAll("table.markdownTable, p.formulaDsp, a.card, pre.run")) {
+    for (const box of document.querySelectorAll("table.markdownTable, table.markdownTable tbody, p.formulaDsp, a.card, pre, div.fragment")) {
         const look = () => {
             box.classList.toggle("goes-on", box.scrollLeft + box.clientWidth < box.scrollWidth - 4);
+            if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;  // so that the arrow keys scroll it
         };
         box.addEventListener("scroll", look, { passive: true });
         new ResizeObserver(look).observe(box);
     }
 }
 
+// What Doxygen does not say of its page: which part is what, for those who hear it read.
+function nameTheParts() {
+    const say = (selector, attributes) => {
+        const part = document.querySelector(selector);
+        for (const name in part ? attributes : {}) part.setAttribute(name, attributes[name]);
+    };
+    say("#doc-content", { role: "main" });
+    say("#titlearea", { role: "banner" });
+    say("#side-nav", { role: "navigation", "aria-label": "Contents" });
+    say("#nav-path", { role: "navigation", "aria-label": "Where this page is" });
+    say("div.header .title", { role: "heading", "aria-level": "1" });
+    for (const icon of document.querySelectorAll(".directory a > .icondoc")) icon.parentElement.setAttribute("aria-label", "Source");
+}
+
 document.addEventListener("DOMContentLoaded", () => {
+    nameTheParts();
     if (document.querySelector("figure[data-module]")) load("script", { src: "live.js" });
     if (document.querySelector("figure.animation")) load("script", { src: "film.js" });
     typesetFormulas().finally(fadeWhatGoesOn);

@@ -11,8 +11,8 @@ sample: the largest page of each kind and every twentieth, chosen by a hash of w
 they are others when the pages change. (links.py reads all of them.)
 
 One headless Chromium opens every page at the width of a phone, in light and in dark mode. A page is
-in order when the console reports no error, no formula stands unset, every image has arrived, and
-nothing makes the page scroll sideways. The search works as well, from a file.
+in order when the console reports no error, no formula stands unset, every image has arrived, nothing makes the
+page scroll sideways, all words stand out from their ground, and the language, fields and links have names. The search works as well, from a file.
 """
 
 import os
@@ -84,7 +84,47 @@ function look() {
     if (boxes[1] && boxes[0].scrollHeight > innerHeight + 1) faults.push("the window scrolls beside the content");
     if (dark && (transparent || brightness > 80)) faults.push("is light");
     if (!dark && !transparent && brightness < 200) faults.push("is dark");
+    faults.push(...new Set(pale()), ...unnamed());
     done(faults);
+}
+
+const numbers = colour => colour.match(/[0-9.]+/g).map(Number);
+function luminance(colour) {
+    const [r, g, b] = colour.map(c => (c /= 255) <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+}
+// What stands behind an element; nothing where it is a picture or shines through.
+function behind(element) {
+    for (; element; element = element.parentElement) {
+        const style = getComputedStyle(element), [r, g, b, opaque = 1] = numbers(style.backgroundColor);
+        if (style.backgroundImage !== "none" || (opaque > 0 && opaque < 1) || style.opacity < 1) return null;
+        if (opaque === 1) return [r, g, b];
+    }
+    return [255, 255, 255];
+}
+// Words that stand out less than the rules for the Web's contents ask (WCAG 2.1, 1.4.3).
+function* pale() {
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT), seen = new Set();
+    while (walker.nextNode()) {
+        const element = walker.currentNode.parentElement;
+        if (!walker.currentNode.data.trim() || seen.has(element) || element.closest("svg, .katex, script, style")) continue;
+        seen.add(element);
+        if (!element.checkVisibility?.() || element.getBoundingClientRect().width < 2) continue;
+        const style = getComputedStyle(element), ground = behind(element), [r, g, b, opaque = 1] = numbers(style.color);
+        if (!ground || opaque < 1) continue;
+        const [light, less] = [luminance([r, g, b]), luminance(ground)].sort((x, y) => y - x);
+        const large = parseFloat(style.fontSize) >= (style.fontWeight >= 700 ? 18.66 : 24);
+        const contrast = (light + 0.05) / (less + 0.05);
+        if (contrast < (large ? 3 : 4.5))
+            yield `contrast of ${contrast.toFixed(2)}: ${element.tagName.toLowerCase()}.${element.className} ${style.color}`;
+    }
+}
+function* unnamed() {
+    if (!document.documentElement.lang) yield "does not say its language";
+    for (const field of document.querySelectorAll("input:not([type=checkbox]):not([type=hidden]), select"))
+        if (!field.labels?.length && !field.ariaLabel && field.checkVisibility?.()) yield "a field without a label: " + (field.id || field.name);
+    for (const link of document.querySelectorAll(".contents a[href]:not([aria-hidden])"))
+        if (!link.textContent.trim() && !link.getAttribute("aria-label") && ![...link.querySelectorAll("img")].some(image => image.alt)) yield "a link without words: " + link.getAttribute("href");
 }
 // The page hears of the change to dark in the next frame, and changes in the one after it.
 if (dark) requestAnimationFrame(() => requestAnimationFrame(look)); else look();

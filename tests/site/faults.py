@@ -15,8 +15,8 @@ import links
 
 PIXEL = b"GIF89a\x01\x00\x01\x00\x80\x00\x00\x00\x00\x00\xff\xff\xff!\xf9\x04\x00\x00\x00\x00\x00," \
         b"\x00\x00\x00\x00\x01\x00\x01\x00\x00\x02\x02D\x01\x00;"
-GOOD = """<!DOCTYPE html><html><head><meta charset="utf-8"><title>A page</title>
-<style>@media (prefers-color-scheme: dark) { body { background: #111; color: #eee; } }</style>
+GOOD = """<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>A page</title>
+<style>@media (prefers-color-scheme: dark) { body { background: #111; color: #eee; } a { color: #9cf; } }</style>
 </head><body><h1 id="top">A page</h1><img src="pixel.gif"><a href="other.html#there">there</a>
 <pre>a \\(formula\\) in a listing</pre>%s</body></html>"""
 
@@ -143,6 +143,19 @@ class Pages(SiteCase):
         self.expect("<style>@media (prefers-color-scheme: dark) { h1 { width: 370px; } }</style>",
                     "scrolls sideways at 360 px in dark mode")
 
+    def test_words_that_do_not_stand_out(self):
+        self.plant('<p style="color:#909090;background:#fff">grey</p>')
+        self.assertEqual(self.faults(), [f"contrast of 3.19: p. rgb(144, 144, 144) at {browser.PHONE[0]} px in {mode} mode"
+                                         for mode in ("light", "dark")])
+        self.plant('<p style="color:#909090;background:#fff;font-size:24px">large</p>')
+        self.assertEqual(self.faults(), [])
+
+    def test_what_has_no_name(self):
+        self.plant('<input id="field"><div class="contents"><a href="other.html"><img src="pixel.gif" alt=""></a></div>')
+        found = self.faults()
+        for fault in ("a field without a label: field", "a link without words: other.html"):
+            self.assertTrue(any(line.startswith(fault) for line in found), found)
+
     def test_the_search(self):
         index = os.path.join(self.folder.name, "index.html")
         self.plant('<input id="MSearchField"><a class="SRSymbol">Euler</a>')
@@ -150,9 +163,9 @@ class Pages(SiteCase):
         self.assertFalse(self.browser.search_finds(index, "verlet", looks=60))
 
     def test_modes(self):
-        self.expect("<style>body { background: #fff !important; }</style>",
+        self.expect("<style>body { background: #fff !important; color: #222 !important; } a { color: #00e !important; }</style>",
                     "is light at 360 px in dark mode")
-        self.expect("<style>body { background: #111; }</style>", "is dark at 360 px in light mode")
+        self.expect("<style>body { background: #111; color: #eee; } a { color: #9cf; }</style>", "is dark at 360 px in light mode")
 
 
 if __name__ == "__main__":

@@ -207,6 +207,17 @@ test_site_opens_where_it_is_asked_to() {
     says err 'course: xdg-open found no browser; open the address above in one'
 }
 
+test_site_prints_a_book_where_a_browser_can() {
+    expect 3 course site --pdf
+    says err "course: --pdf: no browser that prints was found (package chromium); to print by hand: file://$folder/build/site/book.html"
+    says calls book
+    : >build/site/timestep.pdf
+    expect 0 course site --pdf
+    is "$(cat out)" "file://$folder/build/site/timestep.pdf"
+    expect 2 course site --pdf --open
+    says err '--open'
+}
+
 test_an_interrupt_reaches_what_runs_and_ends_the_command() {
     command -v setsid >/dev/null || exit 77
     printf '#!/bin/sh\nkill -INT 0\nsleep 3\n' >bin/xdg-open

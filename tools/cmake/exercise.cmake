@@ -191,6 +191,7 @@ int main() {
 #include \"@learners_header@\"
 #include \"@numbers_header@\"
 #include \"session.hpp\"
+#include \"slips.hpp\"
 
 namespace {
 namespace mistakes {
@@ -201,6 +202,9 @@ namespace solution {
 }
 const bool known = checker::know(\"@name@\", {
 @list@}) && checker::know_truth(\"@name@\", checker::function_of(&solution::@name@));
+namespace slips {
+#include \"@generated@/@name@_slips.hpp\"
+}
 }
 
 #include \"@source@/@room@/properties.cpp\"

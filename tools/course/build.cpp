@@ -268,10 +268,8 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) 
     mark_ready(marks, begin);
 }
 
-std::string site_address() {
+std::string address_of(const fs::path& page) {
     std::string address = "file://";
-    const fs::path page =
-        is_kit() ? places().source / "site/index.html" : places().build / "site/html/index.html";
     for (const char c : page.string()) {
         const auto byte = static_cast<unsigned char>(c);
         char coded[4];
@@ -281,6 +279,10 @@ std::string site_address() {
         address += plain ? std::string(1, c) : coded;
     }
     return address;
+}
+
+std::string site_address() {
+    return address_of(is_kit() ? places().source / "site/index.html" : places().build / "site/html/index.html");
 }
 
 }  // namespace course

@@ -2,6 +2,7 @@
 /// \file
 /// Building through CMake, with progress for people and a log for whoever has to look closer.
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -20,5 +21,7 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress);
 
 /// The address of the site's first page, as a browser takes it.
 std::string site_address();
+/// A file's address, as a browser takes it.
+std::string address_of(const std::filesystem::path& page);
 
 }  // namespace course

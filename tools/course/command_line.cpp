@@ -22,7 +22,7 @@ namespace {
 
 struct Asked {
     std::string engine;  // of bench engines
-    bool yes = false, all = false, study = false, json = false, open = false, sanitize = false;
+    bool yes = false, all = false, study = false, json = false, open = false, pdf = false, sanitize = false;
     bool with_solutions = false;
     std::string chapter, exercise, kit, name;
     int rounds = 11;
@@ -203,8 +203,9 @@ void declare(CLI::App& app, Asked& asked) {
     const auto kit = app.add_subcommand("kit", "write the learner's edition: no tests, no solutions");
     kit->add_option("DIR", asked.kit, "a new or empty folder")->required();
     kit->add_flag("--with-solutions", asked.with_solutions, "with them, as text; ./course solution shows one after a pass");
-    app.add_subcommand("site", "bring the site up to date and say where it is")
-        ->add_flag("--open", asked.open, "open it in the browser");
+    const auto site = app.add_subcommand("site", "bring the site up to date and say where it is");
+    const auto open = site->add_flag("--open", asked.open, "open it in the browser");
+    site->add_flag("--pdf", asked.pdf, "print all of it as a book: build/site/timestep.pdf")->excludes(open);
 }
 
 // Where more is said of what was asked for.
@@ -353,7 +354,7 @@ Status obey(int argc, char** argv) {
     if (const auto command = app.get_subcommand("bench"); *command) bench_or_table(*command, asked);
     if (app.got_subcommand("advise")) advise(asked.question, asked.json);
     if (app.got_subcommand("kit")) kit(asked.kit, asked.with_solutions);
-    if (app.got_subcommand("site")) site(asked.open);
+    if (app.got_subcommand("site")) site(asked.open, asked.pdf);
     flush();
     return Status::fine;
 }

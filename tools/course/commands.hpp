@@ -123,7 +123,7 @@ void advise(const Question& question, bool json);
 /// after a pass, if they are asked for.
 void kit(const std::string& folder, bool with_solutions);
 
-/// Brings the site up to date and says where it is; `open` shows it in the browser.
-void site(bool open);
+/// Brings the site up to date and says where it is; `open` shows it in the browser; `pdf` prints it as a book instead.
+void site(bool open, bool pdf);
 
 }  // namespace course

@@ -118,7 +118,7 @@ std::string trimmed(std::string text) {
 }
 
 // CMake's own error, which comes in several lines; where in our scripts it arose is left out.
-std::string in_one_line(const std::string& error) {
+std::string cmake_error(const std::string& error) {
     std::istringstream lines(error);
     std::string words;
     for (std::string line; std::getline(lines >> std::ws, line);) {
@@ -155,7 +155,7 @@ Complaint make_run(const Chapter& chapter, bool study, const fs::path& folder,
     complaint >> given >> std::ws;
     const std::string text{std::istreambuf_iterator<char>(complaint), {}};
     if (status == 0) return {Status::fine, trimmed(text)};
-    if (given == 0) return {Status::bad_use, in_one_line(said)};  // CMake could not write a file
+    if (given == 0) return {Status::bad_use, cmake_error(said)};  // CMake could not write a file
     return {static_cast<Status>(given), trimmed(text)};
 }
 

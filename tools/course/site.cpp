@@ -5,12 +5,34 @@
 #include "build.hpp"
 #include "commands.hpp"
 #include "exercises.hpp"
+#include "places.hpp"
 #include "process.hpp"
 #include "stop.hpp"
 
 namespace course {
 
-void site(bool open) {
+namespace fs = std::filesystem;
+
+namespace {
+
+// The whole course as a book to print; a browser prints it.
+void print_book() {
+    if (is_kit()) throw Stop(Status::bad_use, "--pdf: the learner's edition has no book; a checkout of the course makes it");
+    {
+        ProgressLine progress;
+        build({"book"}, progress);
+    }
+    const fs::path folder = places().build / "site";
+    if (!fs::exists(folder / "timestep.pdf"))
+        throw Stop(Status::missing, "--pdf: no browser that prints was found (package chromium); to print by hand: " +
+                                        address_of(folder / "book.html"));
+    std::printf("%s\n", address_of(folder / "timestep.pdf").c_str());
+}
+
+}  // namespace
+
+void site(bool open, bool pdf) {
+    if (pdf) return print_book();
     if (!is_kit()) {  // which comes with a site
         ProgressLine progress;
         build({"docs"}, progress);

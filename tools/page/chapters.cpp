@@ -39,7 +39,7 @@ std::string card(Context& context, const Chapter& chapter) {
     const std::filesystem::path drawn = context.run_of(chapter.folder + "/", name).figure(file);
     context.figures.emplace(chapter.folder + "/" + file, drawn);
     const ImageSize size = image_size(drawn);
-    return "<a class=\"card\" href=\"" + chapter.id() + ".html\"><img src=\"figures/" +
+    return "<a class=\"card\" aria-hidden=\"true\" tabindex=\"-1\" href=\"" + chapter.id() + ".html\"><img src=\"figures/" +
            chapter.folder + "/" + file + "\" alt=\"\" width=\"" + std::to_string(size.width) +
            "\" height=\"" + std::to_string(size.height) + "\" loading=\"lazy\"></a>";
 }

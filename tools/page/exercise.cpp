@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string one(const Json& about, const std::string& key, const std::string& file) {
+std::string required(const Json& about, const std::string& key, const std::string& file) {
     const auto found = about.find(key);
     if (found == about.end() || found->second.size() != 1 || found->second.front().empty()) {
         throw Error{file, 1, "\"" + key + "\" is missing"};
@@ -19,27 +19,48 @@ std::string one(const Json& about, const std::string& key, const std::string& fi
     return found->second.front();
 }
 
-/// The comment that a file begins with, as Markdown: the title left out, since the section has it;
-/// what is indented stands as it is.
+/// A row of the table of what goes in and comes out: `h   length of the step, s`, where lines farther in go on.
+std::string row(const std::string& words) {
+    const auto end = words.find("  ");
+    const auto meaning = words.find_first_not_of(' ', end);
+    if (end == std::string::npos || meaning == std::string::npos) {
+        return "| `" + words + "` | ";
+    }
+    return "| `" + words.substr(0, end) + "` | " + escape_markdown(words.substr(meaning));
+}
+
+/// The comment that a file begins with, as Markdown: the title left out, since the section has it. What stands two
+/// blanks in is a row of a table, what stands farther in is a formula and stands as it is.
 std::string task(const fs::path& file) {
+    enum { words, rows, formulas } inside = words;
     std::string markdown;
-    bool title = true, listing = false;
+    bool title = true;
     for (const std::string& line : split_lines(read_file(file))) {
         if (line.rfind("//", 0) != 0) {
             break;
         }
-        const std::string words = line.substr(std::min<std::size_t>(line.size(), 3));
-        const bool indented = words.rfind("  ", 0) == 0;
-        if (indented != listing) {
+        const std::string text = line.substr(std::min<std::size_t>(line.size(), 3));
+        const std::size_t in = std::min(text.find_first_not_of(' '), text.size());
+        const auto before = inside;
+        inside = in < 2 ? words : in == 2 || before == rows ? rows : formulas;
+        if (before == formulas && inside != formulas) {
             markdown += "```\n";
+        } else if (before == rows && inside != rows) {
+            markdown += " |\n";
         }
-        if (!title) {
-            markdown += (indented ? words.substr(2) : escape_markdown(words)) + "\n";
+        if (title) {
+            title = false;
+        } else if (inside == words) {
+            markdown += escape_markdown(text) + "\n";
+        } else if (inside == formulas) {
+            markdown += (before == formulas ? "" : "```\n") + text.substr(2) + "\n";
+        } else if (in == 2) {
+            markdown += (before == rows ? " |\n" : "| name | what it is |\n|---|---|\n") + row(text.substr(2));
+        } else {
+            markdown += " " + escape_markdown(text.substr(in));
         }
-        listing = indented;
-        title = false;
     }
-    return markdown + (listing ? "```\n" : "");
+    return markdown + (inside == formulas ? "```\n" : inside == rows ? " |\n" : "");
 }
 
 }  // namespace
@@ -65,11 +86,11 @@ std::vector<Exercise> load_exercises(const fs::path& root, const std::string& ch
         exercise.chapter = chapter;
         const std::string file = fs::proximate(about, root).generic_string();
         const Json json = parse_json(read_file(about), file);
-        exercise.number = std::stoi(one(json, "number", file));
-        exercise.title = one(json, "title", file);
-        exercise.level = one(json, "level", file);
-        exercise.practises = one(json, "practises", file);
-        exercise.declaration = one(json, "declaration", file);
+        exercise.number = std::stoi(required(json, "number", file));
+        exercise.title = required(json, "title", file);
+        exercise.level = required(json, "level", file);
+        exercise.practises = required(json, "practises", file);
+        exercise.declaration = required(json, "declaration", file);
         const auto hints = json.find("hints");
         if (hints != json.end()) {
             exercise.hints = hints->second;

@@ -24,10 +24,29 @@ std::string in_brief(const std::vector<Exercise>& exercises) {
     return table;
 }
 
+/// A declaration; a long one has a line for each parameter, which a narrow page does not cut.
+std::string in_lines(const std::string& declaration) {
+    if (declaration.size() <= 40) {
+        return declaration;
+    }
+    std::string text;
+    int brackets = 0;  // in those of a template a comma parts no parameters
+    for (const char character : declaration) {
+        brackets += (character == '<') - (character == '>');
+        if (character == ' ' && text.ends_with(",") && brackets == 0) {
+            text += "\n    ";
+        } else {
+            text += character;
+        }
+        if (character == '(') text += "\n    ";
+    }
+    return text;
+}
+
 std::string in_full(const Exercise& exercise) {
-    std::string text = "\n### " + exercise.place() + " " + exercise.title + " {#" + exercise.id() + "}\n\n*" +
+    std::string text = "\n## " + exercise.place() + " " + exercise.title + " {#" + exercise.id() + "}\n\n*" +
                        exercise.level + "; practises " + escape_markdown(exercise.practises) + "*\n\n```cpp\n" +
-                       exercise.declaration + "\n```\n\n" + exercise.task +
+                       in_lines(exercise.declaration) + "\n```\n\n" + exercise.task +
                        "\nYour file is `exercises/" + exercise.chapter + "/" + exercise.name +
                        ".cpp`; `./course check " + exercise.name + "` checks it.\n";
     for (std::size_t i = 0; i < exercise.hints.size(); ++i) {
@@ -40,6 +59,7 @@ std::string in_full(const Exercise& exercise) {
 
 }  // namespace
 
+/// The exercises of a chapter go on a page of their own; this one leads there.
 std::string exercises_markdown(Context& context) {
     std::string text;
     std::vector<std::filesystem::path> inputs;
@@ -48,12 +68,14 @@ std::string exercises_markdown(Context& context) {
     } else {
         for (const Chapter& chapter : context.chapters()) {
             const auto exercises = load_exercises(context.root(), chapter.folder, inputs);
-            if (!exercises.empty()) {
-                text += "\n## " + chapter.heading() + " {#exercises_" + std::to_string(chapter.number) + "}\n";
-            }
-            for (const Exercise& exercise : exercises) {
-                text += in_full(exercise);
-            }
+            if (exercises.empty()) continue;
+            const std::string id = "exercises_" + std::to_string(chapter.number);
+            std::string page = "# Exercises: " + chapter.heading() + " {#" + id + "}\n\n[TOC]\n\nWhat they need is in chapter \\ref " +
+                               chapter.id() + " " + quoted(chapter.heading()) +
+                               "; how they are done and checked, in \\ref exercises_how \"How it works\".\n";
+            for (const Exercise& exercise : exercises) page += in_full(exercise);
+            context.pages[id + ".md"] = page;
+            text += "\n<b>\\subpage " + id + " " + quoted(chapter.heading()) + "</b>\n" + in_brief(exercises);
         }
     }
     context.inputs.insert(inputs.begin(), inputs.end());

@@ -109,6 +109,9 @@ void make_page(Options& options) {
     if (!options["--depfile"].empty()) {
         page::write_file(options["--depfile"], depfile(options["--output"], context));
     }
+    for (const auto& [name, text] : context.pages) {
+        page::write_file(fs::path{options["--output"]}.replace_filename(name), text);
+    }
     page::write_file(options["--output"], content);
 }
 

@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
     try {
         const fs::path site = argv[1];
         json places = json::array();
-        static const std::regex of_words{"(chapter_[0-9]+|index|which_method|exercises|teaching|promises|methods|rigid_methods|in_your_engine)\\.html"};
+        static const std::regex of_words{"(chapter_[0-9]+|index|which_method|exercises(_[0-9]+)?|teaching|promises|methods|rigid_methods|in_your_engine)\\.html"};
         std::set<fs::path> files;
         for (const auto& entry : fs::directory_iterator{site}) files.insert(entry.path());
         for (const fs::path& file : files) {

@@ -208,18 +208,21 @@ TEST_CASE("chapters know their neighbours") {
     CHECK_THAT(page, !ContainsSubstring("class=\"previous\""));
 }
 
-TEST_CASE("exercises stand in order on the chapter's page, and in full on their own") {
+TEST_CASE("exercises stand in order on the chapter's page, and in full on pages of their own") {
     const Course course;
     CHECK_THAT(course.fill_paragraph("{{exercises}}"), !ContainsSubstring("| exercise |"));  // none yet
     const std::string about = R"JSON("level": "easy", "practises": "a * b",
         "declaration": "double f(double x)", "hints": ["Look.", "Look < closer."]})JSON";
+    std::string of_second = about;
+    of_second.replace(of_second.find("double f(double x)"), 18,
+                      "int long_one(const std::map<int, double>& all, double first, double second)");
     course.write("tests/exercises/03_springs/second/about.json",
-                 "{\"number\": 2, \"title\": \"The \\\"second\\\"\"," + about);
+                 "{\"number\": 2, \"title\": \"The \\\"second\\\"\"," + of_second);
     course.write("tests/exercises/03_springs/first/about.json",
                  "{\"number\": 1, \"title\": \"The first\"," + about);
     for (const char* name : {"first", "second"})
         course.write("solutions/03_springs/" + std::string(name) + ".cpp",
-                     "// Title\n//\n// You have\n// a < b.\n//\n//   x   in m\n//   y   in s\n//\n// Example:\n"
+                     "// Title\n//\n// You have\n// a < b:\n//\n//     y = |x|\n//\n//   x     in m,\n//         |x| below 1\n//   y, z  in s\n//\n// Example:\n"
                      "// 1.\n\nint code;\n// no task\n");
     const std::string brief = course.fill_paragraph("{{exercises}}");
     CHECK_THAT(brief, ContainsSubstring("| 3.1 | \\ref exercise_first \"The first\" | a \\* b | easy |\n"
@@ -227,12 +230,19 @@ TEST_CASE("exercises stand in order on the chapter's page, and in full on their 
 
     page::Context context{course / "", course / "runs"};
     const std::string full = page::fill(context, "# E {#e}\n\n{{exercises}}\n", "e.md");
-    CHECK_THAT(full, ContainsSubstring("## 3 · Springs {#exercises_3}"));
-    CHECK_THAT(full, ContainsSubstring("### 3.1 The first {#exercise_first}"));
-    CHECK_THAT(full, ContainsSubstring("```cpp\ndouble f(double x)\n```"));
-    CHECK_THAT(full, ContainsSubstring("You have\na \\< b.\n\n```\nx   in m\ny   in s\n```\n\nExample:\n"));
-    CHECK_THAT(full, ContainsSubstring("Look \\< closer."));
-    CHECK_THAT(full, !ContainsSubstring("code") && !ContainsSubstring("no task"));
+    CHECK_THAT(full, ContainsSubstring("\\subpage exercises_3 \"3 · Springs\""));
+    CHECK_THAT(full, ContainsSubstring("| 3.1 | \\ref exercise_first \"The first\" |"));
+    REQUIRE(context.pages.size() == 1);
+    const std::string tasks = context.pages.at("exercises_3.md");
+    CHECK(tasks.rfind("# Exercises: 3 · Springs {#exercises_3}\n", 0) == 0);
+    CHECK_THAT(tasks, ContainsSubstring("## 3.1 The first {#exercise_first}"));
+    CHECK_THAT(tasks, ContainsSubstring("```cpp\ndouble f(double x)\n```"));
+    CHECK_THAT(tasks, ContainsSubstring("You have\na \\< b:\n\n```\n  y = |x|\n```\n\n| name | what it is |\n|---|---|\n"
+                                        "| `x` | in m, \\|x\\| below 1 |\n| `y, z` | in s |\n\nExample:\n"));
+    CHECK_THAT(tasks, ContainsSubstring("```cpp\nint long_one(\n    const std::map<int, double>& all,\n    double first,\n"
+                                        "    double second)\n```"));
+    CHECK_THAT(tasks, ContainsSubstring("Look \\< closer."));
+    CHECK_THAT(tasks, !ContainsSubstring("code") && !ContainsSubstring("no task"));
     CHECK(context.inputs.count(course / "solutions/03_springs/first.cpp") == 1);
 
     course.write("tests/exercises/03_springs/first/about.json", "{\"number\": 1}");
