@@ -29,7 +29,10 @@ struct Score {
 class Fitting {
 public:
     Fitting(const Answer& answer, const Shown& shown, bool counted)
-        : answer_(answer), shown_(shown), counted_(counted), may_miss_wrong_(shown.wrong.size() / 33), may_miss_right_(shown.right.size() / (counted ? 100 : 20)) {}
+        : answer_(answer),
+          shown_(shown),
+          may_miss_wrong_(shown.wrong.size() / 33),
+          may_miss_right_(shown.right.size() / (counted ? 100 : 20)) {}
 
     Score of(const Made& first, const Made* second) const {
         std::size_t missed = 0;
@@ -49,7 +52,6 @@ public:
 private:
     const Answer& answer_;
     const Shown& shown_;
-    bool counted_;
     std::size_t may_miss_wrong_, may_miss_right_;
 };
 
