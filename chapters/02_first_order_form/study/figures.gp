@@ -349,3 +349,15 @@ set yrange [10:10000]
 set key top left @key
 plot "spiral_of_death.tsv" using 1:2 with linespoints @second pt 7 ps 0.7 title "no cap", \
      "" using 1:3 with linespoints @first pt 7 ps 0.7 title "at most five steps a frame"
+
+# Break it: the same program, other bits.
+call figure "other_bits.svg" 640 420
+set logscale y
+set format y "10^{%T}"
+set xlabel "time (s)" offset 0,0.3
+set ylabel "distance between two builds (m)"
+set xrange [0:15]
+set yrange [1e-17:1000]
+set key top left @key
+plot "other_bits.tsv" using 1:2 with lines @second title "among pegs", \
+     "" using 1:3 with lines @first title "on a spring"

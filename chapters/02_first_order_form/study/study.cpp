@@ -46,5 +46,6 @@ int main(int argc, char** argv) {
         hard_problems(settings, out);
         game_loop(settings, out);
         break_it(settings, out);
+        other_bits(settings, out);
     });
 }

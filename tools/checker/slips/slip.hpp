@@ -74,9 +74,14 @@ T scaled(const T& x, double by) {
     else return x;
 }
 
+// Both may stand for their sum: numbers and vectors, no iterators.
+template <class L, class R>
+concept Terms = requires(const L& l, const R& r) { Plain<decltype(l - r)>(l + r); Plain<decltype(l - r)>(l); Plain<decltype(l - r)>(r); };
+
 template <class L, class R>
 auto plus(int site, const L& l, const R& r) {
     if constexpr (Number<L> && Number<R> && !Whole<L, R>) return plus(site, double(l), double(r));
+    else if constexpr (!Terms<L, R>) return l + r;
     else {
         using T = Plain<decltype(l + r)>;
         switch (chosen(site, {Form::sign, Form::term, Form::term, Form::twice, Form::half})) {
@@ -93,6 +98,7 @@ auto plus(int site, const L& l, const R& r) {
 template <class L, class R>
 auto minus(int site, const L& l, const R& r) {
     if constexpr (Number<L> && Number<R> && !Whole<L, R>) return minus(site, double(l), double(r));
+    else if constexpr (!Terms<L, R>) return l - r;
     else {
         using T = Plain<decltype(l - r)>;
         switch (chosen(site, {Form::sign, Form::sign, Form::term, Form::term, Form::twice, Form::half})) {
