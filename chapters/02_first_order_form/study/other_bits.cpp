@@ -16,9 +16,15 @@ namespace {
 constexpr double h = 1.0 / 60;
 
 /// [builds]
-// One line of a step, y + h f, as two builds of one program compute it.
-double as_written(double y, double f) { return y + h * f; }     // the product is rounded, and then the sum
-double fused(double y, double f) { return std::fma(h, f, y); }      // contraction: rounded once
+// The product is rounded, and then the sum.
+double as_written(double y, double f) {
+    return y + h * f;
+}
+
+// Contraction: product and sum are rounded once.
+double fused(double y, double f) {
+    return std::fma(h, f, y);
+}
 /// [builds]
 
 using Line = double (*)(double, double);
