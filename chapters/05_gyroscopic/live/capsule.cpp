@@ -107,7 +107,7 @@ private:
             const double speed = now[i].turning.omega.norm();
             if (!holds[i].holds(speed < 1000 && now[i].x.allFinite())) continue;
             const double share = energy(capsule, ground(), now[i]) / energy_at_start;
-            left[i] = share < 1e-9 ? 0 : share;  // what roundoff leaves is rest
+            left[i] = speed < 1e-9 ? 0 : share;  // what roundoff leaves is rest
             if (!record) continue;
             spins[i].add(now[i].turning.t, speed);
             energies[i].add(now[i].turning.t, share);
