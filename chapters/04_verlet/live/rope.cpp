@@ -147,8 +147,8 @@ private:
     live::Slider sweeps{this, "sweeps", "iterations a step", 1, 64, 1, 2};
     live::Slider cuts{this, "cuts", "steps a frame", 1, 8, 1, 1};
     live::Choice changes{this, "changes", "Δt", "stays the same|shorter every other half second|changes every frame"};
-    live::Readout plain_too_long{this, verlet.name, "% longer than 2 m"};
-    live::Readout corrected_too_long{this, "corrected for Δt", "% longer than 2 m", "first"};
+    live::Readout plain_too_long{this, verlet.name, "% over 2 m"};
+    live::Readout corrected_too_long{this, "corrected for Δt", "% over 2 m", "first"};
     live::Readout dt_now{this, "Δt", "ms"};
     live::Readout iterations{this, "iterations a frame"};
     live::Fuse plain_holds{this, verlet.name};
