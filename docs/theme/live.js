@@ -31,12 +31,12 @@ class LiveCanvas {
     }
 
     resize(aspect) {
-        const scale = devicePixelRatio;
-        this.width = this.canvas.clientWidth;
+        const { canvas } = this, scale = devicePixelRatio;
+        this.width = canvas.clientWidth;
         this.height = Math.round(this.width * aspect);
-        this.canvas.style.height = this.height + "px";
-        this.canvas.width = this.width * scale;
-        this.canvas.height = this.height * scale;
+        canvas.style.height = this.height + "px";
+        canvas.width = this.width * scale;
+        canvas.height = this.height * scale;
         this.pen.setTransform(scale, 0, 0, scale, 0, 0);
     }
 
@@ -159,16 +159,20 @@ class LivePanel {
     }
 
     async start() {
-        const { instance } = await WebAssembly.instantiate(await bytesOf(this.figure.dataset.module), new Proxy({}, { get: () => page }));
+        const { figure } = this, { instance } = await WebAssembly.instantiate(await bytesOf(figure.dataset.module), new Proxy({}, { get: () => page }));
         this.of = instance.exports;
         this.of._initialize();
         this.of.begin();
+        // What it grows by moves what comes after it. Else a browser keeps that in place, and the sliders leave the screen.
+        const all = (figure.closest("#doc-content") || figure).style;
+        if (figure.getBoundingClientRect().bottom > 0) all.overflowAnchor = "none";
         this.build();
         this.shape();
-        this.play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+        figure.offsetTop, all.overflowAnchor = "";
+        this.play(!matchMedia("(prefers-reduced-motion)").matches);
         this.settings();
         new ResizeObserver(() => this.shape()).observe(this.canvas);
-        this.figure.classList.add("is-live");
+        figure.classList.add("is-live");
     }
 
     words(at) {
@@ -179,7 +183,7 @@ class LivePanel {
     // Native controls of all that can be set.
     build() {
         const of = this.of;
-        const button = (words, onclick) => make("button", { type: "button", className: "play", textContent: words, onclick });
+        const button = (words, onclick) => make("button", { type: "button", className: "play", onclick }, words);
         this.canvas = make("canvas", { tabIndex: 0, role: "img",
             ariaLabel: this.words(of.title()) + (isNaN(of.handle(0)) ? "" : ". The arrow keys drag.") });
         this.picture = new LiveCanvas(this.canvas, (i, what = "said") => this.words(of[what](i)));
@@ -202,7 +206,7 @@ class LivePanel {
                 button("One step", () => { this.play(false), this.steps(1); }),
                 button("Restart", () => { of.begin(), this.show(); }), this.linkButton),
             form, list, this.status, make("details", { className: "live-shell", ontoggle: () => this.showInShell() },
-                make("summary", { textContent: "The same run in a shell" }), this.shell)));
+                make("summary", {}, "The same run in a shell"), this.shell)));
         this.touch();
     }
 
@@ -215,15 +219,15 @@ class LivePanel {
             if (of.moves(i)) this.play(false);
             this.show();
         } };
-        row.append(make("label", { htmlFor: id, textContent: label }));
+        row.append(make("label", { htmlFor: id }, label));
         if (kind === 2) {  // one of several
             const list = make("select", { id, onchange: () => control.set(+list.value) },
-                ...unit.split("|").map((words, n) => make("option", { value: n, textContent: words })));
-            control.show = () => { list.value = control.get(); };
+                ...unit.split("|").map((words, n) => make("option", { value: n }, words)));
+            control.show = () => list.value = control.get();
             row.append(list);
         } else if (kind === 3) {  // on or off
             const box = make("input", { id, type: "checkbox", onchange: () => control.set(+box.checked) });
-            control.show = () => { box.checked = control.get() !== 0; };
+            control.show = () => box.checked = control.get() !== 0;
             row.append(box);
         } else {  // a number, on a log slider by its logarithm
             const there = x => kind === 1 ? Math.log10(x) : x, back = x => kind === 1 ? +(10 ** x).toPrecision(3) : x;
@@ -232,7 +236,7 @@ class LivePanel {
             range.oninput = () => control.set(back(+range.value));
             typed.onchange = () => {
                 control.typed = true;  // while it is being typed a number is left alone
-                control.set(typed.value === "" ? NaN : +typed.value);
+                control.set(typed.valueAsNumber);
                 control.show(), control.typed = false;
             };
             control.show = () => {
@@ -240,7 +244,7 @@ class LivePanel {
                 const value = +control.get().toPrecision(kind === 1 ? 3 : 6);
                 if (document.activeElement !== typed || control.typed) typed.value = kind === 1 && value < 1e-3 ? value.toExponential() : value;
             };
-            row.append(range, typed, make("span", { className: "unit", textContent: unit }));
+            row.append(range, typed, make("span", { className: "unit" }, unit));
         }
         control.show();
         form.append(row);
@@ -301,10 +305,10 @@ class LivePanel {
         this.plays = this.wanted && seen;
         if (!this.plays || before) return;
         this.then = performance.now(), this.owed = 0;
-        requestAnimationFrame(now => this.frame(now));
+        requestAnimationFrame(this.frame);
     }
     // Chapter 2's loop: a frame pays what it owes in whole steps. After a hitch the rest is forgiven.
-    frame(now) {
+    frame = now => {
         if (!this.plays) return;
         const h = this.of.seconds() * 1000;
         this.owed = Math.min(this.owed + Math.max(0, now - this.then), Math.max(10 * h, 50));
@@ -312,8 +316,8 @@ class LivePanel {
         const n = Math.floor(this.owed / h);
         this.owed -= n * h;
         if (n > 0) this.steps(n, now);
-        requestAnimationFrame(next => this.frame(next));
-    }
+        requestAnimationFrame(this.frame);
+    };
     steps(n, frame) {
         this.trying(() => { for (; n > 0; --n) this.of.step(); });
         this.show(frame);
@@ -333,8 +337,8 @@ class LivePanel {
         const wide = this.canvas.clientWidth;
         this.narrow = wide < 480;
         this.canvas.parentElement.classList.toggle("is-narrow", this.narrow);
-        // On a phone the picture stays on the screen (timestep.css) and leaves room for the sliders.
-        this.picture.resize(Math.min(this.of.aspect(this.narrow), this.narrow ? .5 * innerHeight / wide : 9));
+        // It leaves room for the sliders; on a phone it stays on the screen beside them (timestep.css).
+        this.picture.resize(Math.min(this.of.aspect(this.narrow), (this.narrow ? .5 : .6) * innerHeight / wide));
         this.show();
     }
     // Sixty times a second what has moved; what is read, some times a second and whenever the reader does something.
@@ -345,10 +349,10 @@ class LivePanel {
         this.readAgain = frame + 150;
         for (const control of this.controls)  // the panel may have moved it, too
             if (control.get() !== control.shown) control.shown = control.get(), control.show();
-        this.readouts.forEach((output, i) => { output.textContent = of.known(i) ? written(of.readout(i)) + output.unit : "not yet"; });
+        this.readouts.forEach((output, i) => output.textContent = of.known(i) ? written(of.readout(i)) + output.unit : "not yet");
         const blown = count(of.fuses()).filter(i => of.fuse(i) >= 0).map(i => `${this.words(of.fuse_text(i))} at step ${of.fuse(i)}`);
         const said = [blown.length && `Blew up: ${blown.join(", ")}.`, this.broke,
-            of.broken() && `At step ${of.steps()} a place is no number, and is not drawn.`].filter(Boolean).join(" ");
+            of.broken() && "A place is no number, and is not drawn."].filter(Boolean).join(" ");
         if (this.status.textContent !== said) this.status.textContent = said;
         this.showInShell();
     }
@@ -360,8 +364,8 @@ class LivePanel {
     }
     link() {
         history.replaceState(null, "", `#${this.figure.id}:${this.set().join(",")}`);
-        const say = words => { this.linkButton.textContent = words; };
-        const copied = navigator.clipboard ? navigator.clipboard.writeText(location.href) : Promise.reject();
+        const say = words => this.linkButton.textContent = words;
+        const copied = navigator.clipboard?.writeText(location.href) || Promise.reject();
         copied.then(() => say("Link copied"), () => say("It is in the address bar"));
         setTimeout(() => say("Link"), 2000);
     }

@@ -17,8 +17,8 @@ import browser
 from panel import BITS, CONTROLS, DRAWN, LIVE, PICTURE, READY, STEPS, Faults, Page
 
 MODULE, SCRIPT = 60_000, 15_000  # bytes, at most
-DESK, PHONE = ({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
-               for width, height in ((900, 900), (390, 844)))
+DESK, LAPTOP, PHONE = ({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
+                       for width, height in ((900, 900), (1280, 800), (390, 844)))
 PANEL = re.compile(r'<figure id="live-(\w+)"[^>]*data-live="([^"]+)" data-module="([^"]+)"')
 
 
@@ -222,6 +222,30 @@ def seen_together(page, faults):
     page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", DESK)
 
 
+def fits_the_screen(page, faults):
+    """One sees the whole picture with all that can be set; on a phone with the first two of it."""
+    for screen, most in (LAPTOP, 99), (PHONE, 2):
+        page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
+        page.open()
+        last = page.run("""const figure = document.getElementById(arguments[0]);
+            return [...figure.querySelectorAll(".live-control")].slice(0, arguments[1]).at(-1).getBoundingClientRect().bottom""", most)
+        faults.unless(last <= screen["height"], f"at {screen['width']} px its controls end {last - screen['height']:.0f} px below the screen")
+    page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", DESK)
+
+
+def starts_where_it_is(page, faults):
+    """Who comes by a link sees the panel from its top, also when it has grown out of its picture."""
+    page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", PHONE)
+    page.driver.get("about:blank")
+    page.driver.get(page.address + "#" + page.id)
+    page.wait(lambda: page.run(READY))
+    time.sleep(0.3)
+    hidden = page.run("""const figure = document.getElementById(arguments[0]), part = what => figure.querySelector(what).getBoundingClientRect();
+        return part("canvas").bottom - part(".live-buttons").top""")
+    faults.unless(hidden <= 1, f"starts with {hidden:.0f} px of its controls behind the picture")
+    page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", DESK)
+
+
 def carries_settings(page, faults):
     page.open()
     sliders = [c for c in page.controls() if c["kind"] < 2]
@@ -342,7 +366,8 @@ def main():
             same_bits(page, build, live, (root / "chapters" / live.replace("/", "/live/")).with_suffix(".cpp").read_text(), faults)
             stands_extremes(page, faults)
             for look in (by_keyboard, by_finger, goes_on_where_it_is_left, leaves_its_sliders_in_place,
-                         says_what_the_shell_would, scrolls_under_a_finger, seen_together, carries_settings, costs_little, grows_not, keeps_calm, stands_without_scripts):
+                         says_what_the_shell_would, scrolls_under_a_finger, seen_together, fits_the_screen, starts_where_it_is,
+                         carries_settings, costs_little, grows_not, keeps_calm, stands_without_scripts):
                 look(page, faults)
             faults += ["console: " + entry["message"] for entry in on.driver.get_log("browser") if entry["level"] == "SEVERE"]
             for fault in faults:

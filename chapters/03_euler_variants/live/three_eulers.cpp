@@ -47,7 +47,8 @@ public:
         draw(p, explicit_euler.name, explicit_state, explicit_trail);
         if (amplitude(explicit_state) > 4) p.text(-2.9, 2.1, "explicit Euler has left the picture");
         p.ink(semi_implicit_euler.name);
-        if (amplitude(semi_implicit_state) > 40) p.text(-2.9, -2.3, "semi-implicit Euler has left the picture");
+        if (h >= 2 && amplitude(semi_implicit_state) > 40)
+            p.text(-2.9, 1.7, h > 2 ? "semi-implicit Euler has left the picture" : "semi-implicit Euler grows, at its limit");
         p.ink("ink", 2);
         p.dot(x, v, 4);
     }

@@ -28,13 +28,14 @@ public:
     double seconds() const override { return 1 / rate; }
     // What the plane is like can be changed while they spin.
     bool restarts(const live::Control& c) const override {
-        return &c != &rolling && &c != &spinning && &c != &friction;
+        return &c != &rolling && &c != &spinning;
     }
 
     void restart() override {
+        const double lean = dropped ? 0.6 : 0.05;  // rad
         const plane::Orientation leaning = plane::Orientation(1, lean / 2, 0, 0).normalized();
         const V axis = leaning * V::UnitZ(), halfway = (axis + V::UnitY()).normalized();
-        now.fill(placed(capsule, leaning, spin * halfway, height_above));
+        now.fill(placed(capsule, leaning, spin * halfway, dropped ? 0.5 : 0));
         energy_at_start = energy(capsule, ground(), now[0]);
         for (Trail& trail : spins) trail.clear();
         for (Trail& trail : energies) trail.clear();
@@ -85,7 +86,7 @@ private:
                                             passive_gyroscopic.name, calm_half_step.name};
 
     plane::Ground ground() const {
-        return {9.81, friction, rolling, arms == 0 ? plane::Arms::start : plane::Arms::middle};
+        return {9.81, 0.5, rolling, arms == 0 ? plane::Arms::start : plane::Arms::middle};
     }
     template <class Solver>
     void advance(const Solver& solver, int i) {
@@ -105,10 +106,11 @@ private:
         for (int i = 0; i < 5; ++i) {
             const double speed = now[i].turning.omega.norm();
             if (!holds[i].holds(speed < 1000 && now[i].x.allFinite())) continue;
-            left[i] = speed < 1e-9 ? 0 : speed;  // what roundoff leaves is rest
+            const double share = energy(capsule, ground(), now[i]) / energy_at_start;
+            left[i] = speed < 1e-9 ? 0 : share;  // what roundoff leaves is rest
             if (!record) continue;
             spins[i].add(now[i].turning.t, speed);
-            energies[i].add(now[i].turning.t, energy(capsule, ground(), now[i]) / energy_at_start);
+            energies[i].add(now[i].turning.t, share);
         }
     }
     void draw(live::Picture& p, const std::array<Trail, 5>& trails, double most, const char* words, double from) const {
@@ -139,18 +141,15 @@ private:
         p.stroke();
     }
 
+    live::Choice dropped{this, "start", "at the start", "set on one end|dropped from half a metre, leaning"};
+    live::Slider spin{this, "spin", "spin at the start", 5, 60, 1, 40, "rad/s"};
     live::Slider rolling{this, "rolling", "rolling resistance", 0, 0.3, 0.01, 0.1, "radii"};
     live::Slider spinning{this, "spinning", "spinning resistance", 0, 0.1, 0.005, 0, "radii"};
-    live::Slider friction{this, "friction", "friction", 0, 1, 0.05, 0.5};
-    live::Choice arms{this, "arms", "contacts' lever arms", "start of the step, as engines do|middle of the step"};
+    live::Choice arms{this, "arms", "lever arms", "start of the step, as engines do|middle of the step"};
     live::Choice place{this, "place", "calm half-step", "before the contacts|half before, half after|after the contacts", 2};
-    live::Slider height_above{this, "height", "dropped from", 0, 2, 0.1, 0, "m"};
-    live::Slider spin{this, "spin", "spin at the start", 5, 60, 1, 40, "rad/s"};
-    live::Slider lean{this, "lean", "lean at the start", 0, 1, 0.01, 0.05, "rad"};
     live::Slider rate{this, "rate", "steps a second", 30, 240, 1, 60, "Hz"};
-    // Under the names of the methods: the spin.
-    live::Readout left[5] = {{this, names[0], "rad/s"}, {this, names[1], "rad/s"}, {this, names[2], "rad/s"},
-                             {this, names[3], "rad/s"}, {this, names[4], "rad/s"}};
+    // Under the names of the methods: the energy over that at the start.
+    live::Readout left[5] = {{this, names[0]}, {this, names[1]}, {this, names[2]}, {this, names[3]}, {this, names[4]}};
     live::Fuse holds[5] = {{this, names[0]}, {this, names[1]}, {this, names[2]}, {this, names[3]}, {this, names[4]}};
 
     // 90 cm long, 30 cm thick, 1 kg.

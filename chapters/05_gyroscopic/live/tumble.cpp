@@ -161,8 +161,8 @@ private:
     }
 
     live::Choice body{this, "body", "body", "box 1:2:3|wing nut|staff|plank"};
-    live::Slider spin{this, "spin", "spin about the intermediate axis", 1, 60, 0.5, 12, "rad/s"};
-    live::Slider touch{this, "touch", "spin about each of the others", 0, 10, 0.05, 0.05, "rad/s"};
+    live::Slider spin{this, "spin", "spin, intermediate axis", 1, 60, 0.5, 12, "rad/s"};
+    live::Slider touch{this, "touch", "spin, other axes", 0, 10, 0.05, 0.05, "rad/s"};
     live::Slider rate{this, "rate", "steps a second", 30, 240, 1, 60, "Hz"};
     // Under the names of the methods: the energy over that at the start.
     live::Readout left[6] = {{this, names[0]}, {this, names[1]}, {this, names[2]},

@@ -46,7 +46,7 @@ inline StepMatrix<double> twice(const StepMatrix<double>& a) {
 
 class BlowUp : public live::Panel {
 public:
-    BlowUp() { title = "Will it blow up?", aspect = 0.95, aspect_narrow = 2; }
+    BlowUp() { title = "Will it blow up?", aspect = 0.75, aspect_narrow = 2; }
 
     void restart() override {
         const DampedSpring<double> spring = this->spring();
