@@ -22,8 +22,9 @@ bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right)
 bool is_same(const Numbers& made, const Numbers& found);
 
 /// The slip, or the two at once, that answer as the learner does: their kinds' names, as "slip_sign" or "slip_sign_term"; nothing
-/// where none does. `counted`: of a yes and a no, or of counts, many agree by chance. (slips/slipped.cpp)
+/// where none does. `counted`: of a yes and a no, or of counts, many agree by chance; two slips at once are not asked then.
+/// (slips/slipped.cpp)
 std::string slip_of(const std::string& exercise, const Shown& shown, bool counted);
-std::string two_slips_of(const std::string& exercise, const Shown& shown, bool counted);
+std::string two_slips_of(const std::string& exercise, const Shown& shown);
 
 }  // namespace checker

@@ -143,13 +143,13 @@ std::string slip_of(const std::string& exercise, const Shown& shown, bool counte
     return {};
 }
 
-std::string two_slips_of(const std::string& exercise, const Shown& shown, bool counted) {
-    if (!is_enough(shown, counted) || shown.wrong.size() < 5) return {};
+std::string two_slips_of(const std::string& exercise, const Shown& shown) {
+    if (shown.wrong.size() < 5) return {};
     const Shown some = some_of(shown, 12);
     const long begin = slip::work();
     bool is_solution = true;
     for (const Answer& answer : slips_of(exercise)) {
-        const Fitting all(answer, shown, counted), few(answer, some, counted);
+        const Fitting all(answer, shown, false), few(answer, some, false);
         std::vector<Made> slips = slips_in(answer, shown);
         // Two of any kinds could explain nearly everything: only those that are plainest.
         std::erase_if(slips, [&](const Made& made) { return made.form > Form::factor && !(is_solution && made.form == Form::variable); });

@@ -297,3 +297,18 @@ int best_gap(double frame, double noise, double jerk, int most) {
 }
 
 }  // namespace positions_for_frames
+
+// Says: Without jerk the largest gap is the best. Here there is no optimal step size then, and the answer is one frame.
+// Hint: What is noise over a jerk of zero? Look at that case before you divide.
+namespace one_without_jerk {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    const auto worst = [&](double n) { return jerk * n * n * frame * frame / 24 + 2 * noise / (n * frame); };
+    const double ideal = std::cbrt(24 * noise / jerk) / frame;
+    if (!(ideal < HUGE_VAL) || ideal < 1) return 1;
+    if (ideal >= most) return most;
+    const double below = std::floor(ideal);
+    return static_cast<int>(worst(below) <= worst(below + 1) ? below : below + 1);
+}
+
+}  // namespace one_without_jerk

@@ -178,3 +178,14 @@ double extrapolated(double coarse, double fine, double ratio, int order) {
 }
 
 }  // namespace order_two
+
+// Says: The power of the ratio is kept as a whole number: what it has behind the point is lost.
+// Hint: The ratio need not be whole. Look at the type of each variable that holds it or a power of it.
+namespace whole_ratio {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    const double shrinks = static_cast<int>(std::pow(ratio, order));
+    return fine + (fine - coarse) / (shrinks - 1);
+}
+
+}  // namespace whole_ratio

@@ -166,3 +166,14 @@ double order_of_results(double coarse, double middle, double fine) {
 }
 
 }  // namespace one_too_few
+
+// Says: Only results that fall get an order: where they rise, both differences are negative, and that is taken for a fault.
+// Hint: The quotient of two negative differences is positive. Look at its sign, not at theirs.
+namespace only_falling {
+
+double order_of_results(double coarse, double middle, double fine) {
+    if (coarse <= middle || middle <= fine) return 0;
+    return std::log2((coarse - middle) / (middle - fine));
+}
+
+}  // namespace only_falling

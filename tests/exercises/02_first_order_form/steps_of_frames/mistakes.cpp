@@ -138,8 +138,8 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 
 }  // namespace with_a_tolerance
 
-// Says: What is owed is kept in single precision: it loses the last bits of every frame.
-// Hint: A float has seven digits. Look at the type of each variable that holds a time.
+// Says: A step that is nearly owed is taken: what is owed is kept in single precision, or compared with a tolerance.
+// Hint: A float has seven digits, a double sixteen. To the last of them: is the step owed in full?
 namespace single_precision {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
@@ -319,3 +319,19 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 }
 
 }  // namespace own_cap
+
+// Says: A frame that takes no step is left out of the list.
+// Hint: There must be one number for every frame: 0 for one that takes none.
+namespace only_with_steps {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps = each_frame(frames, [&](double& owed) {
+        const int taken = static_cast<int>(std::min<double>(std::floor(owed / step), most_steps));
+        owed = std::fmod(owed, step);
+        return taken;
+    });
+    std::erase(steps, 0);
+    return steps;
+}
+
+}  // namespace only_with_steps

@@ -330,3 +330,16 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 }
 
 }  // namespace sine_and_cosine_exchanged
+
+// Says: For a negative h nothing turns: the case is sorted out together with a body that does not spin.
+// Hint: A step back in time turns the other way round, by the same angle.
+namespace never_back {
+
+Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
+    const double angle = h * omega.stableNorm();
+    if (angle <= 0) return q;
+    const Vector3d v = std::sin(angle / 2) * omega.stableNormalized();
+    return q * Quaterniond(std::cos(angle / 2), v.x(), v.y(), v.z());
+}
+
+}  // namespace never_back

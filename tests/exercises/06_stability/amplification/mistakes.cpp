@@ -246,3 +246,14 @@ double amplification(double re, double im, double theta, double h) {
 }
 
 }  // namespace example
+
+// Says: Below the line only the real part of z is left: a swing has lost its divisor.
+// Hint: z is h (re + i im) above the line and below it. What is |1 - theta z| of a z that is purely imaginary?
+namespace real_divisor {
+
+double amplification(double re, double im, double theta, double h) {
+    const std::complex<double> z(h * re, h * im);
+    return std::abs(1.0 + (1 - theta) * z) / std::fabs(1 - theta * h * re);
+}
+
+}  // namespace real_divisor

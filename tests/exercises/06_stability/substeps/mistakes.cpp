@@ -227,3 +227,14 @@ int substeps(double mass, int springs, double stiffness, double frame, double sh
 }
 
 }  // namespace rounded_up_with_less_slack
+
+// Says: omega is multiplied by 2 pi, as if it were in oscillations a second.
+// Hint: The root of k/m is in radians per second already, and so is the limit of 2.
+namespace radians_twice {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = 2 * std::numbers::pi * std::sqrt(springs * stiffness / mass);
+    return std::max(1, static_cast<int>(std::ceil(omega * frame / (2 * share))));
+}
+
+}  // namespace radians_twice

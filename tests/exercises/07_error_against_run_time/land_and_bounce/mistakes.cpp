@@ -517,3 +517,20 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 }
 
 }  // namespace example
+
+// Says: Where the ball comes to rest, the clock stops: the step ends at its last bounce.
+// Hint: A ball at rest has time pass, too: the step ends at t + h, whatever happens in it.
+namespace clock_stops_at_rest {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    double t = s.t, left = h;
+    for (;;) {
+        if (s.x == 0 && std::fabs(s.v) < 1e-9) return {t, 0, 0};
+        const double impact = impact_of(s, g), fall = (s.v + impact) / g;
+        if (fall > left) return {t + left, fly(s, g, left).x, s.v - g * left};
+        left -= fall, t += fall;
+        s = {t, 0, e * impact};
+    }
+}
+
+}  // namespace clock_stops_at_rest

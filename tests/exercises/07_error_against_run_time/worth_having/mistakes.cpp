@@ -348,3 +348,17 @@ std::vector<int> worth_having(const std::vector<Point>& points) {
 }
 
 }  // namespace example
+
+// Says: The numbers are places in a list that you have sorted yourself, without what is not finite. The caller has another list.
+// Hint: Sort the places, not the settings: then each of them still says where it stood.
+namespace places_when_sorted {
+
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    std::vector<Point> settings;
+    for (const Point& point : points)
+        if (usable(point)) settings.push_back(point);
+    std::stable_sort(settings.begin(), settings.end(), faster_then_better);
+    return unbeaten(settings, usable, beats);
+}
+
+}  // namespace places_when_sorted

@@ -306,3 +306,19 @@ std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) 
 }
 
 }  // namespace length_kept
+
+// Says: Only two of the three numbers of the last body are moved: one keeps that of the body that is gone.
+// Hint: Each body has x, y and z, and they lie `width` apart.
+namespace two_of_three {
+
+std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) {
+    const double z = packs[static_cast<std::size_t>((i / width * 3 + 2) * width + i % width)];
+    copy(packs, width, n - 1, i);
+    packs[static_cast<std::size_t>((i / width * 3 + 2) * width + i % width)] = z;
+    const int left = n - 1, used = (left + width - 1) / width;
+    packs.resize(3 * width * used);
+    for (int lane = left; lane < used * width; ++lane) copy(packs, width, left - 1, lane);
+    return packs;
+}
+
+}  // namespace two_of_three

@@ -235,3 +235,16 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
 }
 
 }  // namespace single_precision
+
+// Says: The turns of all gaps are added up as vectors, and the body is turned once by their sum. But turns about different
+//       axes cannot be added.
+// Hint: A quarter turn about x and then one about y is no turn about the diagonal. Turn the body in every gap.
+namespace sum_of_turns {
+
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    Vector3d sum = Vector3d::Zero();
+    for (std::size_t i = 1; i < times.size(); ++i) sum += gap_of(times, i) / 2 * sum_of(spins, i);
+    return turned(q, sum);
+}
+
+}  // namespace sum_of_turns
