@@ -302,14 +302,3 @@ std::array<double, 2> bounce_without_velocity(double before, double now, double 
 }
 
 }  // namespace asks_for_zero
-
-// Says: A ball that is still above the floor is turned round, too, in the air.
-// Hint: Only a ball below the floor has hit it. Leave the others as they are.
-namespace in_the_air {
-
-std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
-    const double v = e * (before - now), y = floor + e * (floor - now);
-    return {y - v, y};
-}
-
-}  // namespace in_the_air

@@ -333,7 +333,7 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 
 // Says: For a negative h nothing turns: the case is sorted out together with a body that does not spin.
 // Hint: A step back in time turns the other way round, by the same angle.
-namespace never_back {
+namespace still_when_back {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
     const double angle = h * omega.stableNorm();
@@ -342,4 +342,4 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
     return q * Quaterniond(std::cos(angle / 2), v.x(), v.y(), v.z());
 }
 
-}  // namespace never_back
+}  // namespace still_when_back
