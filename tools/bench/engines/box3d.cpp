@@ -22,7 +22,7 @@ Vector out_of(const b3Vec3& v) {
 
 class Box3dWorld : public World {
 public:
-    Box3dWorld(const Wanted& wanted, int substeps) : substeps_(substeps) {
+    Box3dWorld(const Wanted& wanted, int substeps) : wanted_(wanted), substeps_(substeps) {
         b3WorldDef def = b3DefaultWorldDef();
         def.gravity = {0, 0, float(-wanted.gravity)};
         def.enableSleep = wanted.sleeping;
@@ -44,15 +44,17 @@ public:
         def.position = {float(s.x.x()), float(s.x.y()), float(s.x.z())};
         def.rotation = in_box3d(s.q);
         def.linearVelocity = in_box3d(s.v), def.angularVelocity = in_box3d(s.omega);
+        def.motionLocks.angularX = shape.locked[0], def.motionLocks.angularY = shape.locked[1];
+        def.motionLocks.angularZ = shape.locked[2];
         const b3BodyId body = b3CreateBody(world_, &def);
         b3ShapeDef surface = b3DefaultShapeDef();
-        surface.baseMaterial.friction = float(friction);
+        surface.baseMaterial.friction = wanted_.smooth ? 0 : float(friction);
         const b3Vec3 half = in_box3d(shape.half);
         if (shape.kind == Shape::box) {
             b3BoxHull box = b3MakeBoxHull(half.x, half.y, half.z);
             b3CreateHullShape(body, &surface, &box.base);
         } else {
-            surface.baseMaterial.rollingResistance = float(rolling);
+            surface.baseMaterial.rollingResistance = wanted_.smooth ? 0 : float(rolling);
             const b3Capsule capsule = {{0, 0, -half.z}, {0, 0, half.z}, half.x};
             b3CreateCapsuleShape(body, &surface, &capsule);
         }
@@ -82,6 +84,7 @@ public:
     }
 
 private:
+    Wanted wanted_;
     int substeps_;
     b3WorldId world_;
     b3BodyId ground_;

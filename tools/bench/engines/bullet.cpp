@@ -85,8 +85,8 @@ public:
         body.setWorldTransform(place), body.setInterpolationWorldTransform(place);
         body.setLinearVelocity(in_bullet(s.v)), body.setAngularVelocity(in_bullet(s.omega));
         body.updateInertiaTensor();
-        body.setFriction(btScalar(friction));
-        if (shape.kind == Shape::capsule) body.setRollingFriction(btScalar(rolling));
+        body.setFriction(wanted_.smooth ? 0 : btScalar(friction));
+        if (shape.kind == Shape::capsule && !wanted_.smooth) body.setRollingFriction(btScalar(rolling));
         if (!wanted_.sleeping) body.setActivationState(DISABLE_DEACTIVATION);
         world_.addRigidBody(&body);
         return int(bodies_.size()) - 1;

@@ -19,8 +19,9 @@ using Quaternion = timestep::Quaternion<double>;
 struct Shape {
     enum Kind { box, capsule } kind;
     Vector half;
-    Vector moments;  // kg m²
+    Vector moments;  // kg m²; infinite: in Jolt an inverse moment of zero
     double mass = 1;
+    std::array<bool, 3> locked{};  // no rotation about these axes of the world, where an engine has that: Box3D, Jolt
 };
 
 struct State {
@@ -41,11 +42,16 @@ public:
     virtual State state(int body) const = 0;
 };
 
+inline constexpr double friction = 0.6;
+inline constexpr double rolling = 0.02;  // in what an engine takes for it, of capsules
+
 // What a scene wants of its world.
 struct Wanted {
     double gravity = 0;    // m/s², downwards
     bool sleeping = false;
     bool damping = false;  // the engine's own, where it has some without being asked
+    bool smooth = false;   // neither friction nor rolling resistance
+    bool rule = true;      // false: none for the gyroscopic torque, where an engine has a switch for each body: Jolt
 };
 
 struct Engine {
@@ -58,8 +64,5 @@ struct Engine {
 void enter_bullet(std::vector<Engine>& engines, std::vector<std::string>& missing);
 void enter_ode(std::vector<Engine>& engines, std::vector<std::string>& missing);
 void enter_checkouts(std::vector<Engine>& engines, std::vector<std::string>& missing);
-
-inline constexpr double friction = 0.6;
-inline constexpr double rolling = 0.02;  // in what an engine takes for it, of capsules
 
 }  // namespace engines

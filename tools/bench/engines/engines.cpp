@@ -82,12 +82,6 @@ void run(const Asked& asked, std::vector<Engine> all, const std::vector<std::str
 
 }  // namespace
 
-std::string engines::row_name(const Engine& engine) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%-18s%-30s", engine.name.c_str(), engine.rule.c_str());
-    return text;
-}
-
 int main(int argc, char** argv) {
     try {
         std::vector<Engine> all;

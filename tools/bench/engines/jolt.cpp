@@ -6,6 +6,7 @@
 #include <Jolt/Core/JobSystemSingleThreaded.h>
 #include <Jolt/Core/TempAllocator.h>
 #include <Jolt/Physics/Body/BodyCreationSettings.h>
+#include <Jolt/Physics/Body/BodyLock.h>
 #include <Jolt/Physics/Collision/Shape/BoxShape.h>
 #include <Jolt/Physics/Collision/Shape/CapsuleShape.h>
 #include <Jolt/Physics/Collision/Shape/PlaneShape.h>
@@ -72,14 +73,22 @@ public:
             solid, in_jolt(s.x), JPH::Quat(float(s.q.x()), float(s.q.y()), float(s.q.z()), float(s.q.w())),
             JPH::EMotionType::Dynamic, 0);
         settings.mLinearVelocity = in_jolt(s.v), settings.mAngularVelocity = in_jolt(s.omega);
-        settings.mFriction = float(friction);
-        settings.mApplyGyroscopicForce = gyroscopic_;
+        settings.mFriction = wanted_.smooth ? 0 : float(friction);
+        settings.mApplyGyroscopicForce = gyroscopic_ && wanted_.rule;
         settings.mAllowSleeping = wanted_.sleeping;
+        constexpr JPH::EAllowedDOFs about[] = {JPH::EAllowedDOFs::RotationX, JPH::EAllowedDOFs::RotationY, JPH::EAllowedDOFs::RotationZ};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (shape.locked[axis]) settings.mAllowedDOFs &= ~about[axis];
         if (!wanted_.damping) settings.mLinearDamping = settings.mAngularDamping = 0;
         settings.mOverrideMassProperties = JPH::EOverrideMassProperties::MassAndInertiaProvided;
         settings.mMassPropertiesOverride.mMass = float(shape.mass);
-        settings.mMassPropertiesOverride.mInertia = JPH::Mat44::sScale(in_jolt(shape.moments));
+        const bool finite = shape.moments.allFinite();
+        settings.mMassPropertiesOverride.mInertia = JPH::Mat44::sScale(finite ? in_jolt(shape.moments) : JPH::Vec3::sOne());
         bodies_.push_back(system_.GetBodyInterface().CreateAndAddBody(settings, JPH::EActivation::Activate));
+        if (!finite) {
+            const JPH::BodyLockWrite body(system_.GetBodyLockInterface(), bodies_.back());
+            body.GetBody().GetMotionProperties()->SetInverseInertia(in_jolt(shape.moments.cwiseInverse()), JPH::Quat::sIdentity());
+        }
         return int(bodies_.size()) - 1;
     }
     void pin(int a, const Vector& on_a, int b, const Vector& on_b) override {

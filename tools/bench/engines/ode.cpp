@@ -16,8 +16,9 @@ struct NoRule {};  // ODE's own
 template <class Rule>
 class OdeWorld : public World {
 public:
-    explicit OdeWorld(const Wanted& wanted) {
+    explicit OdeWorld(const Wanted& wanted) : smooth_(wanted.smooth) {
         dInitODE2(0);
+        dRandSetSeed(0);  // it solves in an order by chance: the same, whatever was measured before
         world_ = dWorldCreate();
         space_ = dSimpleSpaceCreate(nullptr);
         contacts_ = dJointGroupCreate(0);
@@ -77,17 +78,18 @@ private:
     static void touch(void* data, dGeomID a, dGeomID b) {
         const dBodyID one = dGeomGetBody(a), other = dGeomGetBody(b);
         if (one && other && dAreConnected(one, other)) return;
+        OdeWorld& self = *static_cast<OdeWorld*>(data);
         dContact found[8] = {};
         const int n = dCollide(a, b, 8, &found[0].geom, sizeof(dContact));
         const bool rolls = dGeomGetClass(a) == dCapsuleClass || dGeomGetClass(b) == dCapsuleClass;
         for (int i = 0; i < n; ++i) {
-            found[i].surface.mode = dContactApprox1 | (rolls ? dContactRolling : 0);
-            found[i].surface.mu = friction;
+            found[i].surface.mode = dContactApprox1 | (rolls && !self.smooth_ ? dContactRolling : 0);
+            found[i].surface.mu = self.smooth_ ? 0 : friction;
             found[i].surface.rho = found[i].surface.rho2 = found[i].surface.rhoN = rolling;
-            OdeWorld& self = *static_cast<OdeWorld*>(data);
             dJointAttach(dJointCreateContact(self.world_, self.contacts_, &found[i]), one, other);
         }
     }
+    bool smooth_;
     dWorldID world_;
     dSpaceID space_;
     dJointGroupID contacts_;

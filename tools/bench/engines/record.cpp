@@ -63,12 +63,13 @@ public:
     // Of the rules that the page compares, what it may name in a sentence.
     std::string numbers() const {
         const std::vector<std::string> named{"energy left", "true flips", "most energy", "restless, of a hundred",
-                                             "true largest lean, rad", "of the first"};
+                                             "true largest lean, rad", "of the first", "stands, s"};
         std::string lines = "name\tvalue\tunit\tmeaning\n";
         for (const Row& r : rows_) {
             if (std::find(named.begin(), named.end(), r.what) == named.end() ||
                 std::find(main_rules.begin(), main_rules.end(), r.rule) == main_rules.end() ||
-                !(r.which.starts_with("box 1 x") || r.which == "capsule, 30 rad/s" || r.scene == "top" || r.scene == "cost"))
+                !(r.which.starts_with("box 1 x") || r.which == "capsule, 30 rad/s" || r.scene == "top" ||
+                  r.scene == "top on the ground" || r.scene == "cost"))
                 continue;
             const std::size_t comma = r.what.rfind(", ");
             const bool unit = comma != std::string::npos && r.what.size() - comma < 5;
@@ -226,6 +227,25 @@ std::string checks(const Record& of) {
     check("jolt_after", lean("20 rad/s", "Jolt", after) > 1.57 && lean("20 rad/s", "Jolt", "as it is") > 1.57 &&
                             energy("Jolt", after) < 1.01,
           "Jolt's top of 20 rad/s falls over with all of the rule after the joints, as it does as it is; and no thrown capsule gains a percent");
+    // On the ground: stands for as long as it was watched, 20 s; off by how much at most; the most energy.
+    const auto ground = [&](const char* what, const char* engine, const char* rule) {
+        const double slow = value("top on the ground", "20 rad/s", what, engine, rule),
+                     fast = value("top on the ground", "30 rad/s", what, engine, rule);
+        return std::pair(std::fmin(slow, fast), std::fmax(slow, fast));
+    };
+    bool stands = true, precise = true;
+    for (const auto& [engine, rule] : {std::pair(four, both), std::pair("Bullet", halves), std::pair("ODE", halves), std::pair("Jolt", after)})
+        stands = stands && ground("stands, s", engine, "as it is").second < 15 && ground("stands, s", engine, rule).first > 19.9;
+    for (const char* engine : {"Bullet", "ODE"})
+        precise = precise && ground("off, %", engine, halves).second < 5 && ground("lean off, rad", engine, halves).second < 0.01 &&
+                  ground("most energy", engine, halves).second < 1.01;
+    check("ground_stands", stands, "as they are, all four engines let a top on the ground fall within 15 seconds; with the rule that the page recommends for each it stands for 20");
+    check("ground_right", precise, "Bullet and ODE, half and half: the precession of a top on the ground is right to 5 %, its lean to 0.01 rad, and it gains less than a percent of energy");
+    check("ground_box3d", ground("off, %", four, both).second < 5 && ground("most energy", four, both).second > 1.02,
+          "Box3D, after the contacts: a top on the ground goes round right to 5 %, and it gains more than 2 % of energy");
+    check("ground_jolt", value("top on the ground", "20 rad/s", "off, %", "Jolt", after) > 100 &&
+                             value("top on the ground", "30 rad/s", "off, %", "Jolt", after) < 5,
+          "Jolt, after the contacts: a top of 20 rad/s on the ground goes round more than twice too fast, one of 30 rad/s right to 5 %");
     check("falls", falls, "Jolt's top falls over as it is and half and half");
     return lines;
 }
@@ -256,6 +276,15 @@ void record(const fs::path& folder, const Numbers& numbers) {
                                                     {"leans by, rad", "top", "20 rad/s", "largest lean, rad", 2},
                                                     {"30 rad/s: off by, %", "top", "30 rad/s", "off, %", 0},
                                                     {"leans by, rad", "top", "30 rad/s", "largest lean, rad", 2}}));
+    for (const std::string spin : {"20", "30"}) {
+        const std::string which = spin + " rad/s", stands = which + ": stands, s";
+        const char* const ground = "top on the ground";
+        write(folder / ("top_ground_" + spin + ".tsv"),
+              of.table(main_rules, {{stands.c_str(), ground, which.c_str(), "stands, s", 1},
+                                    {"off by, %", ground, which.c_str(), "off, %", 1},
+                                    {"lean off by, rad", ground, which.c_str(), "lean off, rad", 2},
+                                    {"most energy", ground, which.c_str(), "most energy", 2}}));
+    }
     write(folder / "throws.tsv", of.table(main_rules, {
         {"capsule: restless", "throws", "capsule, 30 rad/s", "restless, of a hundred", 0},
         {"most energy", "throws", "capsule, 30 rad/s", "most energy", 2},

@@ -2,6 +2,7 @@
 // The scenes: each prints its table and adds its rows to the file of numbers.
 
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -76,6 +77,10 @@ void time_steps(const std::vector<Engine>& engines, const Effort& effort, Number
 void record(const std::filesystem::path& folder, const Numbers& numbers);
 
 // "Box3D, 4 substeps  calm half-step, after   ": the first two columns of a table.
-std::string row_name(const Engine& engine);
+inline std::string row_name(const Engine& engine) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%-18s%-30s", engine.name.c_str(), engine.rule.c_str());
+    return text;
+}
 
 }  // namespace engines

@@ -1,4 +1,4 @@
-// A top on a point that holds it: gravity makes it precess.
+// A top: gravity makes it precess. It stands on a point that holds it, or on the ground.
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +13,7 @@ namespace {
 
 constexpr double arm = 0.4;     // m from the point to the middle
 constexpr double lean = 0.4;    // rad off upright
+constexpr double fallen = 1.3;  // rad off upright: it lies, or as good as
 const Shape disc{Shape::box, {0.5, 0.5, 0.05}, {0.070, 0.072, 0.125}, 1};
 
 // The angle of the axis about the vertical, counted on over whole turns.
@@ -77,9 +78,7 @@ Truth true_motion(double spin, int steps) {
     return {precession.angle + std::numbers::pi / 2, most, w.z() / spin};
 }
 
-}  // namespace
-
-void spin_tops(const std::vector<Engine>& engines, const Effort& effort, Numbers& numbers) {
+void hold_tops(const std::vector<Engine>& engines, const Effort& effort, Numbers& numbers) {
     const int steps = effort.quick ? 600 : 1200;
     for (const double spin : {20.0, 30.0}) {
         const Truth truth = true_motion(spin, steps);
@@ -110,6 +109,82 @@ void spin_tops(const std::vector<Engine>& engines, const Effort& effort, Numbers
             numbers.add("top", which, engine, "true largest lean, rad", truth.lean);
         }
     }
+}
+
+// A top on its round foot, on ground without friction. Where the momentum L about its axis and the precession Ω fit,
+// I Ω² cos(lean) − L Ω + m g arm = 0, it truly leans by the same angle for ever, and its middle stays where it is. With
+// friction the foot slips, rolls and makes the top rise, in each engine by a law of its own.
+constexpr double foot = 0.05;  // m, its radius
+const Shape round_top{Shape::capsule, {foot, foot, arm}, {0.070, 0.070, 0.125}, 1};
+
+double slow_precession(double spin) {
+    const double L = round_top.moments.z() * spin, I = round_top.moments.x(), weight = round_top.mass * g * arm;
+    return 2 * weight / (L + std::sqrt(L * L - 4 * I * weight * std::cos(lean)));
+}
+
+struct Stood {
+    double stands = 0;          // s until it falls, or as long as it was watched
+    double angle = 0;           // rad: of the precession until then
+    double lean_off = 0;        // rad: the lean is off by until then, at most
+    double most = 1, left = 1;  // energy, over the first: the most ever, and at the end
+};
+Stood stood(const Engine& engine, double spin, int steps) {
+    const auto world = engine.world({.gravity = g, .smooth = true});
+    world->ground();
+    const double rate = slow_precession(spin);
+    State s = leaning(spin);
+    s.omega += rate * (Vector::UnitZ() - std::cos(lean) * (s.q * Vector::UnitZ()));
+    s.x = Vector(0, 0, foot + arm * std::cos(lean));
+    world->add(round_top, s);
+    const auto energy = [&] {
+        return round_top.mass * (s.v.squaredNorm() / 2 + g * s.x.z()) + spin_energy(round_top, s);
+    };
+    const double first = energy();
+    Precession precession;
+    Stood top;
+    bool fell = false;
+    for (int n = 0; n < steps; ++n) {
+        world->step(step);
+        s = world->state(0);
+        top.left = energy() / first, top.most = std::max(top.most, top.left);
+        const Vector axis = s.q * Vector::UnitZ();
+        fell = fell || off_upright(axis) > fallen;
+        if (fell) continue;
+        precession.see(axis);
+        top.stands = (n + 1) * step;
+        top.lean_off = std::max(top.lean_off, std::fabs(off_upright(axis) - lean));
+    }
+    top.angle = precession.angle + std::numbers::pi / 2;
+    return top;
+}
+
+void stand_tops(const std::vector<Engine>& engines, const Effort& effort, Numbers& numbers) {
+    const int steps = effort.quick ? 600 : 1200;
+    for (const double spin : {20.0, 30.0}) {
+        const double rate = slow_precession(spin);
+        std::printf("\na top on smooth ground, %g rad/s, %g s; it truly precesses by %.2f rad and leans by %g for ever\n%-48s %8s %8s %8s %8s %8s %8s\n",
+                    spin, steps * step, rate * steps * step, lean, "", "stands,s", "rad", "off, %", "lean off", "energy<=", "energy");
+        for (const Engine& engine : engines) {
+            const Stood top = stood(engine, spin, steps);
+            const double off = 100 * std::fabs(top.angle / (rate * top.stands) - 1);
+            std::printf("%s %8.2f %8.2f %8.1f %8.3f %8.3f %8.3f\n", row_name(engine).c_str(), top.stands, top.angle, off,
+                        top.lean_off, top.most, top.left);
+            char which[32];
+            std::snprintf(which, sizeof which, "%g rad/s", spin);
+            numbers.add("top on the ground", which, engine, "stands, s", top.stands);
+            numbers.add("top on the ground", which, engine, "off, %", off);
+            if (top.stands > (steps - 0.5) * step) numbers.add("top on the ground", which, engine, "lean off, rad", top.lean_off);
+            numbers.add("top on the ground", which, engine, "most energy", top.most);
+            numbers.add("top on the ground", which, engine, "energy left", top.left);
+        }
+    }
+}
+
+}  // namespace
+
+void spin_tops(const std::vector<Engine>& engines, const Effort& effort, Numbers& numbers) {
+    hold_tops(engines, effort, numbers);
+    stand_tops(engines, effort, numbers);
 }
 
 }  // namespace engines
