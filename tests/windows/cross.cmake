@@ -3,8 +3,9 @@
 # numbers, and the tests of the library, of the chapters and of gyroscopic.h pass.
 #
 # Called with ROOT, WORK, HERE (where this build has the chapters' programs), NAMES (of those), STUDIES (of them, those
-# that are compared), CATCH2 (its source; may be empty: CMake fetches it) and COMPILER (what each is compiled with).
+# that are compared), CATCH2 (its source; may be empty: CMake fetches it) and WINE (the folder of its drive).
 cmake_minimum_required(VERSION 3.25)
+set(ENV{TIMESTEP_WINE} "${WINE}")
 
 # Runs a step. Where it fails, the end of what it said is told.
 function(step what)
@@ -42,7 +43,7 @@ function(run where name)
   file(MAKE_DIRECTORY "${folder}")
   set(command "${HERE}/${name}")
   if(where STREQUAL "there")
-    set(command "${CMAKE_COMMAND}" -E env "TIMESTEP_WINE=${WORK}/wine" "${ROOT}/tests/bits/wine.sh" "${WORK}/chapters/${name}.exe")
+    set(command "${ROOT}/tests/bits/wine.sh" "${WORK}/chapters/${name}.exe")
   endif()
   execute_process(COMMAND ${command} ${ARGN} WORKING_DIRECTORY "${folder}" RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
   if(NOT status EQUAL 0)
@@ -108,7 +109,7 @@ foreach(panel IN LISTS panels)
 endforeach()
 
 foreach(tests timestep_tests c/c_tests)
-  step("${tests}" "${CMAKE_COMMAND}" -E env "TIMESTEP_WINE=${WORK}/wine" "${ROOT}/tests/bits/wine.sh" "${WORK}/tests/${tests}.exe" "~[proof]")
+  step("${tests}" "${ROOT}/tests/bits/wine.sh" "${WORK}/tests/${tests}.exe" "~[proof]")
   string(REGEX MATCH "All tests passed[^\n]*" passed "${said}")
   message(NOTICE "${tests}: ${passed}")
 endforeach()

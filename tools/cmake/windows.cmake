@@ -10,8 +10,12 @@ if(trying)
   return()
 endif()
 
-# One drive of wine for the whole build.
-set(CMAKE_CROSSCOMPILING_EMULATOR "${CMAKE_COMMAND}" -E env "TIMESTEP_WINE=${CMAKE_BINARY_DIR}/wine"
+# One drive of wine for the whole build: it has hundreds of megabytes.
+set(drive "${CMAKE_BINARY_DIR}/wine")
+if(DEFINED ENV{TIMESTEP_WINE})
+  set(drive "$ENV{TIMESTEP_WINE}")
+endif()
+set(CMAKE_CROSSCOMPILING_EMULATOR "${CMAKE_COMMAND}" -E env "TIMESTEP_WINE=${drive}"
   "${CMAKE_CURRENT_LIST_DIR}/../../tests/bits/wine.sh")
 
 # Libraries that are headers alone are the same for every system. They are read from a folder that has nothing else:
