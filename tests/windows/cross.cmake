@@ -1,6 +1,6 @@
 # The preset `windows`, configured and built in a folder of its own, and what it makes run by wine. A chapter's program
 # prints the same account and writes the same data as here, a panel draws the same picture, the studies find the same
-# numbers, and the tests of the library, of the chapters and of gyroscopic.h pass.
+# numbers, the tests of the library, of the chapters and of gyroscopic.h pass, and an answer to an exercise is checked.
 #
 # Called with ROOT, WORK, HERE (where this build has the chapters' programs), NAMES (of those), STUDIES (of them, those
 # that are compared), CATCH2 (its source; may be empty: CMake fetches it) and WINE (the folder of its drive).
@@ -27,8 +27,11 @@ set(source "")
 if(CATCH2)
   set(source "-DFETCHCONTENT_SOURCE_DIR_CATCH2=${CATCH2}")
 endif()
+set(answer "${WORK}/answers/velocity_now.cpp")
+configure_file("${ROOT}/exercises/01_derivatives/velocity_now.cpp" "${answer}" COPYONLY)
 # What counts is how soon it is built; the bits are the same (tests/bits).
-step("configure" "${CMAKE_COMMAND}" --preset windows -S "${ROOT}" -B "${WORK}" ${source} "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG")
+step("configure" "${CMAKE_COMMAND}" --preset windows -S "${ROOT}" -B "${WORK}" ${source}
+  "-DANSWER_velocity_now=${WORK}/answers/velocity_now.cpp" "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG")
 set(targets ${NAMES} live_programs timestep_tests c_tests)
 foreach(name IN LISTS NAMES)
   list(APPEND targets ${name}_study)
@@ -113,3 +116,22 @@ foreach(tests timestep_tests c/c_tests)
   string(REGEX MATCH "All tests passed[^\n]*" passed "${said}")
   message(NOTICE "${tests}: ${passed}")
 endforeach()
+
+# An answer that is not there, one that is right, one that is wrong and one that throws.
+function(check words pass)
+  execute_process(COMMAND "${CMAKE_COMMAND}" --build "${WORK}" --target check_velocity_now
+    RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(NOT said MATCHES "1[.]1 velocity_now: ${words}" OR (pass AND NOT status EQUAL 0) OR (NOT pass AND status EQUAL 0))
+    message(SEND_ERROR "check_velocity_now exits with ${status} and says\n${said}\nbut must say \"${words}\"")
+  endif()
+endfunction()
+check("not started" OFF)
+file(READ "${ROOT}/solutions/01_derivatives/velocity_now.cpp" solved)
+file(WRITE "${answer}" "${solved}")
+check("right" ON)
+string(REPLACE "(newer - older)" "(older - newer)" wrong "${solved}")
+file(WRITE "${answer}" "${wrong}")
+check("not yet.*This must hold, and does not:.*right is " OFF)
+string(REPLACE "return newer" "throw std::runtime_error(\"no idea\")\; return newer" wrong "${solved}")
+file(WRITE "${answer}" "${wrong}")
+check("crashes.*no idea" OFF)
