@@ -181,6 +181,14 @@ int main() {
     return checker::serve(checker::answer_of(&@name@));
 }
 " @ONLY)
+  file(CONFIGURE OUTPUT "${generated}/${name}_here.cpp" CONTENT
+"#include \"@name@.hpp\"
+#include \"here.hpp\"
+
+int main(int count, char** words) {
+    return checker::check_here(\"@name@\", checker::answer_of(&@name@), count, words);
+}
+" @ONLY)
   set(list "")
   foreach(mistake IN LISTS mistakes)
     string(APPEND list "    {\"${mistake}\", checker::function_of(&mistakes::${mistake}::${name})},\n")

@@ -5,10 +5,12 @@
 #include <cstring>
 #include <fstream>
 
+#include <unistd.h>
+#ifndef _WIN32
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <unistd.h>
+#endif
 
 #include "stop.hpp"
 #include "terminal.hpp"
@@ -60,6 +62,7 @@ std::string shown(const fs::path& file) {
     return sanitized_line(here.empty() || here.size() > whole.size() ? whole : here);
 }
 
+#ifndef _WIN32  // where files are only read and written (tools/checker/here.cpp)
 namespace {
 
 double seconds(const timespec& time) {
@@ -112,5 +115,6 @@ bool Lock::is_held(const fs::path& file) {
     close(opened);
     return held;
 }
+#endif
 
 }  // namespace course

@@ -6,8 +6,10 @@
 #include <sstream>
 #include <utility>
 
-#include <sys/ioctl.h>
 #include <unistd.h>
+#if __has_include(<sys/ioctl.h>)
+#include <sys/ioctl.h>
+#endif
 
 #include "stop.hpp"
 
@@ -78,8 +80,11 @@ bool is_seen(const std::string& character) {
 }
 
 std::size_t columns() {
+#ifdef TIOCGWINSZ
     winsize size{};
-    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col : 80u;
+    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20) return size.ws_col;
+#endif
+    return 80;
 }
 
 bool on_terminal() {

@@ -165,7 +165,7 @@ struct Everything {
                     std::isfinite(error) ? "off by " : "", cell);
         table.row({name, equation, size, cell});
         out.check("solves_scene_" + std::to_string(scenes), error < 1e-3,
-                  std::string("one solver steps the scene: ") + name);
+                  "one solver steps the scene: " + std::string(name));
     }
 
     // Where no exact solution is known, the same in steps 64 times smaller.

@@ -1,0 +1,53 @@
+# The exercises on Windows: `check_NAME` links the learner's file with the hidden tests, and runs both in one process.
+include(exercise)
+set(generated "${PROJECT_BINARY_DIR}/exercises/generated")
+set(checker "${PROJECT_SOURCE_DIR}/tools/checker")
+set(course "${PROJECT_SOURCE_DIR}/tools/course")
+
+add_library(checks_here OBJECT EXCLUDE_FROM_ALL ${checker}/here.cpp ${checker}/diagnose.cpp ${checker}/known.cpp
+  ${checker}/property.cpp ${checker}/property_eigen.cpp ${checker}/reporter.cpp ${checker}/session.cpp ${checker}/truth.cpp
+  ${checker}/slips/slip.cpp ${checker}/slips/slipped.cpp ${checker}/learner/solve_linear.cpp
+  ${course}/exercises.cpp ${course}/files.cpp ${course}/json_of.cpp ${course}/misconception.cpp ${course}/nearest.cpp
+  ${course}/places.cpp ${course}/tell.cpp ${course}/terminal.cpp)
+target_link_libraries(checks_here PUBLIC timestep Catch2::Catch2 PRIVATE nlohmann_json::nlohmann_json timestep_warnings)
+target_include_directories(checks_here PUBLIC ${checker} ${checker}/learner ${checker}/slips "${generated}" PRIVATE ${course})
+target_compile_definitions(checks_here PUBLIC CATCH_CONFIG_DISABLE_STRINGIFICATION PRIVATE
+  TIMESTEP_SOURCE="${PROJECT_SOURCE_DIR}" TIMESTEP_BUILD="${PROJECT_BINARY_DIR}" TIMESTEP_CMAKE="" TIMESTEP_CTEST="")
+target_compile_options(checks_here PUBLIC $<$<NOT:$<CXX_COMPILER_ID:MSVC>>:-O1>)
+
+add_executable(write_slips EXCLUDE_FROM_ALL ${checker}/slips/write_slips.cpp)
+target_link_libraries(write_slips PRIVATE timestep_warnings)
+target_compile_features(write_slips PRIVATE cxx_std_20)
+
+file(GLOB rooms CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "*/*/about.json")
+foreach(room IN LISTS rooms)
+  string(REGEX MATCH "^([^/]+)/([^/]+)/" room "${room}")
+  set(chapter ${CMAKE_MATCH_1})
+  set(name ${CMAKE_MATCH_2})
+  timestep_read_exercise(${chapter} ${name} "${generated}")
+  set(solution "${PROJECT_SOURCE_DIR}/solutions/${chapter}/${name}.cpp")
+  set(correct "${CMAKE_CURRENT_SOURCE_DIR}/${chapter}/${name}/correct.cpp")
+  add_custom_command(OUTPUT "${generated}/${name}_slips.hpp"
+    COMMAND write_slips ${name} "${generated}/${name}_slips.hpp" "${solution}" "${correct}"
+    DEPENDS write_slips "${solution}" "${correct}" COMMENT "Writing the slips of ${name}" VERBATIM)
+  # As the course program compiles it: what the exercise gives, and its declaration, are read before.
+  set(header exercise.hpp)
+  file(READ "${CMAKE_CURRENT_SOURCE_DIR}/${chapter}/${name}/about.json" json)
+  string(JSON eigen GET "${json}" eigen)
+  if(eigen)
+    set(header exercise_eigen.hpp)
+  endif()
+  set(ANSWER_${name} "${PROJECT_SOURCE_DIR}/exercises/${chapter}/${name}.cpp" CACHE FILEPATH "The answer that check_${name} checks")
+  mark_as_advanced(ANSWER_${name})
+  if(NOT EXISTS "${ANSWER_${name}}")
+    continue()  # nothing that a learner does to exercises/ may break the build
+  endif()
+  set_source_files_properties("${ANSWER_${name}}" PROPERTIES COMPILE_OPTIONS
+    "-include;${header};-include;${name}_declared.hpp;-Wall;-Wextra;-Wno-unused-parameter;-Werror=return-type;-D_GLIBCXX_ASSERTIONS")
+  set_source_files_properties("${generated}/${name}_hidden.cpp" PROPERTIES COMPILE_OPTIONS -Wno-unused-parameter
+    OBJECT_DEPENDS "${generated}/${name}_slips.hpp")
+  add_executable(here_${name} EXCLUDE_FROM_ALL "${ANSWER_${name}}" "${generated}/${name}_here.cpp"
+    "${generated}/${name}_hidden.cpp" "${generated}/${name}_slips.hpp")
+  target_link_libraries(here_${name} PRIVATE checks_here)
+  add_custom_target(check_${name} COMMAND here_${name} USES_TERMINAL VERBATIM)
+endforeach()
