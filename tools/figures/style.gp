@@ -20,6 +20,7 @@ set samples 400
 
 ink = "#333333"
 soft = "#dddddd"
+on_paint = "#000001"  # words on a painted cell: black on dark pages, too
 set border 3 lc rgb ink lw 1
 set tics nomirror out scale 0.6 textcolor rgb ink
 set grid lc rgb soft lt 1 lw 0.8

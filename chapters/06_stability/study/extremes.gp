@@ -23,11 +23,11 @@ do for [i = 1:5] {
     y = 0.22 - 0.037 * i
     set object i rectangle from screen 0.02, screen y - 0.0155 to screen 0.06, screen y + 0.0155 \
         fc rgb colour(i) fs solid border rgb "#999999"
-    set label i sign(i) at screen 0.04, screen y center tc rgb "black" font ",14"
+    set label i sign(i) at screen 0.04, screen y center tc rgb on_paint font ",14"
     set label 5 + i word(meaning, i) at screen 0.075, screen y left tc rgb ink
 }
 plot "extremes.tsv" using 1:2:(0.47):(0.45):(colour($3)):xticlabel(4):yticlabel(5) with boxxyerror lc rgb variable, \
-     "" using 1:2:(sign($3)) with labels tc rgb "black" font ",14"
+     "" using 1:2:(sign($3)) with labels tc rgb on_paint font ",14"
 # The next figure finds the axes as it expects them.
 unset label
 unset object
