@@ -7,6 +7,13 @@
 # A method has the same colour and dashes in every picture; the palette is that of Okabe and Ito,
 # which colour-blind readers can tell apart.
 
+# Every still picture is drawn twice: the second time narrow = 1, for phones, which show some 370 pixels of `phone`. There
+# @key_below moves the key out of the picture, to below it, and scripts ask `narrow` for what else has to move.
+if (!exists("narrow")) narrow = 0
+phone = 480
+side(share) = narrow ? share*640/phone : share  # of a picture that is 640 wide: as many pixels of the narrow one
+key_below = "if (narrow) { set key outside bottom center vertical reverse Left title ' ' }"
+
 folder = style[1:strstrt(style, "style.gp") - 1]
 figure = folder . "figure.gp"
 animation = folder . "animation.gp"

@@ -203,6 +203,19 @@ std::string dark_style(const std::set<std::string>& colours) {
     return "<style>@media(prefers-color-scheme:dark){" + rules + "}</style>";
 }
 
+/// Without the shapes of points that the figure does not use; some are made from those before them.
+std::string without_unused_points(std::string text) {
+    for (int n = 14; n >= 0; --n) {
+        const std::string name = "gpPt" + std::to_string(n) + "\"";
+        const std::size_t id = text.find(" id=\"" + name);
+        if (id != std::string::npos && text.find("href=\"#" + name) == std::string::npos) {
+            const std::size_t open = text.rfind('<', id), close = text.find("/>", id);
+            text.erase(open, close + 2 - open);
+        }
+    }
+    return text;
+}
+
 /// Without the groups that gnuplot leaves empty.
 std::string without_empty_groups(std::string text) {
     std::string kept;
@@ -281,7 +294,7 @@ std::string for_pages(std::string_view svg) {
     if (filters < after && after != std::string::npos && body.find("filter=") == std::string::npos) {
         body.erase(filters, after - filters);
     }
-    body = without_empty_groups(replace_all(body, "<title>Gnuplot</title>", ""));
+    body = without_empty_groups(replace_all(without_unused_points(body), "<title>Gnuplot</title>", ""));
     return head + dark_style(colours) + body + "\n";
 }
 

@@ -1,17 +1,18 @@
 # Every method on every extreme input that a run lets in: a cell each, its word a colour and a sign.
-call figure "extremes.svg" 640 680
+call figure "extremes.svg" 640 680 840
 set xrange [-0.5:12.5]
 set yrange [20.5:-0.5]
 set border 0
 unset grid
 unset xzeroaxis
 unset yzeroaxis
-set xtics rotate by 40 right scale 0 font ",12" offset 0.6,0
+if (narrow) { set xtics rotate by 90 right scale 0 font ",14" offset 0,0 } \
+else { set xtics rotate by 40 right scale 0 font ",12" offset 0.6,0 }
 set ytics scale 0 font ",14"
-set lmargin at screen 0.38
+set lmargin at screen (narrow ? 0.42 : 0.38)
 set rmargin at screen 0.985
 set tmargin at screen 0.985
-set bmargin at screen 0.30
+set bmargin at screen (narrow ? 0.335 : 0.30)
 unset key
 set style fill solid 1.0 border rgb "white"
 # refused, does not compile, exact, bounded, grows, not finite

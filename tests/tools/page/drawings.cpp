@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::EndsWith;
 using page::for_pages;
 using page::on_dark_ground;
 
@@ -95,6 +96,9 @@ TEST_CASE("what no eye sees is left out of a figure") {
     CHECK(path("M1.00,1.00 L1.00,1.00 ") == "M1,1L1,1");  // a dot
     CHECK(path("M0,1.330 L1.265,0.411 z") == "M0,1.330 L1.265,0.411 z");
     CHECK(for_pages(drawing("<g fill=\"none\">\n</g>\n<g id='a'>\n<rect/></g>\n")).ends_with("<g id=\"a\"><rect/></g></svg>\n"));
+    const std::string points = "<circle id='gpPt5' r='1'/><use xlink:href='#gpPt5' id='gpPt6'/><rect id='gpPt3'/><use xlink:href='#gpPt3' id='gpPt11'/>";
+    CHECK_THAT(for_pages(drawing("<defs>" + points + "</defs><use xlink:href='#gpPt6'/>")),
+               EndsWith("<defs><circle id=\"gpPt5\" r=\"1\"/><use xlink:href=\"#gpPt5\" id=\"gpPt6\"/></defs><use xlink:href=\"#gpPt6\"/></svg>\n"));
     CHECK_THROWS_AS(path("M1.00 L2.00,3.00"), std::invalid_argument);
     CHECK_THROWS_AS(for_pages("<svg width=\"3\">"), std::invalid_argument);
     CHECK_THROWS_AS(for_pages(drawing("<rect fill='none/>")), std::invalid_argument);
