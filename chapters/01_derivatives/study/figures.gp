@@ -1,12 +1,7 @@
 load style
 dots = "pt 7 ps 0.9 lc rgb '#333333'"
 
-# One colour a formula, in every picture of the chapter.
-forward  = second
-backward = third
-central  = fourth
-five     = first
-tangent  = first
+tangent = first
 
 # The question.
 
@@ -30,8 +25,8 @@ set autoscale
 set xrange [1:*]
 set key top left reverse Left
 @key_below
-plot "gap.tsv" using 1:2 with linespoints @backward pt 7 ps 0.6 title "as the velocity now", \
-     "" using 1:4 with linespoints @central pt 7 ps 0.6 title "as the velocity in between", \
+plot "gap.tsv" using 1:2 with linespoints @backward_difference pt 7 ps 0.6 title "as the velocity now", \
+     "" using 1:4 with linespoints @central_difference pt 7 ps 0.6 title "as the velocity in between", \
      "" using 1:3 with lines @faint title "predicted", \
      "" using 1:5 with lines @faint
 
@@ -129,8 +124,8 @@ set key top left reverse Left
 @key_below
 plot "chords.tsv" using 1:2 with lines @exact title "x(t)", \
      "" using 1:3 with lines @tangent title "tangent at t_1", \
-     "" using 1:4 with lines @forward title "forward difference", \
-     "" using 1:5 with lines @backward title "backward difference", \
+     "" using 1:4 with lines @forward_difference title "forward difference", \
+     "" using 1:5 with lines @backward_difference title "backward difference", \
      "chord_dots.tsv" using 1:2 with points @dots
 
 call figure "central.svg" 560 420 490
@@ -139,7 +134,7 @@ set key top left reverse Left
 @key_below
 plot "chords.tsv" using 1:2 with lines @exact title "x(t)", \
      "" using 1:3 with lines @tangent title "tangent at t_1", \
-     "" using 1:6 with lines @central title "central difference", \
+     "" using 1:6 with lines @central_difference title "central difference", \
      "chord_dots.tsv" using 1:2 with points @dots
 
 call figure "taylor.svg" 560 420
@@ -187,9 +182,9 @@ set yrange [*:1e3]
 set xtics 1e-10,1e2,1
 set key top left reverse Left
 @key_below
-plot "forward_double.tsv" using 1:2 with lines @forward title "forward, order 1", \
-     "central_double.tsv" using 1:2 with lines @central title "central, order 2", \
-     "five_point_double.tsv" using 1:2 with lines @five title "five-point, order 4", \
+plot "forward_double.tsv" using 1:2 with lines @forward_difference title "forward, order 1", \
+     "central_double.tsv" using 1:2 with lines @central_difference title "central, order 2", \
+     "five_point_double.tsv" using 1:2 with lines @five_point title "five-point, order 4", \
      "forward_double.tsv" using 1:3 with lines @faint title "predicted", \
      "central_double.tsv" using 1:3 with lines @faint, \
      "five_point_double.tsv" using 1:3 with lines @faint

@@ -125,8 +125,8 @@ do for [name in "exact explicit dropped implicit passive"] {
         set xlabel "time t (s)"
     }
     thin = name eq "exact" ? 4 : name eq "passive" ? 1 : 2  # more points than a screen shows
-    plot "tumble_".name.".tsv" every thin using 1:2 with lines lc rgb "#0072b2" lw 2 title "about x", \
-         "" every thin using 1:3 with lines lc rgb "#d55e00" lw 2 title "y (intermediate)", \
+    plot "tumble_".name.".tsv" every thin using 1:2 with lines lc rgb "#d55e00" lw 2 title "about x", \
+         "" every thin using 1:3 with lines lc rgb "#0072b2" lw 2 title "y (intermediate)", \
          "" every thin using 1:4 with lines lc rgb "#009e73" lw 2 dt (6,3) title "z"
     unset key
 }

@@ -25,7 +25,7 @@ set key inside top left vertical reverse Left
 @key_below
 plot "kick.tsv" using 1:2 with lines @exact title "exact, and all three once told", \
      "" using 1:3 with lines @bdf2 title "BDF2", \
-     "" using 1:4 with lines lc rgb "#808000" lw 2.5 dt (3,4) title "Adams–Bashforth", \
+     "" using 1:4 with lines @adams_bashforth title "Adams–Bashforth", \
      "" using 1:5 with lines @verlet title "Verlet"
 
 # The longest step of a plank on one spring.

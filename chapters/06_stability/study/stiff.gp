@@ -97,8 +97,8 @@ set label 3 "3" at 0.1,1.28e-11 left offset 0.5,0 textcolor rgb "#666666"
 do for [p = 1:3] { set arrow p from 0.025,2e-13 to 0.1,2e-13*4**p nohead lc rgb "#8a8a8a" lw 1.5 }
 plot "prothero.tsv" using 1:5 with linespoints @implicit_midpoint pt 4 ps 0.7 title "implicit midpoint, uneven", \
      "" using 1:4 with linespoints @implicit_midpoint pt 7 ps 0.6 title "implicit midpoint", \
-     "" using 1:6 with linespoints lc rgb "#e69f00" lw 2.5 dt 1 pt 9 ps 0.7 title "SDIRK, order 3", \
-     "" using 1:7 with linespoints lc rgb "#e69f00" lw 1.5 dt (3,4) pt 9 ps 0.5 title "the same, λ = −1", \
+     "" using 1:6 with linespoints @sdirk_3 pt 9 ps 0.7 title "SDIRK, order 3", \
+     "" using 1:7 with linespoints lc rgb "#882255" lw 1.5 dt (3,4) pt 9 ps 0.5 title "the same, λ = −1", \
      "" using 1:2 with linespoints @implicit_euler pt 5 ps 0.6 title "implicit Euler", \
      "" using 1:3 with linespoints @bdf2 pt 11 ps 0.7 title "BDF2"
 

@@ -3,7 +3,6 @@
 # Magnus-Taylor's curve is implicit midpoint's, at one, and Moser-Veselov's two would be; Buss's and
 # Adams-Bashforth's lie within a tenth of it.
 box3d = "lc rgb '#0072b2' lw 2.5 dt 1"
-jolt = "lc rgb '#999933' lw 2.5 dt 1"
 godot = "lc rgb '#b15a98' lw 5 dt 1"
 
 call figure "engines.svg" 640 900
@@ -34,7 +33,7 @@ do for [throw in "short middle long"] {
          "engines_explicit_euler_".throw.".tsv" using 1:2 with lines @explicit_gyroscopic title "explicit Euler", \
          "engines_implicit_midpoint_".throw.".tsv" using 1:2 with lines @implicit_midpoint title "midpoint, Moser–Veselov", \
          "engines_magnus_taylor_4_".throw.".tsv" using 1:2 with lines @implicit_midpoint title "Magnus–Taylor", \
-         "engines_jolt_".throw.".tsv" using 1:2 with lines @jolt title "Jolt, PhysX, Rapier, Avian"
+         "engines_jolt_".throw.".tsv" using 1:2 with lines @jolt_gyroscopic title "Jolt, PhysX, Rapier, Avian"
 }
 unset multiplot
 unset label

@@ -1,5 +1,4 @@
 load style
-colour_of(style) = style[1:strstrt(style, " lw") - 1]
 
 # Orders: the orientation.
 call figure "orders.svg" 640 600 720
@@ -25,7 +24,6 @@ eval "plot ".curve("implicit", implicit_gyroscopic, "talk").", ".curve("passive"
     curve("runge_kutta_4", runge_kutta_4, "RK4").", ".curve("remainder_4", ball_and_remainder_4, "ball + rem. 4")
 
 # Where the half-step Jacobian fails.
-calm_half_step = colour_of(half_step_jacobian)." lw 2.5 dt (3,4)"
 broad_passive = colour_of(passive_gyroscopic)." lw 11"
 less_broad_cayley = colour_of(cayley_gyroscopic)." lw 6.5"
 call figure "fails.svg" 640 560 640

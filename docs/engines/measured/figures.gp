@@ -2,7 +2,7 @@
 # and to capsules on a plane.
 load style
 box3d = "lc rgb '#0072b2' lw 2.5 pt 7 ps 0.6"
-bullet = "lc rgb '#e69f00' lw 2.5 pt 5 ps 0.6"
+bullet = "lc rgb '#56b4e9' lw 2.5 pt 5 ps 0.6"
 ode = "lc rgb '#009e73' lw 2.5 pt 9 ps 0.8"
 jolt = "lc rgb '#999933' lw 2.5 pt 13 ps 0.8"
 
@@ -22,7 +22,7 @@ plot "energies.tsv" using 1:2 with linespoints @box3d dt 1, \
      "" using 1:6 with linespoints @ode dt 1, \
      "" using 1:8 with linespoints @jolt dt 1, \
      "" using 1:3 with lines lc rgb '#0072b2' lw 2.5 dt (3,9), \
-     "" using 1:5 with lines lc rgb '#e69f00' lw 2.5 dt (2,10), \
+     "" using 1:5 with lines lc rgb '#56b4e9' lw 2.5 dt (2,10), \
      "" using 1:7 with lines lc rgb '#009e73' lw 2.5 dt (2,8), \
      "" using 1:9 with lines lc rgb '#999933' lw 2.5 dt (2,6)
 unset label 2
