@@ -2,8 +2,9 @@ load style
 set datafile separator whitespace
 
 # A ball in air and a mass on a spring, frame by frame.
-call figure "motion.svg" 640 560
-set multiplot layout 2,1 margins 0.15,0.97,0.2,0.97 spacing 0,0.05
+call figure "motion.svg" 640 560 600
+bottom = narrow ? 0.21 : 0.2
+set multiplot layout 2,1 margins side(0.15),0.97,bottom,0.97 spacing 0,0.05
 set autoscale xfix
 set xtics format ""
 set ylabel "height of the ball (m)" offset 0.8

@@ -4,7 +4,7 @@ set datafile separator whitespace
 # The rope at each time that is written; the time stands where its last link points to.
 stats "rope.dat" using 1:2 nooutput
 ropes = STATS_blocks
-far = 0.08 * (STATS_max_x - STATS_min_x + STATS_max_y - STATS_min_y)
+far = (narrow ? 0.11 : 0.08) * (STATS_max_x - STATS_min_x + STATS_max_y - STATS_min_y)
 set xrange [STATS_min_x - 2*far : STATS_max_x + 2*far]
 set yrange [STATS_min_y - 1.5*far : STATS_max_y + far]
 stats "rope.dat" index 0 using 1:2 nooutput

@@ -3,7 +3,7 @@ set datafile separator whitespace
 
 # The talk's solver and its one token: energy, and ω about the middle axis.
 call figure "one_token.svg" 640 600
-set multiplot layout 2,1 margins 0.16,0.97,0.15,0.97 spacing 0,0.06
+set multiplot layout 2,1 margins side(0.16),0.97,0.15,0.97 spacing 0,0.06
 set autoscale xfix
 set xtics format ""
 set ylabel "energy / that at the start" offset 0.8

@@ -68,6 +68,24 @@ function fadeWhatGoesOn() {
     }
 }
 
+// A figure is enlarged at a touch, in the colours of the page: on a phone it is the wide picture, to be moved about. Another
+// touch, or Esc, and it is gone.
+function enlarge(event) {
+    const card = event.target.closest?.("figure.picture:not(.live) a.card");
+    if (!card || event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;
+    event.preventDefault();
+    const small = card.querySelector("img"), image = new Image(), dialog = document.createElement("dialog");
+    Object.assign(image, { src: card.href, alt: small.alt });
+    image.style = `--width: ${small.getAttribute("width")}px; --shape: ${small.getAttribute("width") / small.getAttribute("height")}`;
+    dialog.className = "enlarged";
+    dialog.setAttribute("aria-label", "Enlarged: " + small.alt);
+    dialog.append(image);
+    dialog.onclick = () => dialog.close();
+    dialog.onclose = () => dialog.remove();
+    document.body.append(dialog);
+    dialog.showModal();
+}
+
 // What Doxygen does not say of its page: which part is what, for those who hear it read.
 function nameTheParts() {
     const say = (selector, attributes) => {
@@ -88,6 +106,7 @@ document.addEventListener("DOMContentLoaded", () => {
     if (document.querySelector("figure.animation")) load("script", { src: "film.js" });
     typesetFormulas().finally(fadeWhatGoesOn);
     addEventListener("hashchange", goToPlace);
+    addEventListener("click", enlarge);
     addEventListener("beforeprint", unfoldAll);
     goToPlace();
 });

@@ -12,7 +12,7 @@ they are others when the pages change. (links.py reads all of them.)
 
 One headless Chromium opens every page at the width of a phone, in light and in dark mode. A page is
 in order when the console reports no error, no formula stands unset, every image has arrived, nothing makes the
-page scroll sideways, all words stand out from their ground, and the language, fields and links have names. The search works as well, from a file.
+page scroll sideways, figures are those for phones and in the colours of the page, all words stand out from their ground, and the language, fields and links have names. The search works as well, from a file.
 """
 
 import os
@@ -82,6 +82,13 @@ function look() {
     if (boxes.some(box => box && box.scrollWidth > box.clientWidth + 1)) faults.push("scrolls sideways");
     // The content scrolls in its own box; beside it the window must not, or the page can be scrolled away.
     if (boxes[1] && boxes[0].scrollHeight > innerHeight + 1) faults.push("the window scrolls beside the content");
+    for (const image of document.querySelectorAll("figure.picture:not(.live) img, .chapters img")) {
+        if (getComputedStyle(image).colorScheme !== (dark ? "dark" : "light")) faults.push("a figure does not take the page's colours: " + image.getAttribute("src"));
+        const box = image.closest("a.card");
+        if (box && box.scrollWidth > box.clientWidth + 1) faults.push("a figure scrolls sideways: " + image.getAttribute("src"));
+        // Drawn with letters of 17 px: on a phone the narrow one has them at 12.
+        if (/\\.svg$/.test(image.currentSrc) && image.naturalWidth > 500) faults.push("a wide figure on a phone: " + image.getAttribute("src"));
+    }
     if (dark && (transparent || brightness > 80)) faults.push("is light");
     if (!dark && !transparent && brightness < 200) faults.push("is dark");
     faults.push(...new Set(pale()), ...unnamed());

@@ -158,6 +158,10 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
         in_run(words.at(1), "checks.tsv", false);
     } else if (kind == "figure" || kind == "table" || kind == "said") {
         in_run(words.at(1), "", true);
+        if (words.at(1).ends_with(".svg")) {  // drawn for phones, too
+            const std::size_t slash = words[1].find('/');
+            in_run(slash == std::string::npos ? copy.chapter() + "/narrow/" + words[1] : fs::path{words[1]}.replace_filename("narrow").string() + words[1].substr(slash), "", true);
+        }
     } else if (kind == "live") {
         const auto nothing = [](const std::string&) { return std::string{}; };
         const std::string name = words.at(1), source = "chapters/" + copy.chapter() + "/live/" + name + ".cpp";

@@ -134,6 +134,19 @@ class Pages(SiteCase):
         [fault] = self.faults()
         self.assertRegex(fault, "^console: .*none.js.*ERR_FILE_NOT_FOUND")
 
+    def test_figures(self):
+        for width in (640, 480):
+            self.write(f"{width}.svg", f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="9"></svg>'.encode())
+        figure = '<figure class="picture"><a class="card" href="#" style="display: block; overflow: auto"><img alt="a" src="{}.svg" style="width: {}"></a></figure>'
+        style = '<style>img { color-scheme: light dark; } @media (prefers-color-scheme: dark) { img { color-scheme: dark; } }</style>'
+        right = style.replace("light dark", "light")
+        self.expect(right + figure.format(480, "100%"))
+        self.expect(right + figure.format(640, "100%"), "a wide figure on a phone: 640.svg at 360 px in light mode",
+                    "a wide figure on a phone: 640.svg at 360 px in dark mode")
+        self.expect(right + figure.format(480, "400px"), "a figure scrolls sideways: 480.svg at 360 px in light mode",
+                    "a figure scrolls sideways: 480.svg at 360 px in dark mode")
+        self.expect(style + figure.format(480, "100%"), "a figure does not take the page's colours: 480.svg at 360 px in light mode")
+
     def test_scrolling_sideways(self):
         self.expect('<div style="width: 370px">wide</div>', "scrolls sideways at 360 px in light mode",
                     "scrolls sideways at 360 px in dark mode")

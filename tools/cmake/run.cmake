@@ -3,9 +3,10 @@
 #         [-DQUIET=ON] [-DARGUMENTS=--omega;2] [-DCOMPLAINT=file]
 #         [-DMISUSES=chapters/…/x.cpp;… -DROOT=… -DCOMPILER=c++] -P run.cmake
 # Leaves in OUT: the program's data (*.dat), its output (program.txt), how long it took (seconds.txt) and its
-# picture; of the study data (*.tsv), numbers.tsv, checks.tsv, the output (run.txt) and all other figures. All
-# of it is made in a folder of its own and moved in, file by file, when it is whole: a full disk changes
-# nothing, a kill during the moves can leave old files beside new ones. ARGUMENTS are the study's.
+# picture; of the study data (*.tsv), numbers.tsv, checks.tsv, the output (run.txt) and all other figures; of the
+# site's own run the figures for phones (narrow/), too. All of it is made in a folder of its own and moved in, file by
+# file, when it is whole: a full disk changes nothing, a kill during the moves can leave old files beside new ones.
+# ARGUMENTS are the study's.
 # MISUSES are sources that must not compile: what the compiler says of x.cpp becomes x.txt.
 # COMPLAINT gets an exit status in its first line, and below it what there is to complain of, in the
 # complainer's own words: CMake breaks the lines of its error messages.
@@ -84,9 +85,17 @@ function(output_of program options)
   set(printed "${printed}" PARENT_SCOPE)
 endfunction()
 
-# -d: as gnuplot is, whatever the reader's ~/.gnuplot makes of it.
+# -d: as gnuplot is, whatever the reader's ~/.gnuplot makes of it. The site shows every figure in two widths: the narrow
+# ones go into the folder narrow.
 function(draw script)
-  execute_process(COMMAND "${GNUPLOT}" -d -e "style = '${STYLE}'" "${script}"
+  draw_once("${script}" 0)
+  if(NOT DEFINED COMPLAINT)
+    file(MAKE_DIRECTORY "${work}/narrow")
+    draw_once("${script}" 1)
+  endif()
+endfunction()
+function(draw_once script narrow)
+  execute_process(COMMAND "${GNUPLOT}" -d -e "narrow = ${narrow}; style = '${STYLE}'" "${script}"
     WORKING_DIRECTORY "${work}" ERROR_VARIABLE complaint OUTPUT_VARIABLE complaint
     RESULT_VARIABLE status)
   string(REGEX REPLACE "[0-9]+ frames in animation sequence" "" complaint "${complaint}")
@@ -125,6 +134,7 @@ file(GLOB old "${OUT}/*.dat" "${OUT}/*.tsv" "${OUT}/*.svg" "${OUT}/*.gif")
 if(old)
   file(REMOVE ${old})
 endif()
+file(REMOVE_RECURSE "${OUT}/narrow")
 file(GLOB made RELATIVE "${work}" "${work}/*")
 foreach(file IN LISTS made)  # moving takes no space: a full disk cannot stop it half-way
   file(RENAME "${work}/${file}" "${OUT}/${file}")

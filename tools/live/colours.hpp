@@ -24,8 +24,10 @@ inline constexpr Look looks[] = {
     {"third", "third", "#009e73", "4,4"},
     {"fourth", "fourth", "#b15a98", "10,4,3,4"},
 
-    {"forward", "", "#d55e00", ""},  // as in the first two chapters' figures
-    {"central", "", "#009e73", ""},
+    {"forward", "forward_difference", "#d55e00", "14,5"},
+    {"central", "central_difference", "#b15a98", "10,4,3,4"},
+    {"backward", "backward_difference", "#009e73", "4,4"},
+    {"five points", "five_point", "#0072b2", ""},
     {"variable time step", "", "#d55e00", ""},
     {"fixed time step", "", "#0072b2", ""},
 
@@ -35,12 +37,14 @@ inline constexpr Look looks[] = {
     {"semi-implicit Euler, new damping", "new_damping", "#009e73", "14,5"},
     {"Verlet", "verlet", "#b15a98", "6,4"},
     {"velocity Verlet", "velocity_verlet", "#b15a98", ""},
-    {"Newton", "newton", "#e0a800", "3,4"},
+    {"Newton", "newton", "#808000", "3,4"},
     {"midpoint", "midpoint", "#e69f00", "10,4,3,4"},
     {"Heun", "heun", "#56b4e9", "3,3"},
     {"Runge-Kutta 4", "runge_kutta_4", "#7a4a1e", ""},
     {"BDF2", "bdf2", "#2f4b7c", "18,4,3,4"},
     {"implicit midpoint", "implicit_midpoint", "#000000", "8,4"},
+    {"Adams-Bashforth", "adams_bashforth", "#cc6677", "3,4"},
+    {"SDIRK", "sdirk_3", "#882255", ""},
 
     {"explicit", "explicit_gyroscopic", "#d55e00", ""},
     {"dropped", "no_gyroscopic", "#b15a98", "14,5"},
@@ -48,12 +52,13 @@ inline constexpr Look looks[] = {
     {"implicit, one iteration", "implicit_gyroscopic", "#0072b2", "10,4,3,4"},
     {"implicit, converged", "converged_gyroscopic", "#56b4e9", "3,4"},
     {"passive", "passive_gyroscopic", "#009e73", ""},
-    {"half-step Jacobian", "half_step_jacobian", "#e69f00", ""},
-    {"calm half-step", "", "#56b4e9", ""},
-    {"Cayley", "cayley_gyroscopic", "#56b4e9", ""},
-    {"Strang splitting", "strang_splitting", "#b15a98", "6,4"},
+    {"half-step Jacobian", "half_step_jacobian", "#332288", ""},
+    {"calm half-step", "calm_half_step", "#332288", "3,4"},
+    {"Cayley", "cayley_gyroscopic", "#cc6677", ""},
+    {"Strang splitting", "strang_splitting", "#44aa99", "6,4"},
     {"ball and remainder 2", "ball_and_remainder_2", "#882255", "14,5"},
-    {"ball and remainder 4", "ball_and_remainder_4", "#d55e00", ""},
+    {"ball and remainder 4", "ball_and_remainder_4", "#882255", ""},
+    {"Jolt", "jolt_gyroscopic", "#999933", ""},
 };
 
 inline constexpr bool is_look(std::string_view name) {

@@ -31,8 +31,8 @@ std::string moved(const std::string& name, const std::string& value, const std::
     if (name == "id" || name == "name") {
         return " " + name + "=\"" + page + "." + value + "\"";
     }
-    if (name == "src") {
-        return " src=\"" + (leaves ? value : "html/" + value) + "\"";
+    if (name == "src" || name == "srcset") {
+        return " " + name + "=\"" + (leaves ? value : "html/" + value) + "\"";
     }
     if (name == "href" && !leaves) {
         const std::string file = value.substr(0, value.find('#'));

@@ -2,7 +2,6 @@
 
 #include "directives.hpp"
 #include "exercise.hpp"
-#include "image.hpp"
 #include "text.hpp"
 
 #include <algorithm>
@@ -37,11 +36,8 @@ std::string card(Context& context, const Chapter& chapter) {
     std::string name;
     const std::string& file = chapter.picture;
     const std::filesystem::path drawn = context.run_of(chapter.folder + "/", name).figure(file);
-    context.figures.emplace(chapter.folder + "/" + file, drawn);
-    const ImageSize size = image_size(drawn);
-    return "<a class=\"card\" aria-hidden=\"true\" tabindex=\"-1\" href=\"" + chapter.id() + ".html\"><img src=\"figures/" +
-           chapter.folder + "/" + file + "\" alt=\"\" width=\"" + std::to_string(size.width) +
-           "\" height=\"" + std::to_string(size.height) + "\" loading=\"lazy\"></a>";
+    return "<a class=\"card\" aria-hidden=\"true\" tabindex=\"-1\" href=\"" + chapter.id() + ".html\">" +
+           picture_html(context, chapter.folder, drawn, "") + "</a>";
 }
 
 }  // namespace

@@ -33,6 +33,8 @@ std::string line_markdown(Context& context, const Directive& directive);
 /// `{{figure file.svg N22 N24: caption}}`; `caption` is the filled caption.
 std::string figure_markdown(Context& context, const Directive& directive,
                             const std::string& caption);
+/// The picture `drawn` as HTML, `folder/file` below the site's figures; on phones the narrow one, where there is one.
+std::string picture_html(Context& context, const std::string& folder, const std::filesystem::path& drawn, const std::string& words);
 /// `{{live panel: caption}}`, `{{live 03_chapter/panel: caption}}`; `caption` is the filled caption.
 std::string live_markdown(Context& context, const Directive& directive, const std::string& caption);
 /// The caption's first sentence without marks, for those who cannot see the picture.

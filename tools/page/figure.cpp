@@ -23,6 +23,28 @@ std::string first_sentence(const std::string& caption) {
     return std::string{trim(end == std::string::npos ? plain : plain.substr(0, end + 1))};
 }
 
+std::string picture_html(Context& context, const std::string& folder, const std::filesystem::path& drawn, const std::string& words) {
+    const auto size_of = [](const std::filesystem::path& file) {
+        const ImageSize size = image_size(file);
+        return " width=\"" + std::to_string(size.width) + "\" height=\"" + std::to_string(size.height) + "\"";
+    };
+    const std::string file = drawn.filename().string(), source = "figures/" + folder + "/" + file;
+    context.figures.emplace(folder + "/" + file, drawn);
+    const std::string image = "<img src=\"" + source + "\" alt=\"" + words + "\"" + size_of(drawn) + " loading=\"lazy\">";
+    if (drawn.extension() == ".gif") {
+        // Readers who asked for less motion see the first frame; timestep.js adds the button.
+        const std::string still = replace_all(source, ".gif", ".still.gif");
+        return "<picture><source srcset=\"" + still + "\" media=\"(prefers-reduced-motion: reduce)\">" + image + "</picture>";
+    }
+    const std::filesystem::path narrow = drawn.parent_path() / "narrow" / file;
+    if (!std::filesystem::exists(narrow.parent_path())) {
+        return image;
+    }
+    context.figures.emplace(folder + "/narrow/" + file, narrow);
+    return "<picture><source srcset=\"figures/" + folder + "/narrow/" + file + "\" media=\"screen and (max-width: 560px)\"" +
+           size_of(narrow) + ">" + image + "</picture>";
+}
+
 namespace {
 
 /// A film may say in its file's name that it is one; its id and its title say so anyway.
@@ -50,7 +72,7 @@ std::string figure_markdown(Context& context, const Directive& directive,
         }
     }
     const std::filesystem::path drawn = run.figure(file);
-    if (!context.figures.emplace(folder + "/" + file, drawn).second) {
+    if (context.figures.count(folder + "/" + file) != 0) {
         throw std::out_of_range{file + " is shown twice on this page"};
     }
 
@@ -71,21 +93,11 @@ std::string figure_markdown(Context& context, const Directive& directive,
                                  replace_all(name, "_", " ") + (moves ? ", film" : "")});
     }
 
-    const ImageSize size = image_size(drawn);
-    const std::string source = "figures/" + folder + "/" + file;
-    std::string image = "<img src=\"" + source + "\" alt=\"" + escape_html(first_sentence(caption)) +
-                        "\" width=\"" + std::to_string(size.width) + "\" height=\"" +
-                        std::to_string(size.height) + "\" loading=\"lazy\">";
-    if (moves) {
-        // Readers who asked for less motion see the first frame; timestep.js adds the button.
-        const std::string still = replace_all(source, ".gif", ".still.gif");
-        image = "<picture><source srcset=\"" + still +
-                "\" media=\"(prefers-reduced-motion: reduce)\">" + image + "</picture>";
-    }
+    const std::string picture = picture_html(context, folder, drawn, escape_html(first_sentence(caption)));
     return "\n\\htmlonly[block]<figure id=\"" + anchor + "\" class=\"" +
            (moves ? "picture animation" : "picture") +
-           "\" style=\"--width:" + std::to_string(size.width) + "px\"><a class=\"card\" href=\"" +
-           source + "\">" + image + "</a><figcaption>\\endhtmlonly\n" + std::string{trim(caption)} +
+           "\" style=\"--width:" + std::to_string(image_size(drawn).width) + "px\"><a class=\"card\" href=\"figures/" + folder + "/" +
+           file + "\">" + picture + "</a><figcaption>\\endhtmlonly\n" + std::string{trim(caption)} +
            "\n\\htmlonly[block]</figcaption></figure>\\endhtmlonly\n";
 }
 

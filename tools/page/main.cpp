@@ -5,6 +5,7 @@
 // README.md beside this file tells what may stand in a source.
 
 #include "context.hpp"
+#include "drawing.hpp"
 #include "error.hpp"
 #include "fill.hpp"
 #include "image.hpp"
@@ -55,7 +56,7 @@ bool parse(int argc, char** argv, Options& options) {
     return true;
 }
 
-/// Copies the figures that the page shows, and of every film its first frame. The frames of a film, and a live panel's
+/// Copies the figures that the page shows, still ones for light and dark pages, and of every film its first frame. The frames of a film, and a live panel's
 /// module, come as scripts: `pageBytes["figures/…"] = "base64"`.
 void copy_figures(const page::Context& context, const fs::path& folder) {
     for (const auto& [name, drawn] : context.figures) {
@@ -65,7 +66,13 @@ void copy_figures(const page::Context& context, const fs::path& folder) {
             page::write_file(folder / (name + ".js"),
                              "pageBytes[\"figures/" + name + "\"] = \"" + page::base64(content) + "\";\n");
         }
-        if (drawn.extension() != ".wasm") {
+        if (drawn.extension() == ".svg" && drawn.parent_path().filename() != "live") {
+            try {
+                page::write_file(folder / name, page::for_pages(content));
+            } catch (const std::invalid_argument& wrong) {
+                throw page::Error{drawn.string(), 1, wrong.what()};
+            }
+        } else if (drawn.extension() != ".wasm") {
             page::write_file(folder / name, content);
         }
         if (drawn.extension() == ".gif") {

@@ -1,45 +1,43 @@
 load style
 dots = "pt 7 ps 0.9 lc rgb '#333333'"
 
-# One colour a formula, in every picture of the chapter.
-forward  = second
-backward = third
-central  = fourth
-five     = first
-tangent  = first
+tangent = first
 
 # The question.
 
-call figure "hand.svg" 560 420
+call figure "hand.svg" 560 420 490
 set xlabel "time t (s)"
 set ylabel "velocity (m/s)"
 set xrange [0:3.2]
 set yrange [-1.4:2.2]
 set ytics -1,0.5,1
 set key top right
+@key_below
 plot "hand.tsv" using 1:3 with steps lc rgb '#009e73' lw 1.5 title "two neighbouring frames", \
      "" using 1:2 with lines @exact title "exact", \
      "" using 4:5 with lines lc rgb '#b15a98' lw 2.5 title "two frames further apart"
 set ytics autofreq
 
-call figure "gap.svg" 560 420
+call figure "gap.svg" 560 420 480
 set xlabel "frames from the one position to the other"
 set ylabel "largest error of the velocity (m/s)"
 set autoscale
 set xrange [1:*]
 set key top left reverse Left
-plot "gap.tsv" using 1:2 with linespoints @backward pt 7 ps 0.6 title "as the velocity now", \
-     "" using 1:4 with linespoints @central pt 7 ps 0.6 title "as the velocity in between", \
+@key_below
+plot "gap.tsv" using 1:2 with linespoints @backward_difference pt 7 ps 0.6 title "as the velocity now", \
+     "" using 1:4 with linespoints @central_difference pt 7 ps 0.6 title "as the velocity in between", \
      "" using 1:3 with lines @faint title "predicted", \
      "" using 1:5 with lines @faint
 
 # The mathematics.
 
-call figure "secants.svg" 560 440
+call figure "secants.svg" 560 440 510
 set xlabel "x"
 set ylabel "f (x)"
 set autoscale
 set key top left reverse Left
+@key_below
 plot "secants.tsv" using 1:2 with lines @exact title "f", \
      "" using 1:3 with lines @second title "chord, h = 1", \
      "" using 1:4 with lines @third title "chord, h = 1/2", \
@@ -65,7 +63,7 @@ unset arrow
 unset label
 
 call figure "parabola.svg" 560 640
-set multiplot layout 2,1 margins 0.15,0.97,0.13,0.98 spacing 0,0.09
+set multiplot layout 2,1 margins side(0.15),0.97,0.13,0.98 spacing 0,0.09
 unset xlabel
 set ylabel "y"
 set xrange [-1:1]
@@ -85,7 +83,7 @@ plot "parabola.tsv" using 1:3 with lines @second title "slope 2x", \
 unset multiplot
 
 call figure "exponential.svg" 560 660
-set multiplot layout 2,1 margins 0.15,0.97,0.13,0.98 spacing 0,0.09
+set multiplot layout 2,1 margins side(0.15),0.97,0.13,0.98 spacing 0,0.09
 set autoscale
 set ytics autofreq
 unset xlabel
@@ -102,7 +100,7 @@ plot "decay.tsv" using 1:2 with lines @first title "y = e^{−1.5 x}", \
      "decay_dots.tsv" using 1:2 with points @dots title "central differences"
 unset multiplot
 
-call figure "sine.svg" 560 420
+call figure "sine.svg" 560 420 490
 set xlabel "x (rad)"
 set ylabel "y"
 set xrange [0:2*pi]
@@ -110,11 +108,12 @@ set yrange [-1.1:2.1]
 set xtics ("0" 0, "π/2" pi/2, "π" pi, "3π/2" 3*pi/2, "2π" 2*pi)
 set ytics -1,0.5,1
 set key top right
+@key_below
 plot "sine.tsv" using 1:2 with lines @first title "sin x", \
      "" using 1:3 with lines @second title "its slope, cos x", \
      "sine_dots.tsv" using 1:2 with points @dots title "central differences"
 
-call figure "forward_backward.svg" 560 420
+call figure "forward_backward.svg" 560 420 490
 set xlabel "time t"
 set ylabel "position x"
 set xrange [-0.1:1.9]
@@ -122,18 +121,20 @@ set yrange [-0.1:1.65]
 set xtics ("t_1 − h" 0.2, "t_1" 0.9, "t_1 + h" 1.6)
 set ytics ("x_0" sin(0.2), "x_1" sin(0.9), "x_2" sin(1.6))
 set key top left reverse Left
+@key_below
 plot "chords.tsv" using 1:2 with lines @exact title "x(t)", \
      "" using 1:3 with lines @tangent title "tangent at t_1", \
-     "" using 1:4 with lines @forward title "forward difference", \
-     "" using 1:5 with lines @backward title "backward difference", \
+     "" using 1:4 with lines @forward_difference title "forward difference", \
+     "" using 1:5 with lines @backward_difference title "backward difference", \
      "chord_dots.tsv" using 1:2 with points @dots
 
-call figure "central.svg" 560 420
+call figure "central.svg" 560 420 490
 set yrange [-0.1:1.5]
 set key top left reverse Left
+@key_below
 plot "chords.tsv" using 1:2 with lines @exact title "x(t)", \
      "" using 1:3 with lines @tangent title "tangent at t_1", \
-     "" using 1:6 with lines @central title "central difference", \
+     "" using 1:6 with lines @central_difference title "central difference", \
      "chord_dots.tsv" using 1:2 with points @dots
 
 call figure "taylor.svg" 560 420
@@ -156,7 +157,7 @@ unset label
 
 # What was measured.
 
-call figure "v_shape.svg" 560 440
+call figure "v_shape.svg" 560 440 510
 set logscale xy
 set xlabel "step h"
 set ylabel "largest error of the slope"
@@ -168,27 +169,29 @@ set ytics autofreq
 set key bottom left reverse Left
 set label 1 "rounding,\ngrows as 1/h" at graph 0.27,0.72 textcolor rgb ink
 set label 2 "truncation,\nfalls with h" at graph 0.69,0.3 textcolor rgb ink
+@key_below
 plot "forward_float.tsv" using 1:2 with lines @second title "float", \
      "forward_double.tsv" using 1:2 with lines @first title "double", \
      "forward_float.tsv" using 1:3 with lines @faint title "predicted", \
      "forward_double.tsv" using 1:3 with lines @faint
 unset label
 
-call figure "orders.svg" 560 440
+call figure "orders.svg" 560 440 510
 set xrange [1e-10:1]
 set yrange [*:1e3]
 set xtics 1e-10,1e2,1
 set key top left reverse Left
-plot "forward_double.tsv" using 1:2 with lines @forward title "forward, order 1", \
-     "central_double.tsv" using 1:2 with lines @central title "central, order 2", \
-     "five_point_double.tsv" using 1:2 with lines @five title "five-point, order 4", \
+@key_below
+plot "forward_double.tsv" using 1:2 with lines @forward_difference title "forward, order 1", \
+     "central_double.tsv" using 1:2 with lines @central_difference title "central, order 2", \
+     "five_point_double.tsv" using 1:2 with lines @five_point title "five-point, order 4", \
      "forward_double.tsv" using 1:3 with lines @faint title "predicted", \
      "central_double.tsv" using 1:3 with lines @faint, \
      "five_point_double.tsv" using 1:3 with lines @faint
 
 # Break it.
 
-call figure "clock.svg" 560 420
+call figure "clock.svg" 560 420 500
 set xlabel "hours of play"
 set ylabel "largest error of the velocity (m/s)"
 set autoscale
@@ -199,6 +202,7 @@ set xtics ("0.1" 0.1, "1" 1, "10" 10, "100" 100)
 set ytics ("0.01" 0.01, "0.1" 0.1, "1" 1)
 set key top left reverse Left
 set label 1 "the clock stops" at 130,0.03 right textcolor rgb ink
+@key_below
 plot "clock.tsv" using 1:2 with lines @second title "t a float, divided by h", \
      "" using 1:4 with lines @exact title "t a double", \
      "" using 1:3 with lines @first title "t a float, divided by the step taken", \

@@ -9,7 +9,7 @@ set yrange [-0.1:2.25]
 set ytics 0.5
 set ylabel "height of the hip (m)" offset 1,0
 set key top left maxrows 2 @key
-set lmargin at screen 0.15
+set lmargin at screen side(0.15)
 set rmargin at screen 0.97
 set tmargin at screen 0.945
 set bmargin at screen 0.585
@@ -36,13 +36,14 @@ unset rmargin
 set ytics autofreq
 
 # N11: rates that are constant, that depend on time, and that depend on x.
-call figure "solutions.svg" 640 440
+call figure "solutions.svg" 640 440 510
 set xlabel "time t (s)" offset 0,0.3
 set ylabel "x"
 set xrange [0:4]
 set yrange [-1.3:3.7]
 set ytics 1
 set key top left maxrows 2 @key
+@key_below
 plot "solution_line.tsv" using 1:2 with lines @first title "ẋ = 1/2", \
      "solution_integral.tsv" using 1:2 with lines @second title "ẋ = cos t", \
      "solution_decay.tsv" using 1:2 with lines @third title "ẋ = −x", \
@@ -53,7 +54,7 @@ plot "solution_line.tsv" using 1:2 with lines @first title "ẋ = 1/2", \
      "solved_growth.tsv" using 1:2 with points @fourth pt 7 ps 0.7
 
 # N12: a parabola; the velocity changes upwards only.
-call figure "projectile.svg" 640 360
+call figure "projectile.svg" 640 360 430
 set size ratio -1
 set xlabel "distance (m)" offset 0,0.3
 set ylabel "height (m)"
@@ -61,6 +62,7 @@ set xrange [-2:102]
 set yrange [-10:34]
 set ytics 10
 set key top left maxrows 1 @key
+@key_below
 plot "projectile.tsv" using 2:3 with lines lc rgb "#8a8a8a" lw 3 title "path", \
      "projectile_velocity.tsv" using 2:3:($4*0.38):(0) with vectors @first head filled size 1.6,20,60 \
          title "ẋ", \
@@ -70,7 +72,7 @@ set size noratio
 set ytics autofreq
 
 # N14: velocity runs a quarter of a swing ahead.
-call figure "oscillation.svg" 640 400
+call figure "oscillation.svg" 640 400 470
 set autoscale
 stats "oscillation.tsv" using 1 nooutput
 swing = STATS_max/2
@@ -81,6 +83,7 @@ set yrange [-0.3:0.45]
 set key top right maxrows 1 @key
 set arrow 1 from 0.75*swing,0.285 to swing,0.285 heads size graph 0.012,25 lc rgb ink lw 1.5
 set label 1 "a quarter of a period" at 0.875*swing,0.325 center textcolor rgb ink
+@key_below
 plot "oscillation.tsv" using 1:2 with lines @first title "position x", \
      "" using 1:3 with lines @second title "velocity v / ω"
 unset arrow
@@ -143,7 +146,7 @@ set format y "%g"
 set ylabel offset 0,0
 
 # N17: a family of damping ratios.
-call figure "damping.svg" 640 460
+call figure "damping.svg" 640 460 530
 set autoscale
 stats "zeta_0.tsv" using 1 nooutput
 set xlabel "time (s)" offset 0,0.3
@@ -151,6 +154,7 @@ set ylabel "position x (m)"
 set xrange [0:STATS_max]
 set yrange [-0.27:0.4]
 set key top right maxrows 2 @key
+@key_below
 plot "zeta_0.tsv" using 1:2 with lines lc rgb "#8a8a8a" lw 2 title "ζ = 0", \
      "zeta_0.1.tsv" using 1:2 with lines @fourth title "0.1", \
      "zeta_0.3.tsv" using 1:2 with lines @third title "0.3", \
@@ -211,7 +215,7 @@ set format y "%g"
 set ylabel offset 0,0
 
 # N17, erratum: overdamped, and yet across zero.
-call figure "crossing.svg" 640 400
+call figure "crossing.svg" 640 400 470
 set autoscale
 stats "thrown_0.tsv" using 1 nooutput
 set xlabel "time (s)" offset 0,0.3
@@ -219,12 +223,13 @@ set ylabel "position x (m)"
 set xrange [0:STATS_max]
 set yrange [-0.13:0.3]
 set key top right vertical maxrows 3 @key
+@key_below
 plot "thrown_0.tsv" using 1:2 with lines @first title "let go at rest", \
      "thrown_0.8.tsv" using 1:2 with lines @third title "thrown at 0.8 q x_0", \
      "thrown_2.tsv" using 1:2 with lines @second title "thrown at 2 q x_0"
 
 # N17: the textbook's formula near critical damping.
-call figure "near_critical.svg" 640 420
+call figure "near_critical.svg" 640 420 490
 set logscale xy
 set format xy "10^{%T}"
 set xlabel "ζ − 1" offset 0,0.3
@@ -232,6 +237,7 @@ set ylabel "relative error of x"
 set xrange [1e-15:0.1]
 set yrange [1e-17:1e-7]
 set key top right @key
+@key_below
 plot "near_critical.tsv" using 1:($2 > 0 ? $2 : 1/0) with points @second pt 6 ps 0.7 title "textbook formula", \
      "" using 1:($3 > 0 ? $3 : 1/0) with points @first pt 7 ps 0.6 title "exact()"
 unset logscale
@@ -246,7 +252,7 @@ set xrange [0:STATS_max]
 set yrange [-0.3:0.3]
 set ytics 0.2
 unset key
-set lmargin at screen 0.15
+set lmargin at screen side(0.15)
 set rmargin at screen 0.97
 set tmargin at screen 0.98
 set bmargin at screen 0.59
@@ -271,7 +277,7 @@ set ytics autofreq
 set ylabel offset 0,0
 
 # I03: with air and without.
-call figure "drag.svg" 640 360
+call figure "drag.svg" 640 360 430
 set size ratio -1
 set xlabel "distance (m)" offset 0,0.3
 set ylabel "height (m)"
@@ -281,6 +287,7 @@ set xrange [0:100]
 set yrange [0:42]
 set ytics 10
 set key top right vertical maxrows 3 @key
+@key_below
 plot "path_vacuum.tsv" every 8 using 1:2 with lines @faint title "no air", \
      "path_drag.tsv" every 8 using 1:2 with lines @exact title "drag", \
      "path_euler.tsv" using 1:2 with linespoints @explicit_euler pt 7 ps 0.5 title "explicit Euler, 10 Hz"
@@ -327,7 +334,7 @@ plot x with lines lc rgb "#8a8a8a" lw 1.5 dt (4,4) title "player’s clock", \
      "" using 1:3 with points pt 7 ps 0.8 lc rgb "#d55e00" title "state that is drawn"
 
 # Break it: frames that take turns.
-call figure "taking_turns.svg" 640 420
+call figure "taking_turns.svg" 640 420 480
 set logscale y
 set format y "10^{%T}"
 set xlabel "time (s)" offset 0,0.3
@@ -335,18 +342,20 @@ set ylabel "amplitude / amplitude at the start"
 set xrange [0:1]
 set yrange [0.3:1e6]
 set key top left @key
+@key_below
 plot "taking_turns.tsv" using 1:4 with linespoints @second pt 7 ps 0.7 title "60 and 30 frames/s in turn", \
      "" using 1:3 with linespoints @third pt 7 ps 0.7 title "always 30", \
      "" using 1:2 with linespoints @first pt 7 ps 0.7 title "always 60"
 
 # Break it: the spiral of death.
-call figure "spiral_of_death.svg" 640 420
+call figure "spiral_of_death.svg" 640 420 490
 set format y "%g"
 set xlabel "frame" offset 0,0.3
 set ylabel "time of the frame (ms)"
 set xrange [0:31]
 set yrange [10:10000]
 set key top left @key
+@key_below
 plot "spiral_of_death.tsv" using 1:2 with linespoints @second pt 7 ps 0.7 title "no cap", \
      "" using 1:3 with linespoints @first pt 7 ps 0.7 title "at most five steps a frame"
 

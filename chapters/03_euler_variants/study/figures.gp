@@ -38,16 +38,17 @@ plot "square_before.tsv" using 1:2 with lines @exact title "before", \
      "square_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit"
 
 # Powers of a complex number: turned and stretched again and again.
-call figure "turn_and_stretch.svg" 640 620
+call figure "turn_and_stretch.svg" 640 620 690
 set xrange [-2.7:2.7]
 set yrange [-2.7:2.7]
+@key_below
 plot "powers_exact.tsv" using 1:2 with linespoints pt 7 ps 0.7 @exact title "true motion", \
      "powers_explicit_euler.tsv" using (0):(0):1:2 with vectors nohead lc rgb "#d55e00" lw 0.8, \
      "" using 1:2 with linespoints pt 7 ps 0.8 @explicit_euler title "times 1 − 0.5 i", \
      "powers_implicit_euler.tsv" using 1:2 with linespoints pt 6 ps 0.9 @implicit_euler title "divided by 1 + 0.5 i"
 
 # Eigenvalues in the complex plane while ωh grows from 0 to 3.
-call figure "eigenvalues.svg" 640 600
+call figure "eigenvalues.svg" 640 600 670
 set xlabel "real part of λ"
 set ylabel "imaginary part of λ"
 set xrange [-3.2:2.6]
@@ -58,6 +59,7 @@ set key inside top left vertical reverse Left
 set label 2 "ωh = 2" at -1.08,-0.25 right textcolor rgb "#007a59"
 set label 3 "ωh = 0" at 1.12,-0.25 left textcolor rgb ink
 set label 1 "unit circle" at -0.72,0.98 right textcolor rgb "#666666"
+@key_below
 plot cos(t), sin(t) with lines lc rgb "#8a8a8a" lw 4 dt 1, \
      "eigenvalues_explicit_euler.tsv" using 2:3 with lines @explicit_euler title "explicit", \
      "" using 4:5 with lines @explicit_euler, \
@@ -101,7 +103,7 @@ plot "damping_lines.tsv" using 1:4 with lines lc rgb "#009e73" lw 2.5 dt (14,5) 
      "" using 1:2 with points pt 6 ps 0.9 lc rgb "#d55e00"
 
 # The same spring as a force and as a soft constraint: what a step multiplies by.
-call figure "soft.svg" 640 420
+call figure "soft.svg" 640 420 480
 set size noratio
 set logscale x
 set format x "%g"
@@ -118,13 +120,14 @@ plot 1 with lines @faint, \
 unset logscale
 
 # Energy of the three.
-call figure "energy.svg" 640 440
+call figure "energy.svg" 640 440 510
 set autoscale
 set logscale y
 set format y "%g"
 set xlabel "time t (s)"
 set ylabel "energy / energy at the start"
 set key top left reverse Left
+@key_below
 plot 1 with lines @exact title "exact", \
      "energy_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "explicit", \
      "energy_implicit_euler.tsv" using 1:2 with lines @implicit_euler title "implicit", \
@@ -132,7 +135,7 @@ plot 1 with lines @exact title "exact", \
 unset logscale
 
 # A cloud of states, every ninth step.
-call figure "clouds.svg" 640 600
+call figure "clouds.svg" 640 600 670
 set size ratio -1
 set xlabel "position x (m)\n " offset 0,0.4
 set ylabel "velocity v / ω (m)"
@@ -144,6 +147,7 @@ set label 2 "9" at 0.5,-1.2 center textcolor rgb ink front
 set label 3 "18" at -1.0,-0.6 center textcolor rgb ink front
 set label 4 "27" at 0.25,1.35 center textcolor rgb ink front
 set label 5 "36" at 1.55,0.0 center textcolor rgb ink front
+@key_below
 plot "cloud_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "explicit", \
      "cloud_implicit_euler.tsv" using 1:2 with lines @implicit_euler title "implicit", \
      "cloud_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit", \
@@ -157,7 +161,7 @@ unset label
 unset xlabel
 unset ylabel
 unset key
-set multiplot layout 4,2 margins 0.08,0.98,0.045,0.97 spacing 0.1,0.075
+set multiplot layout 4,2 margins (narrow ? 0.11 : 0.08),(narrow ? 0.97 : 0.98),0.045,0.97 spacing 0.1,0.075
 wh = "0.10 0.50 1.00 1.50 1.90 1.99 2.00 2.01"  # each with the range of its axes
 range = "1.6 1.6 1.6 1.6 4 12 24 24"
 do for [i=1:8] {
@@ -210,13 +214,14 @@ unset label
 unset arrow
 
 # A cosine without a cosine.
-call figure "sine.svg" 640 400
+call figure "sine.svg" 640 400 470
 set autoscale
 set xrange [0:80]
 set yrange [-1.35:1.35]
 set xlabel "step n"
 set ylabel "position x (m)"
 set key top right horizontal
+@key_below
 plot "sine.tsv" using 1:3 with lines @exact title "A cos(nθ + φ)", \
      "" using 1:2 with points pt 7 ps 0.6 lc rgb "#009e73" title "stepped"
 
@@ -227,7 +232,7 @@ set logscale xy
 set format xy "10^{%T}"
 set xlabel "steps a period\n " offset 0,0.4
 set ylabel "error after the run (m)"
-set key outside bottom center horizontal reverse Left font ",15" width 2
+set key outside bottom center horizontal reverse Left font ",15" width (narrow ? -1 : 2)
 set yrange [1e-14:1]
 plot "orders_explicit_euler.tsv" using 1:4 with lines @explicit_euler title "explicit Euler", \
      "orders_implicit_euler.tsv" using 1:4 with lines @implicit_euler title "implicit Euler", \
@@ -240,7 +245,7 @@ plot "orders_explicit_euler.tsv" using 1:4 with lines @explicit_euler title "exp
 
 # The same for a single step.
 call figure "local_orders.svg" 640 600
-set key outside bottom center horizontal reverse Left font ",15" width 2
+set key outside bottom center horizontal reverse Left font ",15" width (narrow ? -1 : 2)
 set ylabel "error of one step (m)"
 set yrange [1e-17:0.1]
 plot "orders_explicit_euler.tsv" using 1:3 with lines @explicit_euler title "explicit Euler", \
@@ -258,7 +263,7 @@ set xlabel "run time (µs for 20 s of one spring)\n " offset 0,0.4
 set ylabel "error at the end (m)"
 set xrange [0.02:2000]
 set yrange [1e-10:2]
-set key outside bottom center horizontal reverse Left font ",15" width 2
+set key outside bottom center horizontal reverse Left font ",15" width (narrow ? -1 : 2)
 plot "work_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "explicit Euler", \
      "work_implicit_euler.tsv" using 1:2 with lines @implicit_euler title "implicit Euler", \
      "work_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit Euler", \

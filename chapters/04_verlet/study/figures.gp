@@ -25,19 +25,20 @@ unset logscale
 set format xy "%g"
 
 # The constant-force method on springs: growth a step.
-call figure "newton.svg" 640 440
+call figure "newton.svg" 640 440 520
 set xlabel "ωh (rad)"
 set ylabel "growth of the amplitude a step"
 set xrange [0:6]
 set yrange [0:16]
 set key top left reverse Left
+@key_below
 plot 1 with lines @exact title "exact", \
      "newton_line.tsv" using 1:3 with lines @faint title "√(1 + ω²h²/2)", \
-     "" using 1:2 with lines lc rgb "#e0a800" lw 2.5 dt 1 title "constant acceleration, largest |λ|", \
-     "newton_points.tsv" using 1:2 with points pt 6 ps 0.9 lw 1.6 lc rgb "#9a7400" title "measured"
+     "" using 1:2 with lines lc rgb "#808000" lw 2.5 dt 1 title "constant acceleration, largest |λ|", \
+     "newton_points.tsv" using 1:2 with points pt 6 ps 0.9 lw 1.6 lc rgb "#808000" title "measured"
 
 # The first demo: a ball.
-call figure "balls.svg" 640 480
+call figure "balls.svg" 640 480 560
 set size noratio
 set xlabel "distance (m)\n "
 set ylabel "height (m)"
@@ -53,7 +54,7 @@ plot "ball_exact.tsv" using 2:3 with lines @exact title "exact", \
      "ball_velocity_verlet.tsv" using 2:3 with points pt 6 ps 1.3 lw 1.4 lc rgb "#b15a98" title "velocity Verlet"
 
 # The second demo: amplitude of the spring, every method.
-call figure "springs.svg" 640 500
+call figure "springs.svg" 640 500 600
 set autoscale
 set logscale y
 set format y "10^{%T}"
@@ -67,7 +68,7 @@ plot 1 with lines @exact title "exact", \
      "amplitude_newton.tsv" using 1:2 with lines @newton title "constant accel.", \
      "amplitude_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit", \
      "amplitude_velocity_verlet.tsv" using 1:2 with lines @velocity_verlet title "velocity Verlet", \
-     "amplitude_verlet.tsv" using 1:2 with lines lc rgb "#4a1e40" lw 1.6 dt (2,4) title "Verlet", \
+     "amplitude_verlet.tsv" every 12 using 1:2 with points lc rgb "#b15a98" pt 6 ps 0.9 lw 1.4 title "Verlet", \
      "amplitude_implicit_euler.tsv" using 1:2 with lines @implicit_euler title "implicit"
 unset logscale
 set format xy "%g"
@@ -81,7 +82,7 @@ set label 11 "exact" at screen 0.10,0.08 center textcolor rgb "#777777"
 set label 12 "explicit" at screen 0.27,0.08 center textcolor rgb "#b34e00"
 set label 13 "semi-implicit" at screen 0.48,0.08 center textcolor rgb "#007a59"
 set label 14 "Verlet" at screen 0.70,0.08 center textcolor rgb "#8f4379"
-set label 15 "const. accel." at screen 0.88,0.08 center textcolor rgb "#9a7400"
+set label 15 "const. accel." at screen 0.88,0.08 center textcolor rgb "#6b6b00"
 inside(x, y) = sqrt(x**2 + y**2) < 2.35 ? x : NaN  # a curve ends where it would leave the frame
 do for [i=0:23] {
     n = i + 2  # the file's line; the first holds names, and a curve has two points
@@ -101,7 +102,7 @@ do for [i=0:23] {
          "ball_explicit_euler.tsv" every ::1::n using 2:3 with linespoints @explicit_euler pt 7 ps 0.8, \
          "ball_semi_implicit_euler.tsv" every ::1::n using 2:3 with linespoints @semi_implicit_euler pt 7 ps 0.8, \
          "ball_verlet.tsv" every ::1::n using 2:3 with linespoints @velocity_verlet pt 7 ps 0.8, \
-         "ball_newton.tsv" every ::1::n using 2:3 with points pt 6 ps 1.6 lc rgb "#e0a800"
+         "ball_newton.tsv" every ::1::n using 2:3 with points pt 6 ps 1.6 lc rgb "#808000"
     set lmargin at screen 0.6
     set rmargin at screen 0.98
     set xrange [-2.4:2.4]
@@ -113,7 +114,7 @@ do for [i=0:23] {
          "spring_explicit_euler.tsv" every ::1::n using (inside($2,$3)):3 with linespoints @explicit_euler pt 7 ps 0.8, \
          "spring_semi_implicit_euler.tsv" every ::1::n using 2:3 with linespoints @semi_implicit_euler pt 7 ps 0.8, \
          "spring_verlet.tsv" every ::1::n using 2:3 with linespoints @velocity_verlet pt 7 ps 0.8, \
-         "spring_newton.tsv" every ::1::n using (inside($2,$3)):3 with linespoints lc rgb "#e0a800" lw 2.5 dt 1 pt 6 ps 1.6
+         "spring_newton.tsv" every ::1::n using (inside($2,$3)):3 with linespoints lc rgb "#808000" lw 2.5 dt 1 pt 6 ps 1.6
     unset multiplot
 }
 unset title
@@ -123,19 +124,20 @@ set xtics autofreq
 set ytics autofreq
 
 # The first step decides the order.
-call figure "first_step.svg" 640 460
+call figure "first_step.svg" 640 460 530
 set autoscale
 set logscale xy
 set format xy "10^{%T}"
 set xlabel "step h (s)"
 set ylabel "error at the end (m)"
 set key bottom right vertical reverse Left
+@key_below
 plot "start_euler.tsv" using 1:2 with lines lc rgb "#009e73" lw 5 dt 1 title "x + hv + h²a", \
      "start_careless.tsv" using 1:2 with lines @second title "x + hv", \
      "start_taylor.tsv" using 1:2 with lines @verlet title "x + hv + h²a/2"
 
 # A step that changes.
-call figure "changing_steps.svg" 640 560
+call figure "changing_steps.svg" 640 560 620
 set xlabel "mean step (s)\n " offset 0,0.4
 set ylabel "error at the end (m)"
 set key outside bottom center horizontal reverse Left
@@ -143,9 +145,9 @@ plot "turn_plain.tsv" using 1:2 with lines @second title "plain, in turn", \
      "chance_plain.tsv" using 1:2 with points pt 2 ps 0.8 lw 1.6 lc rgb "#d55e00" title "by chance", \
      "turn_scaled.tsv" using 1:2 with lines @third title "scaled, in turn", \
      "chance_scaled.tsv" using 1:2 with points pt 6 ps 0.8 lw 1.6 lc rgb "#007a59" title "by chance", \
-     "turn_corrected.tsv" using 1:2 with lines @verlet title "corrected, in turn", \
-     "chance_corrected.tsv" using 1:2 with points pt 7 ps 0.8 lc rgb "#b15a98" title "by chance", \
-     "turn_velocity.tsv" using 1:2 with lines lc rgb "#333333" lw 2 dt 1 title "velocity Verlet"
+     "turn_corrected.tsv" using 1:2 with lines @first title "corrected, in turn", \
+     "chance_corrected.tsv" using 1:2 with points pt 7 ps 0.8 lc rgb "#0072b2" title "by chance", \
+     "turn_velocity.tsv" using 1:2 with lines @velocity_verlet title "velocity Verlet"
 unset logscale
 set format xy "%g"
 
@@ -154,7 +156,7 @@ call figure "rope.svg" 640 640
 set size ratio -1
 set xlabel "x (m)\n " offset 0,0.4
 set ylabel "y (m)"
-set xrange [-1.2:2.3]
+set xrange [narrow ? -1.5 : -1.2:2.3]
 set yrange [-3.4:0.3]
 set key outside bottom center horizontal reverse Left
 plot "rope_frames.tsv" index 0 using 2:3 with lines @faint title "at the start", \
@@ -228,18 +230,19 @@ plot 1 with lines @exact title "exact", \
      "rope_energy_4.tsv" using 1:2 with lines @second title "60 Hz, 4 iterations"
 
 # In float: shorter steps, and worse.
-call figure "floats.svg" 640 440
+call figure "floats.svg" 640 440 510
 set autoscale
 set logscale xy
 set format xy "10^{%T}"
 set xlabel "step h (s)\n " offset 0,0.4
 set ylabel "error after 2 s (m)"
 set key top right vertical reverse Left
+@key_below
 plot "floats.tsv" using 1:2 with lines @verlet title "Verlet", \
      "" using 1:3 with lines @velocity_verlet title "velocity Verlet"
 
 # Accuracy against force evaluations.
-call figure "work.svg" 640 500
+call figure "work.svg" 640 500 560
 set autoscale
 set xlabel "force evaluations in 20 s\n " offset 0,0.4
 set ylabel "error at the end (m)"

@@ -1,18 +1,19 @@
 load style
 
 # How large the torque is, all round.
-call figure "torque.svg" 640 400
-set xlabel "ω turned from the shortest side towards the longest by (°)"
+call figure "torque.svg" 640 400 470
+set xlabel "ω turned from the shortest side".(narrow ? "\n" : " ")."towards the longest by (°)"
 set ylabel "gyroscopic torque (N m)"
 set xrange [0:180]
 set yrange [-2:48]
 set xtics 30
 set key top right
+@key_below
 plot "torque.tsv" using 1:2 with lines @first title "box 1 x 2 x 3 m", \
      "" using 1:3 with lines @second title "cube"
 
 # The orientation's error.
-call figure "orientation.svg" 640 440
+call figure "orientation.svg" 640 440 560
 set autoscale
 set xtics autofreq
 set logscale xy
@@ -21,6 +22,7 @@ set xlabel "step h (s)"
 set ylabel "orientation after a second, off by (rad)"
 set xrange [2e-4:2e-2]
 set key bottom right reverse Left
+@key_below
 plot "orientation.tsv" using 1:2 with linespoints @explicit_gyroscopic pt 7 ps 0.6 title "explicit", \
      "" using 1:3 with linespoints @implicit_gyroscopic pt 7 ps 0.6 title "implicit, one iteration", \
      "" using 1:4 with linespoints @passive_gyroscopic pt 7 ps 0.6 title "passive"
@@ -59,7 +61,7 @@ plot "newton.tsv" using 1:4 with linespoints @second pt 7 ps 0.8 title "h|ω| = 
 # A capsule in free flight: its energy, and how far its angular momentum turns.
 call figure "capsule.svg" 640 760
 unset logscale
-set multiplot layout 2,1 margins 0.14,0.97,0.235,0.97 spacing 0,0.06
+set multiplot layout 2,1 margins side(0.14),0.97,0.235,0.97 spacing 0,0.06
 set xrange [0:4]
 set xtics 1 format ""
 unset xlabel
@@ -82,6 +84,7 @@ set xtics 1 format "%g"
 set xlabel "time t (s)"
 set ylabel "L turned by (°)" offset 0.5,0
 set key at screen 0.55,0.075 center horizontal maxcols 3 reverse Left width 1
+if (narrow) { set key vertical maxrows 3 width -3 }
 plot 0 with lines @exact title "exact", \
      "capsule_explicit.tsv" using 1:4 with lines @explicit_gyroscopic title "explicit", \
      "capsule_dropped.tsv" using 1:4 with lines @no_gyroscopic title "dropped", \
@@ -107,7 +110,7 @@ plot "staff_exact.tsv" using 1:4 with lines @exact title "exact", \
 
 # About the middle axis: the three components of ω in the body.
 call figure "tumble.svg" 640 900
-set multiplot layout 5,1 margins 0.12,0.97,0.09,0.94 spacing 0,0.035
+set multiplot layout 5,1 margins side(0.12),0.97,0.09,0.94 spacing 0,0.035
 set xrange [0:12]
 set yrange [-15:15]
 set ytics 10
@@ -122,8 +125,8 @@ do for [name in "exact explicit dropped implicit passive"] {
         set xlabel "time t (s)"
     }
     thin = name eq "exact" ? 4 : name eq "passive" ? 1 : 2  # more points than a screen shows
-    plot "tumble_".name.".tsv" every thin using 1:2 with lines lc rgb "#0072b2" lw 2 title "about x", \
-         "" every thin using 1:3 with lines lc rgb "#d55e00" lw 2 title "y (intermediate)", \
+    plot "tumble_".name.".tsv" every thin using 1:2 with lines lc rgb "#d55e00" lw 2 title "about x", \
+         "" every thin using 1:3 with lines lc rgb "#0072b2" lw 2 title "y (intermediate)", \
          "" every thin using 1:4 with lines lc rgb "#009e73" lw 2 dt (6,3) title "z"
     unset key
 }
@@ -132,7 +135,7 @@ unset label
 
 # Its energy and its momentum.
 call figure "tumble_energy.svg" 640 700
-set multiplot layout 2,1 margins 0.15,0.97,0.27,0.97 spacing 0,0.05
+set multiplot layout 2,1 margins side(0.15),0.97,0.27,0.97 spacing 0,0.05
 set xrange [0:12]
 set xtics 2 format ""
 unset xlabel
@@ -200,9 +203,11 @@ set palette defined (0 "#ffffff", 0.02 "#fbe3b5", 1 "#f0b040", 3 "#d55e00", 5.5 
 set border 15
 unset grid
 set rmargin 12
+if (narrow) { set lmargin 12; set xtics ("0.1" -1, "1" 0, "10" 1) }
 plot "energy_map.tsv" skip 1 using (log10($1)):(log10($2)):($3 > 1.000001 ? log10($3) : 0) with image notitle, \
      "map_edge.tsv" skip 1 using (log10($1)):(log10($2)) with lines lc rgb "#0072b2" lw 2 dt (6,4) notitle
 unset rmargin
+unset lmargin
 set border 3
 
 load folder."../../chapters/05_gyroscopic/study/films.gp"

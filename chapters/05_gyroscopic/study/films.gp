@@ -5,7 +5,7 @@
 call figure "plane_spin.svg" 640 800
 reset_axes = "unset logscale; unset label; unset arrow; unset object; unset title; unset xlabel; unset ylabel; set autoscale; set xtics autofreq; set ytics autofreq; set format '%g'; set size noratio; set border 3; set grid lc rgb soft lt 1 lw 0.8"
 @reset_axes
-set multiplot layout 2,1 margins 0.15,0.97,0.235,0.95 spacing 0.02,0.15
+set multiplot layout 2,1 margins side(0.15),0.97,0.235,0.95 spacing 0.02,0.15
 set xrange [0:20]
 set yrange [0:160]
 set ylabel "spin |ω| (rad/s)"
@@ -31,7 +31,7 @@ unset title
 # Many throws: what share of them still moves.
 call figure "plane_throws.svg" 640 800
 @reset_axes
-set multiplot layout 2,1 margins 0.15,0.97,0.235,0.95 spacing 0.02,0.15
+set multiplot layout 2,1 margins side(0.15),0.97,0.235,0.95 spacing 0.02,0.15
 set xrange [0:20]
 set yrange [0:105]
 set ylabel "still moving (%)"
@@ -57,7 +57,7 @@ unset multiplot
 unset title
 
 # A box with a motor: the error of its orientation against the step.
-call figure "driven.svg" 640 520
+call figure "driven.svg" 640 520 580
 @reset_axes
 set logscale xy
 set format xy "10^{%T}"

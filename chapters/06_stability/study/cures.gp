@@ -15,26 +15,28 @@ unset logscale
 set xtics autofreq
 
 # A kick that a method is not told of.
-call figure "kick.svg" 640 420
+call figure "kick.svg" 640 420 500
 set autoscale
 set xlabel "time (s)\n " offset 0,0.4
 set ylabel "place (m)"
 set xrange [0.1:0.4]
 set yrange [-0.02:0.32]
 set key inside top left vertical reverse Left
+@key_below
 plot "kick.tsv" using 1:2 with lines @exact title "exact, and all three once told", \
      "" using 1:3 with lines @bdf2 title "BDF2", \
-     "" using 1:4 with lines lc rgb "#808000" lw 2.5 dt (3,4) title "Adams–Bashforth", \
+     "" using 1:4 with lines @adams_bashforth title "Adams–Bashforth", \
      "" using 1:5 with lines @verlet title "Verlet"
 
 # The longest step of a plank on one spring.
-call figure "effective_mass.svg" 640 420
+call figure "effective_mass.svg" 640 420 500
 set autoscale
 set xlabel "the spring's distance from the centre (m)\n " offset 0,0.4
 set ylabel "longest stable step (ms)"
 set xrange [0:1]
 set yrange [0:70]
 set key inside bottom left vertical reverse Left
+@key_below
 plot "effective_mass.tsv" using 1:3 with lines @faint title "with the mass alone", \
      "" using 1:2 with lines @semi_implicit_euler title "with the effective mass", \
      "effective_mass_points.tsv" using 1:2 with points pt 6 ps 0.9 lc rgb "#007a59" title "found by running"

@@ -1,17 +1,18 @@
 # Every method on every extreme input that a run lets in: a cell each, its word a colour and a sign.
-call figure "extremes.svg" 640 680
+call figure "extremes.svg" 640 680 840
 set xrange [-0.5:12.5]
 set yrange [20.5:-0.5]
 set border 0
 unset grid
 unset xzeroaxis
 unset yzeroaxis
-set xtics rotate by 40 right scale 0 font ",12" offset 0.6,0
+if (narrow) { set xtics rotate by 90 right scale 0 font ",14" offset 0,0 } \
+else { set xtics rotate by 40 right scale 0 font ",12" offset 0.6,0 }
 set ytics scale 0 font ",14"
-set lmargin at screen 0.38
+set lmargin at screen (narrow ? 0.42 : 0.38)
 set rmargin at screen 0.985
 set tmargin at screen 0.985
-set bmargin at screen 0.30
+set bmargin at screen (narrow ? 0.335 : 0.30)
 unset key
 set style fill solid 1.0 border rgb "white"
 # refused, does not compile, exact, bounded, grows, not finite
@@ -23,11 +24,11 @@ do for [i = 1:5] {
     y = 0.22 - 0.037 * i
     set object i rectangle from screen 0.02, screen y - 0.0155 to screen 0.06, screen y + 0.0155 \
         fc rgb colour(i) fs solid border rgb "#999999"
-    set label i sign(i) at screen 0.04, screen y center tc rgb "black" font ",14"
+    set label i sign(i) at screen 0.04, screen y center tc rgb on_paint font ",14"
     set label 5 + i word(meaning, i) at screen 0.075, screen y left tc rgb ink
 }
 plot "extremes.tsv" using 1:2:(0.47):(0.45):(colour($3)):xticlabel(4):yticlabel(5) with boxxyerror lc rgb variable, \
-     "" using 1:2:(sign($3)) with labels tc rgb "black" font ",14"
+     "" using 1:2:(sign($3)) with labels tc rgb on_paint font ",14"
 # The next figure finds the axes as it expects them.
 unset label
 unset object

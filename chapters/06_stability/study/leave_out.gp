@@ -5,6 +5,7 @@ set style histogram clustered gap 1
 set style fill solid 0.85 border lc rgb ink
 set boxwidth 0.9
 set xtics nomirror
+if (narrow) { set xtics font ",15" }
 unset xlabel
 set ylabel "a body and step (ns)"
 set yrange [0:*]
@@ -17,6 +18,6 @@ plot "leave_out.tsv" using 2:xtic(1) lc rgb "#009e73" fs solid 0.9 title "sorted
      "" using 5 lc rgb "#d55e00" fs solid 0.35 title "every body a box"
 # The next figure finds the axes as it expects them.
 set style data points
-set xtics autofreq
+set xtics autofreq font ""
 set autoscale
 set xzeroaxis lc rgb soft lt 1

@@ -69,6 +69,7 @@ set ylabel "imaginary part of hλ: oscillation"
 set key outside bottom center horizontal reverse Left width -5
 set label 1 "damped" at -0.91,0.93 center offset 0,1.1 textcolor rgb ink
 set label 2 "hard damping:\nits fast part" at -3.13,0 right offset -0.6,1.6 textcolor rgb ink
+if (narrow) { set label 2 at -3.9,-0.25 center offset 0,0 }
 set label 3 "its slow part" at -0.42,-0.28 right offset 0.6,0 textcolor rgb ink
 plot "outline_runge_kutta_4.tsv" using 1:2 with filledcurves closed fc rgb "#7a4a1e" fs transparent solid 0.12 noborder, \
      "outline_runge_kutta_4.tsv" using 1:2 with lines @runge_kutta_4 title "RK4", \

@@ -28,7 +28,7 @@ set yzeroaxis lc rgb soft lt 1
 # What a frame of it costs.
 call figure "cloth_cost.svg" 640 800
 @stiff_clear
-set multiplot layout 2,1 margins 0.14,0.97,0.235,0.98 spacing 0,0.11
+set multiplot layout 2,1 margins side(0.14),0.97,0.235,0.98 spacing 0,0.11
 set logscale xy
 set xrange [7.5:42]
 set xtics (8, 12, 16, 24, 32, 40)
@@ -53,7 +53,7 @@ unset multiplot
 # What becomes of stiff springs and hard dampers: a row for each method.
 call figure "fates.svg" 640 900
 @stiff_clear
-set multiplot layout 2,1 margins 0.3,0.97,0.17,0.99 spacing 0,0.09
+set multiplot layout 2,1 margins side(0.3),0.97,0.17,0.99 spacing 0,0.09
 set logscale x
 set yrange [0.4:12.6]
 set ytics ("BDF2" 1, "implicit Euler" 2, "implicit midpoint" 3, "velocity Verlet" 4, "Verlet" 5, "with new damping" 6, "semi-implicit" 7, "RK4" 8, "Heun" 9, "midpoint" 10, "constant accel." 11, "explicit" 12)
@@ -71,9 +71,9 @@ plot "spring_fates.tsv" using 1:($3 == 0 ? $2 : NaN) @lives, \
      "" using 1:($3 == 3 ? $2 : NaN) @bursts
 set xrange [0.007:1.4e6]
 set xtics ("0.01" 1e-2, "1" 1, "100" 1e2, "10^4" 1e4, "10^6" 1e6)
-set xlabel "damping ratio ζ of a spring with ω = 10 rad/s" offset 0,0.3
+set xlabel "damping ratio ζ".(narrow ? ", ω = 10 rad/s" : " of a spring with ω = 10 rad/s") offset 0,0.3
 set label 1 "do not take a damper" at 0.01,4.5 left textcolor rgb "#666666"
-set key at screen 0.55,0.045 center horizontal maxcols 2 reverse Left
+set key at screen 0.55,0.045 center vertical maxrows 2 reverse Left
 plot "damper_fates.tsv" using 1:($3 == 0 ? $2 : NaN) @lives title "swings on", \
      "" using 1:($3 == 1 ? $2 : NaN) @fades title "dies away", \
      "" using 1:($3 == 3 ? $2 : NaN) @bursts title "blows up", \
@@ -97,8 +97,8 @@ set label 3 "3" at 0.1,1.28e-11 left offset 0.5,0 textcolor rgb "#666666"
 do for [p = 1:3] { set arrow p from 0.025,2e-13 to 0.1,2e-13*4**p nohead lc rgb "#8a8a8a" lw 1.5 }
 plot "prothero.tsv" using 1:5 with linespoints @implicit_midpoint pt 4 ps 0.7 title "implicit midpoint, uneven", \
      "" using 1:4 with linespoints @implicit_midpoint pt 7 ps 0.6 title "implicit midpoint", \
-     "" using 1:6 with linespoints lc rgb "#e69f00" lw 2.5 dt 1 pt 9 ps 0.7 title "SDIRK, order 3", \
-     "" using 1:7 with linespoints lc rgb "#e69f00" lw 1.5 dt (3,4) pt 9 ps 0.5 title "the same, λ = −1", \
+     "" using 1:6 with linespoints @sdirk_3 pt 9 ps 0.7 title "SDIRK, order 3", \
+     "" using 1:7 with linespoints lc rgb "#882255" lw 1.5 dt (3,4) pt 9 ps 0.5 title "the same, λ = −1", \
      "" using 1:2 with linespoints @implicit_euler pt 5 ps 0.6 title "implicit Euler", \
      "" using 1:3 with linespoints @bdf2 pt 11 ps 0.7 title "BDF2"
 

@@ -1,6 +1,6 @@
 # A decay with hλ = −1000: who lets it die?
 call figure "stiff_decay.svg" 640 760
-set multiplot layout 2,1 margins 0.17,0.97,0.25,0.98 spacing 0.02,0.05
+set multiplot layout 2,1 margins side(0.17),0.97,0.25,0.98 spacing 0.02,0.05
 set xrange [0:10]
 set yrange [-1.15:1.15]
 set ytics 0.5
@@ -30,7 +30,7 @@ set ytics autofreq
 set autoscale
 
 # Undamped swings, from slow to absurdly fast.
-call figure "swings.svg" 640 520
+call figure "swings.svg" 640 520 560
 set logscale xy
 set xrange [0.01:1000]
 set yrange [8e-4:20]
@@ -40,6 +40,7 @@ set ytics (0.001, 0.01, 0.1, 1, 10)
 set xlabel "ωh (rad)\n " offset 0,0.4
 set ylabel "growth of an oscillation a step"
 set key outside bottom center vertical maxrows 3 reverse Left
+if (narrow) { set bmargin at screen 0.3; set key at screen 0.5,0.1 center width -4 }
 plot "swing_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit Euler", \
      "swing_velocity_verlet.tsv" using 1:2 with lines @verlet title "velocity Verlet", \
      "swing_runge_kutta_4.tsv" using 1:2 with lines @runge_kutta_4 title "RK4", \
@@ -55,3 +56,4 @@ unset logscale
 set format xy "%g"
 set ytics autofreq
 set autoscale
+unset bmargin

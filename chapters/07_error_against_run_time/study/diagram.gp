@@ -13,15 +13,14 @@ style_of(id) = id eq "explicit" ? explicit_gyroscopic : id eq "dropped" ? no_gyr
     id eq "implicit__one_iteration" ? implicit_gyroscopic : id eq "implicit__converged" ? converged_gyroscopic : \
     id eq "passive" ? passive_gyroscopic : id eq "passive__arms_of_the_start" ? third : \
     id eq "runge_kutta_4_in_the_air__passive" ? runge_kutta_4 : value(id)
-colour_of(id) = style_of(id)[1:strstrt(style_of(id), " lw") - 1]
 curves = "0.1 with lines @faint notitle, 0.01 with lines @faint notitle"
 do for [id in ARG2] {
     mine = sprintf("strcol(1) eq '%s' && strcol(2) eq '%s'", id, library)
     curves = curves . sprintf(", '%s.tsv' using (%s && strcol(9) eq 'no' ? $6*1e6 : NaN):5 with lines %s title '%s'", \
         ARG1, mine, style_of(id), title_of(id))
     curves = curves . sprintf(", '' using (%s && strcol(9) eq 'no' && abs($3*60 - 1) < 0.01 ? $6*1e6 : NaN):5 with points pt 7 ps 0.8 %s notitle", \
-        mine, colour_of(id))
+        mine, colour_of(style_of(id)))
     curves = curves . sprintf(", '' using (%s && strcol(9) eq 'yes' ? $6*1e6 : NaN):(2.2) with points pt 2 ps 0.9 lw 2 %s notitle", \
-        mine, colour_of(id))
+        mine, colour_of(style_of(id)))
 }
 eval "plot " . curves

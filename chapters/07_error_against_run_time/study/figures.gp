@@ -9,21 +9,33 @@ slides = "explicit dropped implicit__one_iteration passive passive__arms_of_the_
 time_label = "run time of four seconds of game (µs)"
 error_label = "largest error (share of the scene's size)"
 
-call figure "spring.svg" 860 560
-set rmargin at screen 0.73
+# On a phone the key stands below.
+edge(share) = narrow ? 0.96 : share
+foot = 0.3
+rows = 4
+beside = narrow ? "set bmargin at screen foot; set key at screen 0.5,(foot - 0.11)/2 center vertical maxrows rows reverse Left width -5" : "set key outside right top vertical"
+
+call figure "spring.svg" 860 560 600
+set rmargin at screen edge(0.73)
 set xlabel time_label
 set ylabel error_label
-set key outside right top vertical samplen 2 spacing 1.1
+@beside samplen 2 spacing 1.1
 call rooms."diagram.gp" "spring" springs "1e-7"
 unset rmargin
+unset bmargin
 
-# Two panels, and the key to the right of the second.
+# Two panels, and the key to the right of the second; on a phone one below the other, and the key at the foot.
 left = "set lmargin at screen 0.125; set rmargin at screen 0.4; set ylabel 'largest error' offset 0.5; set key off"
 right = "set lmargin at screen 0.475; set rmargin at screen 0.75; unset ylabel; set key outside right top vertical samplen 1.5 spacing 1.1"
 panels = "set tmargin at screen 0.88; set bmargin at screen 0.2; set xlabel 'run time (µs)'"
+if (narrow) {
+    left = "set lmargin at screen 0.21; set rmargin at screen 0.96; set tmargin at screen 0.945; set bmargin at screen 0.64; set ylabel 'largest error' offset 1.5; unset xlabel; set key off"
+    right = "set tmargin at screen 0.53; set bmargin at screen 0.21; set xlabel 'run time (µs)'; set key at screen 0.5,0.065 center vertical maxrows 4 reverse Left samplen 2 width -5"
+    panels = ""
+}
 done = "unset multiplot; unset title; unset lmargin; unset rmargin; unset tmargin; unset bmargin"
 
-call figure "stiff.svg" 900 400
+call figure "stiff.svg" 900 400 900
 set multiplot
 @panels
 @left
@@ -34,7 +46,7 @@ set title "two time scales"
 call rooms."diagram.gp" "two_time_scales" springs "1e-4"
 @done
 
-call figure "bounces.svg" 900 400
+call figure "bounces.svg" 900 400 900
 set multiplot
 @panels
 @left
@@ -45,7 +57,7 @@ set title "a ball that bounces"
 call rooms."diagram.gp" "bouncing_ball" flights "1e-7"
 @done
 
-call figure "spins.svg" 900 400
+call figure "spins.svg" 900 400 900
 set multiplot
 @panels
 @left
@@ -56,15 +68,18 @@ set title "a capsule in the air"
 call rooms."diagram.gp" "symmetric_top" spins "1e-7"
 @done
 
-call figure "ice.svg" 860 480
-set rmargin at screen 0.64
+rows = 6
+foot = 0.38
+call figure "ice.svg" 860 480 640
+set rmargin at screen edge(0.64)
 set xlabel time_label
 set ylabel error_label
-set key outside right top vertical samplen 1.5 spacing 1.1
+@beside samplen 1.5 spacing 1.1
 call rooms."diagram.gp" "capsule_on_plane" slides "1e-3"
 unset rmargin
+unset bmargin
 
-call figure "smooth.svg" 900 400
+call figure "smooth.svg" 900 400 900
 set multiplot
 @panels
 @left
@@ -76,11 +91,13 @@ call rooms."diagram.gp" "spring_3d" springs "1e-7"
 @done
 
 # The spring once more, with other people's libraries where they were found, and in float.
-call figure "peers.svg" 860 600
-set rmargin at screen 0.66
+rows = 10
+foot = 0.47
+call figure "peers.svg" 860 600 800
+set rmargin at screen edge(0.66)
 set xlabel time_label
 set ylabel error_label
-set key outside right top vertical samplen 2 spacing 1.1
+@beside samplen 2 spacing 1.1
 call rooms."axes.gp" "1e-15"
 set xrange [0.05:1e4]
 curves = "0.1 with lines @faint notitle"
@@ -109,7 +126,7 @@ method = "bdf__adaptive"; style = "lc rgb '#2f4b7c' lw 2.5 dt (6,4)"; words = "B
 eval "plot " . curves
 
 # Who falls asleep, and when?
-call figure "sleeping.svg" 640 440
+call figure "sleeping.svg" 640 440 600
 set lmargin
 set rmargin
 set tmargin

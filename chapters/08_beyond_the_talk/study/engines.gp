@@ -3,13 +3,12 @@
 # Magnus-Taylor's curve is implicit midpoint's, at one, and Moser-Veselov's two would be; Buss's and
 # Adams-Bashforth's lie within a tenth of it.
 box3d = "lc rgb '#0072b2' lw 2.5 dt 1"
-jolt = "lc rgb '#999933' lw 2.5 dt 1"
 godot = "lc rgb '#b15a98' lw 5 dt 1"
 
 call figure "engines.svg" 640 900
 unset logscale
 set autoscale
-set multiplot layout 3,1 margins 0.13,0.97,0.215,0.96 spacing 0,0.055
+set multiplot layout 3,1 margins side(0.13),0.97,0.215,0.96 spacing 0,0.055
 set xrange [0:60]
 set yrange [0:1.5]
 set ytics 0.5
@@ -25,6 +24,7 @@ do for [throw in "short middle long"] {
         set xtics 10 format "%g"
         set xlabel "time t (s)"
         set key at screen 0.99,0.12 right top vertical maxrows 4 reverse Left samplen 2 width -7
+        if (narrow) { set key at screen 0.5,0.065 center font ",14" }
     }
     plot "engines_godot_".throw.".tsv" using 1:2 with lines @godot title "Godot: no torque", \
          "engines_ode_".throw.".tsv" using 1:2 with lines @passive_gyroscopic title "ODE", \
@@ -33,7 +33,7 @@ do for [throw in "short middle long"] {
          "engines_explicit_euler_".throw.".tsv" using 1:2 with lines @explicit_gyroscopic title "explicit Euler", \
          "engines_implicit_midpoint_".throw.".tsv" using 1:2 with lines @implicit_midpoint title "midpoint, Moser–Veselov", \
          "engines_magnus_taylor_4_".throw.".tsv" using 1:2 with lines @implicit_midpoint title "Magnus–Taylor", \
-         "engines_jolt_".throw.".tsv" using 1:2 with lines @jolt title "Jolt, PhysX, Rapier, Avian"
+         "engines_jolt_".throw.".tsv" using 1:2 with lines @jolt_gyroscopic title "Jolt, PhysX, Rapier, Avian"
 }
 unset multiplot
 unset label

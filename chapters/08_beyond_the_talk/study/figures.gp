@@ -1,8 +1,7 @@
 load style
-colour_of(style) = style[1:strstrt(style, " lw") - 1]
 
 # Orders: the orientation.
-call figure "orders.svg" 640 600
+call figure "orders.svg" 640 600 720
 set autoscale
 set logscale xy
 set format xy "10^{%T}"
@@ -25,10 +24,9 @@ eval "plot ".curve("implicit", implicit_gyroscopic, "talk").", ".curve("passive"
     curve("runge_kutta_4", runge_kutta_4, "RK4").", ".curve("remainder_4", ball_and_remainder_4, "ball + rem. 4")
 
 # Where the half-step Jacobian fails.
-calm_half_step = colour_of(half_step_jacobian)." lw 2.5 dt (3,4)"
 broad_passive = colour_of(passive_gyroscopic)." lw 11"
 less_broad_cayley = colour_of(cayley_gyroscopic)." lw 6.5"
-call figure "fails.svg" 640 560
+call figure "fails.svg" 640 560 640
 unset logscale
 set logscale x
 set format xy "%g"
@@ -50,10 +48,12 @@ plot "fails.tsv" using 1:(100*$5) with lines @broad_passive title "passive", \
      "" using 1:(100*$9) with lines @ball_and_remainder_4 title "ball + remainder 4"
 
 # A minute of the box: how far energy and |L| have been off so far.
-call figure "minute.svg" 860 560
+call figure "minute.svg" 860 560 720
 unset logscale
 set logscale y
-set multiplot layout 2,1 margins 0.13,0.7,0.17,0.97 spacing 0,0.06
+right = narrow ? 0.97 : 0.7
+low = narrow ? 0.29 : 0.17
+set multiplot layout 2,1 margins side(0.13),right,low,0.97 spacing 0,0.06
 set xrange [0:60]
 set xtics 10 format ""
 unset xlabel
@@ -74,36 +74,40 @@ set xtics 10 format "%g"
 set xlabel "time t (s)"
 set ylabel "|L| off by, at most" offset 0.5
 set key at screen 0.72,0.78 left vertical reverse Left samplen 2
+if (narrow) { set key at screen 0.5,0.09 center vertical maxrows 4 width -3 }
 eval "plot ".curves(3)
 unset multiplot
 
 load folder."../../chapters/08_beyond_the_talk/study/engines.gp"
 
 # Error against time: three bodies, three spins.
-call figure "work.svg" 940 940
+call figure "work.svg" 940 940 1000
 bodies = "near box needle"
 paces = "slow game fast"
 top_at(error) = error > 2 ? 2 : error  # the most that it can be; a run that is no number has 9
-top(j) = 0.96 - 0.265*(j - 1)
+high = narrow ? 0.24 : 0.265
+top(j) = 0.96 - high*(j - 1)
+wide = narrow ? 0.275 : 0.295
+begin = narrow ? 0.14 : 0.115
 set logscale xy
 set xrange [0.3:600]
 set yrange [1e-12:4]
 set xtics ("1" 1, "10" 10, "100" 100)
 set ytics ("1" 1, "10^{-2}" 0.01, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8, "10^{-10}" 1e-10, "10^{-12}" 1e-12)
-head(body) = body eq "near" ? "nearly symmetric" : body eq "box" ? "box 1:2:3" : "needle"
+head(body) = body eq "near" ? (narrow ? "near-symmetric" : "nearly symmetric") : body eq "box" ? "box 1:2:3" : "needle"
 spin(pace) = pace eq "slow" ? "1 rad/s" : pace eq "game" ? "10 rad/s" : "100 rad/s"
 set multiplot
 do for [j = 1:3] { do for [i = 1:3] {
     name = sprintf("work_%s_%s.tsv", word(bodies, i), word(paces, j))
-    set lmargin at screen 0.115 + 0.295*(i - 1)
-    set rmargin at screen 0.385 + 0.295*(i - 1)
+    set lmargin at screen begin + wide*(i - 1)
+    set rmargin at screen begin + wide*i - 0.025
     set tmargin at screen top(j)
-    set bmargin at screen top(j) - 0.24
+    set bmargin at screen top(j) - high + 0.025
     set title (j == 1 ? head(word(bodies, i)) : "") textcolor rgb ink offset 0,-0.5
     set format y (i == 1 ? "%g" : "")
     set ylabel (i == 1 ? "orientation off by (rad)" : "") offset 0.5
     if (i == 3) { set label 1 spin(word(paces, j)) at graph 1.05,0.5 center rotate by -90 textcolor rgb ink }
-    set xlabel (j == 3 ? "µs a second of the motion" : "") offset 0,0.3
+    set xlabel (j == 3 && (i == 2 || !narrow) ? "µs a second of the motion" : "") offset 0,0.3
     if (i > 1) { set ytics ("" 1, "" 0.01, "" 1e-4, "" 1e-6, "" 1e-8, "" 1e-10, "" 1e-12) } \
     else { set ytics ("1" 1, "10^{-2}" 0.01, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8, "10^{-10}" 1e-10, "10^{-12}" 1e-12) }
     if (j < 3) { set xtics ("" 1, "" 10, "" 100) } else { set xtics ("1" 1, "10" 10, "100" 100) }
@@ -122,9 +126,10 @@ do for [j = 1:3] { do for [i = 1:3] {
     unset label
 } }
 # The key has a row of its own.
-set lmargin at screen 0.02; set rmargin at screen 0.98; set tmargin at screen 0.095; set bmargin at screen 0
+set lmargin at screen 0.02; set rmargin at screen 0.98; set tmargin at screen (narrow ? 0.16 : 0.095); set bmargin at screen 0
 unset border; unset tics; unset grid; unset xlabel; unset ylabel; unset title
-set key center center horizontal maxcols 5 reverse Left samplen 2.5
+set key center center horizontal maxcols (narrow ? 2 : 5) reverse Left samplen 2.5
+if (narrow) { set key vertical maxrows 5 width -5 }
 keys = ""
 do for [k = 1:8] { keys = keys.sprintf("NaN with lines %s title '%s', ", \
     word(each, k) eq "half_step" ? broad_half_step : value(word(styles, k)), name_of(k)) }

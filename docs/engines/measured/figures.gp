@@ -2,12 +2,12 @@
 # and to capsules on a plane.
 load style
 box3d = "lc rgb '#0072b2' lw 2.5 pt 7 ps 0.6"
-bullet = "lc rgb '#e69f00' lw 2.5 pt 5 ps 0.6"
+bullet = "lc rgb '#56b4e9' lw 2.5 pt 5 ps 0.6"
 ode = "lc rgb '#009e73' lw 2.5 pt 9 ps 0.8"
 jolt = "lc rgb '#999933' lw 2.5 pt 13 ps 0.8"
 
 call figure "in_engines.svg" 640 960
-set multiplot layout 3,1 margins 0.16,0.96,0.13,0.96 spacing 0,0.11
+set multiplot layout 3,1 margins side(0.16),0.96,0.13,0.96 spacing 0,0.11
 set label 1 "a box alone for a minute" at graph 0.5,1.06 center textcolor rgb ink
 set logscale x
 set xrange [2.5:36]
@@ -16,13 +16,13 @@ set yrange [0:1.15]
 set ytics 0.2
 set xlabel "spin (rad/s)" offset 0,0.5
 set ylabel "energy left / first" offset 0.5,0
-set label 2 "full: as it is; dotted, at one: half and half" at first 34,0.7 right textcolor rgb ink
+set label 2 "full: as it is".(narrow ? "\n" : "; ")."dotted, at one: half and half" at first 34,0.7 right textcolor rgb ink
 plot "energies.tsv" using 1:2 with linespoints @box3d dt 1, \
      "" using 1:4 with linespoints @bullet dt 1, \
      "" using 1:6 with linespoints @ode dt 1, \
      "" using 1:8 with linespoints @jolt dt 1, \
      "" using 1:3 with lines lc rgb '#0072b2' lw 2.5 dt (3,9), \
-     "" using 1:5 with lines lc rgb '#e69f00' lw 2.5 dt (2,10), \
+     "" using 1:5 with lines lc rgb '#56b4e9' lw 2.5 dt (2,10), \
      "" using 1:7 with lines lc rgb '#009e73' lw 2.5 dt (2,8), \
      "" using 1:9 with lines lc rgb '#999933' lw 2.5 dt (2,6)
 unset label 2
@@ -39,7 +39,7 @@ plot "top_places.tsv" using 1:2 with linespoints @box3d dt 1, \
      "" using 1:3 with linespoints @bullet dt 1, \
      "" using 1:4 with linespoints @ode dt 1, \
      "" using 1:5 with linespoints @jolt dt 1
-set label 1 "a hundred capsules thrown onto a plane at 30 rad/s"
+set label 1 "a hundred capsules thrown onto a plane".(narrow ? "" : " at 30 rad/s")
 set yrange [0.9:12]
 set ytics (1, 2, 5, 10)
 set ylabel "most energy / first" offset 0.5,0

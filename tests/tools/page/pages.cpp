@@ -74,6 +74,18 @@ TEST_CASE("a figure has a size, words for those who cannot see it, and a caption
     CHECK_THAT(page, ContainsSubstring("srcset=\"figures/03_springs/sweep.still.gif\""));
 }
 
+TEST_CASE("a figure that is drawn for phones, too, is narrow there") {
+    const Course course;
+    const std::string run = "runs/03_springs/run/";
+    course.write(run + "narrow/spiral.svg", "<svg width=\"480\" height=\"400\"></svg>");
+    CHECK_THAT(course.fill(),
+               ContainsSubstring("<a class=\"card\" href=\"figures/03_springs/spiral.svg\"><picture><source "
+                                 "srcset=\"figures/03_springs/narrow/spiral.svg\" media=\"screen and (max-width: 560px)\" "
+                                 "width=\"480\" height=\"400\"><img src=\"figures/03_springs/spiral.svg\""));
+    course.remove(run + "narrow/spiral.svg");
+    CHECK_THAT(course.fill_error(), ContainsSubstring("narrow/spiral.svg"));
+}
+
 TEST_CASE("a picture and a film of one name have ids and titles of their own") {
     const Course course;
     const std::string run = "runs/03_springs/run/";
