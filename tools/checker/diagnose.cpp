@@ -47,7 +47,6 @@ struct Fit {
     double where_wrong = 0, where_right = 0;
     // Of yes and no, or of two counts, many agree by chance.
     bool good(bool counted) const { return where_wrong >= 0.97 && where_right >= (counted ? 0.98 : 0.9); }
-    bool nearly_good() const { return where_wrong >= 0.99 && where_right >= 0.5; }
 };
 
 Fit fit_of(const Mistake& mistake, const Shown& shown) {
@@ -219,13 +218,14 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
     const bool counted = std::all_of(calls.begin(), calls.end(), [](const Call& call) {
         return call.result.size() == 1 && call.result[0] == std::floor(call.result[0]);
     });
-    std::string best, nearly;  // nearly: a guard more than the known mistake has, or one less
-    double most = 0, most_nearly = 0;
+    std::string best;
+    double most = 0;
     for (const Mistake& mistake : mistakes_of(exercise)) {
         const Fit fit = fit_of(mistake, shown);
-        const double both = fit.where_wrong + fit.where_right;
-        if (fit.good(counted) && both > most) most = both, best = mistake.name;
-        if (fit.nearly_good() && both > most_nearly) most_nearly = both, nearly = mistake.name;
+        if (fit.good(counted) && fit.where_wrong + fit.where_right > most) {
+            most = fit.where_wrong + fit.where_right;
+            best = mistake.name;
+        }
     }
     if (best.empty()) best = family_of(shown);
     if (best.empty()) best = slip_of(exercise, shown, counted);
@@ -234,8 +234,7 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
     for (const Mistake& mistake : mistakes_of(exercise))
         if (loses_as_many_digits(mistake, truth, shown)) return mistake.name;
     const std::string how = inexact(truth, shown);
-    if ((how.empty() || how == "digits") && shown.wrong.size() >= 10) best = nearly;
-    if (best.empty() && (how.empty() || how == "digits")) best = two_slips_of(exercise, shown);
+    if (how.empty() || how == "digits") best = two_slips_of(exercise, shown);
     return best.empty() ? how : best;
 }
 

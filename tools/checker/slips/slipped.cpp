@@ -65,7 +65,7 @@ std::vector<Made> slips_in(const Answer& answer, const Shown& shown) {
     return slips;
 }
 
-bool is_enough(const Shown& shown, bool counted) { return shown.wrong.size() >= (counted ? 4u : 2u); }
+bool is_enough(const Shown& shown, bool counted) { return shown.wrong.size() >= (counted ? 4u : 3u); }
 
 // Of many calls a few, evenly: what fails there need not be held beside all.
 Shown some_of(const Shown& shown, std::size_t most) {
@@ -144,7 +144,7 @@ std::string slip_of(const std::string& exercise, const Shown& shown, bool counte
 }
 
 std::string two_slips_of(const std::string& exercise, const Shown& shown) {
-    if (shown.wrong.size() < 5) return {};
+    if (shown.wrong.size() < 10) return {};
     const Shown some = some_of(shown, 12);
     const long begin = slip::work();
     bool is_solution = true;
