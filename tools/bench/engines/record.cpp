@@ -266,6 +266,7 @@ void record(const fs::path& folder, const Numbers& numbers) {
           of.table(main_rules, {{"box, 3 rad/s: energy", "alone", "box 1 x 2 x 3, 3 rad/s", "energy left", 3},
                                 {"10 rad/s", "alone", box, "energy left", 3},
                                 {"30 rad/s", "alone", "box 1 x 2 x 3, 30 rad/s", "energy left", 3},
+                                {"momentum, 10 rad/s", "alone", box, "momentum left", 3},
                                 {"right for, s", "alone", box, "right for, s", 1},
                                 {"flips", "alone", box, "flips", 0}}));
     write(folder / "alone_others.tsv",
