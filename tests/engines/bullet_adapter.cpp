@@ -1,6 +1,7 @@
 // The adapter for Bullet, in Bullet.
 
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include <catch2/catch_test_macros.hpp>
@@ -71,6 +72,10 @@ TEST_CASE("In Bullet's world a box tumbles for a minute and keeps its energy; by
 TEST_CASE("One step in Bullet is two halves of the rule's, and nothing else's", "[engines]") {
     Alone<GyroscopicWorld<>> scene({1, 2, 3});
     CHECK((scene.body.getFlags() & BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY) == 0);
+    btRigidBody in_a_group(btRigidBody::btRigidBodyConstructionInfo(12, nullptr, &scene.shape, brick));
+    scene.world.addRigidBody(&in_a_group, 1, 1);
+    CHECK((in_a_group.getFlags() & BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY) == 0);
+    scene.world.removeRigidBody(&in_a_group);
     const timestep::PrincipalInertia<btScalar> inertia(13, 10, 5);
     timestep::Vector3<btScalar> expected(1, 2, 3);
     for (int half = 0; half < 2; ++half) expected = timestep::calm_half_step.step(inertia, expected, h / 2);
@@ -190,4 +195,26 @@ TEST_CASE("In Bullet's world a top stays up, as it truly does; by Bullet's own r
     // The truth, by chapter 8's benchmark: it never leans by more than 0.59 rad.
     CHECK(largest_lean<GyroscopicWorld<>>() < 0.65);
     CHECK(largest_lean<btDiscreteDynamicsWorld>() > 1);
+}
+
+namespace {
+
+// A rule whose numbers are none.
+struct Broken {
+    template <class Real>
+    timestep::Vector3<Real> step(const timestep::PrincipalInertia<Real>&, const timestep::Vector3<Real>& omega, Real) const {
+        return omega * std::numeric_limits<Real>::quiet_NaN();
+    }
+};
+
+}  // namespace
+
+TEST_CASE("Of a rule of the library an engine gets no spin that is no number, and none for a ball", "[engines]") {
+    using Rule = timestep::RuleInEngine<Broken>;
+    const auto body = Rule::body(timestep::Vector3<float>(1 / 13.0f, 0.1f, 0.2f));
+    REQUIRE(body);
+    timestep::Vector3<float> omega(1, 2, 3);
+    CHECK(!Rule::step(body, omega, 0.1f));
+    CHECK(omega == timestep::Vector3<float>(1, 2, 3));
+    CHECK(!Rule::body(timestep::Vector3<float>(2, 2, 2)));
 }

@@ -109,6 +109,17 @@ TEST_CASE("Where the rule has no business in ODE, the spin stays", "[engines]") 
         scene.steps(3);
         CHECK((scene.omega() - spin).norm() < 1e-14);
     }
+    SECTION("a ball keeps every bit") {
+        dMass ball;
+        dMassSetParameters(&ball, 12, 0, 0, 0, 10, 10, 10, 0, 0, 0);
+        dBodySetMass(scene.body, &ball);
+        const Quaternion<double> q = Quaternion<double>(0.9, 0.3, -0.2, 0.4).normalized();
+        const dQuaternion tilted = {q.w(), q.x(), q.y(), q.z()};
+        dBodySetQuaternion(scene.body, tilted);
+        scene.gyroscopic.add(scene.body);
+        scene.steps(3);
+        CHECK(scene.omega() == spin);
+    }
     SECTION("added twice, it is one body") {
         scene.gyroscopic.add(scene.body);
         scene.steps(1);

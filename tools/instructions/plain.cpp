@@ -64,6 +64,8 @@ int main(int argc, char** argv) {
     if (whose == "functions" && rule == "passive") return print(passive, b, n);
     if (whose == "functions" && rule == "half_step") return print(half_step, b, n);
     if (whose == "functions" && rule == "calm") return print(calm, b, n);
+    if (whose == "functions" && rule == "ball")
+        return print(calm, {b.inertia, gyroscopic_from_momentsf(size, size, size), b.q, b.omega}, n);
 #ifdef TIMESTEP_WITH_BULLET
     if (whose == "bullet") {
         btRigidBody body(10, nullptr, nullptr, btVector3(btScalar(size), 2, btScalar(2.5)));

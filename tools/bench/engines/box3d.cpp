@@ -59,8 +59,8 @@ public:
             b3CreateCapsuleShape(body, &surface, &capsule);
         }
         b3MassData mass = {float(shape.mass), {0, 0, 0}, {}};
-        const b3Vec3 I = in_box3d(shape.moments);
-        mass.inertia = {{I.x, 0, 0}, {0, I.y, 0}, {0, 0, I.z}};
+        const timestep::Matrix3<double> turned(shape.axes), I = turned * shape.moments.asDiagonal() * turned.transpose();
+        mass.inertia = {in_box3d(I.col(0)), in_box3d(I.col(1)), in_box3d(I.col(2))};
         b3Body_SetMassData(body, mass);
         bodies_.push_back(body);
         return int(bodies_.size()) - 1;

@@ -22,6 +22,7 @@ struct Shape {
     Vector moments;  // kg m²; infinite: in Jolt an inverse moment of zero
     double mass = 1;
     std::array<bool, 3> locked{};  // no rotation about these axes of the world, where an engine has that: Box3D, Jolt
+    Quaternion axes = Quaternion::Identity();  // of the moments, in the body; Box3D and Jolt take others than its own
 };
 
 struct State {

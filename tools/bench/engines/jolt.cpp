@@ -24,6 +24,9 @@ namespace {
 JPH::Vec3 in_jolt(const Vector& v) {
     return {float(v.x()), float(v.y()), float(v.z())};
 }
+JPH::Quat in_jolt(const Quaternion& q) {
+    return {float(q.x()), float(q.y()), float(q.z()), float(q.w())};
+}
 Vector out_of(JPH::Vec3Arg v) {
     return {double(v.GetX()), double(v.GetY()), double(v.GetZ())};
 }
@@ -70,8 +73,7 @@ public:
                                                     new JPH::CapsuleShape(half.GetZ(), half.GetX()));
         }
         JPH::BodyCreationSettings settings(
-            solid, in_jolt(s.x), JPH::Quat(float(s.q.x()), float(s.q.y()), float(s.q.z()), float(s.q.w())),
-            JPH::EMotionType::Dynamic, 0);
+            solid, in_jolt(s.x), in_jolt(s.q), JPH::EMotionType::Dynamic, 0);
         settings.mLinearVelocity = in_jolt(s.v), settings.mAngularVelocity = in_jolt(s.omega);
         settings.mFriction = wanted_.smooth ? 0 : float(friction);
         settings.mApplyGyroscopicForce = gyroscopic_ && wanted_.rule;
@@ -83,11 +85,13 @@ public:
         settings.mOverrideMassProperties = JPH::EOverrideMassProperties::MassAndInertiaProvided;
         settings.mMassPropertiesOverride.mMass = float(shape.mass);
         const bool finite = shape.moments.allFinite();
-        settings.mMassPropertiesOverride.mInertia = JPH::Mat44::sScale(finite ? in_jolt(shape.moments) : JPH::Vec3::sOne());
+        const JPH::Mat44 turned = JPH::Mat44::sRotation(in_jolt(shape.axes));
+        settings.mMassPropertiesOverride.mInertia =
+            turned * JPH::Mat44::sScale(finite ? in_jolt(shape.moments) : JPH::Vec3::sOne()) * turned.Transposed();
         bodies_.push_back(system_.GetBodyInterface().CreateAndAddBody(settings, JPH::EActivation::Activate));
         if (!finite) {
             const JPH::BodyLockWrite body(system_.GetBodyLockInterface(), bodies_.back());
-            body.GetBody().GetMotionProperties()->SetInverseInertia(in_jolt(shape.moments.cwiseInverse()), JPH::Quat::sIdentity());
+            body.GetBody().GetMotionProperties()->SetInverseInertia(in_jolt(shape.moments.cwiseInverse()), in_jolt(shape.axes));
         }
         return int(bodies_.size()) - 1;
     }
