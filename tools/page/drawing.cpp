@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view white = "#ffffff", ground = "#1c1d1f";  // as timestep.css has them
 constexpr std::string_view on_paint = "#000001";
-constexpr double least = 4.5, most = 8;  // contrast of colours on the dark ground; small words need 4.5
+constexpr double least = 4.5, most = 6.5;  // contrast of colours on the dark ground; small words need 4.5
 
 // ---- Colours (contrast as WCAG 2 has it) ------------------------------------------------------------
 
