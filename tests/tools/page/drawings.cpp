@@ -83,6 +83,13 @@ TEST_CASE("a map keeps the colours of its scale") {
     CHECK_THAT(shown, ContainsSubstring("<polygon fill=\"rgb( 42,  12,   0)\" points=\"12.8,5\"/>"));
 }
 
+TEST_CASE("the still picture of a panel is dark, too, but for light and shadow on bodies") {
+    const std::string shown = for_pages("<svg width=\"64\" height=\"9\" font-family=\"sans-serif\">\n<rect fill=\"#fff\"/>"
+                                        "<path d=\"M1.25 2L3 4Z\" fill=\"#333333\" stroke=\"none\" opacity=\"0.3\"/></svg>\n");
+    CHECK_THAT(shown, ContainsSubstring("<svg width=\"64\" height=\"9\" font-family=\"sans-serif\"><style>"));
+    CHECK_THAT(shown, ContainsSubstring("<rect fill=\"#ffffff\"/><path d=\"M1.25 2L3 4Z\" fill=\"rgb(51,51,51)\""));
+}
+
 TEST_CASE("what no eye sees is left out of a figure") {
     const auto path = [](const std::string& data) {
         const std::string shown = for_pages(drawing("<path d='" + data + "'/>"));
