@@ -17,6 +17,20 @@ const written = value => {
     const [digits, tens] = value.toExponential(2).replace("Infinity", "∞").split("e");
     return minus(digits) + (tens ? "·" + powerOfTen(tens) : "");
 };
+// A colour as it is on the page: on the dark ground as tools/page/drawing.cpp has it.
+const isDark = () => document.documentElement.classList.contains("dark-mode");
+function shade(colour) {
+    if (!isDark()) return colour;
+    const below = .0623;  // the ground's light, and what contrast adds
+    const light = [1, 3, 5].map(i => parseInt(colour.slice(i, i + 2), 16) / 255).map(x => x <= .04045 ? x / 12.92 : ((x + .055) / 1.055) ** 2.4);
+    const here = .2126 * light[0] + .7152 * light[1] + .0722 * light[2], onWhite = 1.05 / (here + .05);
+    const rgb = all => `rgb(${all.map(x => Math.round(255 * (x <= .0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - .055)))})`;
+    if (light.every(x => x === light[0])) return rgb(light.fill(Math.min(onWhite * below - .05, .85)));
+    const aim = Math.min(Math.max(onWhite, 4.5), 6.5) * below - .05;
+    if (here >= aim) return colour;
+    const more = Math.min((here + aim) / 2 / here, 1 / Math.max(...light)), share = (aim - more * here) / (1 - more * here);
+    return rgb(light.map(x => more * x + share * (1 - more * x)));
+}
 // The colour, with a line's strokes and gaps.
 function dashed(colour, dashes) {
     let at = 0;
@@ -60,7 +74,7 @@ class LiveCanvas {
 
     draw(commands) {
         const pen = this.pen, lengths = [10, 5, 4, 3, 3, 1, 1, 4, 4], looks = [];
-        let path = false;  // is one begun? Moves before its stroke add to it
+        let veil = "", path = false;  // is one begun? Moves before its stroke add to it
         this.main = null;
         pen.clearRect(0, 0, this.width, this.height);
         pen.save();
@@ -78,8 +92,9 @@ class LiveCanvas {
             }
             case 1: this.axes(this.text(a), this.text(b), c, commands[i + 4]); break;
             case 2: {
-                const [colour, dashes] = looks[a] ||= [this.text(a, "colour"), this.text(a, "dashes").split(",").filter(Boolean).map(Number)];
+                const [colour, dashes, look] = looks[a] ||= [shade(this.text(a, "colour")), this.text(a, "dashes").split(",").filter(Boolean).map(Number), this.text(a, "colour")];
                 pen.strokeStyle = pen.fillStyle = colour;
+                veil = c < 1 && /^#(.)\1*$/.test(look) && look;  // light and shadow on a body are the same in the dark
                 pen.setLineDash(dashes);
                 pen.lineWidth = b, pen.globalAlpha = c;
                 break;
@@ -90,7 +105,13 @@ class LiveCanvas {
                 break;
             case 4: pen.lineTo(this.x(a), this.y(b)); break;
             case 5: path = false, pen.stroke(); break;
-            case 6: path = false, pen.fill(); break;
+            case 6: {
+                const colour = pen.fillStyle;
+                if (veil) pen.fillStyle = veil;
+                path = false, pen.fill();
+                pen.fillStyle = colour;
+                break;
+            }
             case 7:  // dots that follow each other are filled together
                 if (!path) pen.beginPath();
                 pen.moveTo(this.x(a) + c, this.y(b)), pen.arc(this.x(a), this.y(b), c, 0, 7);
@@ -133,7 +154,7 @@ class LiveCanvas {
         part.left += 48, part.bottom -= 38, part.top += 22;  // the words stand outside
         this.fit();
         const { left, right, top, bottom } = part;
-        pen.lineWidth = 1, pen.fillStyle = "#333", pen.beginPath();
+        pen.lineWidth = 1, pen.fillStyle = shade("#333333"), pen.beginPath();
         for (const [at, words] of this.ticks(part.fromX, (right - left) / part.scaleX, logX, (right - left) / 50)) {
             pen.moveTo(this.x(at), top), pen.lineTo(this.x(at), bottom);
             write(words, this.x(at), bottom + 16, "center");
@@ -142,9 +163,9 @@ class LiveCanvas {
             pen.moveTo(left, this.y(at)), pen.lineTo(right, this.y(at));
             write(words, left - 5, this.y(at) + 5, "right");
         }
-        pen.strokeStyle = "#ddd", pen.stroke(), pen.beginPath();
+        pen.strokeStyle = shade("#dddddd"), pen.stroke(), pen.beginPath();
         pen.moveTo(left, top), pen.lineTo(left, bottom), pen.lineTo(right, bottom);
-        pen.strokeStyle = "#333", pen.stroke();
+        pen.strokeStyle = shade("#333333"), pen.stroke();
         write(wordX, (left + right) / 2, bottom + 33, "center");
         write(wordY, left - 40, top - 11, "left");
         this.clip();
@@ -172,6 +193,9 @@ class LivePanel {
         this.play(!matchMedia("(prefers-reduced-motion)").matches);
         this.settings();
         new ResizeObserver(() => this.shape()).observe(this.canvas);
+        const recolour = () => this.recolour.forEach(one => one());
+        new MutationObserver(recolour).observe(document.documentElement, { attributeFilter: ["class"] });
+        recolour();
         figure.classList.add("is-live");
     }
 
@@ -192,11 +216,12 @@ class LivePanel {
         this.status = make("p", { className: "live-status", role: "status" });  // read aloud when it changes
         const form = make("div", { className: "live-controls" });
         const list = make("dl", { className: "live-readouts" });
+        this.recolour = [() => this.show()];
         this.controls = count(of.controls()).map(i => this.control(i, form));
         this.readouts = count(of.readouts()).map(i => {
             const [label, unit, colour, dashes] = count(4).map(n => this.words(of.readout_text(i, n)));
             const key = make("span", { className: colour && "key" }), output = make("dd", { unit: " " + unit });
-            key.style.backgroundImage = colour && dashed(colour, dashes);
+            this.recolour.push(() => { key.style.backgroundImage = colour && dashed(shade(colour), dashes); });
             list.append(make("div", {}, make("dt", {}, key, label), output));
             return output;
         });

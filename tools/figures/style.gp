@@ -78,7 +78,7 @@ passive_gyroscopic   = "lc rgb '#009e73' lw 2.5 dt 1"
 # Steps of a whole body beyond the talk (chapter 8).
 half_step_jacobian   = "lc rgb '#332288' lw 2.5 dt 1"
 calm_half_step       = "lc rgb '#332288' lw 2.5 dt (3,4)"
-cayley_gyroscopic    = "lc rgb '#cc6677' lw 2.5 dt 1"
+cayley_gyroscopic    = "lc rgb '#a08400' lw 2.5 dt 1"
 strang_splitting     = "lc rgb '#44aa99' lw 2.5 dt (6,4)"
 ball_and_remainder_2 = "lc rgb '#882255' lw 2.5 dt (14,5)"
 ball_and_remainder_4 = "lc rgb '#882255' lw 2.5 dt 1"

@@ -54,7 +54,7 @@ inline constexpr Look looks[] = {
     {"passive", "passive_gyroscopic", "#009e73", ""},
     {"half-step Jacobian", "half_step_jacobian", "#332288", ""},
     {"calm half-step", "calm_half_step", "#332288", "3,4"},
-    {"Cayley", "cayley_gyroscopic", "#cc6677", ""},
+    {"Cayley", "cayley_gyroscopic", "#a08400", ""},
     {"Strang splitting", "strang_splitting", "#44aa99", "6,4"},
     {"ball and remainder 2", "ball_and_remainder_2", "#882255", "14,5"},
     {"ball and remainder 4", "ball_and_remainder_4", "#882255", ""},

@@ -43,6 +43,7 @@ public:
 
     std::vector<IndexEntry> index;                         ///< rows taught and drawn here
     std::map<std::string, std::filesystem::path> figures;  ///< shown here: `chapter/file`, drawn at
+    std::vector<std::string> order;                        ///< the page's figures, `chapter/file`, as they are numbered
     std::set<std::string> anchors;                         ///< ids of those figures
     std::set<std::filesystem::path> inputs;                ///< files read besides the runs'
     std::map<std::string, std::string> pages;              ///< what goes on pages beside this one: file, Markdown

@@ -33,6 +33,10 @@ std::string line_markdown(Context& context, const Directive& directive);
 /// `{{figure file.svg N22 N24: caption}}`; `caption` is the filled caption.
 std::string figure_markdown(Context& context, const Directive& directive,
                             const std::string& caption);
+/// `{{see file.svg}}`, `{{see 03_euler_variants/portraits.svg}}`: "Figure 3.2", as a link.
+std::string see_markdown(Context& context, const Directive& directive);
+/// The figures of a page's source, `chapter/file`, as they follow each other. `folder` is the chapter's, or nothing.
+std::vector<std::string> figures_of(std::string_view source, const std::string& file, const std::string& folder);
 /// The picture `drawn` as HTML, `folder/file` below the site's figures; on phones the narrow one, where there is one.
 std::string picture_html(Context& context, const std::string& folder, const std::filesystem::path& drawn, const std::string& words);
 /// `{{live panel: caption}}`, `{{live 03_chapter/panel: caption}}`; `caption` is the filled caption.

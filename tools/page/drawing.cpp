@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view white = "#ffffff", ground = "#1c1d1f";  // as timestep.css has them
 constexpr std::string_view on_paint = "#000001";
-constexpr double least = 4.5, most = 8;  // contrast of colours on the dark ground; small words need 4.5
+constexpr double least = 4.5, most = 6.5;  // contrast of colours on the dark ground; small words need 4.5
 
 // ---- Colours (contrast as WCAG 2 has it) ------------------------------------------------------------
 
@@ -58,6 +58,9 @@ std::string as_hex(std::string_view colour) {
     }
     std::string text{colour == "black" ? "#000000" : colour == "white" ? "#ffffff" : colour == "lightgrey" ? "#d3d3d3" : colour};
     std::transform(text.begin(), text.end(), text.begin(), [](char c) { return c >= 'A' && c <= 'F' ? static_cast<char>(c + 32) : c; });
+    if (text.size() == 4 && text[0] == '#') {
+        text = {'#', text[1], text[1], text[2], text[2], text[3], text[3]};
+    }
     return colour == "currentColor" ? std::string{colour} : text;
 }
 
@@ -106,7 +109,7 @@ void keep(const std::vector<Point>& line, std::size_t first, std::size_t last, s
 
 /// A path of whole lines, `M1.00,2.00 L3.00,4.00 …`; another one stays as it is.
 std::string path(const std::string& data) {
-    if (data.find_first_not_of("ML0123456789.,- \n\t") != std::string::npos) {
+    if (data.find_first_not_of("ML0123456789.,- \n\t") != std::string::npos || data.find(',') == std::string::npos) {
         return data;
     }
     std::string text;
@@ -155,11 +158,17 @@ std::string rounded(const std::string& text) {
 constexpr std::string_view font = "Helvetica Neue,Helvetica,Arial,sans-serif";  // as figure.gp has it
 constexpr std::string_view round = " stroke-linecap=\"round\" stroke-linejoin=\"round\"";  // and its lines end so
 
+/// Light or shadow on a body, in the still picture of a panel: a grey area that shines through.
+bool is_veil(std::string_view inside) {
+    const auto has = [&](std::string_view words) { return inside.find(words) != std::string_view::npos; };
+    return (has(" fill=\"#333333\"") || has(" fill=\"#ffffff\"")) && has(" stroke=\"none\"") && has(" opacity=\"") && !has(" opacity=\"1\"");
+}
+
 /// One tag with its attributes in short; `colours` gets each attribute that is a colour, as `stroke="#333333"`. A map and
-/// the scale beside it (an image and polygons) keep their colours, on both grounds.
+/// the scale beside it (an image and polygons) keep their colours, on both grounds; so do veils.
 std::string tag(std::string_view inside, std::set<std::string>& colours, bool map) {
     const std::string_view name = inside.substr(0, inside.find_first_of(" \n\t/"));
-    const bool keeps_colours = map && name == "polygon";
+    const bool keeps_colours = map && name == "polygon", veil = is_veil(inside);
     std::string text{name};
     std::size_t at = name.size();
     for (std::size_t equals; (equals = inside.find('=', at)) != std::string_view::npos;) {
@@ -176,7 +185,7 @@ std::string tag(std::string_view inside, std::set<std::string>& colours, bool ma
             continue;
         }
         if (attribute == "stroke" || attribute == "fill" || attribute == "color" || attribute == "flood-color") {
-            value = keeps_colours ? value : as_hex(value);
+            value = keeps_colours ? value : veil && attribute == "fill" ? (value == "#ffffff" ? "rgb(255,255,255)" : "rgb(51,51,51)") : as_hex(value);
             if (is_hex(value)) {
                 colours.insert(std::string{attribute} + "=\"" + value + "\"");
             }
@@ -282,7 +291,8 @@ std::string for_pages(std::string_view svg) {
         }
         const std::string_view inside = svg.substr(open + 1, close - open - 1);
         if (head.empty()) {
-            head = "<" + tag(inside, colours, map) + " font-family=\"" + std::string{font} + "\"" + std::string{round} + ">";
+            const bool gnuplot = svg.find("gnuplot_canvas") != std::string_view::npos;  // else a panel's, which says so itself
+            head = "<" + tag(inside, colours, map) + (gnuplot ? " font-family=\"" + std::string{font} + "\"" + std::string{round} : "") + ">";
         } else if (inside.starts_with("g>") || inside.starts_with('/') || inside.starts_with('!') || inside.starts_with('?')) {
             body += "<" + std::string{inside} + ">";
         } else {

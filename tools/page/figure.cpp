@@ -54,7 +54,54 @@ std::string figure_name(const std::filesystem::path& drawn, bool moves) {
     return says_so ? stem.substr(0, stem.size() - 5) : stem;
 }
 
+std::string anchor_of(const std::filesystem::path& drawn) {
+    const bool moves = drawn.extension() == ".gif";
+    return "fig-" + figure_name(drawn, moves) + (moves ? "-film" : "");
+}
+
+/// "Figure 3.2" in a chapter, "Figure 2" elsewhere; nothing where `order` has no such figure.
+std::string label(const Chapter* chapter, const std::vector<std::string>& order, const std::string& figure) {
+    const auto found = std::find(order.begin(), order.end(), figure);
+    const std::string number = std::to_string(found - order.begin() + 1);
+    return found == order.end() ? "" : "Figure\u00a0" + (chapter == nullptr ? number : std::to_string(chapter->number) + "." + number);
+}
+
 }  // namespace
+
+std::vector<std::string> figures_of(std::string_view source, const std::string& file, const std::string& folder) {
+    std::vector<std::string> order;
+    for (const Piece& piece : scan(source, file)) {
+        if (piece.kind == Piece::Kind::directive && piece.text.starts_with("figure ")) {
+            const std::vector<std::string> words = split_words(piece.text.substr(0, piece.text.find(':')));
+            const std::string& shown = words.size() > 1 ? words[1] : words[0];
+            order.push_back(shown.find('/') == std::string::npos ? folder + "/" + shown : shown);
+        }
+    }
+    return order;
+}
+
+std::string see_markdown(Context& context, const Directive& directive) {
+    if (directive.arguments.size() != 1 || !directive.text.empty()) {
+        throw std::invalid_argument{"to refer to a figure is {{see file.svg}} or {{see 03_chapter/file.svg}}"};
+    }
+    std::string file;
+    const std::string& reference = directive.arguments.front();
+    context.run_of(reference, file);
+    const std::string& folder = context.folder_of(reference);
+    std::string page, words = label(context.chapter(), context.order, folder + "/" + file);
+    for (const Chapter& chapter : context.chapters()) {
+        if (words.empty() && chapter.folder == folder) {  // on another page than this
+            const std::filesystem::path source = context.root() / "chapters" / folder / "chapter.md";
+            context.inputs.insert(source);
+            words = label(&chapter, figures_of(read_file(source), source.string(), folder), folder + "/" + file);
+            page = chapter.id() + ".html";
+        }
+    }
+    if (words.empty()) {
+        throw std::out_of_range{reference + " is no figure of this page nor of its chapter's"};
+    }
+    return "<a href=\"" + page + "#" + anchor_of(file) + "\">" + words + "</a>";
+}
 
 std::string figure_markdown(Context& context, const Directive& directive,
                             const std::string& caption) {
@@ -77,8 +124,7 @@ std::string figure_markdown(Context& context, const Directive& directive,
     }
 
     const bool moves = drawn.extension() == ".gif";
-    const std::string name = figure_name(drawn, moves);
-    const std::string anchor = "fig-" + name + (moves ? "-film" : "");
+    const std::string name = figure_name(drawn, moves), anchor = anchor_of(drawn);
     if (!context.anchors.insert(anchor).second) {
         throw std::out_of_range{file + ": another figure on this page has the id " + anchor};
     }
@@ -97,7 +143,8 @@ std::string figure_markdown(Context& context, const Directive& directive,
     return "\n\\htmlonly[block]<figure id=\"" + anchor + "\" class=\"" +
            (moves ? "picture animation" : "picture") +
            "\" style=\"--width:" + std::to_string(image_size(drawn).width) + "px\"><a class=\"card\" href=\"figures/" + folder + "/" +
-           file + "\">" + picture + "</a><figcaption>\\endhtmlonly\n" + std::string{trim(caption)} +
+           file + "\">" + picture + "</a><figcaption>\\endhtmlonly\n<span class=\"figure-number\">" +
+           label(context.chapter(), context.order, folder + "/" + file) + ".</span> " + std::string{trim(caption)} +
            "\n\\htmlonly[block]</figcaption></figure>\\endhtmlonly\n";
 }
 

@@ -195,6 +195,9 @@ private:
         if (name == "check") {
             return check_markdown(context_, directive);
         }
+        if (name == "see") {
+            return see_markdown(context_, directive);
+        }
         if (name == "line") {
             return line_markdown(context_, directive);
         }
@@ -342,6 +345,7 @@ Directive parse_directive(const std::string& inner) {
 
 std::string fill(Context& context, std::string_view source, const std::string& file) {
     const std::vector<Piece> pieces = scan(source, file);
+    context.order = figures_of(source, file, context.chapter() == nullptr ? "" : context.chapter()->folder);
     Filler filler{context, file};
     std::string page;
     if (context.chapter() == nullptr) {

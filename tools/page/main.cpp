@@ -66,7 +66,7 @@ void copy_figures(const page::Context& context, const fs::path& folder) {
             page::write_file(folder / (name + ".js"),
                              "pageBytes[\"figures/" + name + "\"] = \"" + page::base64(content) + "\";\n");
         }
-        if (drawn.extension() == ".svg" && drawn.parent_path().filename() != "live") {
+        if (drawn.extension() == ".svg") {
             try {
                 page::write_file(folder / name, page::for_pages(content));
             } catch (const std::invalid_argument& wrong) {

@@ -1,5 +1,5 @@
 load style
-key = "reverse Left samplen 2.5"
+key = "reverse Left samplen ".(narrow ? "1.5 width -1" : "2.5")
 
 # The question: one landing, stepped by the frame and stepped by a fixed step.
 call figure "frame_rates.svg" 640 700

@@ -11,9 +11,9 @@ error_label = "largest error (share of the scene's size)"
 
 # On a phone the key stands below.
 edge(share) = narrow ? 0.96 : share
-foot = 0.3
+foot = 0.32
 rows = 4
-beside = narrow ? "set bmargin at screen foot; set key at screen 0.5,(foot - 0.11)/2 center vertical maxrows rows reverse Left width -5" : "set key outside right top vertical"
+beside = narrow ? "set bmargin at screen foot; set key at screen 0.5,(foot - 0.13)/2 center vertical maxrows rows reverse Left width -5" : "set key outside right top vertical"
 
 call figure "spring.svg" 860 560 600
 set rmargin at screen edge(0.73)
@@ -69,7 +69,7 @@ call rooms."diagram.gp" "symmetric_top" spins "1e-7"
 @done
 
 rows = 6
-foot = 0.38
+foot = 0.4
 call figure "ice.svg" 860 480 640
 set rmargin at screen edge(0.64)
 set xlabel time_label
@@ -93,7 +93,7 @@ call rooms."diagram.gp" "spring_3d" springs "1e-7"
 # The spring once more, with other people's libraries where they were found, and in float.
 rows = 10
 foot = 0.47
-call figure "peers.svg" 860 600 800
+call figure "peers.svg" 860 600 840
 set rmargin at screen edge(0.66)
 set xlabel time_label
 set ylabel error_label

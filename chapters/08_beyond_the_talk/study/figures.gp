@@ -12,6 +12,7 @@ set ylabel "orientation after two seconds, off by (rad)"
 set xrange [1.2e-3:0.2]
 set yrange [1e-11:1]
 set key below horizontal maxcols 3 reverse Left samplen 2
+if (narrow) { set key title " " }
 # Cayley lies on the half-step Jacobian, which is drawn broad below it.
 broad_half_step = colour_of(half_step_jacobian)." lw 6"
 of(id) = sprintf("strcol(1) eq '%s' ? $4 : NaN", id)
@@ -37,6 +38,7 @@ set xtics (0.3, 1, 2, 3, 10, 30)
 set yrange [-1.5:50]
 set ytics 10
 set key below horizontal maxcols 3 reverse Left samplen 2
+if (narrow) { set key title " " }
 # What lies on the zero line is drawn broad to narrow, so that each is seen beside the next.
 plot "fails.tsv" using 1:(100*$5) with lines @broad_passive title "passive", \
      "" using 1:(100*$4) with lines @less_broad_cayley title "Cayley", \

@@ -74,6 +74,18 @@ TEST_CASE("a figure has a size, words for those who cannot see it, and a caption
     CHECK_THAT(page, ContainsSubstring("srcset=\"figures/03_springs/sweep.still.gif\""));
 }
 
+TEST_CASE("figures are numbered in the order of the page, and can be referred to by their names") {
+    const Course course;
+    course.write("runs/03_springs/run/turn.svg", course.read("runs/03_springs/run/spiral.svg"));
+    course.replace("chapters/03_springs/about.json", "\"sweep.gif\"", "\"sweep.gif\", \"turn.svg\"");
+    const std::string page = course.fill_paragraph("See {{see sweep.gif}} and {{see 03_springs/spiral.svg}}.\n\n{{figure turn.svg: Round.}}");
+    CHECK_THAT(page, ContainsSubstring("<span class=\"figure-number\">Figure\u00a03.1.</span> Round."));
+    CHECK_THAT(page, ContainsSubstring("<span class=\"figure-number\">Figure\u00a03.2.</span> **Out.**"));
+    CHECK_THAT(page, ContainsSubstring("See <a href=\"#fig-sweep-film\">Figure\u00a03.3</a> and <a href=\"#fig-spiral\">Figure\u00a03.2</a>."));
+    CHECK(course.paragraph_error("{{see turn.svg}}") == "chapter.md:5: turn.svg is no figure of this page nor of its chapter's");
+    CHECK_THAT(course.paragraph_error("{{see}}"), ContainsSubstring("{{see file.svg}}"));
+}
+
 TEST_CASE("a figure that is drawn for phones, too, is narrow there") {
     const Course course;
     const std::string run = "runs/03_springs/run/";
