@@ -38,11 +38,11 @@ foreach(name IN LISTS NAMES)
 endforeach()
 step("build" "${CMAKE_COMMAND}" --build "${WORK}" --parallel 2 --target ${targets})
 
-# Runs a program in a new folder, here or there: `printed` is what it prints, and the files that it leaves are in
-# ${WORK}/${where}/${name}. A line ends otherwise on Windows.
+# Runs a program, here or there (on Windows). What it prints, printed.txt, and the files that it leaves are in
+# ${WORK}/${where}/${name} then.
+file(REMOVE_RECURSE "${WORK}/here" "${WORK}/there")
 function(run where name)
   set(folder "${WORK}/${where}/${name}")
-  file(REMOVE_RECURSE "${folder}")
   file(MAKE_DIRECTORY "${folder}")
   set(command "${HERE}/${name}")
   if(where STREQUAL "there")
@@ -55,13 +55,14 @@ function(run where name)
   file(WRITE "${folder}/printed.txt" "${out}")
 endfunction()
 
-# Must be the same in that file. CHANGE is what is measured with a clock: a regular expression that is left out.
-function(compare name file change)
+# The file must be the same here and there, but for how a line ends. What is measured with a clock, a regular expression,
+# is left out.
+function(compare name file clock)
   foreach(where here there)
     file(READ "${WORK}/${where}/${name}/${file}" ${where})
     string(REPLACE "\r\n" "\n" ${where} "${${where}}")
-    if(change)
-      string(REGEX REPLACE "${change}" "\n" ${where} "${${where}}")
+    if(clock)
+      string(REGEX REPLACE "${clock}" "\n" ${where} "${${where}}")
     endif()
   endforeach()
   if(here STREQUAL "" OR NOT here STREQUAL there)
