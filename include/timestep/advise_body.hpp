@@ -229,7 +229,7 @@ inline std::vector<BodyAdvice> advise_body(const PrincipalInertia<double>& inert
 /// Which one to take.
 struct BodyRecommendation {
     Choice choice;      ///< the answer of which_method.hpp
-    long substeps = 1;  ///< in so many of them a frame
+    long long substeps = 1;  ///< in so many of them a frame
 };
 
 /// The way down the tree for this body.
@@ -242,7 +242,7 @@ inline BodyRecommendation recommend(const PrincipalInertia<double>& inertia, dou
                         : found.choice.name == "free_uneven" ? fair_uneven_turn
                                                              : turn;
     // 15 rad/s at 60 Hz is a quarter, whatever its last digit.
-    found.substeps = std::lround(std::clamp(std::ceil(turn / fair * (1 - 1e-12)), 1.0, 1e18));
+    found.substeps = std::llround(std::clamp(std::ceil(turn / fair * (1 - 1e-12)), 1.0, 1e18));
     return found;
 }
 
