@@ -279,7 +279,8 @@ TEST_CASE("a checked run says at which step it left the numbers", "[library][N62
 
 // Its velocity overflows, as h/2 a is as large as numbers are, and no step reads it.
 TEST_CASE("a checked run of Verlet sees a velocity that comes back", "[library][N62]") {
-    if (std::fabs(std::sin(1e308) - 0.4533964905016491) > 1e-9) SKIP("the mathematical library has no sine of 1e308");
+    const volatile double large = 1e308;  // else the compiler knows its sine
+    if (std::fabs(std::sin(large) - 0.4533964905016491) > 1e-9) SKIP("the mathematical library has no sine of 1e308");
     const Pendulum<double> pendulum(1.2546922744040933e154);
     const State<double> start{0, -1.0151444107220793e308, 1.3161350939390919e308};
     const double h = 0.32583071412838954;
