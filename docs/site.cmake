@@ -20,7 +20,7 @@ endif()
 
 set(heads "${theme}/head.html")
 set(styles "")
-# A reader's browser needs no comments and no blanks before a line.
+# A reader's browser needs no comments, and no blanks before a line or round an operator (none of our words holds these).
 set(scripts "${theme}/logo.svg")
 set(own_scripts timestep live film)
 if(LUNR)
@@ -33,6 +33,8 @@ foreach(script IN LISTS own_scripts)
   string(REGEX REPLACE "\n//[^\n]*" "" text "${text}")
   string(REGEX REPLACE "  // [^\n]*" "" text "${text}")
   string(REGEX REPLACE "\n\n+" "\n" text "${text}")
+  string(REGEX REPLACE " (=>|=|===|!==|<|<=|>=|[|][|]|[?]|:|[*]|[|][|]=|[*]=|[-]=|[+]=) " "\\1" text "${text}")
+  string(REGEX REPLACE " ([{}])|([{]) " "\\1\\2" text "${text}")
   file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/docs/${script}.js" CONTENT "${text}" @ONLY)
   list(APPEND scripts "${PROJECT_BINARY_DIR}/docs/${script}.js")
 endforeach()

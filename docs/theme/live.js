@@ -17,20 +17,11 @@ const written = value => {
     const [digits, tens] = value.toExponential(2).replace("Infinity", "∞").split("e");
     return minus(digits) + (tens ? "·" + powerOfTen(tens) : "");
 };
-// A colour as it is on the page: on the dark ground as tools/page/drawing.cpp has it.
-const isDark = () => document.documentElement.classList.contains("dark-mode");
-function shade(colour) {
-    if (!isDark()) return colour;
-    const below = .0623;  // the ground's light, and what contrast adds
-    const light = [1, 3, 5].map(i => parseInt(colour.slice(i, i + 2), 16) / 255).map(x => x <= .04045 ? x / 12.92 : ((x + .055) / 1.055) ** 2.4);
-    const here = .2126 * light[0] + .7152 * light[1] + .0722 * light[2], onWhite = 1.05 / (here + .05);
-    const rgb = all => `rgb(${all.map(x => Math.round(255 * (x <= .0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - .055)))})`;
-    if (light.every(x => x === light[0])) return rgb(light.fill(Math.min(onWhite * below - .05, .85)));
-    const aim = Math.min(Math.max(onWhite, 4.5), 6.5) * below - .05;
-    if (here >= aim) return colour;
-    const more = Math.min((here + aim) / 2 / here, 1 / Math.max(...light)), share = (aim - more * here) / (1 - more * here);
-    return rgb(light.map(x => more * x + share * (1 - more * x)));
-}
+// A colour as it is on the page: on the dark ground as tools/page/drawing.cpp has it. What is not here stays.
+const onDark = { "#000000": "#ededed", "#333333": "#dfdfdf", "#8a8a8a": "#717171", "#dddddd": "#343434", "#ffffff": "#1d1d1d",
+    "#0072b2": "#4e93d3", "#2f4b7c": "#89a0d7", "#332288": "#9f93ff", "#7a4a1e": "#c6977a", "#808000": "#888826",
+    "#882255": "#e681ab", "#b15a98": "#bc67a3", "#d55e00": "#d76111" };
+const shade = colour => document.documentElement.classList.contains("dark-mode") && onDark[colour] || colour;
 // The colour, with a line's strokes and gaps.
 function dashed(colour, dashes) {
     let at = 0;

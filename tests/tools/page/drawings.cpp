@@ -1,6 +1,7 @@
 // Figures on the pages: in the dark as on white, and no larger than what is seen of them.
 #include "course.hpp"
 #include "drawing.hpp"
+#include "text.hpp"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -8,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
 using Catch::Matchers::ContainsSubstring;
@@ -65,6 +67,26 @@ TEST_CASE("every colour of the palette can be read in the dark, and stays what i
     }
     CHECK(on_dark_ground("#e69f00") == "#e69f00");  // light enough as it is
     CHECK(on_dark_ground("#000001") == "#000001");  // words on a painted cell
+}
+
+TEST_CASE("a panel's colours are in the dark those of the figures") {
+    const std::filesystem::path root = SOURCE;
+    std::string panels;
+    for (const char* folder : {"chapters", "tools/live"})
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder))
+            if (entry.path().string().find("/live/") != std::string::npos && entry.is_regular_file()) panels += page::read_file(entry.path());
+    const std::string script = page::read_file(root / "docs/theme/live.js");
+    std::size_t seen = 0;
+    for (std::size_t at = 0; (at = panels.find("\"#", at)) != std::string::npos; ++at, ++seen) {
+        const std::string colour = panels.substr(at + 1, 7), dark = on_dark_ground(colour);
+        CAPTURE(colour);
+        if (dark == colour) {
+            CHECK_THAT(script, !ContainsSubstring('"' + colour + "\":"));
+        } else {
+            CHECK_THAT(script, ContainsSubstring('"' + colour + "\": \"" + dark + '"'));
+        }
+    }
+    CHECK(seen > 20);
 }
 
 TEST_CASE("a figure is dark where the page is") {
