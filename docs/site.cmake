@@ -22,7 +22,7 @@ set(heads "${theme}/head.html")
 set(styles "")
 # A reader's browser needs no comments and no blanks before a line.
 set(scripts "${theme}/logo.svg")
-set(own_scripts timestep live film)
+set(own_scripts timestep shade live film)
 if(LUNR)
   list(APPEND own_scripts search)
 endif()

@@ -17,26 +17,6 @@ const written = value => {
     const [digits, tens] = value.toExponential(2).replace("Infinity", "∞").split("e");
     return minus(digits) + (tens ? "·" + powerOfTen(tens) : "");
 };
-// A colour as it is on the page: on the dark ground as tools/page/drawing.cpp has it.
-const isDark = () => document.documentElement.classList.contains("dark-mode");
-function shade(colour) {
-    if (!isDark()) return colour;
-    const below = .0623;  // the ground's light, and what contrast adds
-    const light = [1, 3, 5].map(i => parseInt(colour.slice(i, i + 2), 16) / 255).map(x => x <= .04045 ? x / 12.92 : ((x + .055) / 1.055) ** 2.4);
-    const here = .2126 * light[0] + .7152 * light[1] + .0722 * light[2], onWhite = 1.05 / (here + .05);
-    const rgb = all => `rgb(${all.map(x => Math.round(255 * (x <= .0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - .055)))})`;
-    if (light.every(x => x === light[0])) return rgb(light.fill(Math.min(onWhite * below - .05, .85)));
-    const aim = Math.min(Math.max(onWhite, 4.5), 6.5) * below - .05;
-    if (here >= aim) return colour;
-    const more = Math.min((here + aim) / 2 / here, 1 / Math.max(...light)), share = (aim - more * here) / (1 - more * here);
-    return rgb(light.map(x => more * x + share * (1 - more * x)));
-}
-// The colour, with a line's strokes and gaps.
-function dashed(colour, dashes) {
-    let at = 0;
-    return `repeating-linear-gradient(90deg,${(dashes || "1").split(",").map((n, i) => `${i % 2 ? "#0000" : colour} ${at}px ${at += +n}px`)})`;
-}
-
 // ---- The picture: draws the commands of tools/live/live.hpp, as still.hpp does --------------------------
 
 class LiveCanvas {
@@ -105,13 +85,7 @@ class LiveCanvas {
                 break;
             case 4: pen.lineTo(this.x(a), this.y(b)); break;
             case 5: path = false, pen.stroke(); break;
-            case 6: {
-                const colour = pen.fillStyle;
-                if (veil) pen.fillStyle = veil;
-                path = false, pen.fill();
-                pen.fillStyle = colour;
-                break;
-            }
+            case 6: path = false, pen.fillStyle = veil || pen.fillStyle, pen.fill(); break;
             case 7:  // dots that follow each other are filled together
                 if (!path) pen.beginPath();
                 pen.moveTo(this.x(a) + c, this.y(b)), pen.arc(this.x(a), this.y(b), c, 0, 7);
@@ -185,13 +159,10 @@ class LivePanel {
         this.of._initialize();
         this.of.begin();
         this.build();
-        this.shape();
+        paint(() => this.shape());
         this.play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
         this.settings();
         new ResizeObserver(() => this.shape()).observe(this.canvas);
-        const recolour = () => this.recolour.forEach(one => one());
-        new MutationObserver(recolour).observe(document.documentElement, { attributeFilter: ["class"] });
-        recolour();
         this.figure.classList.add("is-live");
     }
 
@@ -212,12 +183,11 @@ class LivePanel {
         this.status = make("p", { className: "live-status", role: "status" });  // read aloud when it changes
         const form = make("div", { className: "live-controls" });
         const list = make("dl", { className: "live-readouts" });
-        this.recolour = [() => this.show()];
         this.controls = count(of.controls()).map(i => this.control(i, form));
         this.readouts = count(of.readouts()).map(i => {
             const [label, unit, colour, dashes] = count(4).map(n => this.words(of.readout_text(i, n)));
             const key = make("span", { className: colour && "key" }), output = make("dd", { unit: " " + unit });
-            this.recolour.push(() => { key.style.backgroundImage = colour && dashed(shade(colour), dashes); });
+            paint(() => { key.style.backgroundImage = colour && dashed(shade(colour), dashes); });
             list.append(make("div", {}, make("dt", {}, key, label), output));
             return output;
         });

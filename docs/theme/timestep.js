@@ -102,7 +102,7 @@ function nameTheParts() {
 
 document.addEventListener("DOMContentLoaded", () => {
     nameTheParts();
-    if (document.querySelector("figure[data-module]")) load("script", { src: "live.js" });
+    if (document.querySelector("figure[data-module]")) load("script", { src: "shade.js" }).then(() => load("script", { src: "live.js" }));
     if (document.querySelector("figure.animation")) load("script", { src: "film.js" });
     typesetFormulas().finally(fadeWhatGoesOn);
     addEventListener("hashchange", goToPlace);
