@@ -74,7 +74,7 @@ public:
             const std::size_t comma = r.what.rfind(", ");
             const bool unit = comma != std::string::npos && r.what.size() - comma < 5;
             lines += id(r.scene) + "_" + id(r.which) + "_" + id(r.engine) + "_" + id(r.rule) + "_" +
-                     id(unit ? r.what.substr(0, comma) : r.what) + "\t" + text(r.value, r.scene == "cost" ? 2 : std::fabs(r.value) < 10 ? 3 : 0) +
+                     id(unit ? r.what.substr(0, comma) : r.what) + "\t" + text(r.value, r.scene == "cost" ? 2 : r.what == "stands, s" ? 1 : std::fabs(r.value) < 10 ? 3 : 0) +
                      "\t" + (unit ? r.what.substr(comma + 2) : "") + "\t" + r.engine + ", " + r.rule + ": " + r.which +
                      ", " + r.what + "\n";
         }
