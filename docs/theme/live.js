@@ -96,13 +96,7 @@ class LiveCanvas {
                 break;
             case 4: pen.lineTo(this.x(a), this.y(b)); break;
             case 5: path = false, pen.stroke(); break;
-            case 6: {
-                const colour = pen.fillStyle;
-                if (veil) pen.fillStyle = veil;
-                path = false, pen.fill();
-                pen.fillStyle = colour;
-                break;
-            }
+            case 6: path = false, pen.fillStyle = veil || pen.fillStyle, pen.fill(); break;
             case 7:  // dots that follow each other are filled together
                 if (!path) pen.beginPath();
                 pen.moveTo(this.x(a) + c, this.y(b)), pen.arc(this.x(a), this.y(b), c, 0, 7);
