@@ -73,15 +73,14 @@ plot "driven_dropped.tsv" using 1:2 with lines @no_gyroscopic title "dropped", \
      "driven_passive.tsv" using 1:2 with lines @passive_gyroscopic title "passive"
 @reset_axes
 
-# The films. The program has projected the polygons; the third column is the number of their paint.
+# The films. The program has projected the polygons; the third column is the number of their paint. (Not `splot with
+# polygons`, which in gnuplot 6.0.2 draws nothing.)
 set palette maxcolors 18 defined ( \
     0 "#8a4300",  1 "#a85200",  2 "#c46800",  3 "#e08600",  4 "#f5a623", \
     5 "#00324f",  6 "#00466f",  7 "#005a8f",  8 "#0072b2",  9 "#3592cc", \
    10 "#7b7b7b", 11 "#929292", 12 "#ababab", 13 "#c4c4c4", 14 "#dedede", \
    15 "#b4babf", 16 "#c9ced3", 17 "#eef0f2")
 set cbrange [-0.5:17.5]
-set zrange [-1:20]
-set view map
 unset colorbox
 unset border
 unset tics
@@ -100,21 +99,21 @@ set tmargin at screen 1
 set xrange [-2.53:2.53]
 set yrange [-1.08:0.897]
 do for [i=0:149] {
-    splot "tumbling.tsv" index i using 1:2:3 with polygons fs solid 1 noborder lc palette, \
-          "tumbling_captions.tsv" every ::i+1::i+1 using (0):(0.79):(19):(strcol(1)) with labels textcolor rgb ink, \
-          "" every ::i+1::i+1 using (-1.89):(-0.84):(19):("exact\n".strcol(2)) with labels textcolor rgb ink, \
-          "" every ::i+1::i+1 using (-0.63):(-0.84):(19):("dropped\n".strcol(3)) with labels textcolor rgb ink, \
-          "" every ::i+1::i+1 using (0.63):(-0.84):(19):("implicit\n".strcol(4)) with labels textcolor rgb ink, \
-          "" every ::i+1::i+1 using (1.89):(-0.84):(19):("passive\n".strcol(5)) with labels textcolor rgb ink
+    plot "tumbling.tsv" index i using 1:2:3 with filledcurves closed fs solid 1 noborder lc palette, \
+          "tumbling_captions.tsv" every ::i+1::i+1 using (0):(0.79):(strcol(1)) with labels textcolor rgb ink, \
+          "" every ::i+1::i+1 using (-1.89):(-0.84):("exact\n".strcol(2)) with labels textcolor rgb ink, \
+          "" every ::i+1::i+1 using (-0.63):(-0.84):("dropped\n".strcol(3)) with labels textcolor rgb ink, \
+          "" every ::i+1::i+1 using (0.63):(-0.84):("implicit\n".strcol(4)) with labels textcolor rgb ink, \
+          "" every ::i+1::i+1 using (1.89):(-0.84):("passive\n".strcol(5)) with labels textcolor rgb ink
 }
 
 call animation "capsule.gif" 640 300 7
 set xrange [-2.05:2.05]
 set yrange [-0.62:1.3]
 do for [i=0:149] {
-    splot "capsule.tsv" index i using 1:2:3 with polygons fs solid 1 noborder lc palette, \
-          "capsule_captions.tsv" every ::i+1::i+1 using (0):(1.2):(19):(strcol(1)) with labels textcolor rgb ink, \
-          "" every ::i+1::i+1 using (-1.35):(-0.4):(19):("explicit\n".strcol(2)) with labels textcolor rgb ink, \
-          "" every ::i+1::i+1 using (0):(-0.4):(19):("dropped\n".strcol(3)) with labels textcolor rgb ink, \
-          "" every ::i+1::i+1 using (1.35):(-0.4):(19):("passive\n".strcol(4)) with labels textcolor rgb ink
+    plot "capsule.tsv" index i using 1:2:3 with filledcurves closed fs solid 1 noborder lc palette, \
+          "capsule_captions.tsv" every ::i+1::i+1 using (0):(1.2):(strcol(1)) with labels textcolor rgb ink, \
+          "" every ::i+1::i+1 using (-1.35):(-0.4):("explicit\n".strcol(2)) with labels textcolor rgb ink, \
+          "" every ::i+1::i+1 using (0):(-0.4):("dropped\n".strcol(3)) with labels textcolor rgb ink, \
+          "" every ::i+1::i+1 using (1.35):(-0.4):("passive\n".strcol(4)) with labels textcolor rgb ink
 }

@@ -7,8 +7,6 @@ set palette maxcolors 32 defined ( \
    16 "#003b2b", 19.5 "#008a64", 23 "#57d9b3", 23.999 "#57d9b3", \
    24 "#3a3a3a", 27.5 "#8a8a8a", 31 "#e6e6e6")
 set cbrange [-0.5:31.5]
-set zrange [-1:40]
-set view map
 unset colorbox
 unset border
 unset tics
@@ -26,6 +24,6 @@ set tmargin at screen 1
 set xrange [-0.535:0.555]
 set yrange [-0.24:0.22]
 do for [i=0:79] {
-    splot for [row=0:4] "tumbling.tsv" index 5*i + row using 1:2:3 \
-        with polygons fs solid 1 noborder lc palette
+    plot for [row=0:4] "tumbling.tsv" index 5*i + row using 1:2:3 \
+        with filledcurves closed fs solid 1 noborder lc palette
 }

@@ -78,7 +78,9 @@ TEST_CASE("a panel's colours are in the dark those of the figures") {
     const std::string script = page::read_file(root / "docs/theme/live.js");
     std::size_t seen = 0;
     for (std::size_t at = 0; (at = panels.find("\"#", at)) != std::string::npos; ++at, ++seen) {
-        const std::string colour = panels.substr(at + 1, 7), dark = on_dark_ground(colour);
+        const std::string colour = panels.substr(at + 1, 7);
+        if (colour.find_first_not_of("0123456789abcdef", 1) != std::string::npos) continue;  // "#fff"
+        const std::string dark = on_dark_ground(colour);
         CAPTURE(colour);
         if (dark == colour) {
             CHECK_THAT(script, !ContainsSubstring('"' + colour + "\":"));
