@@ -35,6 +35,8 @@ std::string figure_markdown(Context& context, const Directive& directive,
                             const std::string& caption);
 /// `{{see file.svg}}`, `{{see 03_euler_variants/portraits.svg}}`: "Figure 3.2", as a link.
 std::string see_markdown(Context& context, const Directive& directive);
+/// The id of a figure on its page.
+std::string figure_anchor(const std::filesystem::path& drawn);
 /// The figures of a page's source, `chapter/file`, as they follow each other. `folder` is the chapter's, or nothing.
 std::vector<std::string> figures_of(std::string_view source, const std::string& file, const std::string& folder);
 /// The picture `drawn` as HTML, `folder/file` below the site's figures; on phones the narrow one, where there is one.

@@ -54,11 +54,6 @@ std::string figure_name(const std::filesystem::path& drawn, bool moves) {
     return says_so ? stem.substr(0, stem.size() - 5) : stem;
 }
 
-std::string anchor_of(const std::filesystem::path& drawn) {
-    const bool moves = drawn.extension() == ".gif";
-    return "fig-" + figure_name(drawn, moves) + (moves ? "-film" : "");
-}
-
 /// "Figure 3.2" in a chapter, "Figure 2" elsewhere; nothing where `order` has no such figure.
 std::string label(const Chapter* chapter, const std::vector<std::string>& order, const std::string& figure) {
     const auto found = std::find(order.begin(), order.end(), figure);
@@ -67,6 +62,11 @@ std::string label(const Chapter* chapter, const std::vector<std::string>& order,
 }
 
 }  // namespace
+
+std::string figure_anchor(const std::filesystem::path& drawn) {
+    const bool moves = drawn.extension() == ".gif";
+    return "fig-" + figure_name(drawn, moves) + (moves ? "-film" : "");
+}
 
 std::vector<std::string> figures_of(std::string_view source, const std::string& file, const std::string& folder) {
     std::vector<std::string> order;
@@ -100,7 +100,7 @@ std::string see_markdown(Context& context, const Directive& directive) {
     if (words.empty()) {
         throw std::out_of_range{reference + " is no figure of this page nor of its chapter's"};
     }
-    return "<a href=\"" + page + "#" + anchor_of(file) + "\">" + words + "</a>";
+    return "<a href=\"" + page + "#" + figure_anchor(file) + "\">" + words + "</a>";
 }
 
 std::string figure_markdown(Context& context, const Directive& directive,
@@ -124,7 +124,7 @@ std::string figure_markdown(Context& context, const Directive& directive,
     }
 
     const bool moves = drawn.extension() == ".gif";
-    const std::string name = figure_name(drawn, moves), anchor = anchor_of(drawn);
+    const std::string name = figure_name(drawn, moves), anchor = figure_anchor(drawn);
     if (!context.anchors.insert(anchor).second) {
         throw std::out_of_range{file + ": another figure on this page has the id " + anchor};
     }

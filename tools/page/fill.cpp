@@ -120,7 +120,11 @@ private:
             return {};  // nothing is confirmed yet
         }
         const bool is_block = piece.kind == Kind::directive && piece.own_line;
-        return is_block ? "\n<div class=\"gap\">Not there yet: this comes from a run that is still "
+        std::string id;  // what refers to a figure leads to its gap
+        if (is_block && piece.text.starts_with("figure ")) {
+            id = " id=\"" + figure_anchor(parse_directive(piece.text).arguments.at(0)) + "\"";
+        }
+        return is_block ? "\n<div class=\"gap\"" + id + ">Not there yet: this comes from a run that is still "
                           "to be made.</div>\n"
                         : "<span class=\"gap\">(…)</span>";
     }
