@@ -368,5 +368,7 @@ set ylabel "distance between two builds (m)"
 set xrange [0:15]
 set yrange [1e-17:1000]
 set key top left @key
-plot "other_bits.tsv" using 1:2 with lines @second title "among pegs", \
-     "" using 1:3 with lines @first title "on a spring"
+@key_below
+above_0(d) = d > 0 ? d : NaN  # the axis is logarithmic
+plot "other_bits.tsv" using 1:(above_0($2)) with lines @second title "among pegs", \
+     "" using 1:(above_0($3)) with lines @first title "on a spring"

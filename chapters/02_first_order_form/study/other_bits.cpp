@@ -90,13 +90,12 @@ void two_builds(lab::Findings& out) {
     const auto ball = recorded<Pinball>(as_written, steps), ball_fused = recorded<Pinball>(fused, steps);
     const auto spring = recorded<OnSpring>(as_written, steps), spring_fused = recorded<OnSpring>(fused, steps);
     auto& table = out.table("other_bits.tsv", {"t", "pinball", "spring"});
-    const auto shown = [](double d) { return d > 0 ? d : std::nan(""); };  // the axis is logarithmic
     double ball_most = 0, spring_most = 0;
     int seen = -1;
     for (int i = 0; i <= steps; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const double balls = apart(ball, ball_fused, k), springs = apart(spring, spring_fused, k);
-        if (i % 3 == 0) table.row({i * h, shown(balls), shown(springs)});
+        if (i % 3 == 0) table.row({i * h, balls, springs});
         if (seen < 0 && balls > 0.01) seen = i;
         ball_most = std::max(ball_most, balls);
         spring_most = std::max(spring_most, springs);
