@@ -151,6 +151,44 @@ test_a_line_that_has_moved_within_what_asks_is_compiled() {
     calls_from 3 2
 }
 
+# A header compiled beforehand is an object of its own: its list of what it has read does not stand in those of others.
+test_what_is_read_beforehand_counts() {
+    new_project
+    printf '// asks\ninline int caller(int line = __builtin_LINE()) { return line; }\n' >early.hpp
+    echo '#include "early.hpp"' >ready.hxx
+    : >ready.hxx.cxx
+    : >calls
+    printf 'int words() { return 0; }\nint main() { return caller(); }\n' >main.cpp
+    compile_both
+    compiles 2
+    sed -i '1i// one line more' early.hpp  # which asks for lines, its own count
+    compile_both
+    compiles 2
+    sed -i 's|// asks|// it asks|' early.hpp
+    compile_both
+    compiles 0
+    sed -i '1i// one line more' main.cpp
+    compile_both
+    compiles 0
+    compile_both "-DNEAR" "$folder/main.cpp"  # beside the source lines count
+    compiles 2
+    sed -i '1i// one line more' main.cpp
+    compile_both "-DNEAR" "$folder/main.cpp"
+    compiles 1
+    sed -i 's/return line/return line + 100/' early.hpp
+    compile_both "-DNEAR" "$folder/main.cpp"
+    compiles 2
+    g++ main.o -o main || fail 'no program'
+    ./main || is $? 104
+}
+compile_both() {
+    set -- "${1--DALONE}" "${2-main.cpp}"
+    expect 0 sh "$source/tools/cmake/compile_what_changed.sh" ./compiler "$1" -x c++-header -include "$folder/ready.hxx" \
+        -MD -MT ready -MF ready.d -o "$folder/ready.hxx.gch" -c "$folder/ready.hxx.cxx"
+    expect 0 sh "$source/tools/cmake/compile_what_changed.sh" ./compiler "$1" -Winvalid-pch -include "$folder/ready.hxx" \
+        -MD -MT main.o -MF main.d -o main.o -c "$2"
+}
+
 test_what_fails_is_tried_again() {
     new_project
     : >calls

@@ -5,62 +5,67 @@
 #
 #     sh compile_what_changed.sh g++ … -MF DEPENDENCIES -o OBJECT -c SOURCE
 #
-# CMake calls it in place of the compiler (CXX_COMPILER_LAUNCHER). A checksum of what was read is kept in
-# OBJECT.read. For g++, which reads on through what was
-# compiled beforehand when it only preprocesses; and for builds in which comments and lines do not count:
-# a debugger's lines and warnings of a missing comment would be old.
+# CMake calls it in place of the compiler (CXX_COMPILER_LAUNCHER). OBJECT.read keeps a checksum of what was read, the
+# files that ask for lines, and the compiler's list of all that it read. For g++, whose precompiled headers are objects
+# of their own here; and for builds in which comments and lines do not count: a debugger's lines and warnings of a
+# missing comment would be old.
 
-object= depends= near= before=
+object= depends= near= before= ready=
 for word; do
-    case $before in -o) object=$word ;; -MF) depends=$word ;; -c) near=${word%"${word##*/}"} ;; esac
+    case $before in
+    -o) object=$word ;;
+    -MF) depends=$word ;;
+    -c) near=${word%"${word##*/}"} ;;
+    -include) ready=$word.gch ;;  # may have been compiled beforehand
+    esac
     before=$word
 done
+if [ "$ready" = "$object" ] || [ ! -e "$ready" ]; then ready=; fi
+asking='source_location|__builtin_(LINE|FILE)|__LINE__'
 
-# The same command, to print what the compiler reads, without comments. A place that is looked up as the program is
-# compiled (std::source_location, __builtin_LINE) is the line of a call: where one may be, the lines of the files
-# beside the source count, and of those that ask for places themselves. The library's headers, which everything
-# includes, know of no such function.
-read_only() {
-    left=$# before=
-    while [ $left -gt 0 ]; do
-        word=$1
-        shift
-        [ "$before" != -o ] || word=-
-        set -- "$@" "$word"
-        before=$word left=$((left - 1))
-    done
-    "$@" -E | awk -v near="$near" '
-        /^# [0-9]+ "/ {
-            match($0, /"[^"]*"/)
-            file = substr($0, RSTART + 1, RLENGTH - 2)
-            ours = substr($0, RSTART + RLENGTH) !~ /3/  # 3: a header of the system
-            line = $2
-            next
-        }
-        NF > 0 {
-            print
-            if (/source_location|__builtin_(LINE|FILE)/) { asked = 1; asks[file] = 1 }
-            if (ours) { files[++count] = file; lines[count] = line }
-        }
-        { ++line }
-        END {
-            for (i = 1; asked && i <= count; ++i)
-                if (index(files[i], near) == 1 || files[i] in asks) print files[i], lines[i]
-        }' || echo "$$ is no sum of anything"  # the compiler says by itself what is wrong
+# What the compiler read by its list $1: the system's files by their dates, all others without comments. A place that
+# is looked up as the program is compiled (std::source_location, __LINE__) is the line of a call: where one may be, the
+# lines of the files beside the source count, and of those that ask for places themselves. Sets read and asks.
+look_at() {
+    read= asks= list=$(sed 's/^[^:]*://; s/ *\\$//' "$1" | tr -s ' ' '\n') || return
+    theirs=$(echo "$list" | grep '^/usr/')
+    ours=$(echo "$list" | grep -v -e '^/usr/' -e '^$')
+    # shellcheck disable=SC2046,SC2086  # lists of words; with a blank in a name, ls fails, and nobody knows what was read
+    [ -z "$(ls -lL $(command -v "$compiler") $theirs $ours 2>&1 >/dev/null)" ] || return
+    # shellcheck disable=SC2086
+    asks=$(grep -lE "$asking" $ours | tr '\n' ' ')
+    [ -z "$ready" ] || asks="$asks$(sed -n 2p "$ready.read" 2>/dev/null)"
+    # shellcheck disable=SC2046,SC2086
+    read=$({
+        echo "$words"
+        ls -lL $(command -v "$compiler") $theirs
+        [ -z "$ready" ] || head -n 1 "$ready.read" 2>/dev/null || ls -lL "$ready"
+        awk 'FNR == 1 { print "# 1 \"" FILENAME "\"" } { print }' $ours |
+            "$compiler" -fpreprocessed -dD -E -x c++ - 2>/dev/null | awk -v near="$near" -v asks=" $asks" '
+            /^# [0-9]+ "/ {
+                line = $2
+                file = $3
+                gsub(/"/, "", file)
+                counts = asks != " " && (near != "" && index(file, near) == 1 || index(asks, " " file " "))
+                next
+            }
+            NF > 0 { print counts ? file ":" line : "", $0 }
+            { ++line }'
+    } | $sum)
 }
 # Was a file that the object depends on touched since we began? Then nobody knows what was read.
 touched() {
-    [ -n "$depends" ] || return 1
-    # shellcheck disable=SC2046  # a list of words; with a blank in a name, find fails, and that counts
-    changed=$(find $(sed 's/^[^:]*: //; s/ *\\$//' "$depends") -newer "$object.begun" -print -quit 2>&1)
+    # shellcheck disable=SC2086  # a list of words
+    changed=$(find $list -newer "$object.begun" -print -quit 2>&1)
     [ -n "$changed" ]
 }
 
 sum=$(command -v sha256sum || command -v cksum) || exec "$@"
 : >"$object.begun" || exec "$@"
-read=$({ printf '%s\n' "$@"; ls -lL "$(command -v "$1")"; read_only "$@" 2>/dev/null; } | $sum)
+compiler=$1 words=$* known=
 { read -r known; } 2>/dev/null <"$object.read" || known=
-if [ -s "$object" ] && [ -n "$read" ] && [ "$read" = "$known" ]; then
+if [ -s "$object" ] && [ -n "$known" ] && [ -n "$depends" ] && tail -n +3 "$object.read" >"$depends" &&
+    look_at "$depends" && [ "$read" = "$known" ]; then
     rm -f "$object.begun"
     touch "$object"
     exit
@@ -68,8 +73,8 @@ fi
 rm -f "$object.read"
 "$@"
 status=$?
-if [ $status -eq 0 ] && ! touched; then
-    printf '%s\n' "$read" >"$object.read" 2>/dev/null
+if [ $status -eq 0 ] && [ -n "$depends" ] && look_at "$depends" && [ -n "$read" ] && ! touched; then
+    { printf '%s\n%s\n' "$read" "$asks" && cat "$depends"; } >"$object.read" 2>/dev/null
 fi
 rm -f "$object.begun"
 exit $status
