@@ -173,7 +173,7 @@ TEST_CASE("Patched, Box3D leaves a body with locked rotations alone, and one at 
     }
 }
 
-// Up to five radians a step. In one part, where the Jacobian is singular from two on, ω would be anywhere.
+// Up to five radians a step. In one part the energy would stay, too, but the body tumble a twelfth too seldom.
 TEST_CASE("Patched, Box3D keeps energy and |L| of a body that may rotate fast, and lets it tumble as fast as it should", "[engines]") {
     for (const double h : {1.0 / 60, 1.0 / 240}) {
         const Engine& one = engine("Box3D, 1 substep", "calm, after or in halves");
@@ -198,7 +198,7 @@ TEST_CASE("Patched, Box3D keeps energy and |L| of a body that may rotate fast, a
             REQUIRE(std::fabs(momentum() / length - 1) < 0.02);
         }
         INFO(300 * h << " rad a step: " << flips << " flips, truly " << true_flips);
-        CHECK(std::abs(flips - true_flips) <= true_flips / 10);
+        CHECK(std::abs(flips - true_flips) <= true_flips / 50);
     }
 }
 
