@@ -16,6 +16,7 @@
 #include "moser_veselov.hpp"
 #include "mujoco.hpp"
 #include "ode.hpp"
+#include "spiers.hpp"
 
 namespace timestep {
 
@@ -32,7 +33,7 @@ template <class Visit>
 void for_each_book(const Visit& visit) {
     std::apply([&](const auto&... method) { (visit(method), ...); },
                std::tuple{midpoint_spin, moser_veselov_2, moser_veselov_4, magnus_taylor,
-                          buss_2, buss_augmented, AdamsBashforthSpin<double>{}});
+                          buss_2, buss_augmented, AdamsBashforthSpin<double>{}, spiers_spin, avian_spin});
 }
 
 /// Calls `visit(method)` for each method of the appendix.

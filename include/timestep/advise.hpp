@@ -11,6 +11,11 @@
 
 #include <timestep/advise_stretch.hpp>
 
+#if defined(__clang__)  // what is long double here is meant to be
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wdouble-promotion"
+#endif
+
 namespace timestep {
 
 /// What one method makes of a spring. Numbers that mean nothing here are NaN.
@@ -213,3 +218,7 @@ inline const Advice* cheapest(const std::vector<Advice>& all,
 }
 
 }  // namespace timestep
+
+#if defined(__clang__)
+#pragma clang diagnostic pop
+#endif

@@ -13,6 +13,11 @@
 #include <timestep/advise_verdict.hpp>
 #include <timestep/models/damped_spring.hpp>
 
+#if defined(__clang__)  // what is long double here is meant to be
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wdouble-promotion"
+#endif
+
 /// \cond
 namespace timestep::detail {
 
@@ -191,3 +196,7 @@ double random_position_error(const MatrixOf& matrix, const Constant& constant, c
 
 }  // namespace timestep::detail
 /// \endcond
+
+#if defined(__clang__)
+#pragma clang diagnostic pop
+#endif

@@ -13,6 +13,11 @@
 #include <timestep/advise.hpp>
 #include <timestep/which_method.hpp>
 
+#if defined(__clang__)  // what is long double here is meant to be
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wdouble-promotion"
+#endif
+
 namespace timestep {
 
 /// One method, and how many steps of it in the place of each step that was asked about.
@@ -234,3 +239,7 @@ inline Recommendation recommend(const SpringScene& scene, double h, const Wish& 
 }
 
 }  // namespace timestep
+
+#if defined(__clang__)
+#pragma clang diagnostic pop
+#endif

@@ -12,6 +12,11 @@
 #include <timestep/advise_motion.hpp>
 #include <timestep/advise_verdict.hpp>
 
+#if defined(__clang__)  // what is long double here is meant to be
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wdouble-promotion"
+#endif
+
 /// \cond
 namespace timestep::detail {
 
@@ -126,3 +131,7 @@ inline Stretch first_right(const Judged& method, double zeta, double wanted) {
 
 }  // namespace timestep::detail
 /// \endcond
+
+#if defined(__clang__)
+#pragma clang diagnostic pop
+#endif

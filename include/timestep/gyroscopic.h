@@ -35,11 +35,17 @@
 ///   moments that no body has; the half step, which means nothing there, may leave ω as it is). Where that is not enough,
 ///   as ω's numbers come to more than 1e25 in `float`, 1e250 in `double`, nothing is done.
 ///
-/// All that holds for IEEE arithmetic; -ffast-math takes the infinities and what is no number out of it.
+/// All that holds for IEEE arithmetic. -ffast-math takes the infinities and what is no number out of it, and is refused:
+/// an engine that has it on keeps the calls in a file of its own that is compiled with -fno-fast-math.
 ///
 /// Bit for bit, where neither contracts a product and a sum to one operation, and up to the bounds above, these are the
 /// steps of the library's PassiveGyroscopic, HalfStepJacobian, CalmHalfStep, SymmetricRemainder2 and 4; there stands where
 /// they come from. Two equal moments turn as they do there with SymmetricInertia, by each of the first three.
+
+// /fp:fast is Microsoft's word for it.
+#if (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(_M_FP_FAST)
+#error "timestep: not with -ffast-math or -ffinite-math-only: keep what calls gyroscopic.h in a file that is compiled without"
+#endif
 
 #include <float.h>
 #include <math.h>

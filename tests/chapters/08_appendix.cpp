@@ -165,6 +165,38 @@ TEST_CASE("Buss's steps keep L in the world, and a body that turns about its axi
     CHECK(std::fabs(std::log2(off(rule(buss_2), 0.02) / off(rule(buss_2), 0.01)) - 3) < 0.1);
 }
 
+TEST_CASE("Spiers's steps keep |L|, a symmetric body's whole motion, and of others the energy to order two", "[ch8]") {
+    RandomInertia random(27);
+    for (const double size : {1e-3, 0.3, 3.0, 1e3})
+        for (int n = 0; n < 40; ++n) {
+            const Body I = random.inertia<double>(100);
+            const V w = size * random.direction<double>();
+            const Spin whole = after(spiers_spin, I, spinning(w), 1.0, 50), spin = after(avian_spin, I, spinning(w), 1.0, 50);
+            INFO("h|ω| = " << size << ", I = " << I.moments.transpose());
+            CHECK(momentum_off(I, whole, w) < 50 * 32 * epsilon * (1 + size));  // an angle is rounded, too
+            CHECK(std::fabs(I.momentum(spin.omega).norm() / I.momentum(w).norm() - 1) < 50 * 16 * epsilon);
+        }
+    // Whichever axis is the odd one, in steps of any length. (The exact solution is off by a roundoff of its angle.)
+    for (const V& moments : {V(1, 1, 0.4), V(1.7, 1, 1), V(1, 0.2, 1)}) {
+        const Body I(moments.x(), moments.y(), moments.z());
+        const V w(1, 2, 3);
+        const Spin exact = in_body(ExactFreeBody<double>(I, in_world(spinning(w)))(20));
+        const Spin whole = after(spiers_spin, I, spinning(w), 2.0, 10);
+        CHECK((whole.omega - exact.omega).norm() < 1e-12);
+        CHECK((whole.q.conjugate() * exact.q).vec().norm() < 1e-12);
+        CHECK((after(avian_spin, I, spinning(w), 2.0, 10).omega - exact.omega).norm() < 1e-12);
+    }
+    // In a step the energy is off by h³ where the first two derivatives vanish; Jolt's by h².
+    const Body I = box(1.0, 1.0, 2.0, 3.0);
+    const auto order = [&](const auto& method) {
+        return std::log2(energy_off(I, after(method, I, spinning({1, 2, 3}), 0.02), {1, 2, 3}) /
+                         energy_off(I, after(method, I, spinning({1, 2, 3}), 0.01), {1, 2, 3}));
+    };
+    CHECK(std::fabs(order(avian_spin) - 3) < 0.1);
+    CHECK(std::fabs(order(jolt_spin) - 2) < 0.1);
+    for (const V& still : {V(0, 0, 0), V(0, 3, 0)}) CHECK((after(avian_spin, I, spinning(still), 1.0).omega - still).norm() <= 8 * epsilon * still.norm());
+}
+
 TEST_CASE("Adams-Bashforth goes on from its last slope, and anew after an impulse", "[ch8]") {
     const Body I = box(12.0, 1.0, 2.0, 3.0);
     const Spin start = spinning({1, 2, 3});

@@ -2,7 +2,7 @@
 # - C++20, and every warning that an engine may have on is an error;
 # - C++23 without exceptions and run-time types. What is refused then ends the program with its line, or is handed
 #   to the engine's own function;
-# - -ffast-math is refused by one line;
+# - -ffast-math is refused by one line, by gyroscopic.h as by the other headers;
 # - gyroscopic.h as C99, C17 and C++.
 # Called with COMPILER, INCLUDE, EIGEN, WORK and HERE, the folder of this file; CC is a C compiler, or empty.
 cmake_minimum_required(VERSION 3.25)
@@ -12,13 +12,8 @@ file(GLOB_RECURSE headers RELATIVE "${INCLUDE}" "${INCLUDE}/*.hpp")
 list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>")
 list(JOIN headers "\n" all)
 file(WRITE "${WORK}/all.cpp" "${all}\n#include \"${HERE}/take_home.cpp\"\n")
-set(warnings -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werror)
+set(warnings -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion -Werror)
 set(compile "${COMPILER}" ${warnings} -ffp-contract=off "-I${INCLUDE}" -isystem "${EIGEN}")
-get_filename_component(name "${COMPILER}" NAME)
-set(promotion -Wdouble-promotion)
-if(name MATCHES "clang")  # to which double to long double is one, and the advice searches in long double
-  set(promotion "")
-endif()
 
 function(must_succeed)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -35,7 +30,7 @@ function(must_refuse program says)
   endif()
 endfunction()
 
-must_succeed(${compile} -std=c++20 ${promotion} -fsyntax-only "${WORK}/all.cpp")
+must_succeed(${compile} -std=c++20 -fsyntax-only "${WORK}/all.cpp")
 set(bare ${compile} -std=c++2b -fno-exceptions -fno-rtti)
 must_succeed(${bare} "${WORK}/all.cpp" -o "${WORK}/bare")
 must_refuse("${WORK}/bare" "timestep: mass = -1: must be finite and greater than zero")
@@ -43,22 +38,29 @@ must_succeed(${bare} "-DTIMESTEP_REFUSED(line)=(std::fprintf(stderr, \"engine: %
   "${HERE}/take_home.cpp" -o "${WORK}/hook")
 must_refuse("${WORK}/hook" "engine: mass = -1: must be finite and greater than zero")
 
-execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C.UTF-8 ${compile} -std=c++20 -ffast-math -fsyntax-only
-    "${HERE}/take_home.cpp"
-  RESULT_VARIABLE status ERROR_VARIABLE output)
-string(REGEX MATCHALL "error: [^\n]*" errors "${output}")
-if(status EQUAL 0 OR NOT errors MATCHES "^error: [#\"a-z ]*timestep: not with -ffast-math[^;]*$")
-  message(SEND_ERROR "-ffast-math: one line must refuse it, but:\n${errors}")
+# One line refuses -ffast-math.
+function(must_refuse_fast_math)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C.UTF-8 ${ARGN} -ffast-math -fsyntax-only
+    RESULT_VARIABLE status ERROR_VARIABLE output)
+  string(REGEX MATCHALL "error: [^\n]*" errors "${output}")
+  if(status EQUAL 0 OR NOT errors MATCHES "^error: [#\"a-z ]*timestep: not with -ffast-math[^;]*$")
+    message(SEND_ERROR "${ARGN} -ffast-math: one line must refuse it, but:\n${errors}")
+  endif()
+endfunction()
+set(calls "${HERE}/../c/calls.c")
+must_refuse_fast_math(${compile} -std=c++20 "-include" timestep/rigid/shapes.hpp -x c++ /dev/null)
+must_refuse_fast_math(${compile} -std=c++11 -x c++ "${calls}")
+if(CC)
+  must_refuse_fast_math("${CC}" -std=c99 "-I${INCLUDE}" "${calls}")
 endif()
 
 # At every level: what must be inlined has to be inlined by all of them.
-set(calls "${HERE}/../c/calls.c")
 foreach(level -O0 -O1 -O2 -O3 -Os)
   if(CC)
-    must_succeed("${CC}" -std=c99 ${warnings} -Wdouble-promotion -Wfloat-conversion ${level} -c "-I${INCLUDE}" "${calls}"
+    must_succeed("${CC}" -std=c99 ${warnings} -Wfloat-conversion ${level} -c "-I${INCLUDE}" "${calls}"
       -o "${WORK}/calls.o")
   endif()
-  must_succeed(${compile} -std=c++11 -Wdouble-promotion -Wold-style-cast -x c++ ${level} -c "${calls}" -o "${WORK}/calls.o")
+  must_succeed(${compile} -std=c++11 -Wold-style-cast -x c++ ${level} -c "${calls}" -o "${WORK}/calls.o")
 endforeach()
 if(CC)
   must_succeed("${CC}" -std=c17 ${warnings} -fsyntax-only "-I${INCLUDE}" "${calls}")

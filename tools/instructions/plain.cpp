@@ -1,6 +1,7 @@
 // Takes a number of gyroscopic steps, in float, with the spin in the world and the orientation at hand, as an engine has
 // them, and prints the last spin: a program for a profiler to count. `plain library calm 1000` takes the library's
-// templates, `plain functions calm 1000` those of gyroscopic.h, and `plain bullet own 1000` Bullet's rule.
+// templates, `plain functions calm 1000` those of gyroscopic.h, and `plain bullet own 1000` Bullet's rule. With
+// `calm_in_body` and so on the spin is in the body's axes.
 
 #include <cstdio>
 #include <cstdlib>
@@ -30,6 +31,13 @@ template <class Solver>
 [[gnu::noinline]] void library(const Solver& solver, Body& b, float h) {
     b.omega = after_gyroscopic_torque(solver, b.inertia, b.q, b.omega, h);
 }
+template <class Solver>
+[[gnu::noinline]] void library_in_body(const Solver& solver, Body& b, float h) {
+    b.omega = solver.step(b.inertia, b.omega, h);
+}
+[[gnu::noinline]] void passive_in_body(Body& b, float h) { gyroscopic_passivef(&b.plain, b.omega.data(), h); }
+[[gnu::noinline]] void half_step_in_body(Body& b, float h) { gyroscopic_half_stepf(&b.plain, b.omega.data(), h); }
+[[gnu::noinline]] void calm_in_body(Body& b, float h) { gyroscopic_calm_half_stepf(&b.plain, b.omega.data(), h); }
 [[gnu::noinline]] void passive(Body& b, float h) {
     gyroscopic_passive_in_worldf(&b.plain, b.q.coeffs().data(), b.omega.data(), h);
 }
@@ -58,6 +66,15 @@ int main(int argc, char** argv) {
     const auto by = [&](const auto& solver) {
         return print([&](Body& body, float h) { library(solver, body, h); }, b, n);
     };
+    const auto by_in_body = [&](const auto& solver) {
+        return print([&](Body& body, float h) { library_in_body(solver, body, h); }, b, n);
+    };
+    if (whose == "library" && rule == "passive_in_body") return by_in_body(passive_gyroscopic);
+    if (whose == "library" && rule == "half_step_in_body") return by_in_body(half_step_jacobian);
+    if (whose == "library" && rule == "calm_in_body") return by_in_body(calm_half_step);
+    if (whose == "functions" && rule == "passive_in_body") return print(passive_in_body, b, n);
+    if (whose == "functions" && rule == "half_step_in_body") return print(half_step_in_body, b, n);
+    if (whose == "functions" && rule == "calm_in_body") return print(calm_in_body, b, n);
     if (whose == "library" && rule == "passive") return by(passive_gyroscopic);
     if (whose == "library" && rule == "half_step") return by(half_step_jacobian);
     if (whose == "library" && rule == "calm") return by(calm_half_step);

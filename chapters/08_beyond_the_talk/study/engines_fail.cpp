@@ -228,7 +228,7 @@ void no_solution(lab::Findings& out) {
 // Long steps of those that need no solution, or a dear one.
 void long_steps(lab::Findings& out) {
     Bodies bodies(84);
-    double magnus = 0, magnus_06 = 0, magnus_05 = 0, midpoint = 0;
+    double spiers = 0, magnus = 0, magnus_06 = 0, magnus_05 = 0, midpoint = 0;
     for (int n = 0; n < 1000; ++n) {  // at 0.6 it is one of them
         const Body I = bodies.inertia(100);
         const V w = bodies.direction();
@@ -247,12 +247,15 @@ void long_steps(lab::Findings& out) {
         magnus_05 = std::max(magnus_05, most(by_magnus, 0.5, 1000));
         if (n >= 150) continue;
         magnus = std::max(magnus, most(by_magnus, 1, 1000));
+        spiers = std::max(spiers, most(method("spiers").made(I), 1, 1000));
         midpoint = std::max(midpoint, most(method("implicit_midpoint").made(I), 1, 50));
     }
     out.number("engines_magnus_fails", 0.6, "", "h|omega| from which on Magnus-Taylor fails");
     out.number("engines_magnus_there", 1 + magnus_06, "",
                "the most energy of a random body there, in 1000 steps", 2);
     out.number("engines_magnus_most", 1 + magnus, "", "the same at h|omega| = 1", 2);
+    out.number("engines_spiers_most", 1 + spiers, "", "the same of Spiers's step", 2);
+    out.check("engines_spiers_long", spiers > 0.5, "in 1000 steps at h|ω| = 1 Spiers's step adds more than half to a body's energy");
     out.check("engines_long_steps",
               magnus_05 < 0.5 && magnus_06 > 1 && magnus > 1 && midpoint < 1e-9,
               "in 1000 steps Magnus-Taylor adds less than half at h|ω| = 0.5, and at times doubles "

@@ -41,6 +41,7 @@ public:
     int add(const Shape& shape, const State& s) override {
         b3BodyDef def = b3DefaultBodyDef();
         def.type = b3_dynamicBody;
+        def.allowFastRotation = wanted_.fast;
         def.position = {float(s.x.x()), float(s.x.y()), float(s.x.z())};
         def.rotation = in_box3d(s.q);
         def.linearVelocity = in_box3d(s.v), def.angularVelocity = in_box3d(s.omega);

@@ -52,6 +52,7 @@ struct Wanted {
     bool sleeping = false;
     bool damping = false;  // the engine's own, where it has some without being asked
     bool smooth = false;   // neither friction nor rolling resistance
+    bool fast = false;     // no cap on how far a body turns in a step, where an engine has one for each body: Box3D
     bool rule = true;      // false: none for the gyroscopic torque, where an engine has a switch for each body: Jolt
 };
 

@@ -9,6 +9,7 @@
 #include <timestep/rigid/symmetric_remainder.hpp>
 
 #include "engines/rule_in_engine.hpp"
+#include "engines/spiers.hpp"
 
 namespace engines {
 
@@ -50,6 +51,7 @@ void for_each_rule(const Use& use) {
     use(timestep::cayley_gyroscopic, "Cayley");
     use(timestep::passive_gyroscopic, "passive");
     use(RemainderSpin{}, "ball and remainder 2");
+    use(timestep::AvianGyroscopic{}, "Avian proposed");
 }
 
 }  // namespace engines
