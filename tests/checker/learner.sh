@@ -30,6 +30,32 @@ test_from_stub_to_pass() {
     says out '1 of '
 }
 
+# As the problem matcher of .vscode/tasks.json reads it: where the line N of the file is marked.
+marks() {
+    sed -n 's/.*"regexp": "\(.*\)",/\1/p' "$source/.vscode/tasks.json" >pattern
+    grep -E -f pattern out | sed -E "$(printf 's#%s#\\1 \\3 \\6#' "$(cat pattern)")"
+}
+
+test_an_editor_finds_the_line() {
+    line=$(grep -n '^double velocity_now(' $file | cut -d: -f1)
+    cp "$mistake" $file
+    expect 1 course check velocity_now
+    is "$(marks)" "$file $(grep -n '^double velocity_now(' $file | cut -d: -f1) error"
+    (cd source && expect 1 course check velocity_now && cp out ../out)
+    is "$(marks)" "exercises/01_derivatives/velocity_now.cpp $(grep -n '^double velocity_now(' $file | cut -d: -f1) error"
+    for answer in 'return *static_cast<volatile double*>(nullptr);' 'return unheard_of;'; do
+        cp "$real_build/exercises/generated/velocity_now_stub.cpp" $file
+        sed -i "s/return not_started;.*/\n$answer/" $file
+        expect 1 course check velocity_now
+        is "$(marks)" "$file $((line + 2)) error"
+    done
+    expect 1 course check
+    is "$(marks)" "$file $((line + 2)) error"
+    cp $solved $file
+    expect 0 course check velocity_now
+    is "$(marks)" ''
+}
+
 test_an_exercise_has_a_name_a_number_and_a_file() {
     cp "$mistake" $file
     for name in velocity_now 1.1 $file "$folder/$file"; do

@@ -16,16 +16,16 @@ file(REMOVE_RECURSE "${WORK}")
 set(prefix "${WORK}/prefix")
 execute(_ "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${prefix}")
 
-# The headers, all of them, and a package: nothing else.
+# The headers, all of them, their licence, and a package: nothing else.
 file(GLOB_RECURSE headers RELATIVE "${INCLUDE}" "${INCLUDE}/*")
 file(GLOB_RECURSE installed RELATIVE "${prefix}/include" "${prefix}/include/*")
 if(NOT headers STREQUAL installed)
   message(FATAL_ERROR "installed are\n${installed}\nmust be\n${headers}")
 endif()
 file(GLOB_RECURSE others RELATIVE "${prefix}" "${prefix}/*")
-list(FILTER others EXCLUDE REGEX "^include/|^share/cmake/timestep/timestep[-_][a-z-]+\\.cmake$")
-if(others)
-  message(FATAL_ERROR "installed besides the headers and the package: ${others}")
+list(FILTER others EXCLUDE REGEX "^include/|^share/cmake/timestep/timestep[-_][a-z-]+\\.cmake$|^share/licenses/timestep/LICENSE$")
+if(others OR NOT EXISTS "${prefix}/share/licenses/timestep/LICENSE")
+  message(FATAL_ERROR "no licence is installed, or besides it, the headers and the package: ${others}")
 endif()
 
 # The package names no folder of this machine, so it may be moved.

@@ -21,7 +21,8 @@ target_include_directories(timestep_headers INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
 # Plain IEEE arithmetic: clang, and g++ where the processor has it, contract a product and a sum to one operation
-# otherwise, and a run ends on other bits than elsewhere. (MSVC does not, with /fp:precise, which is its default.)
+# otherwise, and a run ends on other bits than elsewhere. (MSVC does not, with /fp:precise, its default, from Visual
+# Studio 2022 on; an older one needs /fp:strict from its user.)
 target_compile_options(timestep_headers INTERFACE
   $<$<AND:$<COMPILE_LANGUAGE:C,CXX>,$<NOT:$<CXX_COMPILER_ID:MSVC>>>:-ffp-contract=off>)
 
@@ -34,6 +35,7 @@ if(NOT TIMESTEP_INSTALL)
 endif()
 install(TARGETS timestep timestep_headers EXPORT timestep_targets)
 install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/timestep)
 set(package_folder ${CMAKE_INSTALL_DATADIR}/cmake/timestep)
 install(EXPORT timestep_targets NAMESPACE timestep:: DESTINATION ${package_folder})
 file(WRITE ${PROJECT_BINARY_DIR}/timestep-config.cmake

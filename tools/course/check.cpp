@@ -47,6 +47,10 @@ void remember_pass(const Exercise& exercise) {
         change_progress([&](auto& progress) { progress[exercise.name].passed = true; });
 }
 
+std::string told_and_marked(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
+    return told(exercise, verdict, file) + marked(exercise, verdict, file);
+}
+
 // What to do next, below a verdict.
 std::string way_on(const Exercise& exercise, const Verdict& verdict) {
     if (verdict.kind == "pass") {
@@ -93,7 +97,7 @@ void check_all(const std::optional<Chapter>& chapter, bool json, const std::opti
         if (verdict.kind == "pass")
             remember_pass(exercise);
         else if (first_wrong.empty())
-            first_wrong = told(exercise, verdict, exercise.file()) + way_on(exercise, verdict);
+            first_wrong = told_and_marked(exercise, verdict, exercise.file()) + way_on(exercise, verdict);
         if (!json)
             std::printf("%s %s\n", padded(exercise.place() + " " + exercise.name, 34).c_str(),
                         verdict.kind == "pass" ? "✓" : ("✗ " + headline(verdict.kind)).c_str());
@@ -135,7 +139,7 @@ void check(const std::string& name, const std::optional<std::string>& file, bool
     if (json)
         std::printf("%s\n", as_json(exercise, verdict).c_str());
     else
-        std::printf("%s%s", told(exercise, verdict, answer).c_str(),
+        std::printf("%s%s", told_and_marked(exercise, verdict, answer).c_str(),
                     file && verdict.kind == "pass" ? "" : way_on(exercise, verdict).c_str());
     flush();
     if (verdict.kind != "pass")
@@ -167,7 +171,7 @@ void watch(const std::string& name) {
         if (on_terminal()) std::printf("\033[2J\033[H");
         try {
             const Verdict verdict = check_file(*exercise, exercise->file(), seed_or_new({}));
-            std::printf("%s%s", told(*exercise, verdict, exercise->file()).c_str(),
+            std::printf("%s%s", told_and_marked(*exercise, verdict, exercise->file()).c_str(),
                         way_on(*exercise, verdict).c_str());
             if (verdict.kind == "pass") {
                 remember_pass(*exercise);

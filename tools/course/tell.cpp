@@ -72,6 +72,16 @@ std::string line_of(const fs::path& file, int number) {
     return shortened(sanitized(line), 200);
 }
 
+// The line on which the function is defined; the first where it is written in a way of its own.
+int definition(const Exercise& exercise, const fs::path& file) {
+    const std::string head = exercise.declaration.substr(0, exercise.declaration.find('(') + 1);
+    std::istringstream lines(contents(file));
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number)
+        if (line.starts_with(head)) return number;
+    return 1;
+}
+
 std::string call(const Exercise& exercise, const Verdict& verdict) {
     return exercise.name + verdict.arguments;
 }
@@ -201,6 +211,16 @@ std::string told(const Exercise& exercise, const Verdict& verdict, const fs::pat
     if (verdict.kind != "does_not_compile" && !verdict.compiler.empty())
         text += "\n  The compiler remarks:\n" + head_of(verdict.compiler, 12, "  ");
     return text;
+}
+
+std::string marked(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
+    for (const char* nothing_to_mark : {"pass", "not_started", "does_not_compile", "course_error"})
+        if (verdict.kind == nothing_to_mark) return {};
+    int place = verdict.line;
+    if (place <= 0 || line_of(file, place).empty()) place = definition(exercise, file);
+    std::string name = shown(file);
+    if (name.starts_with("..")) name = sanitized_line(file.string());
+    return "\n  " + name + ":" + std::to_string(place) + ": error: " + headline(verdict.kind) + "\n";
 }
 
 std::string as_json(const Exercise& exercise, const Verdict& verdict) {

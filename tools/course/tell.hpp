@@ -12,6 +12,10 @@ namespace course {
 std::string told(const Exercise& exercise, const Verdict& verdict,
                  const std::filesystem::path& file);
 
+/// Below it, for an editor: "FILE:LINE: error: words", the line on which it crashed or on which the function begins.
+/// Nothing where there is nothing to mark, or the compiler has marked it.
+std::string marked(const Exercise& exercise, const Verdict& verdict, const std::filesystem::path& file);
+
 /// A verdict's kind in two or three words: "does not compile".
 std::string headline(const std::string& kind);
 
