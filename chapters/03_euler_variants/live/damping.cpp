@@ -125,8 +125,8 @@ private:
 
     live::Slider zeta{this, "zeta", "damping ratio ζ", 0, 2, 0.01, 0.4};
     live::Slider h{this, "omega_h", "ωh", 0.05, 5, 0.01, 1.4, "rad"};
-    live::Readout old_limit{this, "old velocity", "rad, longest stable ωh", semi_implicit_euler.name};
-    live::Readout new_limit{this, "new velocity", "rad, longest stable ωh",
+    live::Readout old_limit{this, "old velocity", "rad, limit of ωh", semi_implicit_euler.name};
+    live::Readout new_limit{this, "new velocity", "rad, limit of ωh",
                             semi_implicit_euler_new_damping.name};
     live::Fuse old_holds{this, "the damper at the old velocity"};
     live::Fuse new_holds{this, "the damper at the new velocity"};
