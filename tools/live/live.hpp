@@ -194,7 +194,7 @@ public:
             trails_[i].draw(p);
             if (left_at_[i] < 0) continue;
             p.text(std::fmax(left_at_[i], end - seconds) + 0.4, row * most_, "leaves upwards");
-            row -= 0.2;
+            row -= 0.25;
         }
     }
 
