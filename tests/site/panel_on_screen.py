@@ -74,13 +74,18 @@ const light = colour => { pen.fillStyle = colour; const n = parseInt(pen.fillSty
 pen.fillText = (words, x, y) => {
     const box = pen.measureText(words), colour = pen.fillStyle, contrast = light(colour) / light(ground);
     pen.fillStyle = colour;
-    if (words) all.push({ words, left: x - box.actualBoundingBoxLeft, right: x + box.actualBoundingBoxRight, top: y - box.actualBoundingBoxAscent,
+    const whole = { left: 0, top: 0, right: live.picture.width, bottom: live.picture.height };
+    // Beside the axes is room; what a panel itself writes is cut where its part of the picture ends.
+    if (words) all.push({ words, within: pen.textAlign === "start" ? live.picture.part : whole,
+        left: x - box.actualBoundingBoxLeft, right: x + box.actualBoundingBoxRight, top: y - box.actualBoundingBoxAscent,
         bottom: y + box.actualBoundingBoxDescent, contrast: Math.max(contrast, 1 / contrast) });
 };
 live.picture.draw(new Float64Array(of.memory.buffer, of.commands(), of.draw(live.narrow)));
 delete pen.fillText;
-const cut = all.filter(w => w.left < 0 || w.top < 0 || w.right > live.picture.width || w.bottom > live.picture.height);
-const touch = all.filter((w, i) => all.slice(0, i).some(v => w.left < v.right + 2 && v.left < w.right + 2 && w.top < v.bottom && v.top < w.bottom));
+const cut = all.filter(({ within, ...w }) => w.left < within.left - 1 || w.top < within.top - 1 || w.right > within.right + 1
+    || w.bottom > within.bottom + 1);
+const touch = all.filter((w, i) => all.slice(0, i).some(v => w.left < v.right + 2 && v.left < w.right + 2
+    && w.top < v.bottom && v.top < w.bottom));
 return [cut, touch, all.filter(w => w.contrast < 2)].map(some => some.map(w => w.words))"""
 
 

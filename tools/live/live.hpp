@@ -193,7 +193,7 @@ public:
             p.ink(looks[i], behind && i == 0 ? 5 : 2, behind && i == 0 ? 0.6 : 1);
             trails_[i].draw(p);
             if (left_at_[i] < 0) continue;
-            p.text(std::fmax(left_at_[i], end - seconds) + 0.4, row * most_, "leaves upwards");
+            p.text(std::fmin(std::fmax(left_at_[i], end - seconds) + 0.4, end - (p.narrow ? 17 : 9)), row * most_, "leaves upwards");
             row -= 0.25;
         }
     }

@@ -188,7 +188,7 @@ private:
         p.stroke();
         p.segment(-16.3, roundoff + 16.3, 0.3, roundoff - 0.3);
         p.ink("ink");
-        p.text(std::min((-1 - truncation) / Formula::order, 0.0) - 3.8, -1, "truncation");
+        p.text(std::min((-1 - truncation) / Formula::order, 0.0) - 4.8, -1, "truncation");
         p.text(roundoff + 0.2, 0.3, "roundoff");
     }
     static double power(double x, int n) { return n > 0 ? x * power(x, n - 1) : 1; }

@@ -100,7 +100,7 @@ private:
         line(p, run, 1, drawn);
         p.ink(look);
         for (int i = 0; i < drawn && i <= shown; ++i) p.dot(i, run.x[i], 3);
-        if (drawn < run.size || !holds) p.text(drawn + 1, -1.6, "grows out of the picture");
+        if (drawn < run.size || !holds) p.text(drawn < 15 ? drawn + 1 : 15, -1.6, "grows out of the picture");
     }
     static void line(live::Picture& p, const Run& run, double step, int size) {
         p.move(0, run.x[0]);

@@ -106,7 +106,7 @@ private:
         for (Run& run : runs) {
             if (run.holds) run.trail.add(run.state.x, run.state.v);
             run.number = cloud ? run.area() / area_at_start : run.amplitude();
-            run.number.unit = cloud ? "× its first area" : "m";
+            run.number.unit = cloud ? "× as large" : "m";
         }
     }
     void draw(live::Picture& p, const Run& run) const {
