@@ -12,8 +12,8 @@ const count = n => [...Array(n).keys()];
 const minus = words => String(words).replace("-", "−");
 const powerOfTen = n => "10" + String(+n).replace(/./g, c => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]);
 const written = value => {
-    const length = Math.abs(value);
-    if (!(length >= 1e6 || length > 0 && length < 1e-3)) return minus(+value.toPrecision(4));
+    const size = Math.abs(value);
+    if (!(size >= 1e6 || size > 0 && size < 1e-3)) return minus(+value.toPrecision(4));
     const [digits, tens] = value.toExponential(2).replace("Infinity", "∞").split("e");
     return minus(digits) + (tens ? "·" + powerOfTen(tens) : "");
 };
@@ -64,12 +64,12 @@ class LiveCanvas {
     }
 
     draw(commands) {
-        const pen = this.pen, lengths = [10, 5, 4, 3, 3, 1, 1, 4, 4], looks = [];
+        const pen = this.pen, sizes = [10, 5, 4, 3, 3, 1, 1, 4, 4], looks = [];
         let veil = "", path = false;  // is one begun? Moves before its stroke add to it
         this.main = null;
         pen.clearRect(0, 0, this.width, this.height);
         pen.save();
-        for (let i = 0; i < commands.length; i += lengths[commands[i]]) {
+        for (let i = 0; i < commands.length; i += sizes[commands[i]]) {
             const a = commands[i + 1], b = commands[i + 2], c = commands[i + 3];
             switch (commands[i]) {
             case 0: {
@@ -136,7 +136,7 @@ class LiveCanvas {
         const pen = this.pen, part = this.part;
         const write = (words, x, y, align) => { pen.textAlign = align, pen.fillText(words, x, y); };
         this.fresh();
-        part.left += 48, part.bottom -= 38, part.top += 22;  // the words stand outside
+        part.left += 48, part.right -= 8, part.bottom -= 38, part.top += 22;  // the words stand outside
         this.fit();
         const { left, right, top, bottom } = part;
         pen.lineWidth = 1, pen.fillStyle = shade("#333333"), pen.beginPath();
@@ -170,15 +170,15 @@ class LivePanel {
         this.of._initialize();
         this.of.begin();
         // What it grows by moves what comes after it. Else a browser keeps that in place, and the sliders leave the screen.
-        const all = (figure.closest("#doc-content") || figure).style;
-        if (figure.getBoundingClientRect().bottom > 0) all.overflowAnchor = "none";
+        const { style } = figure.closest("#doc-content") || figure;
+        if (figure.getBoundingClientRect().bottom > 0) style.overflowAnchor = "none";
         this.build();
         this.shape();
-        figure.offsetTop, all.overflowAnchor = "";
+        figure.offsetTop, style.overflowAnchor = "";
         this.play(!matchMedia("(prefers-reduced-motion)").matches);
         this.settings();
         new ResizeObserver(() => this.shape()).observe(this.canvas);
-        const recolour = () => this.recolour.forEach(one => one());
+        const recolour = () => this.recolour.forEach(f => f());
         new MutationObserver(recolour).observe(document.documentElement, { attributeFilter: ["class"] });
         recolour();
         figure.classList.add("is-live");
@@ -203,9 +203,10 @@ class LivePanel {
         const list = make("dl", { className: "live-readouts" });
         this.recolour = [() => this.show()];
         this.controls = count(of.controls()).map(i => this.control(i, form));
+        this.swept = this.controls.find((c, i) => of.moves(i));  // by the panel itself
         this.readouts = count(of.readouts()).map(i => {
-            const [label, unit, colour, dashes] = count(4).map(n => this.words(of.readout_text(i, n)));
-            const key = make("span", { className: colour && "key" }), output = make("dd", { unit: " " + unit });
+            const [label, , colour, dashes] = count(4).map(n => this.words(of.readout_text(i, n)));
+            const key = make("span", { className: colour && "key" }), output = make("dd");
             this.recolour.push(() => { key.style.backgroundImage = colour && dashed(shade(colour), dashes); });
             list.append(make("div", {}, make("dt", {}, key, label), output));
             return output;
@@ -281,8 +282,9 @@ class LivePanel {
         const drag = event => {
             if (!held) return;
             event.preventDefault();
+            const before = this.swept?.get();
             of.drag(...at(event));
-            this.show();
+            this.swept?.get() === before ? this.show() : this.play(false);
         };
         on(canvas, "touchmove", drag);
         on(window, "mousemove", drag);
@@ -355,11 +357,11 @@ class LivePanel {
     show(frame) {
         const of = this.of, size = of.draw(this.narrow);
         if (!frame || of.changed()) this.picture.draw(new Float64Array(of.memory.buffer, of.commands(), size));
-        if (frame < this.readAgain) return;
-        this.readAgain = frame + 150;
-        for (const control of this.controls)  // the panel may have moved it, too
-            if (control.get() !== control.shown) control.shown = control.get(), control.show();
-        this.readouts.forEach((output, i) => output.textContent = of.known(i) ? written(of.readout(i)) + output.unit : "not yet");
+        if (frame < this.readAt) return;
+        this.readAt = frame + 150;
+        for (const c of this.controls)  // the panel may have moved it, too
+            if (c.get() !== c.shown) c.shown = c.get(), c.show();
+        this.readouts.forEach((out, i) => out.textContent = of.known(i) ? written(of.readout(i)) + " " + this.words(of.readout_text(i, 1)) : "not yet");
         const blown = count(of.fuses()).filter(i => of.fuse(i) >= 0).map(i => `${this.words(of.fuse_text(i))} at step ${of.fuse(i)}`);
         const said = [blown.length && `Blew up: ${blown.join(", ")}.`, this.broke,
             of.broken() && "A place is no number, and is not drawn."].filter(Boolean).join(" ");
@@ -383,13 +385,13 @@ class LivePanel {
         const [id, words = ""] = location.hash.slice(1).split(":");
         if (id !== this.figure.id) return;
         for (const [name, value] of words.split(",").map(word => word.split("=")))
-            this.controls.find(control => control.name === name)?.set(+value);
+            this.controls.find(c => c.name === name)?.set(+value);
     }
     // While it is open it says what stands there. A panel that moves a control stands where that one is.
     showInShell() {
         if (!this.shell.parentElement.open) return;
         const source = `chapters/${this.figure.dataset.live.replace("/", "/live/")}.cpp`;
-        const steps = this.controls.some((control, i) => this.of.moves(i)) ? 0 : this.of.steps();
+        const steps = this.swept ? 0 : this.of.steps();
         const words = `c++ -std=c++20 -Iinclude -Itools/live -I/usr/include/eigen3 ${source} -o panel && ` +
             `./panel ${[...this.set(), `steps=${steps}`].join(" ")}`;
         if (this.shell.textContent !== words) this.shell.textContent = words;
@@ -404,7 +406,7 @@ const page = new Proxy({ clock: () => performance.now() }, {
 // ---- Each panel begins when it comes near the screen ----------------------------------------------------
 
 {
-    const on = new IntersectionObserver(all => all.forEach(one => one.target.live.look(one.isIntersecting)));
+    const on = new IntersectionObserver(all => all.forEach(e => e.target.live.look(e.isIntersecting)));
     const near = new IntersectionObserver(all => {
         for (const { target, isIntersecting } of all) {
             if (!isIntersecting || target.live) continue;

@@ -17,6 +17,11 @@ blows_up() {
     "$programs/live_$name" "$@" | grep -q "^$method blew up"
 }
 
+test_the_end_of_the_chord_sets_the_step() {
+    is "$(read_off tangent_and_chord 'slope of the chord' grab=1.287,0.376 drag=1.6,0.1)" "$(read_off tangent_and_chord 'slope of the chord' h=0.8)"
+    is "$(read_off tangent_and_chord 'of the tangent' grab=0.8,0.6 drag=1.25,0.1)" "$(read_off tangent_and_chord 'of the tangent' t=1.25)"
+}
+
 test_luck_is_gone_at_the_next_point() {
     holds 'a < 1e-10 && b > 1e-9' "$(read_off tangent_and_chord forward h=1e-8 t=0.8)" "$(read_off tangent_and_chord forward h=1e-8 t=0.81)"
     holds 'a / b > 1.9 && a / b < 2.1' "$(read_off tangent_and_chord forward h=1e-3)" "$(read_off tangent_and_chord forward h=5e-4)"
@@ -34,6 +39,15 @@ test_the_green_circle_breaks_at_two() {
     holds 'a < 20 && b > 100' "$(read_off three_eulers 'semi-implicit Euler' omega_h=1.99 steps=2000)" "$(read_off three_eulers 'semi-implicit Euler' omega_h=2 steps=300)"
     blows_up three_eulers 'semi-implicit Euler' omega_h=2.01 steps=300 || fail 'it does not blow up above two'
     holds 'a > 1.005' "$(read_off three_eulers 'explicit Euler' omega_h=0.01 steps=200)"
+}
+
+test_the_green_cloud_keeps_its_area() {
+    area() { read_off three_eulers "$1" cloud=1 "omega_h=$2" "steps=$3"; }
+    near() { holds 'a / b > 0.9999 && a / b < 1.0001' "$1" "$2"; }
+    near "$(area 'explicit Euler' 0.5 4)" "$(awk 'BEGIN { print 1.25 ^ 4 }')"
+    near "$(area 'implicit Euler' 0.5 4)" "$(awk 'BEGIN { print 1.25 ^ -4 }')"
+    for omega_h in 0.05 0.5 1.5 1.99; do near "$(area 'semi-implicit Euler' "$omega_h" 200)" 1; done
+    holds 'a > 1.005' "$(area 'explicit Euler' 0.01 200)"
 }
 
 test_less_damping_calms() {
@@ -95,6 +109,15 @@ test_the_floor_of_the_race() {
     is "$(read_off race 'Runge-Kutta 4' wanted=1e-13 steps=200)" inf
     "$programs/live_race" wanted=0.01 steps=200 >said
     holds 'a < b' "$(sed -n 's/^Runge-Kutta 4: \([^ ]*\).*/\1/p' said)" "$(sed -n 's/^velocity Verlet: \([^ ]*\).*/\1/p' said)"
+}
+
+# How far down the picture six times half the step lead Runge-Kutta 4's dots, px. A decade has 23.9.
+test_a_jump_takes_the_order_away() {
+    fall() {
+        "$programs/live_race" clock=2 "scene=$1" steps=100 --still race.svg >said
+        grep -o '<circle [^>]*#7a4a1e' race.svg | sed -n 's/.* cy="\([^"]*\)".*/\1/p' | awk 'NR == 1 { a = $1 } NR == 7 { print $1 - a }'
+    }
+    holds 'a > 23.9 * 6 * 1.1 && b < 23.9 * 6 * 0.5' "$(fall 0)" "$(fall 1)"
 }
 
 test_boxes_that_spin_fast() {

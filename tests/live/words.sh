@@ -9,7 +9,7 @@ refused() {
 }
 
 test_bad_words_are_refused() {
-    known='steps, grab, drag, let_go, omega_h, x, v'
+    known='steps, grab, drag, let_go, clock, omega_h, x, v, cloud'
     refused "omega=1: is none of $known" omega=1
     refused "--help: is none of $known" --help
     refused ": is none of $known" ''
@@ -20,6 +20,7 @@ test_bad_words_are_refused() {
     refused 'steps=-1: steps must be a whole number from 0 to 1e9' steps=-1
     refused 'steps=1.5: steps must be a whole number from 0 to 1e9' steps=1.5
     refused 'grab=1: must be grab=x,y' grab=1
+    refused 'clock=0: clock must be a number of ms above zero' clock=0
     refused '--still: needs the name of a file' --still
     refused 'nowhere/a.svg: cannot be written' --still nowhere/a.svg
 }

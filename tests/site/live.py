@@ -14,11 +14,11 @@ import sys
 import time
 
 import browser
-from panel import BITS, CONTROLS, DRAWN, LIVE, PICTURE, READY, STEPS, Faults, Page
+from panel import BITS, DRAWN, LIVE, PICTURE, READY, STEPS, Faults, Page
+from panel_on_screen import (DESK, can_be_read, fits_the_screen, leaves_its_sliders_in_place, seen_together,
+                             starts_where_it_is)
 
 MODULE, SCRIPT = 60_000, 15_000  # bytes, at most
-DESK, LAPTOP, PHONE = ({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
-                       for width, height in ((900, 900), (1280, 800), (390, 844)))
 PANEL = re.compile(r'<figure id="live-(\w+)"[^>]*data-live="([^"]+)" data-module="([^"]+)"')
 
 
@@ -37,7 +37,7 @@ def same_bits(page, build, live, source, faults):
     middle = [f"{c['name']}={(c['least'] + c['most']) / 2!r}" for c in sliders]
     for words in (["steps=400"], middle + ["steps=300"], ["steps=3", "grab=0.5,0.25", "drag=0.75,0.5", "steps=50", "let_go", "steps=200"]):
         found, readouts, broken, refused = page.run(BITS, words)
-        right, numbers = native(build, live, words)
+        right, numbers = native(build, live, ["clock=2", *words])
         faults.unless(not refused, f"{words}: {refused}")
         if not excused:
             faults.unless(found == right, f"after {words} its bits are {found}, natively {right}; readouts "
@@ -50,6 +50,11 @@ def stands_extremes(page, faults):
         words = [f"{c['name']}={c['most'] if end >> i & 1 else c['least']}" for i, c in enumerate(controls)]
         _, _, broken, refused = page.run(BITS, words + ["steps=500"])
         faults.unless(broken == 0 and not refused, f"{words}: " + (refused or ("draws what is no number", "draws too much")[broken - 1]))
+        silent = page.run(LIVE + """
+            live.show();
+            const said = live.status.textContent, fuses = count(of.fuses()).filter(i => of.fuse(i) >= 0);
+            return fuses.length ? fuses.map(i => `${live.words(of.fuse_text(i))} at step ${of.fuse(i)}`).filter(words => !said.includes(words)) : said ? [said] : []""")
+        faults.unless(not silent, f"{words}: does not say what has blown up, and when, as it is: {silent}")
 
 
 def goes_and_stops(page, faults):
@@ -98,19 +103,6 @@ def goes_on_where_it_is_left(page, faults):
         return
     page.button("Play").click()
     faults.unless(page.wait(lambda: page.controls()[moved]["value"] != taken), f"Play does not move {name}, which was taken")
-
-
-def leaves_its_sliders_in_place(page, faults):
-    """Whatever it says in the end, its sliders stand where they stood."""
-    page.open()
-    page.button("Stop").click()
-    page.button("Restart").click()
-    place = lambda: page.run("return document.querySelector(`#${arguments[0]} .live-controls`).offsetTop")
-    before, controls = place(), page.controls()
-    for end in ("least", "most"):
-        page.run(BITS, [f"{c['name']}={c[end]}" for c in controls] + ["steps=500"])
-        page.run(LIVE + "live.show()")
-        faults.unless(place() == before, f"its sliders move by {place() - before} px after 500 steps with all at their {end}")
 
 
 def says_what_the_shell_would(page, faults):
@@ -206,46 +198,6 @@ def scrolls_under_a_finger(page, faults):
     faults.unless(len(taken) == 4 and not all(taken), f"no corner of it lets the page scroll under a finger ({taken})")
 
 
-def seen_together(page, faults):
-    """On a phone the picture stands whole above each slider that has been scrolled to."""
-    page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", PHONE)
-    page.open()
-    hidden = page.run("""
-        const figure = document.getElementById(arguments[0]), canvas = figure.querySelector("canvas");
-        return [...figure.querySelectorAll(".live-control")].filter(row => {
-            row.querySelector("input, select").scrollIntoView({ block: "nearest" });
-            const picture = canvas.getBoundingClientRect(), control = row.getBoundingClientRect();
-            const at = document.elementFromPoint(picture.left + picture.width / 2, picture.top + 2);
-            return at !== canvas || picture.bottom > control.top + 1 || control.bottom > innerHeight + 1;
-        }).map(row => row.textContent)""")
-    faults.unless(not hidden, f"on a phone its picture is not whole while one slides {', '.join(hidden)}")
-    page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", DESK)
-
-
-def fits_the_screen(page, faults):
-    """One sees the whole picture with all that can be set; on a phone with the first two of it."""
-    for screen, most in (LAPTOP, 99), (PHONE, 2):
-        page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
-        page.open()
-        last = page.run("""const figure = document.getElementById(arguments[0]);
-            return [...figure.querySelectorAll(".live-control")].slice(0, arguments[1]).at(-1).getBoundingClientRect().bottom""", most)
-        faults.unless(last <= screen["height"], f"at {screen['width']} px its controls end {last - screen['height']:.0f} px below the screen")
-    page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", DESK)
-
-
-def starts_where_it_is(page, faults):
-    """Who comes by a link sees the panel from its top, also when it has grown out of its picture."""
-    page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", PHONE)
-    page.driver.get("about:blank")
-    page.driver.get(page.address + "#" + page.id)
-    page.wait(lambda: page.run(READY))
-    time.sleep(0.3)
-    hidden = page.run("""const figure = document.getElementById(arguments[0]), part = what => figure.querySelector(what).getBoundingClientRect();
-        return part("canvas").bottom - part(".live-buttons").top""")
-    faults.unless(hidden <= 1, f"starts with {hidden:.0f} px of its controls behind the picture")
-    page.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", DESK)
-
-
 def carries_settings(page, faults):
     page.open()
     sliders = [c for c in page.controls() if c["kind"] < 2]
@@ -287,13 +239,21 @@ def costs_little(page, faults):
 
 
 def grows_not(page, faults):
-    page.open()
-    grown = page.run(LIVE + """
+    """Of the module, of the page and in nodes, after a minute like the one before."""
+    minute = LIVE + """
         live.play(false);
-        const before = of.memory.buffer.byteLength;
-        for (let n = 0; n < 60; ++n) live.steps(Math.ceil(1 / of.seconds()));
-        return of.memory.buffer.byteLength - before""")
-    faults.unless(grown == 0, f"a minute's run takes {grown} bytes more")
+        for (let n = 1; n <= 600; ++n) live.steps(Math.ceil(.1 / of.seconds()), n * 100);
+        return of.memory.buffer.byteLength"""
+
+    def taken():
+        module = page.run(minute)
+        page.driver.execute_cdp_cmd("HeapProfiler.collectGarbage", {})
+        return module, page.driver.execute_cdp_cmd("Runtime.getHeapUsage", {})["usedSize"], \
+            page.driver.execute_cdp_cmd("Memory.getDOMCounters", {})["nodes"]
+    page.open()
+    before, after = taken(), taken()
+    for what, was, now, most in zip(("bytes of its module", "bytes of its page", "nodes"), before, after, (0, 100_000, 100)):
+        faults.unless(now - was <= most, f"a minute's run takes {now - was} {what} more")
 
 
 def keeps_calm(page, faults):
@@ -367,7 +327,7 @@ def main():
             stands_extremes(page, faults)
             for look in (by_keyboard, by_finger, goes_on_where_it_is_left, leaves_its_sliders_in_place,
                          says_what_the_shell_would, scrolls_under_a_finger, seen_together, fits_the_screen, starts_where_it_is,
-                         carries_settings, costs_little, grows_not, keeps_calm, stands_without_scripts):
+                         carries_settings, costs_little, grows_not, can_be_read, keeps_calm, stands_without_scripts):
                 look(page, faults)
             faults += ["console: " + entry["message"] for entry in on.driver.get_log("browser") if entry["level"] == "SEVERE"]
             for fault in faults:

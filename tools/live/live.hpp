@@ -167,6 +167,45 @@ private:
     std::size_t size_ = 0;
 };
 
+// A diagram against time, the last twenty seconds. A line that leaves it upwards says so.
+template <std::size_t lines>
+class Chart {
+public:
+    Chart(const char* what, double most) : what_(what), most_(most) {}
+    void clear() {
+        for (Trail<300>& trail : trails_) trail.clear();
+        left_at_.fill(-1), next_.fill(0);
+    }
+    void add(std::size_t i, double t, double y) {
+        now_ = t;
+        if (t < next_[i]) return;  // as often as can be seen
+        next_[i] = t + seconds / 300;
+        trails_[i].add(t, y);
+        if (y > most_ && left_at_[i] < 0) left_at_[i] = t;
+    }
+    // With these looks, in this part of the picture; the first of them wide behind the others, if that one is `behind`.
+    void draw(Picture& p, const std::array<const char*, lines>& looks, bool behind, double from_x, double to_x, double to_y) const {
+        const double end = std::fmax(seconds, now_);
+        p.window(end - seconds, end, 0, most_, false, from_x, to_x, 0, to_y);
+        p.axes("t, s", what_);
+        double row = 0.8;
+        for (std::size_t i = 0; i < lines; ++i) {
+            p.ink(looks[i], behind && i == 0 ? 5 : 2, behind && i == 0 ? 0.6 : 1);
+            trails_[i].draw(p);
+            if (left_at_[i] < 0) continue;
+            p.text(std::fmin(std::fmax(left_at_[i], end - seconds) + 0.4, end - (p.narrow ? 17 : 9)), row * most_, "leaves upwards");
+            row -= 0.25;
+        }
+    }
+
+private:
+    static constexpr double seconds = 20;
+    const char* what_;
+    double most_, now_ = 0;
+    std::array<Trail<300>, lines> trails_{};
+    std::array<double, lines> left_at_{}, next_{};  // −1: it has not left
+};
+
 // The place of x > 0 on a log axis. Of + − × ÷ alone, so it has the same bits in the page and in the shell, as
 // std::log10 need not have.
 inline double log10(double x) {
@@ -176,6 +215,16 @@ inline double log10(double x) {
     double series = 0;
     for (int n = 17; n > 0; n -= 2) series = series * z * z + 1.0 / n;
     return 0.30102999566398120 * (twos - 0.5) + 0.86858896380650366 * z * series;
+}
+
+// And back: 10^y, of + − × ÷ alone.
+inline double power_of_ten(double y) {
+    const double whole = std::floor(y + 0.5), z = 2.3025850929940457 * (y - whole);
+    double series = 1;  // e^z = 1 + z (1 + z/2 (1 + z/3 (1 + …)))
+    for (int n = 20; n > 0; --n) series = 1 + z / n * series;
+    for (double n = whole; n > 0; --n) series *= 10;
+    for (double n = whole; n < 0; ++n) series /= 10;
+    return series;
 }
 
 // ---- The panel -----------------------------------------------------------------------------------------

@@ -145,7 +145,7 @@ private:
         return words;
     }
     void axes(const double* a) {
-        left_ += 48, bottom_ -= 38, top_ += 22;  // the words stand outside
+        left_ += 48, right_ -= 8, bottom_ -= 38, top_ += 22;  // the words stand outside
         fit();
         const double right = from_x_ + (right_ - left_) / scale_x_, top = from_y_ + (bottom_ - top_) / scale_y_;
         const double dx = gap(right - from_x_, a[2] != 0, (right_ - left_) / 50);

@@ -66,9 +66,13 @@ public:
         found = difference(formula, h), exact = slope(at());
     }
 
-    // The point can be dragged along the curve.
-    bool grab(double x, double y) override { return std::fabs(x - t) < 0.4 && std::fabs(y - bell(t.value)) < 0.4; }
-    void drag(double x, double) override { set(t, x); }
+    // The point can be dragged along the curve, and so can the chord's end, which sets h.
+    bool grab(double x, double y) override {
+        const auto near = [&](double at) { return std::fabs(x - at) < 0.4 && std::fabs(y - bell(at)) < 0.4; };
+        end_is_held = h > 0.15 && x > t + h / 2 && near(t + h);
+        return end_is_held || near(t);
+    }
+    void drag(double x, double) override { end_is_held ? set(h, x - t) : set(t, x); }
     bool handle(double& x, double& y) const override { return x = t, y = bell(t.value), true; }
 
 private:
@@ -184,7 +188,7 @@ private:
         p.stroke();
         p.segment(-16.3, roundoff + 16.3, 0.3, roundoff - 0.3);
         p.ink("ink");
-        p.text(std::min((-1 - truncation) / Formula::order, 0.0) - 3.8, -1, "truncation");
+        p.text(std::min((-1 - truncation) / Formula::order, 0.0) - 4.8, -1, "truncation");
         p.text(roundoff + 0.2, 0.3, "roundoff");
     }
     static double power(double x, int n) { return n > 0 ? x * power(x, n - 1) : 1; }
@@ -203,6 +207,6 @@ private:
 
     std::array<double, 257> sweep{};
     std::size_t place = 0;
-    bool back = false;
+    bool back = false, end_is_held = false;
 };
 LIVE_PANEL(TangentAndChord)

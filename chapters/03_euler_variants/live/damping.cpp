@@ -100,7 +100,7 @@ private:
         line(p, run, 1, drawn);
         p.ink(look);
         for (int i = 0; i < drawn && i <= shown; ++i) p.dot(i, run.x[i], 3);
-        if (drawn < run.size || !holds) p.text(drawn + 1, -1.6, "grows out of the picture");
+        if (drawn < run.size || !holds) p.text(drawn < 15 ? drawn + 1 : 15, -1.6, "grows out of the picture");
     }
     static void line(live::Picture& p, const Run& run, double step, int size) {
         p.move(0, run.x[0]);
@@ -125,8 +125,8 @@ private:
 
     live::Slider zeta{this, "zeta", "damping ratio ζ", 0, 2, 0.01, 0.4};
     live::Slider h{this, "omega_h", "ωh", 0.05, 5, 0.01, 1.4, "rad"};
-    live::Readout old_limit{this, "old velocity", "rad, longest stable ωh", semi_implicit_euler.name};
-    live::Readout new_limit{this, "new velocity", "rad, longest stable ωh",
+    live::Readout old_limit{this, "old velocity", "rad, limit of ωh", semi_implicit_euler.name};
+    live::Readout new_limit{this, "new velocity", "rad, limit of ωh",
                             semi_implicit_euler_new_damping.name};
     live::Fuse old_holds{this, "the damper at the old velocity"};
     live::Fuse new_holds{this, "the damper at the new velocity"};

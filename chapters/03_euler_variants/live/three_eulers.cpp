@@ -1,6 +1,7 @@
 // One spring in the phase portrait, stepped by the three Eulers. Pull at the dot, and at ωh.
 // still: omega_h=0.17 steps=37
 
+#include <array>
 #include <cmath>
 
 #include <timestep/methods/explicit_euler.hpp>
@@ -12,6 +13,50 @@
 
 using namespace timestep;
 
+double length(double x, double y) {
+    return std::sqrt(x * x + y * y);  // hypot has other bits elsewhere
+}
+
+// One method's run: a state, where it has been, and the corners of a cloud of states around it.
+struct Run {
+    Run(live::Panel* panel, const char* name) : name(name), number{panel, name}, holds{panel, name} {}
+
+    void begin(const State<double>& start) {
+        state = start;
+        trail.clear();
+        double c = 0.3, s = 0;
+        for (State<double>& corner : cloud) {
+            corner = {0, start.x + c, start.v + s};
+            const double turned = 0.96592582628906831 * c - 0.25881904510252074 * s;  // by a 24th of a turn
+            s = 0.25881904510252074 * c + 0.96592582628906831 * s, c = turned;
+        }
+    }
+    template <class Method>
+    void step(const Method& method, double h) {
+        if (!holds) return;
+        const Spring spring(1.0);  // ω = 1 rad/s: so ωh is h, and v/ω is v
+        state = method.step(spring, state, h);
+        for (State<double>& corner : cloud) corner = method.step(spring, corner, h);
+        holds.holds(amplitude() < 1e6);
+    }
+    double amplitude() const { return length(state.x, state.v); }
+    double area() const {
+        double twice = 0;
+        for (std::size_t i = 0; i < cloud.size(); ++i) {
+            const State<double>&a = cloud[i], &b = cloud[(i + 1) % cloud.size()];
+            twice += (a.x - state.x) * (b.v - state.v) - (a.v - state.v) * (b.x - state.x);
+        }
+        return twice / 2;
+    }
+
+    const char* name;
+    live::Readout number;
+    live::Fuse holds;
+    State<double> state{};
+    std::array<State<double>, 24> cloud{};
+    live::Trail<400> trail;
+};
+
 class ThreeEulers : public live::Panel {
 public:
     ThreeEulers() {
@@ -20,19 +65,16 @@ public:
     }
 
     void restart() override {
-        explicit_state = implicit_state = semi_implicit_state = {0, x, v};  // ω = 1 rad/s: v/ω is v
-        for (Trail* trail : {&explicit_trail, &implicit_trail, &semi_implicit_trail}) trail->clear();
+        for (Run& run : runs) run.begin({0, x, v});
+        area_at_start = runs[0].area();
         record();
     }
     double seconds() const override { return 1.0 / 20; }
 
     void step() override {
-        const Spring spring(1.0);
-        if (explicit_holds) explicit_state = explicit_euler.step(spring, explicit_state, h);
-        implicit_state = implicit_euler.step(spring, implicit_state, h);
-        if (semi_implicit_holds) semi_implicit_state = semi_implicit_euler.step(spring, semi_implicit_state, h);
-        explicit_holds.holds(amplitude(explicit_state) < 1e6);
-        semi_implicit_holds.holds(amplitude(semi_implicit_state) < 1e6);
+        runs[0].step(explicit_euler, h);
+        runs[1].step(implicit_euler, h);
+        runs[2].step(semi_implicit_euler, h);
         record();
     }
 
@@ -42,12 +84,10 @@ public:
         p.ink("exact", 5, 0.6);
         p.circle(0, 0, length(x, v));
         p.stroke();
-        draw(p, implicit_euler.name, implicit_state, implicit_trail);
-        draw(p, semi_implicit_euler.name, semi_implicit_state, semi_implicit_trail);
-        draw(p, explicit_euler.name, explicit_state, explicit_trail);
-        if (amplitude(explicit_state) > 4) p.text(-2.9, 2.1, "explicit Euler has left the picture");
+        for (const int i : {1, 2, 0}) draw(p, runs[i]);
+        if (runs[0].amplitude() > 4) p.text(-2.9, 2.1, "explicit Euler has left the picture");
         p.ink(semi_implicit_euler.name);
-        if (h >= 2 && amplitude(semi_implicit_state) > 40)
+        if (h >= 2 && runs[2].amplitude() > 40)
             p.text(-2.9, 1.7, h > 2 ? "semi-implicit Euler has left the picture" : "semi-implicit Euler grows, at its limit");
         p.ink("ink", 2);
         p.dot(x, v, 4);
@@ -62,35 +102,31 @@ public:
     bool handle(double& at_x, double& at_v) const override { return at_x = x, at_v = v, true; }
 
 private:
-    using Trail = live::Trail<400>;
-
-    static double length(double x, double y) { return std::sqrt(x * x + y * y); }  // hypot has other bits elsewhere
-    static double amplitude(const State<double>& s) { return length(s.x, s.v); }
     void record() {
-        if (explicit_holds) explicit_trail.add(explicit_state.x, explicit_state.v);
-        implicit_trail.add(implicit_state.x, implicit_state.v);
-        semi_implicit_trail.add(semi_implicit_state.x, semi_implicit_state.v);
-        explicit_amplitude = amplitude(explicit_state);
-        implicit_amplitude = amplitude(implicit_state);
-        semi_implicit_amplitude = amplitude(semi_implicit_state);
+        for (Run& run : runs) {
+            if (run.holds) run.trail.add(run.state.x, run.state.v);
+            run.number = cloud ? run.area() / area_at_start : run.amplitude();
+            run.number.unit = cloud ? "× as large" : "m";
+        }
     }
-    static void draw(live::Picture& p, const char* name, const State<double>& s, const Trail& trail) {
-        p.ink(name, 2);
-        trail.draw(p);
-        p.dot(s.x, s.v);
+    void draw(live::Picture& p, const Run& run) const {
+        if (cloud) {
+            p.ink(run.name, 2, 0.5);
+            for (const State<double>& corner : run.cloud)
+                &corner == run.cloud.data() ? p.move(corner.x, corner.v) : p.line(corner.x, corner.v);
+            p.fill();
+        }
+        p.ink(run.name, 2);
+        run.trail.draw(p);
+        p.dot(run.state.x, run.state.v);
     }
 
     live::Slider h{this, "omega_h", "ωh", 0.01, 2.2, 0.01, 0.17, "rad"};
     live::Slider x{this, "x", "start x", -2, 2, 0.01, 1, "m"};
     live::Slider v{this, "v", "start v/ω", -2, 2, 0.01, 0, "m"};
-    // Under the names of the methods: how far they swing.
-    live::Readout explicit_amplitude{this, explicit_euler.name, "m"};
-    live::Readout implicit_amplitude{this, implicit_euler.name, "m"};
-    live::Readout semi_implicit_amplitude{this, semi_implicit_euler.name, "m"};
-    live::Fuse explicit_holds{this, explicit_euler.name};
-    live::Fuse semi_implicit_holds{this, semi_implicit_euler.name};
-
-    State<double> explicit_state{}, implicit_state{}, semi_implicit_state{};
-    Trail explicit_trail, implicit_trail, semi_implicit_trail;
+    live::Toggle cloud{this, "cloud", "a cloud of states"};
+    // Under the names of the methods: how far each is from the centre, or how large its cloud is.
+    std::array<Run, 3> runs{Run(this, explicit_euler.name), Run(this, implicit_euler.name), Run(this, semi_implicit_euler.name)};
+    double area_at_start = 1;
 };
 LIVE_PANEL(ThreeEulers)

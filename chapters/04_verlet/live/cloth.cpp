@@ -162,7 +162,7 @@ private:
     live::Slider sweeps{this, "sweeps", "iterations a step", 1, 40, 1, 8};
     live::Slider wind{this, "wind", "wind", 0, 20, 0.5, 6, "m/s²"};
     live::Slider gravity{this, "gravity", "gravity", 0, 20, 0.01, 9.81, "m/s²"};
-    live::Slider tears_at{this, "tears_at", "tears when too long by", 50, 300, 10, 150, "%"};
+    live::Slider tears_at{this, "tears_at", "tears if too long by", 50, 300, 10, 150, "%"};
     live::Readout too_long{this, "the longest link", "% too long"};
     live::Readout torn{this, "torn links"}, first_torn{this, "the first tore at step"};
 

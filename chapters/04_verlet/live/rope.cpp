@@ -67,7 +67,7 @@ public:
         p.ink("ink");
         p.dot(hook(0), hook(1), 5);
         if (grabbed > 0) p.dot(finger(0), finger(1), 4);
-        if (plain_too_long.value > 5 || corrected_too_long.value > 5)
+        if (grabbed <= 0 && std::fmax(plain_too_long.value, corrected_too_long.value) > 5)  // else it may be the finger's doing
             p.text(-2.3, -3.2, "too long: too few iterations or steps");
     }
 

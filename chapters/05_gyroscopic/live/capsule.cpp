@@ -37,9 +37,7 @@ public:
         const V axis = leaning * V::UnitZ(), halfway = (axis + V::UnitY()).normalized();
         now.fill(placed(capsule, leaning, spin * halfway, dropped ? 0.5 : 0));
         energy_at_start = energy(capsule, ground(), now[0]);
-        for (Trail& trail : spins) trail.clear();
-        for (Trail& trail : energies) trail.clear();
-        next_record = 0;
+        spins.clear(), energies.clear();
         measure();
     }
 
@@ -64,8 +62,8 @@ public:
             const V above = view.seen(V(0, 0, now[i].x.z()));
             solid.draw(p, view, now[i].turning.q, x + above.x(), y + above.y());
         }
-        draw(p, spins, highest, "spin |ω|, rad/s", 0);
-        draw(p, energies, 1.6, "energy, at the start 1", 0.5);
+        spins.draw(p, names, false, 0, 0.5, p.narrow ? 0.4 : 0.47);
+        energies.draw(p, names, false, 0.5, 1, p.narrow ? 0.4 : 0.47);
     }
 
     // A finger on a capsule turns the view.
@@ -79,11 +77,9 @@ public:
     bool handle(double& x, double& y) const override { return x = width / 2, y = height / 2, true; }
 
 private:
-    using Trail = live::Trail<300>;
     static constexpr double width = 1.3, height = 1.5;  // of a capsule's place in the picture, m
-    static constexpr double shown = 20, highest = 150;  // of the lines: s, rad/s
-    static constexpr const char* names[] = {no_gyroscopic.name, lagged_inertia.name, implicit_gyroscopic.name,
-                                            passive_gyroscopic.name, calm_half_step.name};
+    static constexpr std::array names{no_gyroscopic.name, lagged_inertia.name, implicit_gyroscopic.name,
+                                      passive_gyroscopic.name, calm_half_step.name};
 
     plane::Ground ground() const {
         return {9.81, 0.5, rolling, arms == 0 ? plane::Arms::start : plane::Arms::middle};
@@ -101,25 +97,13 @@ private:
     }
 
     void measure() {
-        const bool record = now[0].turning.t >= next_record;
-        if (record) next_record += shown / 300;
-        for (int i = 0; i < 5; ++i) {
+        for (std::size_t i = 0; i < 5; ++i) {
             const double speed = now[i].turning.omega.norm();
             if (!holds[i].holds(speed < 1000 && now[i].x.allFinite())) continue;
             const double share = energy(capsule, ground(), now[i]) / energy_at_start;
             left[i] = speed < 1e-9 ? 0 : share;  // what roundoff leaves is rest
-            if (!record) continue;
-            spins[i].add(now[i].turning.t, speed);
-            energies[i].add(now[i].turning.t, share);
-        }
-    }
-    void draw(live::Picture& p, const std::array<Trail, 5>& trails, double most, const char* words, double from) const {
-        const double end = std::max(shown, now[0].turning.t);
-        p.window(end - shown, end, 0, most, false, from, from + 0.5, 0, p.narrow ? 0.4 : 0.47);
-        p.axes("t, s", words);
-        for (int i = 0; i < 5; ++i) {
-            p.ink(names[i]);
-            trails[i].draw(p);
+            spins.add(i, now[i].turning.t, speed);
+            energies.add(i, now[i].turning.t, share);
         }
     }
 
@@ -155,8 +139,8 @@ private:
     // 90 cm long, 30 cm thick, 1 kg.
     const plane::Capsule<SymmetricInertia<double>> capsule{timestep::capsule(1.0, 0.15, 0.6), 1, 0.15, 0.3};
     std::array<plane::Motion, 5> now{};
-    std::array<Trail, 5> spins, energies;
-    double next_record = 0, energy_at_start = 1;
+    live::Chart<5> spins{"spin |ω|, rad/s", 200}, energies{"energy, at the start 1", 1.6};
+    double energy_at_start = 1;
     live::Solid solid;
     live::View view;
 };

@@ -39,16 +39,6 @@ PrincipalInertia<double> inertia_of_wing_nut() {
     return {sum.x(), sum.y(), sum.z()};
 }
 
-// The same body. But std::cbrt, which the library calls, has not the same last digit on every machine. This root has,
-// by Newton-Raphson: so the page ends on the bits of the program.
-PrincipalInertia<double> same_bits(PrincipalInertia<double> inertia) {
-    const V& I = inertia.moments;
-    double mean = 1;
-    for (int n = 0; n < 60; ++n) mean -= (mean - I.x() * I.y() * I.z() / (mean * mean)) / 3;
-    inertia.unit = I / mean;
-    return inertia;
-}
-
 class Throw : public live::Panel {
 public:
     Throw() {
@@ -65,10 +55,7 @@ public:
         const Quaternion<double> upright = Quaternion<double>(1, 1, 0, 0).normalized();  // the body's y axis points up
         true_one = {0, upright, V(touch, spin, touch)};
         now.fill(in_world(true_one));
-        for (Trail& trail : energies) trail.clear();
-        for (Trail& trail : momenta) trail.clear();
-        left_at.fill(-1);
-        next_record = 0;
+        energies.clear(), momenta.clear();
         with_body([&](const auto& inertia) {
             energy_at_start = kinetic_energy(inertia, now[0]);
             momentum_at_start = angular_momentum(inertia, now[0]).norm();
@@ -97,15 +84,15 @@ public:
         p.window(0, columns * width, 0, rows * height, true, 0, 1, p.narrow ? 0.33 : 0.4, 1);
         for (int i = 0; i < 6; ++i) {
             const double x = (i % columns + 0.5) * width, y = (rows - i / columns - 0.5) * height;
-            p.ink(names[i]);
-            p.text(x - 0.46 * width, y + 0.4 * height, i == 3 ? "lagged inertia" : i == 4 ? "one iteration" : names[i]);
+            p.ink(i == 0 ? "ink" : names[i]);
+            p.text(x - 0.46 * width, y + 0.36 * height, i == 3 ? "lagged inertia" : i == 4 ? "one iteration" : names[i]);
             if (holds[i])
                 solids[body].draw(p, view, now[i].q, x, y - 0.06 * height);
             else
                 p.text(x - 0.2 * width, y, "blew up");
         }
-        draw(p, energies, "energy, at the start 1", 0);
-        draw(p, momenta, "|L|, at the start 1", 0.5);
+        energies.draw(p, names, true, 0, 0.5, p.narrow ? 0.33 : 0.4);
+        momenta.draw(p, names, true, 0.5, 1, p.narrow ? 0.33 : 0.4);
     }
 
     // A finger on a body turns the view.
@@ -119,11 +106,9 @@ public:
     bool handle(double& x, double& y) const override { return x = width / 2, y = height / 2, true; }
 
 private:
-    using Trail = live::Trail<300>;
     static constexpr double width = 1.75, height = 1.35;  // of a body's place in the picture, m
-    static constexpr double shown = 20, highest = 3;     // of the lines: s, and shares of the start
-    static constexpr const char* names[] = {"exact", no_gyroscopic.name, explicit_gyroscopic.name, lagged_inertia.name,
-                                            implicit_gyroscopic.name, passive_gyroscopic.name};
+    static constexpr std::array names{"exact", no_gyroscopic.name, explicit_gyroscopic.name, lagged_inertia.name,
+                                      implicit_gyroscopic.name, passive_gyroscopic.name};
 
     // A staff has two equal moments, and says so by its type: other closed forms step it.
     template <class Use>
@@ -134,29 +119,14 @@ private:
 
     template <class Inertia>
     void measure(const Inertia& inertia) {
-        const bool record = now[0].t >= next_record;
-        if (record) next_record += shown / 300;
-        for (int i = 0; i < 6; ++i) {
+        for (std::size_t i = 0; i < 6; ++i) {
             if (!holds[i]) continue;
             const double energy = kinetic_energy(inertia, now[i]) / energy_at_start;
             const double momentum = angular_momentum(inertia, now[i]).norm() / momentum_at_start;
             if (!holds[i].holds(energy < 1e6)) continue;
             left[i] = energy;
-            if (!record) continue;
-            energies[i].add(now[i].t, energy);
-            momenta[i].add(now[i].t, momentum);
-            left_at[i] = energy > highest && left_at[i] < 0 ? now[i].t : left_at[i];
-        }
-    }
-
-    void draw(live::Picture& p, const std::array<Trail, 6>& trails, const char* words, double from) const {
-        const double end = std::max(shown, now[0].t);
-        p.window(end - shown, end, 0, highest, false, from, from + 0.5, 0, p.narrow ? 0.33 : 0.4);
-        p.axes("t, s", words);
-        for (int i = 0; i < 6; ++i) {
-            p.ink(names[i], i == 0 ? 5 : 2, i == 0 ? 0.6 : 1);
-            trails[i].draw(p);
-            if (left_at[i] >= 0 && from == 0) p.text(std::max(left_at[i], end - shown) + 0.2, highest - 0.3, "leaves upwards");
+            energies.add(i, now[i].t, energy);
+            momenta.add(i, now[i].t, momentum);
         }
     }
 
@@ -170,15 +140,14 @@ private:
     live::Fuse holds[6] = {{this, names[0]}, {this, names[1]}, {this, names[2]},
                            {this, names[3]}, {this, names[4]}, {this, names[5]}};
 
-    const PrincipalInertia<double> a_box = same_bits(box(1.0, 1.0 / 3, 2.0 / 3, 1.0)),
-                                   a_wing_nut = same_bits(inertia_of_wing_nut()),
-                                   a_plank = same_bits(box(1.0, 0.04, 0.3, 1.2));
+    const PrincipalInertia<double> a_box = box(1.0, 1.0 / 3, 2.0 / 3, 1.0),
+                                   a_wing_nut = inertia_of_wing_nut(),
+                                   a_plank = box(1.0, 0.04, 0.3, 1.2);
     const SymmetricInertia<double> a_staff = staff(1.0, 1.3, 0.06);
     SpinState<double> true_one{};  // the exact body, in its axes
     std::array<RigidState<double>, 6> now{};
-    std::array<double, 6> left_at{};  // when its line left the diagrams upwards, s; −1 while it is there
-    std::array<Trail, 6> energies, momenta;
-    double energy_at_start = 1, momentum_at_start = 1, next_record = 0;
+    live::Chart<6> energies{"energy, at the start 1", 3}, momenta{"|L|, at the start 1", 3};
+    double energy_at_start = 1, momentum_at_start = 1;
     std::array<live::Solid, 4> solids;
     live::View view;
 };

@@ -108,8 +108,8 @@ private:
     // The verdict, and the rate at which it changes: short, for a phone.
     static void say(Run& run, Verdict verdict, double at) {
         const char* where = verdict == Verdict::stable ? "≥" : verdict == Verdict::grows ? "<" : "at";
-        const char* form = !std::isfinite(at) || at == 0 ? "%s at every rate" : at < 1000 ? "%s %s %.4g Hz" : "%s %s %.0f Hz";
-        std::snprintf(run.verdict, sizeof run.verdict, form, words(verdict), where, at);
+        const char* form = !std::isfinite(at) || at == 0 ? "%s at every rate" : at < 1000 ? "%s %s %.4g Hz" : "%s %s %.4g kHz";
+        std::snprintf(run.verdict, sizeof run.verdict, form, words(verdict), where, at < 1000 ? at : at / 1000);
     }
     void one_step() {
         const auto step_one = [this, damped = spring()](const auto& method, Run& run) {
@@ -151,12 +151,13 @@ private:
         for (const Run& run : runs) {
             p.ink("soft", 1), p.segment(0, middle, width, middle);
             // A run that grows shrinks its row, to a tenth at most. Farther out it is gone.
+            const double room = p.narrow ? 0.8 : 1.2;  // for a metre, in rows of four; on a phone the letters take more of it
             double largest = 1.2;
             const std::size_t from = sampled > shown ? sampled - shown : 0;
             std::size_t end = from;
             for (; end < run.end && std::fabs(run.samples[end % most_samples]) < 12; ++end)
                 largest = std::fmax(largest, std::fabs(run.samples[end % most_samples]));
-            const double scale = 1.2 / (end < run.end || !run.holds ? 12 : largest);
+            const double scale = room / (end < run.end || !run.holds ? 12 : largest);
             draw_exact(p, middle, scale);
             p.ink(run.name, 1.5), draw_run(p, run.samples, from, end, middle, scale);
             if (end < run.end || !run.holds) p.text(0.79 * width, middle + 1.5, "past 12 m");
@@ -189,7 +190,7 @@ private:
 
     // Each method's longest stable step, against the damping.
     void draw_map(live::Picture& p) const {
-        p.window(0, 2, 0, 5, false, p.narrow ? 0 : 0.58, 1, p.narrow ? 0 : 0.45, p.narrow ? 0.4 : 1);
+        p.window(-0.06, 2.06, -0.15, 5.15, false, p.narrow ? 0 : 0.58, 1, p.narrow ? 0 : 0.45, p.narrow ? 0.4 : 1);
         p.axes("damping ratio ζ", "longest step, ωh");
         for (const Run& run : runs) {
             if (!run.has_limit()) continue;

@@ -1,6 +1,5 @@
 // Up to ten thousand boxes that tumble in SIMD lanes: what each solver costs, and what it does to the worst of them.
 // still: steps=120
-// not the same bits: Cayley feels the last bit of std::cbrt, which is another in every library
 // wasm: -msimd128
 
 #include <algorithm>
