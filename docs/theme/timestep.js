@@ -56,6 +56,17 @@ function unfoldAll() {
     for (const fold of document.querySelectorAll("details.ask")) fold.open = true;
 }
 
+// Long lines of a listing are broken (those of whole sources are not: they are numbered), and the line that matters is marked.
+function setListings() {
+    for (const line of document.querySelectorAll(".contents div.fragment div.line")) {
+        if (line.querySelector(".lineno")) continue;
+        line.classList.add("breaks");
+        line.style.setProperty("--indent", Math.min(line.textContent.search(/\S|$/), 16) + "ch");
+    }
+    for (const listing of document.querySelectorAll("figure.listing[data-line]"))
+        listing.querySelectorAll("div.line")[listing.dataset.line - 1]?.classList.add("marked");
+}
+
 // What is wider than the page scrolls in itself. Its edge fades where it goes on.
 function fadeWhatGoesOn() {
     for (const box of document.querySelectorAll("table.markdownTable, table.markdownTable tbody, p.formulaDsp, a.card, pre, div.fragment")) {
@@ -102,6 +113,7 @@ function nameTheParts() {
 
 document.addEventListener("DOMContentLoaded", () => {
     nameTheParts();
+    setListings();
     if (document.querySelector("figure[data-module]")) load("script", { src: "live.js" });
     if (document.querySelector("figure.animation")) load("script", { src: "film.js" });
     typesetFormulas().finally(fadeWhatGoesOn);
