@@ -164,3 +164,13 @@ TEST_CASE("library_pages puts a unit beside every parameter, and refuses one wit
     CHECK_THAT(make("h\ts\t\nx\t\t\n", "").words, EndsWith("groups.tsv:1: has no group for timestep/run.hpp\n"));
     CHECK_THAT(make("h\ts\t\nx\t\t\n", groups + groups).words, ContainsSubstring("groups.tsv:2: there is no second header timestep/run.hpp"));
 }
+
+TEST_CASE("link_sources takes away what Doxygen guessed in listings") {
+    const Course course;
+    const std::string kept = "<a class=\"code hl_function\" href=\"b.html#s\">solve</a>",
+                      tip = "<div class=\"ttc\" id=\"b\"><div class=\"ttname\"><a href=\"b.html#s\">timestep::solve</a></div></div>\n";
+    course.write("site/p.html", "x<a class=\"code hl_function\" href=\"a.html#g\">step</a>(" + kept + ")\n" +
+                                    "<div class=\"ttc\" id=\"a\"><div class=\"ttname\"><a href=\"a.html#g\">timestep::plane::step</a></div></div>\n" + tip);
+    REQUIRE(run_command(std::string{LINK_SOURCES} + " " + (course / "site").string()).status == 0);
+    CHECK(course.read("site/p.html") == "xstep(" + kept + ")\n\n" + tip);
+}

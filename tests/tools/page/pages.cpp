@@ -59,6 +59,11 @@ TEST_CASE("a check mark tells what the run has confirmed") {
     const Course course;
     CHECK_THAT(course.fill_paragraph("It grows {{check grows}}."),
                ContainsSubstring("data-statement=\"the amplitude grows\">✓</span>."));
+    const std::string three = course.fill_paragraph("It grows {{check grows}}\n{{check grows}} {{check grows}}, and {{check grows}}.");
+    CHECK_THAT(three, ContainsSubstring("It grows <span class=\"check\" tabindex=\"0\" role=\"note\" aria-label=\"The run confirms: the amplitude grows; "
+                                        "the amplitude grows; the amplitude grows\" data-statement=\"the amplitude grows; the amplitude grows; "
+                                        "the amplitude grows\">✓</span>, and <span") &&
+                          ContainsSubstring("data-statement=\"the amplitude grows\">✓</span>."));
 }
 
 TEST_CASE("a figure has a size, words for those who cannot see it, and a caption") {
