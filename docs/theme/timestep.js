@@ -111,9 +111,19 @@ function nameTheParts() {
     for (const icon of document.querySelectorAll(".directory a > .icondoc")) icon.parentElement.setAttribute("aria-label", "Source");
 }
 
+// Where GitHub publishes the site, the address tells the repository.
+function offerDownload() {
+    const link = document.getElementById("download"), owner = location.hostname.match(/^(.+)[.]github[.]io$/)?.[1];
+    const name = location.pathname.split("/")[1];
+    if (!link || !owner || !name || name.endsWith(".html")) return;
+    link.href = `https://github.com/${owner}/${name}/archive/HEAD.zip`;
+    link.hidden = false;
+}
+
 document.addEventListener("DOMContentLoaded", () => {
     nameTheParts();
     setListings();
+    offerDownload();
     if (document.querySelector("figure[data-module]")) load("script", { src: "live.js" });
     if (document.querySelector("figure.animation")) load("script", { src: "film.js" });
     typesetFormulas().finally(fadeWhatGoesOn);
