@@ -38,10 +38,31 @@ async function typesetFormulas() {
         await load("script", { src: katexFolder + "auto-render.js" });
         await style;
         renderMathInElement(document.body, formulaOptions);
+        document.querySelectorAll(".contents :not(.katex-display) > .katex").forEach(keepComma);
     } finally {
         page.remove("typesetting");
     }
     goToPlace();  // what an address leads to has moved
+}
+
+// No line begins with the comma behind a formula: it goes into the same span, or, where that may have to be broken, into its last part.
+function keepComma(formula) {
+    const text = formula.parentElement.nextSibling, comma = text?.nodeType === 3 && text.data.match(/^[,.;:!?)]+/)?.[0];
+    if (!comma) return;
+    text.data = text.data.slice(comma.length);
+    const parts = formula.querySelectorAll(".base");
+    if (parts.length > 1) return void parts[parts.length - 1].append(comma);
+    formula.after(comma);
+    formula.parentElement.classList.add("number");
+}
+
+// What a mark tells stands above it, and within the page.
+function placeMark(event) {
+    const mark = event.target.closest?.(".check");
+    if (!mark) return;
+    const page = document.getElementById("doc-content").getBoundingClientRect(), half = 11.9 * 0.85 * 16 + 12;
+    const at = mark.getBoundingClientRect().left;
+    mark.style.setProperty("--aside", Math.max(0, page.left + half - at) - Math.max(0, at + half - page.right) + "px");
 }
 
 // An address with a place in the page that is folded away.
@@ -129,6 +150,8 @@ document.addEventListener("DOMContentLoaded", () => {
     typesetFormulas().finally(fadeWhatGoesOn);
     addEventListener("hashchange", goToPlace);
     addEventListener("click", enlarge);
+    addEventListener("pointerover", placeMark);
+    addEventListener("focusin", placeMark);
     addEventListener("beforeprint", unfoldAll);
     goToPlace();
 });

@@ -72,6 +72,12 @@ std::string with_marks_joined(std::string page) {
             page.replace(open, to + end.size() - open, mark);
             at = open + mark.size() - end.size();
         }
+        // No line begins with a mark.
+        const std::size_t open = page.rfind(begin, at), words = page.find_last_not_of(" \n", open - 1);
+        if (words != std::string::npos && words + 1 < open && std::string{"|-*>"}.find(page[words]) == std::string::npos && page.compare(words + 1, 2, "\n\n") != 0) {
+            page.replace(words + 1, open - words - 1, "\u00a0");
+            at = page.find(end, words);
+        }
     }
     return page;
 }

@@ -60,9 +60,9 @@ TEST_CASE("a check mark tells what the run has confirmed") {
     CHECK_THAT(course.fill_paragraph("It grows {{check grows}}."),
                ContainsSubstring("data-statement=\"the amplitude grows\">✓</span>."));
     const std::string three = course.fill_paragraph("It grows {{check grows}}\n{{check grows}} {{check grows}}, and {{check grows}}.");
-    CHECK_THAT(three, ContainsSubstring("It grows <span class=\"check\" tabindex=\"0\" role=\"note\" aria-label=\"The run confirms: the amplitude grows; "
+    CHECK_THAT(three, ContainsSubstring("It grows\u00a0<span class=\"check\" tabindex=\"0\" role=\"note\" aria-label=\"The run confirms: the amplitude grows; "
                                         "the amplitude grows; the amplitude grows\" data-statement=\"the amplitude grows; the amplitude grows; "
-                                        "the amplitude grows\">✓</span>, and <span") &&
+                                        "the amplitude grows\">✓</span>, and\u00a0<span") &&
                           ContainsSubstring("data-statement=\"the amplitude grows\">✓</span>."));
 }
 
