@@ -1,6 +1,6 @@
 # Makes the site: Doxygen on the filled pages, then what Doxygen cannot do. Called as
 #   cmake -DDOXYGEN=… -DDOXYFILE=… -DSITE=… -DHEADS="a.html;b.html" -DKATEX=folder
-#         -DFIGURES=folder -DLINK_SOURCES=program -DLUNR=folder -DSEARCH_INDEX=program [-DUNLINKED=tests/] -P make_site.cmake
+#         -DFIGURES=folder -DLINK_SOURCES=program -DLIBRARY_PAGES=program -DLIBRARY=docs/library -DLUNR=folder -DSEARCH_INDEX=program [-DUNLINKED=tests/] -P make_site.cmake
 # All of it happens in SITE/unfinished, which becomes SITE/html when nothing went wrong. There the file
 # `made` tells that the site is whole.
 
@@ -52,6 +52,7 @@ if(KATEX)
   file(COPY ${fonts} DESTINATION "${html}/katex/fonts")
 endif()
 run("${LINK_SOURCES}" "${html}" ${UNLINKED})
+run("${LIBRARY_PAGES}" "${html}" "${SITE}/names.tag" "${LIBRARY}")
 if(LUNR)
   configure_file("${LUNR}/lunr.min.js" "${html}/lunr.min.js" COPYONLY)
   run("${SEARCH_INDEX}" "${html}" "${SITE}/names.tag")

@@ -21,7 +21,8 @@ endif()
 set(heads "${theme}/head.html")
 set(styles "")
 # A reader's browser needs no comments, and no blanks before a line or round an operator (none of our words holds these).
-set(scripts "${theme}/logo.svg")
+set(scripts "${theme}/logo.svg" "${PROJECT_BINARY_DIR}/docs/LICENSE.txt")
+configure_file("${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_BINARY_DIR}/docs/LICENSE.txt" COPYONLY)
 set(own_scripts timestep live film)
 if(LUNR)
   list(APPEND own_scripts search)
@@ -70,6 +71,7 @@ endfunction()
 doxygen_list(stylesheets ${styles})
 doxygen_list(extra_files ${scripts})
 set(filter "$<TARGET_FILE:source_filter>")
+set(library "${PROJECT_SOURCE_DIR}/docs/library")
 set(colour_style "")
 if(DOXYGEN)
   # From 1.9.5 on Doxygen has a dark mode of its own, which the theme's replaces.
@@ -77,14 +79,19 @@ if(DOXYGEN)
   if(AWESOME AND version VERSION_GREATER_EQUAL 1.9.5)
     set(colour_style "HTML_COLORSTYLE = LIGHT")
   endif()
+  # From 1.9.8 on "modules" are those of C++20.
+  set(groups_tab modules)
+  if(version VERSION_GREATER_EQUAL 1.9.8)
+    set(groups_tab topics)
+  endif()
+  configure_file("${theme}/layout.xml" "${PROJECT_BINARY_DIR}/docs/layout.xml" @ONLY)
 endif()
 
 # Writes a Doxyfile for the pages in the folder `pages`, and sets `make` to what make_site.cmake must know
 # to make the site ${site}/html from it, with the figures in `figures`. `tests` is the folder of the tests, or nothing.
 # A gap in the documentation is an error, or with OFF none.
 function(timestep_doxyfile name site pages figures tests strict make)
-  doxygen_list(inputs "${pages}" "${PROJECT_SOURCE_DIR}/docs/library.dox"
-               "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}/docs/engines" "${PROJECT_SOURCE_DIR}/chapters" ${tests})
+  doxygen_list(inputs "${pages}" "${PROJECT_SOURCE_DIR}/include" "${library}" "${PROJECT_SOURCE_DIR}/docs/engines" "${PROJECT_SOURCE_DIR}/chapters" ${tests})
   set(unlinked "")
   if(NOT tests)
     set(unlinked tests/)
@@ -100,7 +107,7 @@ function(timestep_doxyfile name site pages figures tests strict make)
   string(REPLACE ";" "\\;" all_heads "${heads}")
   set(${make} "-DDOXYGEN=${DOXYGEN}" "-DDOXYFILE=${doxyfile}" "-DSITE=${site}"
     "-DFIGURES=${figures}" "-DHEADS=${all_heads}" "-DKATEX=${KATEX}"
-    "-DLINK_SOURCES=$<TARGET_FILE:link_sources>" "-DLUNR=${LUNR}" "-DSEARCH_INDEX=$<TARGET_FILE:search_index>" "-DUNLINKED=${unlinked}" PARENT_SCOPE)
+    "-DLINK_SOURCES=$<TARGET_FILE:link_sources>" "-DLIBRARY_PAGES=$<TARGET_FILE:library_pages>" "-DLIBRARY=${library}" "-DLUNR=${LUNR}" "-DSEARCH_INDEX=$<TARGET_FILE:search_index>" "-DUNLINKED=${unlinked}" PARENT_SCOPE)
 endfunction()
 
 # Which chapters and exercises there are: pages name them all, and a new one changes this file.
@@ -115,7 +122,7 @@ set(fill page --source "${PROJECT_SOURCE_DIR}" --runs "${PROJECT_BINARY_DIR}/cha
 # The runs that a page names besides its own: {{03_euler_variants/amplitude}}.
 function(timestep_runs_named_in page result)
   file(STRINGS "${page}" lines REGEX "{{")
-  string(REGEX MATCHALL "(instructions|programs|exercises|in_engines|[0-9][0-9]_[a-z0-9_]+)/[a-z0-9_]+[^a-z0-9_/]" named "${lines}")
+  string(REGEX MATCHALL "(instructions|programs|exercises|in_engines|library|[0-9][0-9]_[a-z0-9_]+)/[a-z0-9_]+[^a-z0-9_/]" named "${lines}")
   list(TRANSFORM named REPLACE "/.*" "")
   list(REMOVE_DUPLICATES named)
   set(${result} ${named} PARENT_SCOPE)
@@ -160,7 +167,7 @@ function(timestep_grows chapter)
     COMMAND "${CMAKE_COMMAND}" "-DWHOLE=${site}" "-DROOT=${PROJECT_SOURCE_DIR}" "-DRUNS=${PROJECT_BINARY_DIR}/chapters"
             "-DPAGE=$<TARGET_FILE:page>" "-DSHOWN=${shown}" ${make_draft}
             -P "${PROJECT_SOURCE_DIR}/docs/grow_site.cmake"
-    DEPENDS "${PROJECT_BINARY_DIR}/chapters/${chapter}/run/done" ${live} page source_filter link_sources
+    DEPENDS "${PROJECT_BINARY_DIR}/chapters/${chapter}/run/done" ${live} page source_filter link_sources library_pages
     JOB_POOL growing_site COMMENT "Chapter ${number} can be read" VERBATIM)
   add_custom_target(grow_${chapter} DEPENDS "${shown}")
   string(REGEX REPLACE "^[0-9]+_" "run_" run "${chapter}")

@@ -38,10 +38,31 @@ async function typesetFormulas() {
         await load("script", { src: katexFolder + "auto-render.js" });
         await style;
         renderMathInElement(document.body, formulaOptions);
+        document.querySelectorAll(".contents :not(.katex-display) > .katex").forEach(keepComma);
     } finally {
         page.remove("typesetting");
     }
     goToPlace();  // what an address leads to has moved
+}
+
+// No line begins with the comma behind a formula: it goes into the same span, or, where that may have to be broken, into its last part.
+function keepComma(formula) {
+    const text = formula.parentElement.nextSibling, comma = text?.nodeType === 3 && text.data.match(/^[,.;:!?)]+/)?.[0];
+    if (!comma) return;
+    text.data = text.data.slice(comma.length);
+    const parts = formula.querySelectorAll(".base");
+    if (parts.length > 1) return void parts[parts.length - 1].append(comma);
+    formula.after(comma);
+    formula.parentElement.classList.add("number");
+}
+
+// What a mark tells stands above it, and within the page.
+function placeMark(event) {
+    const mark = event.target.closest?.(".check");
+    if (!mark) return;
+    const page = document.getElementById("doc-content").getBoundingClientRect(), half = 11.9 * 0.85 * 16 + 12;
+    const at = mark.getBoundingClientRect().left;
+    mark.style.setProperty("--aside", Math.max(0, page.left + half - at) - Math.max(0, at + half - page.right) + "px");
 }
 
 // An address with a place in the page that is folded away.
@@ -54,6 +75,17 @@ function goToPlace() {
 // Nobody can unfold paper.
 function unfoldAll() {
     for (const fold of document.querySelectorAll("details.ask")) fold.open = true;
+}
+
+// Long lines of a listing are broken (those of whole sources are not: they are numbered), and the line that matters is marked.
+function setListings() {
+    for (const line of document.querySelectorAll(".contents div.fragment div.line")) {
+        if (line.querySelector(".lineno")) continue;
+        line.classList.add("breaks");
+        line.style.setProperty("--indent", Math.min(line.textContent.search(/\S|$/), 16) + "ch");
+    }
+    for (const listing of document.querySelectorAll("figure.listing[data-line]"))
+        listing.querySelectorAll("div.line")[listing.dataset.line - 1]?.classList.add("marked");
 }
 
 // What is wider than the page scrolls in itself. Its edge fades where it goes on.
@@ -100,13 +132,26 @@ function nameTheParts() {
     for (const icon of document.querySelectorAll(".directory a > .icondoc")) icon.parentElement.setAttribute("aria-label", "Source");
 }
 
+// Where GitHub publishes the site, the address tells the repository.
+function offerDownload() {
+    const link = document.getElementById("download"), owner = location.hostname.match(/^(.+)[.]github[.]io$/)?.[1];
+    const name = location.pathname.split("/")[1];
+    if (!link || !owner || !name || name.endsWith(".html")) return;
+    link.href = `https://github.com/${owner}/${name}/archive/HEAD.zip`;
+    link.hidden = false;
+}
+
 document.addEventListener("DOMContentLoaded", () => {
     nameTheParts();
+    setListings();
+    offerDownload();
     if (document.querySelector("figure[data-module]")) load("script", { src: "live.js" });
     if (document.querySelector("figure.animation")) load("script", { src: "film.js" });
     typesetFormulas().finally(fadeWhatGoesOn);
     addEventListener("hashchange", goToPlace);
     addEventListener("click", enlarge);
+    addEventListener("pointerover", placeMark);
+    addEventListener("focusin", placeMark);
     addEventListener("beforeprint", unfoldAll);
     goToPlace();
 });

@@ -138,6 +138,30 @@ if (dark) requestAnimationFrame(() => requestAnimationFrame(look)); else look();
 """
 
 
+# On a desk: listings are not cut, no line begins with the comma behind a formula, and what a mark tells lies on the page.
+LOOK_AT_DESK = r"""
+const done = arguments[arguments.length - 1], faults = [], range = document.createRange();
+for (const fold of document.querySelectorAll("details")) fold.open = true;
+const page = document.getElementById("doc-content").getBoundingClientRect();
+for (const listing of document.querySelectorAll(".contents div.fragment"))
+    if (listing.scrollWidth > listing.clientWidth + 1) faults.push("a listing is cut: " + listing.textContent.slice(0, 40));
+const half = 11.9 * 0.85 * parseFloat(getComputedStyle(document.documentElement).fontSize);  // as wide as it may get
+for (const mark of document.querySelectorAll(".check")) {
+    mark.dispatchEvent(new PointerEvent("pointerover", { bubbles: true }));
+    const aside = parseFloat(mark.style.getPropertyValue("--aside")), at = mark.getBoundingClientRect().left + aside;
+    if (!(at - half >= page.left && at + half <= page.right)) faults.push("what a mark tells is cut: " + mark.dataset.statement);
+}
+for (const formula of document.querySelectorAll(".contents .katex")) {
+    const text = formula.parentElement.nextSibling, part = [...formula.querySelectorAll(".base")].pop();
+    if (text?.nodeType !== 3 || !/^[,.;:]/.test(text.data) || !part) continue;
+    range.setStart(text, 0), range.setEnd(text, 1);
+    if (range.getBoundingClientRect().top > part.getBoundingClientRect().bottom) faults.push("a line begins with " + text.data.slice(0, 20));
+}
+if (!document.querySelector(".contents div.line.marked")) faults.push("no line of a listing is marked");
+done(faults);
+"""
+
+
 def missing():
     """What this machine lacks, or nothing."""
     try:
@@ -205,6 +229,13 @@ class Browser:
                   if entry["level"] == "SEVERE"]
         return found
 
+
+    def at_a_desk(self, path):
+        """What is wrong with the page on a wide screen."""
+        self.prefer("light")
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": 1280, "height": 900, "deviceScaleFactor": 1, "mobile": False})
+        self.driver.get(pathlib.Path(path).resolve().as_uri())
+        return self.driver.execute_async_script(LOOK) + self.driver.execute_async_script(LOOK_AT_DESK)
 
     def search_finds(self, path, word, looks=2400):
         """Does the search field of this page offer a result for the word? Two minutes are given to it, for the
@@ -288,6 +319,11 @@ def main():
                 not browser.search_finds(os.path.join(site, "index.html"), SEARCHED):  # else search.py looks
             print(f"index.html: the search does not find {SEARCHED}")
             count += 1
+        for page in pages:
+            if page.startswith("chapter_"):
+                for fault in browser.at_a_desk(os.path.join(site, page)):
+                    print(f"{page}: {fault}")
+                    count += 1
         for fault in browser.folds_open(os.path.join(site, FOLDS)):
             print(f"{FOLDS}: {fault}")
             count += 1

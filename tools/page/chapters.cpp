@@ -31,13 +31,13 @@ std::string minutes_to_read(std::string source) {
     return std::to_string(std::max(grain, (minutes + grain / 2) / grain * grain));
 }
 
-/// The chapter's picture, as a link to its page.
+/// The chapter's picture, as a link to its page: small, so it is the one for phones, whose letters are larger.
 std::string card(Context& context, const Chapter& chapter) {
     std::string name;
     const std::string& file = chapter.picture;
     const std::filesystem::path drawn = context.run_of(chapter.folder + "/", name).figure(file);
     return "<a class=\"card\" aria-hidden=\"true\" tabindex=\"-1\" href=\"" + chapter.id() + ".html\">" +
-           picture_html(context, chapter.folder, drawn, "") + "</a>";
+           replace_all(picture_html(context, chapter.folder, drawn, ""), "screen and (max-width: 560px)", "screen") + "</a>";
 }
 
 }  // namespace

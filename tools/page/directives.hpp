@@ -28,6 +28,8 @@ std::string number_markdown(Context& context, const std::string& reference);
 std::string number_tex(Context& context, const std::string& reference);
 /// `{{check name}}`: a check mark that tells what the run confirmed.
 std::string check_markdown(Context& context, const Directive& directive);
+/// Marks with nothing but blanks between them become one, which tells all that they tell; it stands on the line of the word before it.
+std::string with_marks_joined(std::string page);
 /// `{{line explicit_euler}}`: a piece of the line that figures draw for a method.
 std::string line_markdown(Context& context, const Directive& directive);
 /// `{{figure file.svg N22 N24: caption}}`; `caption` is the filled caption.

@@ -82,7 +82,7 @@ public:
         if (block != nullptr) {
             throw Error{file_, block->line, "{{" + block->text + "}} without its {{end}}"};
         }
-        return page;
+        return with_marks_joined(page);
     }
 
     /// To be asked when all of the page is filled.

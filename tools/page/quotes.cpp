@@ -41,6 +41,30 @@ bool is_numeric(const Table& table, std::size_t column) {
     return any && (column > 0 || !words);
 }
 
+/// Of the lines of `code` the one that holds these words, counted from 1.
+int line_with(const std::string& words, const std::string& code) {
+    const std::vector<std::string> lines = split_lines(code);
+    int found = 0, count = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (lines[i].find(words) != std::string::npos) {
+            found = static_cast<int>(i) + 1;
+            ++count;
+        }
+    }
+    if (count != 1) {
+        throw std::out_of_range{std::to_string(count) + " of the quoted lines hold \"" + words + "\", instead of the one that matters"};
+    }
+    return found;
+}
+
+/// All of a file that is there.
+Snippet whole(const std::filesystem::path& root, const std::string& file) {
+    if (!std::filesystem::is_regular_file(root / file)) {
+        throw std::out_of_range{"there is no file " + file};
+    }
+    return {read_file(root / file), 0};
+}
+
 }  // namespace
 
 std::string source_link(const std::string& file, int line, const std::string& text) {
@@ -50,22 +74,23 @@ std::string source_link(const std::string& file, int line, const std::string& te
 }
 
 std::string code_markdown(Context& context, const Directive& directive) {
-    if (directive.arguments.size() < 2) {
-        throw std::invalid_argument{"a quotation is {{code file tag}}"};
+    if (directive.arguments.empty()) {
+        throw std::invalid_argument{"a quotation is {{code file tag}}, or {{code file}} for all of it"};
     }
     const std::string& file = directive.arguments.front();
     std::string tag;  // of one or more words
     for (std::size_t i = 1; i < directive.arguments.size(); ++i) {
         tag += (i > 1 ? " " : "") + directive.arguments[i];
     }
-    const Snippet snippet = quote(context.root(), file, tag);
+    const Snippet snippet = tag.empty() ? whole(context.root(), file) : quote(context.root(), file, tag);
     context.inputs.insert(context.root() / file);
     // The site shows C++ sources whole; other files are quoted without a link.
     const std::string caption = language(file).empty()
                                     ? escape_markdown(file)
                                     : source_link(file, snippet.first_line, escape_markdown(file));
     const std::string fence = snippet.code.find("```") == std::string::npos ? "```" : "~~~~";
-    return "\n\\htmlonly[block]<figure class=\"listing\"><figcaption>\\endhtmlonly\n" + caption +
+    const std::string marked = directive.text.empty() ? "" : " data-line=\"" + std::to_string(line_with(directive.text, snippet.code)) + "\"";
+    return "\n\\htmlonly[block]<figure class=\"listing\"" + marked + "><figcaption>\\endhtmlonly\n" + caption +
            "\n\\htmlonly[block]</figcaption>\\endhtmlonly\n\n" + fence + language(file) + "\n" +
            snippet.code + fence + "\n\n\\htmlonly[block]</figure>\\endhtmlonly\n";
 }

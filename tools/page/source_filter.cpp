@@ -1,25 +1,66 @@
 // source_filter: what Doxygen reads of a source file.
 //
-// A header of the library is read as it stands, less the markers of the snippets that pages quote,
-// which would end up in the documentation of the declaration below them. Programs and tests are no
-// interface: of them Doxygen reads nothing, and shows them in the source browser only.
+//     source_filter INTERFACE_FOLDER GROUPS FILE
+//
+// A header of the library is read line for line, less the markers of the snippets that pages quote,
+// which would end up in the documentation of the declaration below them; and what it declares goes into the group
+// that GROUPS has for it. Programs and tests are no interface: of them Doxygen reads nothing, and shows them in the
+// source browser only.
 
 #include "snippet.hpp"
 #include "text.hpp"
 
 #include <iostream>
 
+namespace {
+
+/// The group of the header `file`, or nothing.
+std::string group_of(const std::string& file, const std::string& groups) {
+    for (const std::string& row : page::split_lines(page::read_file(groups))) {
+        const std::vector<std::string> cells = page::split(row, '\t');
+        if (cells.size() == 2 && file.ends_with("/" + cells[0])) {
+            return cells[1];
+        }
+    }
+    return {};
+}
+
+/// A line of a header below the line `before`, with its group. None more and none less: the documentation tells where
+/// things are defined.
+std::string in_group(const std::string& before, const std::string& line, const std::string& group) {
+    if (line == "#pragma once") {
+        return "/// \\file";
+    }
+    if (line == "/// \\file" && before == "#pragma once") {
+        return "/// \\ingroup " + group;
+    }
+    const bool hidden = line.find("detail") != std::string::npos;
+    if (line.starts_with("namespace timestep") && line.ends_with("{") && !hidden) {
+        return line + " /** \\addtogroup " + group + " */ /** \\{ */";
+    }
+    if (line.starts_with("}  // namespace timestep") && !hidden) {
+        return "/** \\} */ " + line;
+    }
+    return page::marker_tag(line).empty() ? line : "";
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-    if (argc != 3) {
-        std::cerr << "usage: source_filter INTERFACE_FOLDER FILE\n";
+    if (argc != 4) {
+        std::cerr << "usage: source_filter INTERFACE_FOLDER GROUPS FILE\n";
         return 2;
     }
     try {
         const std::string interface_folder{argv[1]};
-        const std::string file{argv[2]};
+        const std::string file{argv[3]};
         if (file.starts_with(interface_folder)) {
-            for (const std::string& line : page::split_lines(page::read_file(file))) {
-                std::cout << (page::marker_tag(line).empty() ? line : "") << "\n";
+            const std::vector<std::string> lines = page::split_lines(page::read_file(file));
+            const std::string group = group_of(file, argv[2]);
+            for (std::size_t i = 0; i < lines.size(); ++i) {
+                const std::string before = i > 0 ? lines[i - 1] : "";
+                const std::string plain = page::marker_tag(lines[i]).empty() ? lines[i] : "";
+                std::cout << (group.empty() ? plain : in_group(before, lines[i], group)) << "\n";
             }
         }
         return std::cout.flush() ? 0 : 2;

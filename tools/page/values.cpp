@@ -56,4 +56,30 @@ std::string check_markdown(Context& context, const Directive& directive) {
            statement + "\" data-statement=\"" + statement + "\">✓</span>";
 }
 
+std::string with_marks_joined(std::string page) {
+    static const std::string begin = "<span class=\"check\"", told = "data-statement=\"", end = "\">✓</span>", label = "The run confirms: ";
+    for (std::size_t at = page.find(end); at != std::string::npos; at = page.find(end, at + 1)) {
+        while (true) {
+            const std::size_t next = page.find_first_not_of(" \n", at + end.size());
+            if (next == std::string::npos || page.compare(next, begin.size(), begin) != 0) {
+                break;
+            }
+            const std::size_t from = page.find(told, next) + told.size(), to = page.find(end, next);
+            const std::size_t first = page.rfind(told, at) + told.size();
+            const std::string all = page.substr(first, at - first) + "; " + page.substr(from, to - from);
+            const std::size_t open = page.rfind(begin, at), named = page.find(label, open) + label.size();
+            const std::string mark = page.substr(open, named - open) + all + "\" " + told + all + end;
+            page.replace(open, to + end.size() - open, mark);
+            at = open + mark.size() - end.size();
+        }
+        // No line begins with a mark.
+        const std::size_t open = page.rfind(begin, at), words = page.find_last_not_of(" \n", open - 1);
+        if (words != std::string::npos && words + 1 < open && std::string{"|-*>"}.find(page[words]) == std::string::npos && page.compare(words + 1, 2, "\n\n") != 0) {
+            page.replace(words + 1, open - words - 1, "\u00a0");
+            at = page.find(end, words);
+        }
+    }
+    return page;
+}
+
 }  // namespace page

@@ -111,12 +111,17 @@ TEST_CASE("page on a full disk leaves nothing") {
 TEST_CASE("source_filter takes the markers from headers, line for line, and hides the rest") {
     const Course course;
     const std::string filter =
-        std::string{SOURCE_FILTER} + " " + (course / "include").string() + " ";
+        std::string{SOURCE_FILTER} + " " + (course / "include").string() + " " + (course / "groups.tsv").string() + " ";
+    course.write("groups.tsv", "# a comment\nlib/run.hpp\tlibrary_2\n");
     CHECK(run_command(filter + (course / "include/step.hpp").string()).words ==
           "struct S {\n\n    void step() {\n        x += h * v;\n    }\n\n};\n");
     CHECK(
         run_command(filter + (course / "chapters/03_springs/springs.cpp").string()).words.empty());
     CHECK(run_command(filter + (course / "include/none.hpp").string()).status == 2);
+    course.write("include/lib/run.hpp", "#pragma once\n/// \\file\n/// Runs.\nnamespace timestep {\nint x;\n}  // namespace timestep\n");
+    CHECK(run_command(filter + (course / "include/lib/run.hpp").string()).words ==
+          "/// \\file\n/// \\ingroup library_2\n/// Runs.\nnamespace timestep { /** \\addtogroup library_2 */ /** \\{ */\nint x;\n"
+          "/** \\} */ }  // namespace timestep\n");
 }
 
 TEST_CASE("link_sources leads to the source pages, and fails where there is none") {
@@ -136,4 +141,36 @@ TEST_CASE("link_sources leads to the source pages, and fails where there is none
     course.write("html/a.html", "<a href=\"source:tests/none.cpp\">x</a><a href=\"b.html\">");
     REQUIRE(run_command(program + " tests/").status == 0);
     CHECK(course.read("html/a.html") == "<a >x</a><a href=\"b.html\">");
+}
+
+TEST_CASE("library_pages puts a unit beside every parameter, and refuses one without") {
+    const Course course;
+    const auto make = [&](const std::string& units, const std::string& groups) {
+        course.write("site/p.html", "<td class=\"memname\">double timestep::A&lt; X &gt;::step </td><td class=\"paramname\"><em>h</em>, </td>"
+                                    "<td class=\"paramname\"><em>x</em></td><td class=\"paramname\"></td><em>y</em>");
+        course.write("tags", "<name>run.hpp</name>\n<path>include/timestep/</path>\n");
+        course.write("library/units.tsv", units);
+        course.write("library/groups.tsv", groups);
+        return run_command(std::string{LIBRARY_PAGES} + " " + (course / "site").string() + " " + (course / "tags").string() + " " +
+                           (course / "library").string());
+    };
+    const std::string groups = "timestep/run.hpp\tlibrary_2\n";
+    REQUIRE(make("h\ts\t\nx\tm\t\nx\trad\tA<\n", groups).words.find("no function has a parameter x there") != std::string::npos);
+    REQUIRE(make("h\ts\t\nx\trad\tA<\n", groups).status == 0);
+    CHECK_THAT(course.read("site/p.html"), ContainsSubstring("<em>h</em><span class=\"unit\">s</span>, ") &&
+                                               ContainsSubstring("<em>x</em><span class=\"unit\">rad</span></td>") && EndsWith("<em>y</em>"));
+    CHECK(make("h\ts\t\n", groups).words ==
+          "docs/library/units.tsv:1: has no unit for the parameter x of double timestep::A< X >::step\n");
+    CHECK_THAT(make("h\ts\t\nx\t\t\n", "").words, EndsWith("groups.tsv:1: has no group for timestep/run.hpp\n"));
+    CHECK_THAT(make("h\ts\t\nx\t\t\n", groups + groups).words, ContainsSubstring("groups.tsv:2: there is no second header timestep/run.hpp"));
+}
+
+TEST_CASE("link_sources takes away what Doxygen guessed in listings") {
+    const Course course;
+    const std::string kept = "<a class=\"code hl_function\" href=\"b.html#s\">solve</a>",
+                      tip = "<div class=\"ttc\" id=\"b\"><div class=\"ttname\"><a href=\"b.html#s\">timestep::solve</a></div></div>\n";
+    course.write("site/p.html", "x<a class=\"code hl_function\" href=\"a.html#g\">step</a>(" + kept + ")\n" +
+                                    "<div class=\"ttc\" id=\"a\"><div class=\"ttname\"><a href=\"a.html#g\">timestep::plane::step</a></div></div>\n" + tip);
+    REQUIRE(run_command(std::string{LINK_SOURCES} + " " + (course / "site").string()).status == 0);
+    CHECK(course.read("site/p.html") == "xstep(" + kept + ")\n\n" + tip);
 }

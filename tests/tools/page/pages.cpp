@@ -59,6 +59,11 @@ TEST_CASE("a check mark tells what the run has confirmed") {
     const Course course;
     CHECK_THAT(course.fill_paragraph("It grows {{check grows}}."),
                ContainsSubstring("data-statement=\"the amplitude grows\">✓</span>."));
+    const std::string three = course.fill_paragraph("It grows {{check grows}}\n{{check grows}} {{check grows}}, and {{check grows}}.");
+    CHECK_THAT(three, ContainsSubstring("It grows\u00a0<span class=\"check\" tabindex=\"0\" role=\"note\" aria-label=\"The run confirms: the amplitude grows; "
+                                        "the amplitude grows; the amplitude grows\" data-statement=\"the amplitude grows; the amplitude grows; "
+                                        "the amplitude grows\">✓</span>, and\u00a0<span") &&
+                          ContainsSubstring("data-statement=\"the amplitude grows\">✓</span>."));
 }
 
 TEST_CASE("a figure has a size, words for those who cannot see it, and a caption") {
@@ -325,8 +330,12 @@ TEST_CASE("a directive in the wrong form is an error") {
           "chapter.md:5: {{run …}} must stand on a line of its own");
     CHECK(course.paragraph_error("{{figure sweep.gif:}}") ==
           "chapter.md:5: a figure is {{figure file.svg N22: caption}}");
-    CHECK(course.paragraph_error("{{code include/step.hpp}}") ==
-          "chapter.md:5: a quotation is {{code file tag}}");
+    CHECK(course.paragraph_error("{{code}}") ==
+          "chapter.md:5: a quotation is {{code file tag}}, or {{code file}} for all of it");
+    CHECK(course.paragraph_error("{{code include/none.hpp}}") == "chapter.md:5: there is no file include/none.hpp");
+    CHECK(course.paragraph_error("{{code include/step.hpp step: no such words}}") ==
+          "chapter.md:5: 0 of the quoted lines hold \"no such words\", instead of the one that matters");
+    CHECK_THAT(course.fill_paragraph("{{code include/step.hpp step: x += h * v}}"), ContainsSubstring("<figure class=\"listing\" data-line=\"2\">"));
     CHECK(course.paragraph_error("text\n\n{{claims N22}}") ==
           "chapter.md:7: {{claims N22 N24}} stands directly below a heading that has an id");
     CHECK(course.paragraph_error("{{claims N23}}") ==
