@@ -85,7 +85,7 @@ class LiveCanvas {
             case 2: {
                 const [colour, dashes, look] = looks[a] ||= [shade(this.text(a, "colour")), this.text(a, "dashes").split(",").filter(Boolean).map(Number), this.text(a, "colour")];
                 pen.strokeStyle = pen.fillStyle = colour;
-                veil = c < 1 && /^#(.)\1*$/.test(look) && look;  // light and shadow on a body are the same in the dark
+                veil = /^#(.)\1*$/.test(look) && look;  // a grey body, and light and shadow on it, are the same in the dark
                 pen.setLineDash(dashes);
                 pen.lineWidth = b, pen.globalAlpha = c;
                 break;
