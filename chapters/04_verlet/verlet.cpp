@@ -8,7 +8,7 @@
 #include <iostream>
 
 // Play with these.
-const int links = 20;         // of a rope two metres long
+const int links = 20;         // two metres of them
 const double link = 0.1;      // m
 const int sweeps = 20;        // iterations over all links in a step
 const double h = 1.0 / 60;    // s

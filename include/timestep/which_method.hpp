@@ -65,26 +65,25 @@ inline const std::vector<Choice>& choices() {
                              uneven = "1/" + plain(1 / fair_uneven_turn);
     static const std::vector<Choice> all{
         {"positions", "points that are pushed about, forces of the position alone: ropes, cloth",
-         "**Verlet**; its twin velocity Verlet where you want a velocity", "no velocity to keep in step with the push",
+         "**Verlet**; its twin velocity Verlet where you want a velocity", "a point has no velocity to correct when you move it",
          "ch4_rope", "Verlet"},
         {"bumps", "things that bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
          "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
         {"tether", "a tether: a rope, a leash, a spring that only pulls (the model `Tether` pushes, too)",
-         "**implicit Euler**; where it must bounce on, semi-implicit Euler in so many substeps that ωh is at most " + tether,
-         "by the first the energy never rises, slack or taut; by the second no throw that we made gained a quarter "
-         "of its energy, though nothing proves it", "ch6_question", "implicit Euler"},
+         "**implicit Euler**; where it must bounce on, semi-implicit Euler in substeps of ωh at most " + tether,
+         "by the first the energy never rises, slack or taut; of the second nothing proves that", "ch6_question", "implicit Euler"},
         {"uneven", "frames of uneven length",
          "a constant step, by chapter 2's game loop; where that cannot be, **Runge–Kutta 4**, in substeps of ωh at most " + alive +
-         "; what is faster than the frame by implicit Euler, or by implicit midpoint where it must keep its size",
-         "on a spring steps of every length share their patterns, so what holds at the longest frame holds in any order; of "
-         "semi-implicit Euler and Verlet's kind that is not so", "ch6_kicks", "Runge-Kutta 4"},
+         "; for what is faster than the frame implicit Euler, or implicit midpoint where it must keep its size",
+         "on a spring no mixture of step lengths blows these three up; semi-implicit Euler and Verlet may blow up in "
+         "a mixture, as chapter 2 shows", "ch6_kicks", "Runge-Kutta 4"},
         {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**, with long steps",
          "four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",
          "its steps follow the slow part, the fast one dies", "ch6_stiff", "BDF2"},
-        {"swing", "ωh at most " + alive + ", or " + twice + " in two substeps, and a constant step: most of a game",
+        {"swing", "ωh at most " + alive + " a step (up to " + twice + " a frame: two substeps), a constant step: most of a game",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "one force a step; its energy oscillates and does not drift, and its division survives any damper", "ch3_rule",
+         "one force a step; its energy oscillates and does not drift, and no damper, however strong, blows it up", "ch3_rule",
          "semi-implicit Euler, new damping"},
         {"pull", "a stiff pull to a target, a decay: ζ at least 1, or ζωh at least " + ended, "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
@@ -98,7 +97,7 @@ inline const std::vector<Choice>& choices() {
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_inertia", "dropped"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as ODE's)", "it adds no energy, and takes some, which hides what an engine adds when a rule stands there; "
+         "the **passive step** (linearly implicit, as ODE's)", "it adds no energy and takes a little, which hides what the engine gains when ω is changed just before its step; "
          "spins fade too soon", "ch8_contacts", "passive"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "**SymmetricInertia**, by passive or the "
          "calm half-step, between the contacts and the turn", "it turns ω about the axis of the third moment, which keeps "

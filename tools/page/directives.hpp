@@ -61,6 +61,9 @@ std::string rows_markdown(Context& context, const Directive& directive, const He
 std::string part_markdown(const Context& context, const Part& part);
 /// `{{program}}`: the whole of it, folded.
 std::string program_markdown(const std::string& source);
+
+/// `{{compile}}`: the command that stands at the program's top, in lines that no column cuts.
+std::string compile_markdown(const std::string& source, const Directive& directive);
 /// `{{which swing pull}}`: answers to "which method?", on a chapter's page as a table, elsewhere as a list.
 std::string which_markdown(const Context& context, const Directive& directive);
 /// `{{chapters}}`: every chapter with its question and picture.

@@ -206,7 +206,7 @@ private:
             return line_markdown(context_, directive);
         }
         static const std::set<std::string> blocks{"figure", "code",     "run",  "table",    "claims",
-                                                  "talks",  "chapters", "said", "exercises", "which", "program", "live", "ask", "answered"};
+                                                  "talks",  "chapters", "said", "exercises", "which", "program", "compile", "live", "ask", "answered"};
         if (blocks.count(name) == 0) {
             if (!directive.arguments.empty() || !directive.text.empty()) {
                 throw std::invalid_argument{"there is no {{" + name + " …}}"};
@@ -233,6 +233,9 @@ private:
         }
         if (name == "program") {
             return fill_program(directive);
+        }
+        if (name == "compile") {
+            return compile_markdown(program_, directive);
         }
         if (name == "run") {
             return run_markdown(context_, directive);

@@ -57,4 +57,17 @@ std::string program_markdown(const std::string& source) {
            listing(source) + "\n\\htmlonly[block]</details>\\endhtmlonly\n";
 }
 
+std::string compile_markdown(const std::string& source, const Directive& directive) {
+    if (!directive.arguments.empty() || !directive.text.empty()) {
+        throw std::invalid_argument{"{{compile}} takes nothing"};
+    }
+    for (const std::string& line : split_lines(source)) {
+        if (const std::string before = "//   c++ "; line.starts_with(before)) {
+            std::string command = replace_all("c++ " + line.substr(before.size()), " chapters/", " \\\n    chapters/");
+            return "\n```sh\n" + replace_all(command, " && ", " \\\n    && ") + "\n```\n";
+        }
+    }
+    throw std::invalid_argument{"{{compile}}: no line of the program begins with \"//   c++ \""};
+}
+
 }  // namespace page

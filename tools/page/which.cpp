@@ -39,12 +39,15 @@ std::string which_markdown(const Context& context, const Directive& directive) {
         const timestep::Choice& choice = timestep::choice(name);
         std::string have = with_formulas(choice.have);
         const std::string take = with_formulas(choice.take);
-        const std::string why = with_formulas(choice.why) + " (" + link(context, choice.where) + ")";
+        const std::string why = with_formulas(choice.why);
+        const std::string where = "(" + link(context, choice.where) + ")";
         if (!chapter && std::islower(static_cast<unsigned char>(have.front())) != 0) {
             have.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(have.front())));
         }
-        text += chapter ? "| " + have + " | " + take + ": " + why + " |\n"
-                        : std::to_string(++number) + ". " + have + "?<br>→ " + take + ": " + why + ".\n";
+        text += chapter ? "| " + have + " | " + take + ": " + why + " " + where + " |\n"
+                        : std::to_string(++number) + ". " + have + "?<br>→ " + take + " " + where +
+                              " \\htmlonly<details class=\"why\"><summary>why</summary>\\endhtmlonly " + why +
+                              ".\\htmlonly</details>\\endhtmlonly\n";
     }
     return text;
 }

@@ -76,19 +76,19 @@ void long_game(double rate, lab::Findings& out) {
     constexpr double early_hours = 0.1, late_hours = 10;
     const double early = after(early_hours, rate).over_h;
     const ClockErrors late = after(late_hours, rate);
-    out.number("clock_early_hours", early_hours, "h", "early in the game");
-    out.number("clock_late_hours", late_hours, "h", "late in the game");
-    out.number("clock_early", early, "m/s", "error after 0.1 h, divided by h", 2);
-    out.number("clock_late", late.over_h, "m/s", "error after 10 h, divided by h", 2);
-    out.number("clock_late_step", late.over_step, "m/s", "error after 10 h, over the step taken",
+    out.number("clock_early_hours", early_hours, "hours", "early in the game");
+    out.number("clock_late_hours", late_hours, "hours", "late in the game");
+    out.number("clock_early", early, "m/s", "error after 0.1 hours, divided by h", 2);
+    out.number("clock_late", late.over_h, "m/s", "error after 10 hours, divided by h", 2);
+    out.number("clock_late_step", late.over_step, "m/s", "error after 10 hours, over the step taken",
                2);
-    out.number("clock_late_double", late.in_double, "m/s", "error after 10 h, t a double", 2);
+    out.number("clock_late_double", late.in_double, "m/s", "error after 10 hours, t a double", 2);
     out.number("clock_spacing", 1000 * (std::nextafter(36000.0f, 1e9f) - 36000.0f), "ms",
-               "from one float to the next after 10 h", 2);
-    out.number("clock_stops", stop / 3600.0, "h", "from here on t + h = t in float", 4);
+               "from one float to the next after 10 hours", 2);
+    out.number("clock_stops", stop / 3600.0, "hours", "from here on t + h = t in float", 4);
     out.check(
         "clock", late.over_h > 5 * early && late.over_step < 2 * early,
-        "after 10 h the slope over h errs over 5 times what it did after 0.1 h; over the step "
+        "after 10 hours the slope over h errs over 5 times what it did after 0.1 hours; over the step "
         "taken it errs less than twice that");
 }
 

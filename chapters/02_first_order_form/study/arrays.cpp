@@ -205,7 +205,7 @@ void one_solver(const Settings& settings, lab::Findings& out) {
                      stacked(State{0, Vector3(1.5, 0, 0.5), Vector3(0, 3, 1)}));
     const CoupledSprings row(Vector2(80, 80), Vector3(5120, 512, 5120));
     const State pulled{0, Vector2(dip, 0), Vector2(0, 0)};
-    every.scene("two coupled bodies", "$(v,\\ -M^{-1}Kx)$", FirstOrderForm{row}, stacked(pulled),
+    every.scene("two coupled bodies", "$v$, and the springs' pulls over the masses", FirstOrderForm{row}, stacked(pulled),
                 stacked(row.exact(pulled, 1)).y);
     out.number("scenes", every.scenes, "", "scenes that one solver steps");
 }

@@ -60,13 +60,17 @@ void taking_turns(lab::Findings& out) {
     out.number("turns_omega", omega, "rad/s", "the spring that cannot stand frames taking turns");
     out.number("turns_growth", predicted, "",
                "by this each pair of frames multiplies the amplitude");
+    out.number("turns_pairs", 2 * rounds, "", "pairs of frames in the run");
+    out.number("turns_power", std::pow(predicted, 2 * rounds), "", "growth that many pairs make", 2);
     out.number("turns_grown", grown, "", "amplitude after the run, of one at the start", 2);
     out.number("turns_seconds", turns.t, "s", "length of the run");
     out.number("steady_60", most_60, "", "largest amplitude at a steady 60 frames/s", 2);
     out.number("steady_30", most_30, "", "largest amplitude at a steady 30 frames/s", 2);
     out.check("steady_holds", most_60 < 3 && most_30 < 3,
               "at a steady rate the spring stays bounded");
-    out.check("turns_blow_up", grown > 1e3, "with frames taking turns it blows up");
+    const double lean = grown / std::pow(predicted, 2 * rounds);
+    out.check("turns_blow_up", grown > 1e3 && lean > 1 && lean < 3,
+              "with frames taking turns it blows up, by one to three times what the factor of a pair makes");
 }
 
 // A step costs a fifth more time than it simulates. Each frame then owes a fifth more than the
@@ -90,6 +94,7 @@ void spiral_of_death(lab::Findings& out) {
         "  steps that cost %g times what they simulate: frame %d takes %.1f s\n"
         "  without a cap; with one %.0f ms, at %.0f %% of the game's speed\n",
         dear, frames, a, 1000 * b, 100 * speed);
+    out.number("death_drawing", 1000 * drawing, "ms", "what a frame takes for drawing");
     out.number("death_cost", dear, "", "what a step costs, over what it simulates");
     out.number("death_frame", a, "s", "how long the last frame of the run takes without a cap", 2);
     out.number("capped_frame", 1000 * b, "ms", "and with a cap of five steps");

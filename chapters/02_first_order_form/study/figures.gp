@@ -24,8 +24,8 @@ set title "a fixed step"
 set xlabel "time (s)" offset 0,0.3
 plot "frames_exact.tsv" using 1:2 with lines @exact title "exact", \
      "fixed_144.tsv" using 1:2 with lines @first title "144 frames/s", \
-     "fixed_60.tsv" using 1:2 with points @third pt 7 ps 0.55 title "60 frames/s", \
-     "fixed_30.tsv" using 1:2 with points @second pt 6 ps 1.2 title "30 frames/s"
+     "fixed_60.tsv" every 6 using 1:2 with points @third pt 7 ps 0.55 title "60 frames/s", \
+     "fixed_30.tsv" every 3::2 using 1:2 with points @second pt 6 ps 1.2 title "30 frames/s"
 unset multiplot
 unset title
 set ylabel offset 0,0

@@ -210,7 +210,7 @@ void accumulator(const Settings& settings, lab::Findings& out) {
     }
     // Some twenty sums of numbers below the clock's.
     out.check("one_step_late", most_off < 40 * 2.3e-16 * clock,
-              "what is drawn is one step behind the player's clock, never more or less");
+              "once there is a step, what is drawn is one step behind the player's clock, never more or less");
 }
 
 }  // namespace

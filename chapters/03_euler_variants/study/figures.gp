@@ -68,7 +68,9 @@ plot cos(t), sin(t) with lines lc rgb "#8a8a8a" lw 4 dt 1, \
      "eigenvalues_semi_implicit_euler.tsv" using 2:3 with lines @semi_implicit_euler title "semi-implicit", \
      "" using 4:5 with lines @semi_implicit_euler, \
      "eigenvalues_explicit_euler.tsv" every ::1::1 using 2:3 with points pt 7 ps 0.8 lc rgb ink, \
-     "eigenvalues_semi_implicit_euler.tsv" every ::81::81 using 2:3 with points pt 7 ps 0.8 lc rgb "#007a59"
+     "eigenvalues_semi_implicit_euler.tsv" every ::81::81 using 2:3 with points pt 7 ps 0.8 lc rgb "#007a59", \
+     "" every 20::21::61 using 2:3 with points pt 7 ps 0.8 lc rgb "#007a59", \
+     "" every 20::21::61 using (1.32*$2):(1.32*$3):(sprintf("%.1f", $1)) with labels textcolor rgb "#007a59"
 unset parametric
 unset label
 

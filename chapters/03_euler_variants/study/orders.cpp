@@ -69,6 +69,7 @@ void orders(const Settings& settings, lab::Findings& out) {
     auto& summary = out.table("methods.tsv", {"method", "largest stable ωh", "declared order",
                                               "measured order", "order of one step",
                                               "evaluations", "solves"});
+    bool all_right = true;          // every method, its order in a run and in a step
     bool solving_is_stable = true;  // every method that solves, at every step that was tried
     for_each_method([&](const auto& method) {
         const std::string id = lab::id(method.name);
@@ -86,6 +87,7 @@ void orders(const Settings& settings, lab::Findings& out) {
         const double one = measured_order(h, local), whole = measured_order(h, global);
         std::printf("  %-20s %14.2f %14.2f\n", method.name, one, whole);
         out.number("order_" + id, whole, "", "measured order over the whole run");
+        all_right = all_right && std::fabs(whole - method.order) < 0.1 && std::fabs(one - method.order - 1) < 0.1;
         out.check("order_" + id, std::fabs(whole - method.order) < 0.1 && std::fabs(one - method.order - 1) < 0.1,
                   std::string(method.name) + " has the order it declares, and one more for a single step");
 
@@ -105,6 +107,7 @@ void orders(const Settings& settings, lab::Findings& out) {
         summary.row({std::string(method.name), limit, double(method.order), std::string(whole_text),
                      std::string(one_text), double(method.cost.evaluations), double(method.cost.solves)});
     });
+    out.check("all_orders", all_right, "each of the eight methods has the order it declares, and one more for a single step");
     out.check("implicit_no_limit", solving_is_stable,
               "implicit Euler, implicit midpoint and BDF2 do not grow on a spring, at any omega h up to 1e5");
 }

@@ -35,6 +35,7 @@ void demos(const Settings&, lab::Findings& out) {
     const State<Vector2d> thrown{0, {0, 0}, {8, 11.7}};
     const Spring spring(omega);
     const State let_go{0, 1.0, 0.0};
+    out.number("demo_seconds", steps * step, "s", "length of the ball's flight", 3);
     out.number("demo_step", step, "s", "step of both demos");
     out.number("demo_wh", omega * step, "", "angular frequency times step in the demo");
 
@@ -65,7 +66,7 @@ void demos(const Settings&, lab::Findings& out) {
         std::snprintf(off_text, sizeof off_text, "%.1e", off);
         std::snprintf(reached_text, sizeof reached_text, "%.3g", reached);
         std::printf("  %-20s %20s m %22s m\n", method.name, off_text, reached_text);
-        summary.row({std::string(method.name), std::string(off_text), std::string(reached_text)});
+        summary.row({shown(method.name), std::string(off_text), std::string(reached_text)});
 
         // With a constant force these four are pieces of the parabola itself; the Eulers miss it by
         // h g t/2.

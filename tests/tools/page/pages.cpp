@@ -201,6 +201,17 @@ TEST_CASE("the page shows its program in parts, each line once and in order, and
     CHECK_THAT(error("{{program}}", "{{program springs}}"), ContainsSubstring("{{program: its first words}}"));
 }
 
+TEST_CASE("the command at the program's top stands in a block of its own") {
+    const Course course;
+    CHECK_THAT(course.paragraph_error("{{compile}}"), ContainsSubstring("no line of the program begins with \"//   c++ \""));
+    course.replace("chapters/03_springs/springs.cpp", "int x;",
+                   "//   c++ -O2 -Iinclude chapters/03_springs/springs.cpp -o springs && ./springs\nint x;");
+    CHECK_THAT(course.fill_paragraph("{{compile}}"),
+               ContainsSubstring("```sh\nc++ -O2 -Iinclude \\\n    chapters/03_springs/springs.cpp -o springs \\\n    && ./springs\n```"));
+    CHECK_THAT(course.paragraph_error("{{compile: this}}"), ContainsSubstring("{{compile}} takes nothing"));
+    CHECK_THAT(course.paragraph_error("Type {{compile}}."), ContainsSubstring("on a line of its own"));
+}
+
 TEST_CASE("the page stands under its title, with badges of the talks' rows") {
     const Course course;
     const std::string page = course.fill();

@@ -4,6 +4,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <regex>
@@ -48,7 +49,9 @@ TEST_CASE("answers to which method stand in a chapter as a table, elsewhere as a
     CHECK_THAT(course.paragraph_error("Take {{which pull}}."), ContainsSubstring("on a line of its own"));
 
     page::Context context{SOURCE, SOURCE};
-    CHECK_THAT(page::fill(context, "{{which jumps bumps}}\n", "list.md"), ContainsSubstring("\n2. T" + bumps.have.substr(1) + "?<br>→ " + bumps.take));
+    const std::string list = page::fill(context, "{{which jumps bumps}}\n", "list.md");
+    CHECK_THAT(list, ContainsSubstring("\n2. T" + bumps.have.substr(1) + "?<br>→ " + bumps.take));
+    CHECK_THAT(list, ContainsSubstring("<details class=\"why\"><summary>why</summary>\\endhtmlonly " + bumps.why));
 }
 
 // The order of the list is that in which timestep::choose() asks.
@@ -59,6 +62,14 @@ TEST_CASE("the page of all answers names each once, in the order of the question
         all.push_back(each.name);
     }
     CHECK(named == all);
+}
+
+TEST_CASE("the page of all answers says which line most of a game is") {
+    const std::string page = page_of("docs/which_method.md");
+    const std::vector<std::string> named = answers_in(page);
+    const auto line = 1 + (std::find(named.begin(), named.end(), "swing") - named.begin());
+    CHECK_THAT(timestep::choice("swing").have, ContainsSubstring("most of a game"));
+    CHECK_THAT(page, ContainsSubstring("Most of a game is line " + std::to_string(line) + "."));
 }
 
 TEST_CASE("the short answers of chapters 3 to 8 are taken from the list") {
