@@ -4,8 +4,8 @@ rooms = folder."../../chapters/07_error_against_run_time/study/"
 library = "Timestep"
 springs = "explicit_euler implicit_euler semi_implicit_euler verlet velocity_verlet implicit_midpoint bdf2 runge_kutta_4"
 flights = "explicit_euler implicit_euler semi_implicit_euler heun implicit_midpoint runge_kutta_4"
-spins = "explicit dropped implicit__one_iteration implicit__converged passive runge_kutta_4"
-slides = "explicit dropped implicit__one_iteration passive passive__arms_of_the_start runge_kutta_4_in_the_air__passive"
+spins = "explicit dropped one_newton_step implicit__converged passive runge_kutta_4"
+slides = "explicit dropped one_newton_step passive passive__arms_of_the_start runge_kutta_4_in_the_air__passive"
 time_label = "run time of four seconds of game (µs)"
 error_label = "largest error (share of the scene's size)"
 
@@ -147,6 +147,6 @@ set key outside bottom center horizontal reverse Left
 plot 0.05 with lines @faint title "threshold", \
      "sleep_exact.tsv" using 1:2 with lines @exact title "exact", \
      "sleep_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "explicit", \
-     "sleep_newton.tsv" using 1:2 with lines @newton title "constant accel.", \
+     "sleep_constant_acceleration.tsv" using 1:2 with lines @constant_acceleration title "constant acceleration", \
      "sleep_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit", \
      "sleep_implicit_euler.tsv" using 1:2 with lines @implicit_euler title "implicit"

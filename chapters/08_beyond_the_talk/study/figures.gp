@@ -17,7 +17,7 @@ if (narrow) { set key title " " }
 broad_half_step = colour_of(half_step_jacobian)." lw 6"
 of(id) = sprintf("strcol(1) eq '%s' ? $4 : NaN", id)
 curve(id, style, words) = sprintf("'order_points.tsv' using 2:(%s) with linespoints pt 7 ps 0.5 %s title '%s'", of(id), style, words)
-eval "plot ".curve("implicit", implicit_gyroscopic, "talk").", ".curve("passive", passive_gyroscopic, "passive").", ". \
+eval "plot ".curve("implicit", implicit_gyroscopic, "one Newton step").", ".curve("passive", passive_gyroscopic, "passive").", ". \
     curve("half_step_new", colour_of(half_step_jacobian)." lw 2.5 dt (3,4)", "half-step, new ω").", ". \
     curve("half_step", broad_half_step, "half-step, mean ω").", ". \
     curve("cayley", cayley_gyroscopic, "Cayley").", ".curve("strang", strang_splitting, "Strang").", ". \
@@ -44,7 +44,7 @@ plot "fails.tsv" using 1:(100*$5) with lines @broad_passive title "passive", \
      "" using 1:(100*$4) with lines @less_broad_cayley title "Cayley", \
      "" using 1:(100*$6) with lines @calm_half_step title "calm half-step", \
      "" using 1:(100*$3) with lines @half_step_jacobian title "half-step Jacobian", \
-     "" using 1:(100*$2) with lines @implicit_gyroscopic title "talk", \
+     "" using 1:(100*$2) with lines @implicit_gyroscopic title "one Newton step", \
      "" using 1:(100*$7) with lines @strang_splitting title "Strang", \
      "" using 1:(100*$8) with lines @ball_and_remainder_2 title "ball + remainder 2", \
      "" using 1:(100*$9) with lines @ball_and_remainder_4 title "ball + remainder 4"
@@ -67,7 +67,7 @@ set mytics 1
 set ylabel "energy off by, at most" offset 0.5
 each = "implicit passive half_step cayley strang remainder_2 remainder_4 runge_kutta_4"
 styles = "implicit_gyroscopic passive_gyroscopic half_step_jacobian cayley_gyroscopic strang_splitting ball_and_remainder_2 ball_and_remainder_4 runge_kutta_4"
-name_of(k) = k == 1 ? "talk" : k == 2 ? "passive" : k == 3 ? "half-step Jacobian" : k == 4 ? "Cayley" : \
+name_of(k) = k == 1 ? "one Newton step" : k == 2 ? "passive" : k == 3 ? "half-step Jacobian" : k == 4 ? "Cayley" : \
     k == 5 ? "Strang" : k == 6 ? "ball + remainder 2" : k == 7 ? "ball + remainder 4" : "RK4"
 curves(column) = (text = "", sum [k = 1:8] (text = text.sprintf("%s'minute_%s.tsv' using 1:%d with lines %s title '%s'", \
     k == 1 ? "" : ", ", word(each, k), column, value(word(styles, k)), name_of(k)), 0), text)
