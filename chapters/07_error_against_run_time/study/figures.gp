@@ -24,20 +24,17 @@ call rooms."diagram.gp" "spring" springs "1e-7"
 unset rmargin
 unset bmargin
 
-# Two panels, and the key to the right of the second; on a phone one below the other, and the key at the foot.
-left = "set lmargin at screen 0.125; set rmargin at screen 0.4; set ylabel 'largest error' offset 0.5; set key off"
-right = "set lmargin at screen 0.475; set rmargin at screen 0.75; unset ylabel; set key outside right top vertical samplen 1.5 spacing 1.1"
-panels = "set tmargin at screen 0.88; set bmargin at screen 0.2; set xlabel 'run time (µs)'"
+# Two panels, one above the other, and the key to their right; on a phone at the foot.
+left = "set lmargin at screen 0.12; set rmargin at screen 0.7; set tmargin at screen 0.95; set bmargin at screen 0.56; set ylabel 'largest error' offset 0.5; unset xlabel; set key off"
+right = "set tmargin at screen 0.47; set bmargin at screen 0.08; set xlabel 'run time (µs)'; set key at screen 0.715,0.93 left top vertical reverse Left samplen 2 spacing 1.1"
 if (narrow) {
     left = "set lmargin at screen 0.21; set rmargin at screen 0.96; set tmargin at screen 0.945; set bmargin at screen 0.64; set ylabel 'largest error' offset 1.5; unset xlabel; set key off"
     right = "set tmargin at screen 0.53; set bmargin at screen 0.21; set xlabel 'run time (µs)'; set key at screen 0.5,0.065 center vertical maxrows 4 reverse Left samplen 2 width -5"
-    panels = ""
 }
 done = "unset multiplot; unset title; unset lmargin; unset rmargin; unset tmargin; unset bmargin"
 
-call figure "stiff.svg" 900 400 900
+call figure "stiff.svg" 860 760 900
 set multiplot
-@panels
 @left
 set title "a stiff spring" textcolor rgb ink
 call rooms."diagram.gp" "stiff_spring" springs "1e-4"
@@ -46,9 +43,8 @@ set title "two time scales"
 call rooms."diagram.gp" "two_time_scales" springs "1e-4"
 @done
 
-call figure "bounces.svg" 900 400 900
+call figure "bounces.svg" 860 760 900
 set multiplot
-@panels
 @left
 set title "a flight in air"
 call rooms."diagram.gp" "drag" flights "1e-7"
@@ -57,9 +53,8 @@ set title "a ball that bounces"
 call rooms."diagram.gp" "bouncing_ball" flights "1e-7"
 @done
 
-call figure "spins.svg" 900 400 900
+call figure "spins.svg" 860 760 900
 set multiplot
-@panels
 @left
 set title "a box that tumbles"
 call rooms."diagram.gp" "dzhanibekov" spins "1e-7"
@@ -79,9 +74,8 @@ call rooms."diagram.gp" "capsule_on_plane" slides "1e-3"
 unset rmargin
 unset bmargin
 
-call figure "smooth.svg" 900 400 900
+call figure "smooth.svg" 860 760 900
 set multiplot
-@panels
 @left
 set title "a damped spring"
 call rooms."diagram.gp" "damped_spring" "explicit_euler implicit_euler semi_implicit_euler implicit_midpoint bdf2 runge_kutta_4" "1e-7"
