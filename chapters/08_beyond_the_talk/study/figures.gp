@@ -83,7 +83,6 @@ unset multiplot
 load folder."../../chapters/08_beyond_the_talk/study/engines.gp"
 
 # Error against time: three bodies, three spins.
-call figure "work.svg" 940 940 1000
 bodies = "near box needle"
 paces = "slow game fast"
 top_at(error) = error > 2 ? 2 : error  # the most that it can be; a run that is no number has 9
@@ -98,6 +97,34 @@ set xtics ("1" 1, "10" 10, "100" 100)
 set ytics ("1" 1, "10^{-2}" 0.01, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8, "10^{-10}" 1e-10, "10^{-12}" 1e-12)
 head(body) = body eq "near" ? (narrow ? "near-symmetric" : "nearly symmetric") : body eq "box" ? "box 1:2:3" : "needle"
 spin(pace) = pace eq "slow" ? "1 rad/s" : pace eq "game" ? "10 rad/s" : "100 rad/s"
+
+# First those of a game's spin, large, one below the other.
+call figure "work_game.svg" 760 1000 1000
+set multiplot
+do for [i = 1:3] {
+    set lmargin at screen begin; set rmargin at screen 0.97
+    set tmargin at screen 0.965 - 0.285*(i - 1); set bmargin at screen 0.965 - 0.285*i + 0.05
+    set title head(word(bodies, i)).", 10 rad/s" textcolor rgb ink offset 0,-0.5
+    set ylabel (i == 2 ? "orientation off by (rad)" : "") offset 0.5
+    set xlabel (i == 3 ? "µs a second of the motion" : "") offset 0,0.3
+    if (i == 3) { set key at screen 0.5,0.035 center center horizontal maxcols 4 reverse Left samplen 2.5 } else { unset key }
+    if (i == 3 && narrow) { set key vertical maxrows 4 width -3 }
+    set label 2 "1 %" at 550,0.02 right textcolor rgb "#666666"
+    set label 3 "lost" at 550,1.1 right textcolor rgb "#666666"
+    all = "0.01 with lines ".faint." notitle, 0.5 with lines ".faint." notitle"
+    name = sprintf("work_%s_game.tsv", word(bodies, i))
+    do for [k = 1:8] {
+        style = word(each, k) eq "half_step" ? broad_half_step : value(word(styles, k))
+        mine = sprintf("strcol(1) eq '%s'", word(each, k))
+        all = all.sprintf(", name using (%s ? $5 : NaN):(top_at($4)) with lines %s title '%s'", mine, style, name_of(k))
+        all = all.sprintf(", name using (%s && $3 == 60 ? $5 : NaN):(top_at($4)) with points pt 7 ps 0.6 %s notitle", mine, colour_of(style))
+    }
+    eval "plot ".all
+    unset label
+}
+unset multiplot
+
+call figure "work.svg" 940 940 1000
 set multiplot
 do for [j = 1:3] { do for [i = 1:3] {
     name = sprintf("work_%s_%s.tsv", word(bodies, i), word(paces, j))
