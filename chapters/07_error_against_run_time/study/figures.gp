@@ -25,15 +25,15 @@ unset rmargin
 unset bmargin
 
 # Two panels, one above the other, and the key to their right; on a phone at the foot.
-left = "set lmargin at screen 0.12; set rmargin at screen 0.7; set tmargin at screen 0.95; set bmargin at screen 0.56; set ylabel 'largest error' offset 0.5; unset xlabel; set key off"
-right = "set tmargin at screen 0.47; set bmargin at screen 0.08; set xlabel 'run time (µs)'; set key at screen 0.715,0.93 left top vertical reverse Left samplen 2 spacing 1.1"
+left = "set lmargin at screen 0.12; set rmargin at screen 0.7; set tmargin at screen 0.93; set bmargin at screen 0.59; set ylabel 'largest error' offset 0.5; unset xlabel; set key off"
+right = "set tmargin at screen 0.46; set bmargin at screen 0.12; set xlabel 'run time (µs)'; set key at screen 0.715,0.9 left top vertical reverse Left samplen 2 spacing 1.1"
 if (narrow) {
     left = "set lmargin at screen 0.21; set rmargin at screen 0.96; set tmargin at screen 0.945; set bmargin at screen 0.64; set ylabel 'largest error' offset 1.5; unset xlabel; set key off"
     right = "set tmargin at screen 0.53; set bmargin at screen 0.21; set xlabel 'run time (µs)'; set key at screen 0.5,0.065 center vertical maxrows 4 reverse Left samplen 2 width -5"
 }
 done = "unset multiplot; unset title; unset lmargin; unset rmargin; unset tmargin; unset bmargin"
 
-call figure "stiff.svg" 860 760 900
+call figure "stiff.svg" 860 800 900
 set multiplot
 @left
 set title "a stiff spring" textcolor rgb ink
@@ -43,7 +43,7 @@ set title "two time scales"
 call rooms."diagram.gp" "two_time_scales" springs "1e-4"
 @done
 
-call figure "bounces.svg" 860 760 900
+call figure "bounces.svg" 860 800 900
 set multiplot
 @left
 set title "a flight in air"
@@ -53,7 +53,7 @@ set title "a ball that bounces"
 call rooms."diagram.gp" "bouncing_ball" flights "1e-7"
 @done
 
-call figure "spins.svg" 860 760 900
+call figure "spins.svg" 860 800 900
 set multiplot
 @left
 set title "a box that tumbles"
@@ -74,7 +74,7 @@ call rooms."diagram.gp" "capsule_on_plane" slides "1e-3"
 unset rmargin
 unset bmargin
 
-call figure "smooth.svg" 860 760 900
+call figure "smooth.svg" 860 800 900
 set multiplot
 @left
 set title "a damped spring"
