@@ -25,7 +25,7 @@ unset rmargin
 unset bmargin
 
 # Two panels, one above the other, and the key to their right; on a phone at the foot.
-left = "set lmargin at screen 0.12; set rmargin at screen 0.7; set tmargin at screen 0.93; set bmargin at screen 0.59; set ylabel 'largest error' offset 0.5; unset xlabel; set key off"
+left = "set lmargin at screen 0.12; set rmargin at screen 0.7; set tmargin at screen 0.93; set bmargin at screen 0.59; set ylabel 'largest error' offset 1.5; unset xlabel; set key off"
 right = "set tmargin at screen 0.46; set bmargin at screen 0.12; set xlabel 'run time (µs)'; set key at screen 0.715,0.9 left top vertical reverse Left samplen 2 spacing 1.1"
 if (narrow) {
     left = "set lmargin at screen 0.21; set rmargin at screen 0.96; set tmargin at screen 0.945; set bmargin at screen 0.64; set ylabel 'largest error' offset 1.5; unset xlabel; set key off"

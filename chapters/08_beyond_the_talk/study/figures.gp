@@ -102,10 +102,10 @@ spin(pace) = pace eq "slow" ? "1 rad/s" : pace eq "game" ? "10 rad/s" : "100 rad
 call figure "work_game.svg" 760 1060 1060
 set multiplot
 do for [i = 1:3] {
-    set lmargin at screen begin; set rmargin at screen 0.97
+    set lmargin at screen (narrow ? 0.19 : 0.13); set rmargin at screen 0.97
     set tmargin at screen 0.965 - 0.28*(i - 1); set bmargin at screen 0.965 - 0.28*i + 0.075
     set title head(word(bodies, i)).", 10 rad/s" textcolor rgb ink offset 0,-0.5
-    set ylabel (i == 2 ? "orientation off by (rad)" : "") offset 0.5
+    set ylabel (i == 2 ? "orientation off by (rad)" : "") offset 1
     set xlabel (i == 3 ? "µs a second of the motion" : "") offset 0,0.3
     if (i == 3) { set key at screen 0.5,0.05 center center vertical maxrows 3 width -2 reverse Left samplen 2.5 } else { unset key }
     if (i == 3 && narrow) { set key vertical maxrows 4 width -3 }
