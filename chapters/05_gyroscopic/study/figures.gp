@@ -83,7 +83,7 @@ set ytics 30
 set xtics 1 format "%g"
 set xlabel "time t (s)"
 set ylabel "L turned by (°)" offset 0.5,0
-set key at screen 0.55,0.075 center horizontal maxcols 3 reverse Left width 1
+set key at screen 0.55,0.075 center vertical maxrows 2 reverse Left width -2
 if (narrow) { set key vertical maxrows 3 width -3 }
 plot 0 with lines @exact title "exact", \
      "capsule_explicit.tsv" using 1:4 with lines @explicit_gyroscopic title "explicit", \
@@ -119,7 +119,7 @@ unset xlabel
 set ylabel "ω (rad/s)" offset 1.5,0
 set key at screen 0.99,0.995 right horizontal maxrows 1 reverse Left samplen 2 width -3 font ",15"
 do for [name in "exact explicit dropped implicit passive"] {
-    set label 1 name at graph 0.01,0.12 left front textcolor rgb ink
+    set label 1 (name eq "implicit" ? "one Newton step" : name) at graph 0.01,0.12 left front textcolor rgb ink
     if (name eq "passive") {
         set xtics 2 format "%g"
         set xlabel "time t (s)"
