@@ -83,7 +83,7 @@ set ytics 30
 set xtics 1 format "%g"
 set xlabel "time t (s)"
 set ylabel "L turned by (°)" offset 0.5,0
-set key at screen 0.55,0.075 center vertical maxrows 2 reverse Left width -2
+set key at screen 0.55,0.075 center vertical maxrows 3 reverse Left width 1
 if (narrow) { set key vertical maxrows 3 width -3 }
 plot 0 with lines @exact title "exact", \
      "capsule_explicit.tsv" using 1:4 with lines @explicit_gyroscopic title "explicit", \
