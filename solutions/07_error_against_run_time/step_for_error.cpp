@@ -1,8 +1,8 @@
 // Chapter 7, exercise 1: which step is good enough
 //
-// In your game a grenade flies through the wind. Once you have run its flight with a step of h, and
-// have compared it with the truth: it came down some centimetres beside. Perhaps that is too far;
-// perhaps nobody would see ten times as much, and the step is wasteful. Which step is just right?
+// In your game a grenade flies through the wind. You ran its flight once with a step of h, and
+// compared it with the truth: it landed some centimetres off. Perhaps that is too far. Perhaps
+// nobody would see ten times as much, and the step is wasteful. Which step is just right?
 // The error of a whole run is C h^order, with a C that is the same for all steps. (Nearly so, when
 // steps are short.)
 //

@@ -87,7 +87,7 @@ TEST_CASE("Bullet's runs are ours", "[N48][ch7]") {
     // A step is off by some 32 ε of ω, so n steps by n² h |ω| 16 ε if nothing makes it grow: for the
     // capsule, at 60 Hz and 6 rad/s, 0.01. In the box the difference grows as the tumble does, by
     // e^(4.8 t/s): we look at the first half second, in which 16 n² ε h |ω| e^2.4 is 0.003.
-    const std::string method = "implicit, one iteration";
+    const std::string method = "one Newton step";
     const std::string real = sizeof(btScalar) == sizeof(float) ? ", float" : "";
     const std::string three = method + ", three moments" + real;
     CHECK(apart(symmetric_top(), three, three, "Bullet", 240, marks) < 0.01);

@@ -111,7 +111,7 @@ TEST_CASE("Runge-Kutta 4 on a free body is of order four", "[N35][ch7]") {
 
 TEST_CASE("more Newton iterations gain nothing", "[N48][ch7]") {
     const Scene scene = dzhanibekov();
-    const Entry &one = ours(scene, "implicit, one iteration"), &all = ours(scene, "implicit, converged");
+    const Entry &one = ours(scene, "one Newton step"), &all = ours(scene, "implicit, converged");
     const Work work = all.work(960);
     CHECK(work.solves > 2 * work.steps);
     CHECK(work.solves < 12 * work.steps);
@@ -127,7 +127,7 @@ TEST_CASE("Runge-Kutta 4 at 15 Hz is nearer to the free body than the talk's sol
           "[N35][N61][ch7]") {
     const Scene scene = dzhanibekov();
     const Track rare = ours(scene, "Runge-Kutta 4").track(60);
-    const Track often = ours(scene, "implicit, one iteration").track(3840);
+    const Track often = ours(scene, "one Newton step").track(3840);
     CHECK(largest_distance(scene, rare, scene.reference) <
           largest_distance(scene, often, scene.reference) / 10);
 }
@@ -152,7 +152,7 @@ TEST_CASE("the capsule on ice: the reference is where short steps of any method 
     for (double t = exact.lands(); t < exact.lies(); t += 1e-3) CHECK(exact.pressure(t) > 0);
 
     for (const std::string method :
-         {"explicit", "implicit, one iteration", "passive", "passive, arms of the start",
+         {"explicit", "one Newton step", "passive", "passive, arms of the start",
           "Runge-Kutta 4 in the air, passive"}) {
         const Entry& entry = ours(scene, method);
         std::vector<double> steps, errors;

@@ -27,7 +27,7 @@ TEST_CASE("the step for an accuracy is as long as the method's order says", "[li
     const auto order_of = [&](const char* name) {
         return std::log(16.0) / std::log(of(coarse, name).accurate_step / of(fine, name).accurate_step);
     };
-    for (const char* name : {"explicit Euler", "implicit Euler", "semi-implicit Euler", "Newton"})
+    for (const char* name : {"explicit Euler", "implicit Euler", "semi-implicit Euler", "constant acceleration"})
         CHECK(std::abs(order_of(name) - 1) < 0.05);
     for (const char* name : {"midpoint", "Heun", "implicit midpoint", "BDF2"})
         CHECK(std::abs(order_of(name) - 2) < 0.05);
@@ -194,7 +194,7 @@ TEST_CASE("who asks for less is not offered shorter steps", "[library][I13]") {
     }
     // Below ζ = 0.005 explicit Euler is stable only for steps far shorter than 5 % would allow.
     const auto loose = advise(DampedSpring<double>(100.0, 0.001), 1e-5, 0.05);
-    for (const char* name : {"explicit Euler", "Newton"}) {
+    for (const char* name : {"explicit Euler", "constant acceleration"}) {
         CHECK(of(loose, name).right);
         CHECK(of(loose, name).accurate_step > 1.9e-5);
     }

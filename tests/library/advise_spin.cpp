@@ -91,13 +91,13 @@ TEST_CASE("equal moments can gain nothing but by what a torque of zero adds", "[
         CAPTURE(advice.method);
         CHECK(advice.verdict == Verdict::stable);
     }
-    CHECK(of(advise_spin(PrincipalInertia<double>(1, 1, 0.1), 100, 0.1), "implicit, one iteration").verdict ==
+    CHECK(of(advise_spin(PrincipalInertia<double>(1, 1, 0.1), 100, 0.1), "one Newton step").verdict ==
           Verdict::stable);
 }
 
 TEST_CASE("what is said to gain energy does so by its own worst spin, visibly", "[library][N51][I13]") {
     const auto nearly_round = advise_spin(PrincipalInertia<double>(1, 1.0000001, 1.9), 5, 1);
-    const SpinAdvice one = of(nearly_round, "implicit, one iteration");  // no more than 1e-12 in any direction
+    const SpinAdvice one = of(nearly_round, "one Newton step");  // no more than 1e-12 in any direction
     CHECK(one.verdict == Verdict::too_close_to_call);
     CHECK(one.longest_step < 0.5);
     CHECK(one.reason.find("lost in roundoff") != std::string::npos);
@@ -196,7 +196,7 @@ TEST_CASE("as fast as the advice goes, a step it calls stable is a number and ga
     for (const SpinAdvice& advice : advise_spin(box, 0.99e50, 1)) {
         CAPTURE(advice.method);
         CHECK(advice.worst_gain >= 1);
-        CHECK(std::isfinite(advice.worst_gain) == (advice.method != "implicit, one iteration"));
+        CHECK(std::isfinite(advice.worst_gain) == (advice.method != "one Newton step"));
     }
 }
 

@@ -78,20 +78,20 @@ test_the_cloth_tears_by_itself() {
 test_the_box_without_a_touch() {
     holds 'a < 1e-9' "$(read_off tumble exact touch=0 steps=3600 | awk '{ print ($1 - 1) ^ 2 }')"
     holds 'a > 10 && b > 1.5' "$(read_off tumble explicit touch=0 steps=2400)" "$(read_off tumble 'momentum, lagged inertia' touch=0 steps=3600)"
-    holds 'a < 0.5 && b < 0.95' "$(read_off tumble 'implicit, one iteration' touch=0 steps=3600)" "$(read_off tumble passive touch=0 steps=3600)"
+    holds 'a < 0.5 && b < 0.95' "$(read_off tumble 'one Newton step' touch=0 steps=3600)" "$(read_off tumble passive touch=0 steps=3600)"
 }
 
 test_the_capsule_on_its_end() {
     holds 'a > 0.1' "$(read_off capsule dropped steps=600 rolling=0.3 steps=600)"
     holds 'a < 1e-3' "$(read_off capsule dropped steps=600 spinning=0.1 steps=600)"
     holds 'a == 0 && b == 0' "$(read_off capsule dropped rolling=0.3 steps=1200)" "$(read_off capsule dropped arms=1 steps=1200)"
-    holds 'a == 0 && b == 0 && c == 0' "$(read_off capsule 'implicit, one iteration' steps=1200)" "$(read_off capsule passive steps=1200)" "$(read_off capsule 'calm half-step' steps=1200)"
+    holds 'a == 0 && b == 0 && c == 0' "$(read_off capsule 'one Newton step' steps=1200)" "$(read_off capsule passive steps=1200)" "$(read_off capsule 'calm half-step' steps=1200)"
     holds 'a > 0.01 && a < 0.2' "$(read_off capsule passive rolling=0 steps=2400)"
 }
 
 test_the_dropped_capsule() {
     holds 'a > 1 && b > 1' "$(read_off capsule passive start=1 steps=1200)" "$(read_off capsule 'momentum, lagged inertia' start=1 steps=1200)"
-    holds 'a < 1 && b == 0' "$(read_off capsule dropped start=1 steps=1200)" "$(read_off capsule 'implicit, one iteration' start=1 steps=1200)"
+    holds 'a < 1 && b == 0' "$(read_off capsule dropped start=1 steps=1200)" "$(read_off capsule 'one Newton step' start=1 steps=1200)"
     holds 'a > 1 && b == 0 && c == 0' "$(read_off capsule 'calm half-step' start=1 place=0 steps=1200)" \
         "$(read_off capsule 'calm half-step' start=1 place=1 steps=1200)" "$(read_off capsule passive start=1 arms=1 steps=1200)"
 }

@@ -90,11 +90,11 @@ test_stiffness_mass_and_damping_are_omega_and_zeta() {
 
 test_people_are_told_what_programs_are_told() {
     expect 0 course advise --omega 100 --zeta 0.05 --json
-    for method in 'explicit Euler' 'midpoint' 'BDF2' 'Newton'; do
+    for method in 'explicit Euler' 'midpoint' 'BDF2' 'constant acceleration'; do
         verdict "$method"
     done >told
     expect 0 course advise --omega 100 --zeta 0.05
-    is "$(grep -E '^(explicit Euler|midpoint|BDF2|Newton) +(grows|stable)' out | sed 's/.*\(grows\|stable\).*/\1/')" \
+    is "$(grep -E '^(explicit Euler|midpoint|BDF2|constant acceleration) +(grows|stable)' out | sed 's/.*\(grows\|stable\).*/\1/')" \
         "$(sed -n '1p;2p;3p;4p' told)"
     says out 'the cheapest is'
     says out 'four steps a period'
@@ -144,7 +144,7 @@ test_no_step_longer_than_the_asked_one_is_recommended() {
     says out 'steps of 0.0167 s, 60 a second'
     expect 0 course advise --omega 0.001 --zeta 0.1
     says out 'steps of 0.0167 s, 60 a second, cost 60 a second'
-    says out 'Equally cheap: explicit Euler; Newton.'
+    says out 'Equally cheap: explicit Euler; constant acceleration.'
     silent_on out 'If it only has to'
 }
 
@@ -260,7 +260,7 @@ test_frames_and_kicks() {
     is "$(verdict 'Runge-Kutta 4')" stable
     expect 0 course advise --omega 30 --frames 0.0166667,0.0333333
     joined
-    says joined "the limits of semi-implicit Euler, of Verlet's kind and of Newton (the constant-acceleration step) hold for a constant step"
+    says joined "the limits of semi-implicit Euler, of Verlet's kind and of constant acceleration hold for a constant step"
     says joined 'where that cannot be, Runge-Kutta 4; on a spring steps of every length share'
     expect 0 course advise --omega 30 --frames 0.0166667,0.0333333 --keep-size
     joined

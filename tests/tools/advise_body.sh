@@ -42,14 +42,14 @@ test_bad_input_about_a_body_is_refused_by_its_name_and_rule() {
 test_a_spinning_plank() {
     expect 0 course advise --inertia 0.758,0.787,0.0313 --spin 0,0,60 --json
     is "$(verdict explicit)" 'one step can'
-    is "$(verdict 'implicit, one iteration')" 'one step can'
+    is "$(verdict 'one Newton step')" 'one step can'
     is "$(verdict passive)" never
     is "$(verdict 'half-step Jacobian')" bounded
     is "$(verdict 'ball and remainder 4')" bounded
     silent_on out nan
     silent_on out inf
     expect 0 course advise --inertia 0.758,0.787,0.0313 --spin 0,0,6 --json
-    is "$(verdict 'implicit, one iteration')" never
+    is "$(verdict 'one Newton step')" never
     expect 0 course advise --inertia 1,1,1 --spin 0,0,60
     is "$(grep -c '  never  ' out)" 13
     is "$(grep -c '^dropped .* lost$' out)" 1

@@ -165,7 +165,7 @@ void print_scene(const timestep::SpringScene& scene, const Step& asked) {
              "each time it goes taut between two steps; short steps gain less.");
     if (scene.varying())
         line("Frames from " + number(scene.shortest_frame) + " to " + number(scene.longest_frame) +
-             " s, all lengths alike, in any order: the limits of semi-implicit Euler, of Verlet's kind and of Newton (the constant-acceleration step) hold for a constant step, "
+             " s, all lengths alike, in any order: the limits of semi-implicit Euler, of Verlet's kind and of constant acceleration hold for a constant step, "
              "those of the others for the longest frame. Growth is what a thousand runs "
              "with frames at random do; stable is said only where it is proven for any order.");
     const std::string steps = spring.zeta < 1 ? number(2 * pi / omega / h) + " steps a period" : "no oscillation";

@@ -124,7 +124,7 @@ if(HOLD AND VALGRIND)
 endif()
 
 # Gyroscopic steps: a body pays for the kind of inertia it has, and a ball for nothing.
-set(gyroscopic_table "a gyroscopic step of\texplicit\tone iteration\tpassive\n")
+set(gyroscopic_table "a gyroscopic step of\texplicit\tone Newton step\tpassive\n")
 set(name_ball "a ball (uniform)")
 set(name_capsule "a capsule (two equal moments)")
 set(name_box "a box (three moments)")

@@ -71,14 +71,14 @@ void demos(const Settings&, lab::Findings& out) {
         // With a constant force these four are pieces of the parabola itself; the Eulers miss it by
         // h g t/2.
         const bool parabola =
-            id == "verlet" || id == "velocity_verlet" || id == "leapfrog" || id == "newton";
+            id == "verlet" || id == "velocity_verlet" || id == "leapfrog" || id == "constant_acceleration";
         if (parabola)
             exact_on_ball = std::max(exact_on_ball, off);
         else
             off_on_ball = std::min(off_on_ball, off);
         if (method.order == 2 || id == "semi_implicit_euler")
             least = std::min(least, reached), most = std::max(most, reached);
-        if (id == "newton" || id == "explicit_euler" || id == "semi_implicit_euler") {
+        if (id == "constant_acceleration" || id == "explicit_euler" || id == "semi_implicit_euler") {
             out.number("ball_" + id, off, "m", "off at the end of the flight");
             out.number("spring_" + id, reached, "m", "amplitude after 1000 steps");
         }

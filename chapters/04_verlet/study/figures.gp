@@ -49,7 +49,7 @@ plot "ball_exact.tsv" using 2:3 with lines @exact title "exact", \
      "ball_explicit_euler.tsv" using 2:3 with lines @explicit_euler title "explicit", \
      "ball_implicit_euler.tsv" using 2:3 with lines @implicit_euler title "implicit", \
      "ball_semi_implicit_euler.tsv" using 2:3 with lines lc rgb "#009e73" lw 2.5 dt (2,4) title "semi-implicit", \
-     "ball_newton.tsv" using 2:3 with lines @newton title "constant accel.", \
+     "ball_constant_acceleration.tsv" using 2:3 with lines @constant_acceleration title "constant acceleration", \
      "ball_verlet.tsv" using 2:3 with points pt 7 ps 0.7 lc rgb "#b15a98" title "Verlet", \
      "ball_velocity_verlet.tsv" using 2:3 with points pt 6 ps 1.3 lw 1.4 lc rgb "#b15a98" title "velocity Verlet"
 
@@ -65,7 +65,7 @@ set yrange [1e-4:1e4]
 set key outside bottom center horizontal reverse Left
 plot 1 with lines @exact title "exact", \
      "amplitude_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "explicit", \
-     "amplitude_newton.tsv" using 1:2 with lines @newton title "constant accel.", \
+     "amplitude_constant_acceleration.tsv" using 1:2 with lines @constant_acceleration title "constant acceleration", \
      "amplitude_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit", \
      "amplitude_velocity_verlet.tsv" using 1:2 with lines @velocity_verlet title "velocity Verlet", \
      "amplitude_verlet.tsv" every 12 using 1:2 with points lc rgb "#b15a98" pt 6 ps 0.9 lw 1.4 title "Verlet", \
@@ -102,7 +102,7 @@ do for [i=0:23] {
          "ball_explicit_euler.tsv" every ::1::n using 2:3 with linespoints @explicit_euler pt 7 ps 0.8, \
          "ball_semi_implicit_euler.tsv" every ::1::n using 2:3 with linespoints @semi_implicit_euler pt 7 ps 0.8, \
          "ball_verlet.tsv" every ::1::n using 2:3 with linespoints @velocity_verlet pt 7 ps 0.8, \
-         "ball_newton.tsv" every ::1::n using 2:3 with points pt 6 ps 1.6 lc rgb "#808000"
+         "ball_constant_acceleration.tsv" every ::1::n using 2:3 with points pt 6 ps 1.6 lc rgb "#808000"
     set lmargin at screen 0.6
     set rmargin at screen 0.98
     set xrange [-2.4:2.4]
@@ -114,7 +114,7 @@ do for [i=0:23] {
          "spring_explicit_euler.tsv" every ::1::n using (inside($2,$3)):3 with linespoints @explicit_euler pt 7 ps 0.8, \
          "spring_semi_implicit_euler.tsv" every ::1::n using 2:3 with linespoints @semi_implicit_euler pt 7 ps 0.8, \
          "spring_verlet.tsv" every ::1::n using 2:3 with linespoints @velocity_verlet pt 7 ps 0.8, \
-         "spring_newton.tsv" every ::1::n using (inside($2,$3)):3 with linespoints lc rgb "#808000" lw 2.5 dt 1 pt 6 ps 1.6
+         "spring_constant_acceleration.tsv" every ::1::n using (inside($2,$3)):3 with linespoints lc rgb "#808000" lw 2.5 dt 1 pt 6 ps 1.6
     unset multiplot
 }
 unset title
@@ -250,7 +250,7 @@ set yrange [1e-10:2]
 set xrange [20:1e5]
 set key outside bottom center horizontal reverse Left
 plot "work_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit", \
-     "work_newton.tsv" using 1:2 with lines @newton title "constant accel.", \
+     "work_constant_acceleration.tsv" using 1:2 with lines @constant_acceleration title "constant acceleration", \
      "work_velocity_verlet.tsv" using 1:2 with lines @velocity_verlet title "velocity Verlet", \
      "work_verlet.tsv" using 1:2 with lines @verlet title "Verlet", \
      "work_runge_kutta_4.tsv" using 1:2 with lines @runge_kutta_4 title "RK4"

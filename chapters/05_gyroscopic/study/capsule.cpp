@@ -143,7 +143,7 @@ void uneven_capsule(const Settings& settings, lab::Findings& out) {
     out.number("uneven_energy", passive.energy, "", "passive: energy left");
     out.number("uneven_momentum", passive.momentum, "", "passive: momentum left");
     out.number("uneven_implicit", implicit.spin, "rad/s",
-               "one iteration: spin about the length that is left");
+               "one Newton step: spin about the length that is left");
     out.number("uneven_quarter_second", quarter.second, "rad/s",
                "passive with a quarter of the step: spin about the length after a second");
     out.check("uneven_passive", std::fabs(passive.spin) < 0.1 && passive.flat > 1,
@@ -151,7 +151,7 @@ void uneven_capsule(const Settings& settings, lab::Findings& out) {
     out.check("uneven_quarter", std::fabs(quarter.spin) < 1,
               "passive: with a quarter of the step it does so too, later");
     out.check("uneven_implicit", std::fabs(implicit.spin - 20) < 0.1,
-              "one iteration: the capsule keeps its spin about the length, to 0.1 rad/s");
+              "one Newton step: the capsule keeps its spin about the length, to 0.1 rad/s");
     out.check("uneven_type", std::fabs(equal.spin) < 0.1 && std::fabs(typed.spin - 20) < 1e-9,
               "passive: equal moments keep that spin as a SymmetricInertia, and lose it as a "
               "PrincipalInertia");

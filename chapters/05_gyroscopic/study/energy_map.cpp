@@ -93,17 +93,17 @@ void energy_map(const Settings& settings, lab::Findings& out) {
                  passive = gain(passive_gyroscopic, plank, spin, 1),
                  all = gain(converged_gyroscopic, plank, spin, 1);
     std::printf("  I = (0.758, 0.787, 0.0313), omega = (-0.973, -0.137, -0.184), h = 1 s:\n");
-    std::printf("  energy x %.3f by one iteration, x %.3f converged, x %.3f passive\n", one, all,
+    std::printf("  energy x %.3f by one Newton step, x %.3f converged, x %.3f passive\n", one, all,
                 passive);
-    out.number("example_gain", one, "", "what one iteration multiplies the energy by");
+    out.number("example_gain", one, "", "what one Newton step multiplies the energy by");
     out.number("example_passive", passive, "", "what the passive step multiplies it by");
     out.number("example_converged", all, "", "what the converged step multiplies it by");
     out.check("example", one > 1.7 && passive <= 1 && all <= 1,
-              "one iteration adds energy to this body, the other two add none");
+              "one Newton step adds energy to this body, the other two add none");
 
     // Random bodies, ratio of moments up to 1000.
     auto& gains = out.table("gains.tsv", {"$h\\lvert\\omega\\rvert$", "bodies that gain, however little",
-                                          "share of E added at most, one iteration", "converged",
+                                          "share of E added at most, one Newton step", "converged",
                                           "passive"});
     auto& curve =
         out.table("gain_curve.tsv", {"size", "share", "implicit", "converged", "passive"});
@@ -209,7 +209,7 @@ void energy_map(const Settings& settings, lab::Findings& out) {
         "  of %d pieces of debris at h|omega| = 1, %d ever gain a hundredth (passive: %d)\n",
         pieces, above, above_passive);
     out.number("debris_share", 100.0 * above / pieces, "%",
-               "pieces of debris that ever gain a hundredth by one iteration", 2);
+               "pieces of debris that ever gain a hundredth by one Newton step", 2);
     out.number("debris_highest", highest, "", "the most that any of them gained");
     std::printf("  by the passive step %d of them end about their largest moment\n", settled);
     out.number("pieces", pieces, "", "pieces of debris");
@@ -223,7 +223,7 @@ void energy_map(const Settings& settings, lab::Findings& out) {
     out.check("swell", most_swell > 1.2 && most_swell < std::sqrt(2),
               "as a free body tumbles, its |ω| rises by more than a fifth, by less than √2");
     out.check("debris", above > 0 && above_passive == 0,
-              "some pieces gain with one iteration, none with the passive step");
+              "some pieces gain with one Newton step, none with the passive step");
 
     // The remedy, in float and double, over all sizes; the energy in double.
     double over = 0, least_momentum = 1;

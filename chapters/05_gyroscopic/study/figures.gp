@@ -24,7 +24,7 @@ set xrange [2e-4:2e-2]
 set key bottom right reverse Left
 @key_below
 plot "orientation.tsv" using 1:2 with linespoints @explicit_gyroscopic pt 7 ps 0.6 title "explicit", \
-     "" using 1:3 with linespoints @implicit_gyroscopic pt 7 ps 0.6 title "implicit, one iteration", \
+     "" using 1:3 with linespoints @implicit_gyroscopic pt 7 ps 0.6 title "one Newton step", \
      "" using 1:4 with linespoints @passive_gyroscopic pt 7 ps 0.6 title "passive"
 
 # Between two orientations.
@@ -83,13 +83,13 @@ set ytics 30
 set xtics 1 format "%g"
 set xlabel "time t (s)"
 set ylabel "L turned by (°)" offset 0.5,0
-set key at screen 0.55,0.075 center horizontal maxcols 3 reverse Left width 1
+set key at screen 0.55,0.075 center vertical maxrows 3 reverse Left width 1
 if (narrow) { set key vertical maxrows 3 width -3 }
 plot 0 with lines @exact title "exact", \
      "capsule_explicit.tsv" using 1:4 with lines @explicit_gyroscopic title "explicit", \
      "capsule_dropped.tsv" using 1:4 with lines @no_gyroscopic title "dropped", \
      "capsule_lagged_inertia.tsv" using 1:4 with lines @lagged_inertia title "lagged inertia", \
-     "capsule_implicit.tsv" using 1:4 with lines @implicit_gyroscopic title "implicit", \
+     "capsule_implicit.tsv" using 1:4 with lines @implicit_gyroscopic title "one Newton step", \
      "capsule_passive.tsv" using 1:4 with lines @passive_gyroscopic title "passive"
 unset multiplot
 
@@ -119,7 +119,7 @@ unset xlabel
 set ylabel "ω (rad/s)" offset 1.5,0
 set key at screen 0.99,0.995 right horizontal maxrows 1 reverse Left samplen 2 width -3 font ",15"
 do for [name in "exact explicit dropped implicit passive"] {
-    set label 1 name at graph 0.01,0.12 left front textcolor rgb ink
+    set label 1 (name eq "implicit" ? "one Newton step" : name) at graph 0.01,0.12 left front textcolor rgb ink
     if (name eq "passive") {
         set xtics 2 format "%g"
         set xlabel "time t (s)"
@@ -160,7 +160,7 @@ plot 1 with lines @exact title "exact", \
      "tumble_explicit.tsv" every 2 using 1:6 with lines @explicit_gyroscopic title "explicit", \
      "tumble_dropped.tsv" every 2 using 1:6 with lines @no_gyroscopic title "dropped", \
      "tumble_lagged_inertia.tsv" every 2 using 1:6 with lines @lagged_inertia title "lagged inertia", \
-     "tumble_implicit.tsv" every 2 using 1:6 with lines @implicit_gyroscopic title "implicit", \
+     "tumble_implicit.tsv" every 2 using 1:6 with lines @implicit_gyroscopic title "one Newton step", \
      "tumble_converged.tsv" every 2 using 1:6 with lines @converged_gyroscopic title "converged", \
      "tumble_passive.tsv" every 2 using 1:6 with lines @passive_gyroscopic title "passive"
 unset multiplot
@@ -180,7 +180,7 @@ set xrange [0.1:10]
 set yrange [0.1:1e9]
 set key outside bottom center horizontal reverse Left
 plot 1 with lines @exact title "no gain", \
-     "gain_curve.tsv" using 1:3 with lines @implicit_gyroscopic title "one iteration", \
+     "gain_curve.tsv" using 1:3 with lines @implicit_gyroscopic title "one Newton step", \
      "" using 1:4 with lines @converged_gyroscopic title "converged", \
      "" using 1:5 with lines @passive_gyroscopic title "passive"
 

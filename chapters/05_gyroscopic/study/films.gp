@@ -23,7 +23,7 @@ set key at screen 0.55,0.075 center horizontal maxrows 3 reverse Left width -4
 plot "plane_rolling_explicit.tsv" using 1:2 with lines @explicit_gyroscopic title "explicit", \
      "plane_rolling_dropped.tsv" using 1:2 with lines @no_gyroscopic title "dropped", \
      "plane_rolling_lagged_inertia.tsv" using 1:2 with lines @lagged_inertia title "lagged inertia", \
-     "plane_rolling_implicit.tsv" using 1:2 with lines @implicit_gyroscopic title "implicit", \
+     "plane_rolling_implicit.tsv" using 1:2 with lines @implicit_gyroscopic title "one Newton step", \
      "plane_rolling_passive.tsv" using 1:2 with lines @passive_gyroscopic title "passive"
 unset multiplot
 unset title
@@ -51,7 +51,7 @@ plot "throws_middle_fine.tsv" using 1:2 with lines @exact title "short steps", \
      "throws_middle_explicit.tsv" using 1:2 with lines @explicit_gyroscopic title "explicit", \
      "throws_middle_dropped.tsv" using 1:2 with lines @no_gyroscopic title "dropped", \
      "throws_middle_lagged_inertia.tsv" using 1:2 with lines @lagged_inertia title "lagged inertia", \
-     "throws_middle_implicit.tsv" using 1:2 with lines @implicit_gyroscopic title "implicit", \
+     "throws_middle_implicit.tsv" using 1:2 with lines @implicit_gyroscopic title "one Newton step", \
      "throws_middle_passive.tsv" using 1:2 with lines @passive_gyroscopic title "passive"
 unset multiplot
 unset title
@@ -68,7 +68,7 @@ set key outside bottom center horizontal reverse Left width 2
 plot "driven_dropped.tsv" using 1:2 with lines @no_gyroscopic title "dropped", \
      "driven_explicit.tsv" using 1:2 with lines @explicit_gyroscopic title "explicit", \
      "driven_lagged_inertia.tsv" using 1:2 with lines @lagged_inertia title "lagged inertia", \
-     "driven_implicit.tsv" using 1:2 with lines @implicit_gyroscopic title "implicit", \
+     "driven_implicit.tsv" using 1:2 with lines @implicit_gyroscopic title "one Newton step", \
      "driven_converged.tsv" using 1:2 with lines @converged_gyroscopic title "converged", \
      "driven_passive.tsv" using 1:2 with lines @passive_gyroscopic title "passive"
 @reset_axes
@@ -103,7 +103,7 @@ do for [i=0:149] {
           "tumbling_captions.tsv" every ::i+1::i+1 using (0):(0.79):(strcol(1)) with labels textcolor rgb ink, \
           "" every ::i+1::i+1 using (-1.89):(-0.84):("exact\n".strcol(2)) with labels textcolor rgb ink, \
           "" every ::i+1::i+1 using (-0.63):(-0.84):("dropped\n".strcol(3)) with labels textcolor rgb ink, \
-          "" every ::i+1::i+1 using (0.63):(-0.84):("implicit\n".strcol(4)) with labels textcolor rgb ink, \
+          "" every ::i+1::i+1 using (0.63):(-0.84):("one Newton step\n".strcol(4)) with labels textcolor rgb ink, \
           "" every ::i+1::i+1 using (1.89):(-0.84):("passive\n".strcol(5)) with labels textcolor rgb ink
 }
 

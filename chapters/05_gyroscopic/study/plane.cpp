@@ -157,7 +157,7 @@ void one_throw(const Settings& settings, lab::Findings& out) {
               "implicit and passive: the capsule comes to rest");
     out.check("plane_one_iteration",
               implicit.rest == converged.rest && implicit.energy == converged.energy,
-              "a capsule is symmetric: one iteration and the converged solution are the same run");
+              "a capsule is symmetric: one Newton step and the converged solution are the same run");
 
     // The same scene, with steps so short that the way to treat the torque hardly matters.
     const auto with_step = [&](const char* key, double h) {
@@ -167,17 +167,17 @@ void one_throw(const Settings& settings, lab::Findings& out) {
     const Outcome fine = with_step("passive", settings.step / 32);
     const Outcome fine_implicit = with_step("implicit", settings.step / 32);
     const Outcome quarter_implicit = with_step("implicit", settings.step / 4);
-    std::printf("%-24s %-26s %-26s\n", "one iteration, h/4", "", said(quarter_implicit).c_str());
-    std::printf("%-24s %-26s %-26s\n", "one iteration, h/32", "", said(fine_implicit).c_str());
+    std::printf("%-24s %-26s %-26s\n", "one Newton step, h/4", "", said(quarter_implicit).c_str());
+    std::printf("%-24s %-26s %-26s\n", "one Newton step, h/32", "", said(fine_implicit).c_str());
     std::printf("%-24s %-26s %-26s\n", "passive, h/32", "", said(fine).c_str());
     out.number("plane_fine_rest", fine.rest, "s", "passive: at rest, with a 32nd of the step", 2);
     out.number("plane_quarter_rest", quarter_implicit.rest, "s",
-               "one iteration: at rest, with a quarter of the step", 2);
+               "one Newton step: at rest, with a quarter of the step", 2);
     out.check("plane_fine",
               fine.rest > 0 && fine_implicit.rest > 0 &&
                   std::fabs(fine.rest - fine_implicit.rest) < 0.1 && passive.rest < 2 * fine.rest &&
                   dropped.spin > 10,
-              "a 32nd of the step: passive and one iteration come to rest at the same time, to 0.1 "
+              "a 32nd of the step: passive and one Newton step come to rest at the same time, to 0.1 "
               "s; with the whole step passive takes less than twice as long");
 }
 
@@ -268,7 +268,7 @@ void many_throws(const Settings& settings, lab::Findings& out) {
         for (const scene::PlaneSolver& solver : scene::plane_solvers())
             if (solver.key != "converged")
                 run(solver.key, solver.name, solver, arms, settings.step);
-    run("fine", "an eighth of the step", scene::plane_solver("passive"), plane::Arms::middle,
+    run("fine", "passive, an eighth of the step", scene::plane_solver("passive"), plane::Arms::middle,
         settings.step / 8);
 }
 

@@ -174,7 +174,7 @@ void tumble(const Settings& settings, lab::Findings& out) {
                 out.number("tumble_implicit_off", off, "s", "the largest error of its flips", 2);
                 // As early as the first: what a flip starts from is what the last one left.
                 out.check("tumble_implicit_keeps_time", all && off < h * sigma / 2 * truth.at[0],
-                          "one iteration has all flips, each early or late by less than the share "
+                          "one Newton step has all flips, each early or late by less than the share "
                           "hσ/2 of the time to the first");
             }
             if (k == "passive") {

@@ -106,6 +106,7 @@ void survivors(lab::Findings& out) {
         apart = std::max(apart, 100 * (exact.x() - rough.x()).segment<3>(3 * i).norm());
     std::printf("  solved to one percent only, a mass is %.0f cm elsewhere after a second\n",
                 apart);
+    out.number("cloth_mass", 144 * cloth.mass(), "kg", "mass of a cloth of 12 x 12");
     out.number("cloth_fastest", cloth.fastest(), "rad/s", "fastest oscillation of a cloth of 12 x 12");
     out.number("cloth_alone", double(alone), "",
                "steps until it is gone, one explicit step a frame");

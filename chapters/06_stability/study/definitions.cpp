@@ -21,7 +21,6 @@ using namespace timestep;
 
 namespace {
 
-/// [always 42]
 struct Always42 {
     static constexpr const char* name = "always 42";
 
@@ -35,7 +34,6 @@ struct Always42 {
         return {state1.t + h, 42};
     }
 };
-/// [always 42]
 
 using Fall = Scene<Projectile<double>, Drag<double>>;
 

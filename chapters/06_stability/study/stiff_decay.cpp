@@ -168,6 +168,8 @@ void swings(lab::Findings& out) {
                 off, limit);
     out.number("rk4_swing_limit", limit, "",
                "largest omega h at which RK4 does not grow on an oscillation", 4);
+    out.number("rk4_frame_limit", 60 * limit, "rad/s", "the omega of that at 60 Hz", 3);
+    out.number("semi_frame_limit", 60 * 2, "rad/s", "the omega of omega h = 2 at 60 Hz");
     out.check("rk4_swing_limit", std::fabs(limit - std::sqrt(8.0)) < 1e-9,
               "RK4 is stable up to omega h = sqrt 8");
     out.check("p_stable", off < 8 * eps,

@@ -234,7 +234,7 @@ void spins(const All& all, lab::Findings& out) {
               "keeps nine tenths in every one of them; at 2.5 it adds over half a percent and loses over half");
     const auto& box = all.at("dzhanibekov");
     const auto of = [&](const char* method) { return line(box, method, "Timestep"); };
-    const auto rk4 = of("Runge-Kutta 4"), talk = of("implicit, one iteration"),
+    const auto rk4 = of("Runge-Kutta 4"), talk = of("one Newton step"),
                converged = of("implicit, converged");
     const Point slow = at(rk4, 15), fast = at(talk, 960);
     percent(out, "spin_rk4_15", slow.error_max, "error of RK4 at 15 Hz, free box");

@@ -12,7 +12,7 @@ using namespace contest;
 
 namespace {
 
-constexpr double accuracies[] = {0.1, 0.01, 1e-3, 1e-6};
+constexpr double accuracies[] = {0.1, 0.01, 1e-3};
 
 bool ours(const Point& p) {
     return p.library == "Timestep";
@@ -81,17 +81,17 @@ All diagrams(const Effort& effort, lab::Findings& out) {
     All all;
     out.section("The cheapest method of ours, to 1 %");
     auto& best_table =
-        out.table("cheapest.tsv", {"scene", "10 %", "1 %", "0.1 %", "one millionth"});
+        out.table("cheapest.tsv", {"scene", "10 %", "1 %", "0.1 %"});
     for (const auto& [id, make] : all_scenes) {
         const Scene scene = make();
         const std::vector<Point> points = measure(scene, effort);
         write(points, out.table(scene.id + ".tsv",
                                 {"method", "library", "step (s)", "final error", "largest error",
                                  "run time (s)", "evaluations", "solves", "diverged"}));
-        std::string best[4];
-        for (int i = 0; i < 4; ++i) best[i] = in_words(cheapest(points, accuracies[i], ours));
-        best_table.row({scene.title + " (" + scene.id + ")", together(best[0]), together(best[1]),
-                        together(best[2]), together(best[3])});
+        std::string best[3];
+        for (int i = 0; i < 3; ++i) best[i] = in_words(cheapest(points, accuracies[i], ours));
+        if (id != std::string("spring_3d") && id != std::string("two_time_scales"))  // these have their figures
+            best_table.row({scene.title + " (" + scene.id + ")", together(best[0]), together(best[1]), together(best[2])});
         std::printf("  %-17s %s\n", scene.id.c_str(), best[1].c_str());
         all[scene.id] = points;
     }
@@ -103,7 +103,7 @@ All diagrams(const Effort& effort, lab::Findings& out) {
         {"explicit Euler", "semi-implicit Euler", "Verlet", "implicit midpoint", "Runge-Kutta 4"},
         out);
     at_sixty(all, "sixty_bodies.tsv", {"dzhanibekov", "symmetric_top"},
-             {"explicit", "implicit, one iteration", "passive", "Runge-Kutta 4"}, out);
+             {"explicit", "one Newton step", "passive", "Runge-Kutta 4"}, out);
     out.text("processor", lab::processor(), "what the times were measured on");
     out.text("compiler", lab::compiler(), "what made the program");
     return all;

@@ -4,8 +4,8 @@ rooms = folder."../../chapters/07_error_against_run_time/study/"
 library = "Timestep"
 springs = "explicit_euler implicit_euler semi_implicit_euler verlet velocity_verlet implicit_midpoint bdf2 runge_kutta_4"
 flights = "explicit_euler implicit_euler semi_implicit_euler heun implicit_midpoint runge_kutta_4"
-spins = "explicit dropped implicit__one_iteration implicit__converged passive runge_kutta_4"
-slides = "explicit dropped implicit__one_iteration passive passive__arms_of_the_start runge_kutta_4_in_the_air__passive"
+spins = "explicit dropped one_newton_step implicit__converged passive runge_kutta_4"
+slides = "explicit dropped one_newton_step passive passive__arms_of_the_start runge_kutta_4_in_the_air__passive"
 time_label = "run time of four seconds of game (µs)"
 error_label = "largest error (share of the scene's size)"
 
@@ -24,20 +24,17 @@ call rooms."diagram.gp" "spring" springs "1e-7"
 unset rmargin
 unset bmargin
 
-# Two panels, and the key to the right of the second; on a phone one below the other, and the key at the foot.
-left = "set lmargin at screen 0.125; set rmargin at screen 0.4; set ylabel 'largest error' offset 0.5; set key off"
-right = "set lmargin at screen 0.475; set rmargin at screen 0.75; unset ylabel; set key outside right top vertical samplen 1.5 spacing 1.1"
-panels = "set tmargin at screen 0.88; set bmargin at screen 0.2; set xlabel 'run time (µs)'"
+# Two panels, one above the other, and the key to their right; on a phone at the foot.
+left = "set lmargin at screen 0.12; set rmargin at screen 0.7; set tmargin at screen 0.93; set bmargin at screen 0.59; set ylabel 'largest error' offset 1.5; unset xlabel; set key off"
+right = "set tmargin at screen 0.46; set bmargin at screen 0.12; set xlabel 'run time (µs)'; set key at screen 0.715,0.9 left top vertical reverse Left samplen 2 spacing 1.1"
 if (narrow) {
     left = "set lmargin at screen 0.21; set rmargin at screen 0.96; set tmargin at screen 0.945; set bmargin at screen 0.64; set ylabel 'largest error' offset 1.5; unset xlabel; set key off"
     right = "set tmargin at screen 0.53; set bmargin at screen 0.21; set xlabel 'run time (µs)'; set key at screen 0.5,0.065 center vertical maxrows 4 reverse Left samplen 2 width -5"
-    panels = ""
 }
 done = "unset multiplot; unset title; unset lmargin; unset rmargin; unset tmargin; unset bmargin"
 
-call figure "stiff.svg" 900 400 900
+call figure "stiff.svg" 860 800 900
 set multiplot
-@panels
 @left
 set title "a stiff spring" textcolor rgb ink
 call rooms."diagram.gp" "stiff_spring" springs "1e-4"
@@ -46,9 +43,8 @@ set title "two time scales"
 call rooms."diagram.gp" "two_time_scales" springs "1e-4"
 @done
 
-call figure "bounces.svg" 900 400 900
+call figure "bounces.svg" 860 800 900
 set multiplot
-@panels
 @left
 set title "a flight in air"
 call rooms."diagram.gp" "drag" flights "1e-7"
@@ -57,9 +53,8 @@ set title "a ball that bounces"
 call rooms."diagram.gp" "bouncing_ball" flights "1e-7"
 @done
 
-call figure "spins.svg" 900 400 900
+call figure "spins.svg" 860 800 900
 set multiplot
-@panels
 @left
 set title "a box that tumbles"
 call rooms."diagram.gp" "dzhanibekov" spins "1e-7"
@@ -79,9 +74,8 @@ call rooms."diagram.gp" "capsule_on_plane" slides "1e-3"
 unset rmargin
 unset bmargin
 
-call figure "smooth.svg" 900 400 900
+call figure "smooth.svg" 860 800 900
 set multiplot
-@panels
 @left
 set title "a damped spring"
 call rooms."diagram.gp" "damped_spring" "explicit_euler implicit_euler semi_implicit_euler implicit_midpoint bdf2 runge_kutta_4" "1e-7"
@@ -147,6 +141,6 @@ set key outside bottom center horizontal reverse Left
 plot 0.05 with lines @faint title "threshold", \
      "sleep_exact.tsv" using 1:2 with lines @exact title "exact", \
      "sleep_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "explicit", \
-     "sleep_newton.tsv" using 1:2 with lines @newton title "constant accel.", \
+     "sleep_constant_acceleration.tsv" using 1:2 with lines @constant_acceleration title "constant acceleration", \
      "sleep_semi_implicit_euler.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit", \
      "sleep_implicit_euler.tsv" using 1:2 with lines @implicit_euler title "implicit"

@@ -74,7 +74,7 @@ void sleeping(lab::Findings& out) {
     const double expl = try_one("explicit_euler", explicit_euler.name, by(explicit_euler));
     const double impl = try_one("implicit_euler", implicit_euler.name, by(implicit_euler));
     const double semi = try_one("semi_implicit_euler", semi_implicit_euler.name, by(semi_implicit_euler));
-    const double constant = try_one("newton", "constant acceleration", by(newton));
+    const double constant = try_one("constant_acceleration", "constant acceleration", by(newton));
     // The rule on one frame alone: it stands still where it turns round.
     const double hasty = sleeps_after(by(semi_implicit_euler), h);
     const State<double> hung = lamp.exact(State<double>{0, start, 0}, hasty);
@@ -84,7 +84,7 @@ void sleeping(lab::Findings& out) {
     out.number("sleep_exact", exact, "s", "when the lamp may sleep, in truth");
     out.number("sleep_implicit", impl, "s", "by implicit Euler");
     out.number("sleep_semi", semi, "s", "by semi-implicit Euler");
-    out.number("sleep_newton", constant, "s", "by the constant-acceleration step");
+    out.number("sleep_constant_acceleration", constant, "s", "by the constant-acceleration step");
     out.number("sleep_watched", longest, "s", "how long we watched explicit Euler");
     out.number("sleep_hasty_at", 100 * std::fabs(hung.x) / start, "%", "how far out it stops when one frame decides, of where it was let go", 2);
     out.check("sleep_awake",

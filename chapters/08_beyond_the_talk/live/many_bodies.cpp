@@ -205,7 +205,7 @@ private:
     }
 
     live::Choice solver{this, "solver", "solver",
-                        "the talk's: implicit, one iteration|passive|half-step Jacobian|Cayley|explicit"};
+                        "one Newton step|passive|half-step Jacobian|Cayley|explicit"};
     live::LogSlider count{this, "count", "boxes", 16, most, 2500};
     live::Slider spin{this, "spin", "fastest spin", 1, 60, 0.5, 15, "rad/s"};
     live::Readout frame{this, "all of them", "ms a frame, at best"};

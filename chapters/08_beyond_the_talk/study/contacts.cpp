@@ -109,7 +109,7 @@ void contacts(const Settings& settings, lab::Findings& out) {
     const auto half = row("half-step Jacobian", half_step, settings.step);
     const auto calm = row("calm half-step", by(calm_half_step), settings.step);
     const auto cayley = row("Cayley", by(cayley_gyroscopic), settings.step);
-    const auto talk = row("talk", by(implicit_gyroscopic), settings.step);
+    const auto talk = row("one Newton step", by(implicit_gyroscopic), settings.step);
     const auto passive = row("passive", by(passive_gyroscopic), settings.step);
     bool nearest = true;
     double apart = 0;  // the two that stand for the truth

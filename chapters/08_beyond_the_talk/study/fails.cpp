@@ -152,7 +152,7 @@ void fails(const Settings& settings, lab::Findings& out) {
     auto& curve = out.table("fails.tsv", {"size", "implicit", "half_step", "cayley", "passive",
                                           "calm", "strang", "remainder_2", "remainder_4"});
     auto& table = out.table("fails_table.tsv",
-                            {"$h\\lvert\\omega\\rvert$", "talk", "half-step", "calm half-step",
+                            {"$h\\lvert\\omega\\rvert$", "one Newton step", "half-step", "calm half-step",
                              "Cayley, passive", "Strang", "ball + rem. 2", "ball + rem. 4"});
     const int many = 4000;
     RandomBody bodies(2);

@@ -17,7 +17,7 @@ if (narrow) { set key title " " }
 broad_half_step = colour_of(half_step_jacobian)." lw 6"
 of(id) = sprintf("strcol(1) eq '%s' ? $4 : NaN", id)
 curve(id, style, words) = sprintf("'order_points.tsv' using 2:(%s) with linespoints pt 7 ps 0.5 %s title '%s'", of(id), style, words)
-eval "plot ".curve("implicit", implicit_gyroscopic, "talk").", ".curve("passive", passive_gyroscopic, "passive").", ". \
+eval "plot ".curve("implicit", implicit_gyroscopic, "one Newton step").", ".curve("passive", passive_gyroscopic, "passive").", ". \
     curve("half_step_new", colour_of(half_step_jacobian)." lw 2.5 dt (3,4)", "half-step, new ω").", ". \
     curve("half_step", broad_half_step, "half-step, mean ω").", ". \
     curve("cayley", cayley_gyroscopic, "Cayley").", ".curve("strang", strang_splitting, "Strang").", ". \
@@ -44,7 +44,7 @@ plot "fails.tsv" using 1:(100*$5) with lines @broad_passive title "passive", \
      "" using 1:(100*$4) with lines @less_broad_cayley title "Cayley", \
      "" using 1:(100*$6) with lines @calm_half_step title "calm half-step", \
      "" using 1:(100*$3) with lines @half_step_jacobian title "half-step Jacobian", \
-     "" using 1:(100*$2) with lines @implicit_gyroscopic title "talk", \
+     "" using 1:(100*$2) with lines @implicit_gyroscopic title "one Newton step", \
      "" using 1:(100*$7) with lines @strang_splitting title "Strang", \
      "" using 1:(100*$8) with lines @ball_and_remainder_2 title "ball + remainder 2", \
      "" using 1:(100*$9) with lines @ball_and_remainder_4 title "ball + remainder 4"
@@ -67,7 +67,7 @@ set mytics 1
 set ylabel "energy off by, at most" offset 0.5
 each = "implicit passive half_step cayley strang remainder_2 remainder_4 runge_kutta_4"
 styles = "implicit_gyroscopic passive_gyroscopic half_step_jacobian cayley_gyroscopic strang_splitting ball_and_remainder_2 ball_and_remainder_4 runge_kutta_4"
-name_of(k) = k == 1 ? "talk" : k == 2 ? "passive" : k == 3 ? "half-step Jacobian" : k == 4 ? "Cayley" : \
+name_of(k) = k == 1 ? "one Newton step" : k == 2 ? "passive" : k == 3 ? "half-step Jacobian" : k == 4 ? "Cayley" : \
     k == 5 ? "Strang" : k == 6 ? "ball + remainder 2" : k == 7 ? "ball + remainder 4" : "RK4"
 curves(column) = (text = "", sum [k = 1:8] (text = text.sprintf("%s'minute_%s.tsv' using 1:%d with lines %s title '%s'", \
     k == 1 ? "" : ", ", word(each, k), column, value(word(styles, k)), name_of(k)), 0), text)
@@ -83,7 +83,6 @@ unset multiplot
 load folder."../../chapters/08_beyond_the_talk/study/engines.gp"
 
 # Error against time: three bodies, three spins.
-call figure "work.svg" 940 940 1000
 bodies = "near box needle"
 paces = "slow game fast"
 top_at(error) = error > 2 ? 2 : error  # the most that it can be; a run that is no number has 9
@@ -98,6 +97,34 @@ set xtics ("1" 1, "10" 10, "100" 100)
 set ytics ("1" 1, "10^{-2}" 0.01, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8, "10^{-10}" 1e-10, "10^{-12}" 1e-12)
 head(body) = body eq "near" ? (narrow ? "near-symmetric" : "nearly symmetric") : body eq "box" ? "box 1:2:3" : "needle"
 spin(pace) = pace eq "slow" ? "1 rad/s" : pace eq "game" ? "10 rad/s" : "100 rad/s"
+
+# First those of a game's spin, large, one below the other.
+call figure "work_game.svg" 760 1060 1060
+set multiplot
+do for [i = 1:3] {
+    set lmargin at screen (narrow ? 0.19 : 0.13); set rmargin at screen 0.97
+    set tmargin at screen 0.965 - 0.28*(i - 1); set bmargin at screen 0.965 - 0.28*i + 0.075
+    set title head(word(bodies, i)).", 10 rad/s" textcolor rgb ink offset 0,-0.5
+    set ylabel (i == 2 ? "orientation off by (rad)" : "") offset 1
+    set xlabel (i == 3 ? "µs a second of the motion" : "") offset 0,0.3
+    if (i == 3) { set key at screen 0.5,0.05 center center vertical maxrows 3 width -2 reverse Left samplen 2.5 } else { unset key }
+    if (i == 3 && narrow) { set key vertical maxrows 4 width -3 }
+    set label 2 "1 %" at 550,0.02 right textcolor rgb "#666666"
+    set label 3 "lost" at 550,1.1 right textcolor rgb "#666666"
+    all = "0.01 with lines ".faint." notitle, 0.5 with lines ".faint." notitle"
+    name = sprintf("work_%s_game.tsv", word(bodies, i))
+    do for [k = 1:8] {
+        style = word(each, k) eq "half_step" ? broad_half_step : value(word(styles, k))
+        mine = sprintf("strcol(1) eq '%s'", word(each, k))
+        all = all.sprintf(", name using (%s ? $5 : NaN):(top_at($4)) with lines %s title '%s'", mine, style, name_of(k))
+        all = all.sprintf(", name using (%s && $3 == 60 ? $5 : NaN):(top_at($4)) with points pt 7 ps 0.6 %s notitle", mine, colour_of(style))
+    }
+    eval "plot ".all
+    unset label
+}
+unset multiplot
+
+call figure "work.svg" 940 940 1000
 set multiplot
 do for [j = 1:3] { do for [i = 1:3] {
     name = sprintf("work_%s_%s.tsv", word(bodies, i), word(paces, j))

@@ -146,7 +146,7 @@ void in_bullet(lab::Findings& out) {
     };
     row("exact", exact);
     row("calm half-step", by(calm_half_step));
-    row("talk", by(implicit_gyroscopic));
+    row("one Newton step", by(implicit_gyroscopic));
     row("passive", by(passive_gyroscopic));
     out.number("in_bullet_throws", throws_of_each, "", "capsules thrown inside Bullet, by each rule");
     out.number("in_bullet_spin", spin, "rad/s", "the spin with which they are thrown");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <random>
 #include <string>
 #include <thread>
@@ -43,7 +44,7 @@ struct Way {
 void measure(std::vector<Way>& ways, std::size_t count) {
     for (Way& way : ways) way.nanoseconds = 1e9;
     const long passes = std::max(1l, long(20000 / count));
-    for (int turn = 0; turn < 4; ++turn)
+    for (int turn = 0; turn < 2; ++turn)
         for (Way& way : ways) {
             const double seconds = lab::seconds_of([&] {
                 for (long i = 0; i < passes; ++i) way.pass(count);
@@ -53,14 +54,23 @@ void measure(std::vector<Way>& ways, std::size_t count) {
         }
 }
 
-// The whole range, into a data file; afterwards the ways hold the times of `most`. Returns the
-// count from which on the last way is faster than the second, by a twentieth or more; 0: none.
+// The whole range, into a data file; afterwards the ways hold the times of `most`. The range is gone through three
+// times, and the fastest of each counts: a disturbance that lasts seconds must not stand in the picture. Returns
+// the count from which on the last way is faster than the second, by a twentieth or more; 0: none.
 std::size_t measure_all(std::vector<Way>& ways, lab::Table& table) {
+    const double sizes[] = {1e2, 2e2, 5e2, 1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6};
+    std::map<double, std::vector<double>> fastest;
+    for (int round = 0; round < 3; ++round)
+        for (const double size : sizes) {
+            measure(ways, std::size_t(size));
+            std::vector<double>& best = fastest[size];
+            best.resize(ways.size(), 1e9);
+            for (std::size_t i = 0; i < ways.size(); ++i) best[i] = std::min(best[i], ways[i].nanoseconds);
+        }
     std::size_t from = 0;
-    for (const double size : {1e2, 2e2, 5e2, 1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6}) {
-        measure(ways, std::size_t(size));
+    for (const double size : sizes) {
         std::vector<lab::Cell> row{size};
-        for (const Way& way : ways) row.push_back(way.nanoseconds);
+        for (std::size_t i = 0; i < ways.size(); ++i) row.push_back(ways[i].nanoseconds = fastest[size][i]);
         table.row(row);
         if (ways.back().nanoseconds > 0.95 * ways[1].nanoseconds)
             from = 0;
@@ -90,7 +100,7 @@ std::string error_in_a_pack(const Turn& turn, const Body& inertia) {
     }
     char text[32];
     if (worst > 0.5)
-        std::snprintf(text, sizeof text, "lost: %.2g\u00a0%%", lost);
+        std::snprintf(text, sizeof text, "%.0f of %d lost", lost * throws / 100, throws);
     else
         std::snprintf(text, sizeof text, "%.0f\u00a0%%", 100 * worst);
     return text;
@@ -104,6 +114,12 @@ void caches(double spring_bytes, double body_bytes, lab::Findings& out) {
         if (const double bytes = lab::cache_bytes(level); bytes > 0)
             table.row({std::string(names[level - 1]), bytes / spring_bytes, bytes / body_bytes});
     table.row({std::string(" "), 1.0, 1.0});  // where nothing is known: left of the picture
+}
+
+std::string times(double ratio) {
+    char text[24];
+    std::snprintf(text, sizeof text, "%.2g times", ratio);
+    return text;
 }
 
 void many_springs(lab::Findings& out) {
@@ -138,6 +154,8 @@ void many_springs(lab::Findings& out) {
         "a million springs: one by one, in lanes and many steps a pass agree to the last bit");
 
     auto& table = out.table("many_springs.tsv", {"count", "one_by_one", "lanes", "several"});
+    measure(ways, 1000);
+    const double one_pass_ns = ways[1].nanoseconds, many_steps_ns = ways[2].nanoseconds;
     measure_all(ways, table);
     const double alone_ns = ways[0].nanoseconds, lanes_ns = ways[1].nanoseconds,
                  several_ns = ways[2].nanoseconds;
@@ -150,6 +168,14 @@ void many_springs(lab::Findings& out) {
                "a million springs: several steps a pass, times as fast as one by one", 2);
     out.number("many_springs_lanes", alone_ns / lanes_ns, "",
                "a million springs: in lanes, times as fast as one by one", 2);
+    const double memory = several_ns / many_steps_ns, memory_once = lanes_ns / one_pass_ns;
+    out.text("many_memory",
+             memory < 1.5 && memory_once > 2 * memory
+                 ? "With so many steps a pass a spring among a million costs about what one among a thousand does: "
+                   "the memory is hardly felt"
+                 : "In this run a step of one among a million took " + times(memory) + " as long as of one among a thousand, and " +
+                       times(memory_once) + " with a single step a pass",
+             "what the memory costs, in this run");
     out.number("many_springs_passes", lanes_ns / several_ns, "",
                "a million springs: several steps a pass, times as fast as one", 2);
 }

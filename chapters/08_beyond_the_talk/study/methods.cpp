@@ -33,7 +33,7 @@ Method made(const Rule& rule, const std::string& key) {
 }  // namespace
 
 const std::vector<Method>& methods() {
-    static const std::vector<Method> all{made(tumble<ImplicitGyroscopic>, "talk", "implicit"),
+    static const std::vector<Method> all{made(tumble<ImplicitGyroscopic>, "one Newton step", "implicit"),
                                          made(tumble<PassiveGyroscopic>, "passive"),
                                          made(tumble<HalfStepJacobian>, "half_step"),
                                          made(tumble<CalmHalfStep>, "calm"),

@@ -97,8 +97,7 @@ std::string in_words(const Errors& e) {
     if (e.worst < 1e-6) return "below 0.0001\u00a0%";
     char text[48];
     if (e.worst > 0.5)
-        std::snprintf(text, sizeof text, e.lost < 10 ? "lost: %.1f\u00a0%%" : "lost: %.0f\u00a0%%",
-                      e.lost);
+        std::snprintf(text, sizeof text, "%.0f of %d lost", e.lost * throws_of_each / 100, throws_of_each);
     else
         std::snprintf(text, sizeof text, "%.2g\u00a0%%", 100 * e.worst);
     return text;

@@ -139,6 +139,18 @@ void work(const Settings&, lab::Findings& out) {
                                    std::max(at(points, "remainder_2", rate).error, 1e-9);
     out.check("magnus_nearer", nearer,
               "at 60 Hz, up to 10 rad/s, Magnus and Taylor are nearer than ball and remainder 2");
+    bool alike = true;  // up to 10 rad/s, of box and nearly symmetric body
+    for (const char* id : {"near_slow", "near_game", "box_slow", "box_game"}) {
+        const double ratio = at(all[id], "cayley", rate).error / at(all[id], "half_step", rate).error;
+        alike = alike && ratio > 0.9 && ratio < 1.15;
+    }
+    out.check("cayley_alike", alike,
+              "at 60 Hz, up to 10 rad/s, box and nearly symmetric body: Cayley's error is that of the half-step "
+              "Jacobian, within 15 %");
+    const double of_needle = at(all["needle_game"], "cayley", rate).error / at(all["needle_game"], "half_step", rate).error;
+    out.check("cayley_needle", of_needle > 2, "needle, 10 rad/s, 60 Hz: Cayley's error is more than twice the half-step Jacobian's");
+    out.number("cayley_price", ns.at("cayley") / ns.at("half_step"), "",
+               "time of a step of Cayley over that of the half-step Jacobian", 2);
     bool alone = true, thrice = true;
     for (const Shape& shape : shapes) {
         const Points& fast = all[std::string(shape.id) + "_fast"];

@@ -69,7 +69,7 @@ void enter_bullet(Scene& scene, const Moments& inertia, const Start& start, cons
             vector(start.omega), update};
         const std::string turned = update == Update::exponential ? ", exponential map" : "";
         scene.entries.push_back(
-            stepped("implicit, one iteration" + which + turned + real, "Bullet", body));
+            stepped("one Newton step" + which + turned + real, "Bullet", body));
     }
 }
 

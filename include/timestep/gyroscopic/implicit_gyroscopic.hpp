@@ -14,7 +14,7 @@ namespace timestep {
 /// should and loses energy. It is not safe: for h|ω| near 1 and above, the one iteration may add
 /// energy, without limit (N51). PassiveGyroscopic cannot.
 struct ImplicitGyroscopic {
-    static constexpr const char* name = "implicit, one iteration";  ///< for tables and keys
+    static constexpr const char* name = "one Newton step";  ///< for tables and keys
     static constexpr int order = 1;                                 ///< of the error after a whole run
 
     // The residual at ω₁ is h ω × Iω. Its derivative, by the product rule, a × b = skew(a) b and

@@ -14,7 +14,7 @@ namespace timestep {
 /// its eigenvalues are a pair with |λ| = √(1 + (ωh)²/2); beyond they are real and the larger grows
 /// faster still. It blows up for every ω > 0 and every h.
 struct Newton {
-    static constexpr const char* name = "Newton";  ///< for tables and keys
+    static constexpr const char* name = "constant acceleration";  ///< for tables and keys
     static constexpr int order = 1;                ///< of the error after a whole run
     static constexpr Cost cost{.evaluations = 1};  ///< of one step
 

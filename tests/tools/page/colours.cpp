@@ -17,13 +17,13 @@ const std::map<std::string, std::string> methods{
     {"exact", "exact"}, {"explicit", "explicit_euler"}, {"explicit Euler", "explicit_euler"},
     {"implicit", "implicit_euler"}, {"implicit Euler", "implicit_euler"}, {"semi-implicit", "semi_implicit_euler"},
     {"semi-implicit Euler", "semi_implicit_euler"}, {"Verlet", "verlet"}, {"velocity Verlet", "velocity_verlet"},
-    {"constant accel.", "newton"}, {"midpoint", "midpoint"}, {"Heun", "heun"}, {"RK4", "runge_kutta_4"},
+    {"constant acceleration", "constant_acceleration"}, {"midpoint", "midpoint"}, {"Heun", "heun"}, {"RK4", "runge_kutta_4"},
     {"BDF2", "bdf2"}, {"implicit midpoint", "implicit_midpoint"}, {"Adams–Bashforth", "adams_bashforth"},
     {"SDIRK, order 3", "sdirk_3"}, {"forward", "forward_difference"}, {"backward", "backward_difference"},
     {"central", "central_difference"}, {"forward difference", "forward_difference"},
     {"backward difference", "backward_difference"}, {"central difference", "central_difference"},
-    {"dropped", "no_gyroscopic"}, {"lagged inertia", "lagged_inertia"}, {"one iteration", "implicit_gyroscopic"},
-    {"talk", "implicit_gyroscopic"}, {"converged", "converged_gyroscopic"}, {"passive", "passive_gyroscopic"},
+    {"dropped", "no_gyroscopic"}, {"lagged inertia", "lagged_inertia"}, {"one Newton step", "implicit_gyroscopic"},
+    {"converged", "converged_gyroscopic"}, {"passive", "passive_gyroscopic"},
     {"half-step Jacobian", "half_step_jacobian"}, {"calm half-step", "calm_half_step"}, {"Cayley", "cayley_gyroscopic"},
     {"Strang", "strang_splitting"}, {"ball + remainder 2", "ball_and_remainder_2"}, {"ball + remainder 4", "ball_and_remainder_4"}};
 
