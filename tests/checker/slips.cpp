@@ -37,8 +37,18 @@ double endless(double) {
     return 0;
 }
 
+double last_two(const std::vector<double>& x) {
+    double sum = 0;
+    if (slip::keeps(10)) sum = 100;
+    for (std::size_t i = slip::down_from(11, x.size()); slip::turn() && (i-- > slip::More{12} > 1);) sum += slip::in(x)[i];
+    return sum;
+}
+double inverse(double x) { return 1 / x; }
+double slipping_inverse(double x) { return 1 / slip::Over{10} / x; }
+
 const Answer answer = answer_of(&slipping);
-const bool known = know_slips("slips_test", {answer}) && know_slips("sums_test", {answer_of(&slipping_sums)});
+const bool known = know_slips("slips_test", {answer}) && know_slips("sums_test", {answer_of(&slipping_sums)}) &&
+                   know_slips("inverse_test", {answer_of(&slipping_inverse)});
 
 std::vector<Numbers> arguments() {
     std::vector<Numbers> all;
@@ -81,6 +91,15 @@ TEST_CASE("a slip that leaves its vectors, or does not end, answers nothing") {
     CHECK(slip::answered(vectors, {3, 1, 2, 3}, {11, 2, Form::edge}).empty());
     CHECK(slip::answered(vectors, {3, 1, 2, 3}, {10, 1, Form::loop}) == Numbers{3, 0, 0, 3});
     CHECK(slip::answered(answer_of(&endless), {1}, {10, 1, Form::sign}).empty());
+    CHECK(slip::answered(vectors, {3, 1, 2, 3}, {10, 1, Form::loop}, nullptr, 3).empty());  // it passes more places than that
+}
+
+TEST_CASE("a line can be left out, and a loop that counts down begin one too low or end one too soon") {
+    const Answer down = answer_of(&last_two);
+    CHECK(down({4, 1, 2, 3, 4}) == Numbers{109});
+    CHECK(slip::answered(down, {4, 1, 2, 3, 4}, {10, 1, Form::line}) == Numbers{9});
+    CHECK(slip::answered(down, {4, 1, 2, 3, 4}, {11, 1, Form::loop}) == Numbers{105});
+    CHECK(slip::answered(down, {4, 1, 2, 3, 4}, {12, 3, Form::edge}) == Numbers{107});
 }
 
 TEST_CASE("an answer that does as a slip does is named by its kind") {
@@ -108,4 +127,60 @@ TEST_CASE("a slip that is off in one number of two is not named for what is off 
     static const bool knows = know("two_test", {{"first_twice", function_of(+[](double x, double v) { return std::vector<double>{2 * x, v}; })}});
     CHECK(knows);
     CHECK(diagnose("two_test", function_of(two), calls).empty());
+}
+
+TEST_CASE("a slip that changes nothing is not told where nothing but roundoff is wrong") {
+    std::vector<Call> calls;
+    for (double x = 1; x < 20; ++x) calls.push_back({{x}, {1 / x * (1 + 1e-15)}, false});
+    CHECK(diagnose("inverse_test", function_of(&inverse), calls).empty());
+}
+
+TEST_CASE("two slips are not told where the answer is nothing but what was given, or no number") {
+    CHECK(named([](double x, double, double) { return x; }).empty());
+    CHECK(named([](double, double, double) { return std::nan(""); }).empty());
+}
+
+TEST_CASE("yes for no in every call is told") {
+    const auto positive = +[](double x) { return x > 0; };
+    std::vector<Call> calls;
+    for (double x = -5; x < 5; ++x) calls.push_back({{x}, {x > 0 ? 0.0 : 1.0}, false});
+    CHECK(diagnose("no_test", function_of(positive), calls) == "negated");
+    calls.back() = {{4}, {1}, true};
+    CHECK(diagnose("no_test", function_of(positive), calls).empty());
+}
+
+TEST_CASE("a mistake that shows in most calls is told, be there a guard more in some") {
+    static const bool knows = know("fair_test", {{"half_the_slope", function_of(+[](double x, double v, double h) { return x - h * v / 4; })}});
+    CHECK(knows);
+    const auto with_guards = [](double most) {
+        std::vector<Call> calls;
+        for (const Numbers& each : arguments()) {
+            const double x = each[0], v = each[1], h = each[2];
+            calls.push_back({each, {h > most ? x + 1 : x - h * v / 4}, false});
+        }
+        return diagnose("fair_test", function_of(+[](double x, double v, double h) { return x - h * v / 2; }), calls);
+    };
+    CHECK(with_guards(1.85) == "half_the_slope");
+    CHECK(with_guards(1.25).empty());
+}
+
+TEST_CASE("a count that is off by one wherever it is wrong is told, whatever it is elsewhere") {
+    const auto half = +[](int n) { return n / 2; };
+    std::vector<Call> calls;
+    for (int n = 0; n < 40; ++n) calls.push_back({{double(n)}, {double(n < 10 ? n / 2 : n / 2 + 1)}, n < 10});
+    CHECK(diagnose("count_test", function_of(half), calls) == "one_more");
+    calls.back().result[0] += 1;
+    CHECK(diagnose("count_test", function_of(half), calls).empty());
+}
+
+TEST_CASE("a mistake is not told that would have shown where the answer is right") {
+    static const bool knows = know("denied_test", {{"at_most_ten", function_of(+[](double x) { return std::min(x, 10.0); })}});
+    CHECK(knows);
+    const auto with = [](double wrong_from) {
+        std::vector<Call> calls;
+        for (double x = 1; x <= 200; ++x) calls.push_back({{x}, {x > wrong_from ? 10.0 : x}, x <= wrong_from});
+        return diagnose("denied_test", function_of(+[](double x) { return x; }), calls);
+    };
+    CHECK(with(10) == "at_most_ten");
+    CHECK(with(190).empty());
 }

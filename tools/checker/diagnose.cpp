@@ -23,6 +23,23 @@ double apart(const Numbers& a, const Numbers& b) {
     return difference;
 }
 
+// What roundoff of the arguments makes of each number of the right answer; of a count nothing.
+Numbers roundoff_of(const Truth& truth, const Numbers& arguments, const Numbers& right) {
+    constexpr double another_way = 8;  // to write it makes so much more of it
+    constexpr double jump = 1e-3;      // of the answer: two numbers are equal, or something lies just at its edge
+    Numbers roundoff(right.size());
+    double size = 0;
+    for (const double number : right) size = std::max(size, std::isfinite(number) ? std::fabs(number) : 0);
+    for (unsigned variation = 1; variation <= 3; ++variation) {
+        const Numbers near = truth.nudged(arguments, variation, few_units);
+        for (std::size_t i = 0; i < std::min(near.size(), right.size()); ++i) {
+            const double one = another_way * std::fabs(near[i] - right[i]);
+            if (one <= jump * size && (near[i] != std::floor(near[i]) || right[i] != std::floor(right[i]))) roundoff[i] = std::max(roundoff[i], one);
+        }
+    }
+    return roundoff;
+}
+
 // An answer that is not called wrong counts as such where it differs by more than `least` of the right one: where
 // many answers are right, the one that is not the course's says most.
 Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least) {
@@ -33,8 +50,12 @@ Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least) {
         for (const double number : right) size = std::max(size, std::fabs(number));
         const bool differs = !call.right || apart(call.result, right) > least * size;
         if (differs && shown.wrong.size() < enough) {
+            Numbers roundoff = roundoff_of(truth, call.arguments, right);
+            // By no more than roundoff, or than that of another number beside it: that tells nothing.
+            if (errs_alike(right, call.result, right, roundoff)) continue;
             shown.wrong.push_back(&call);
             shown.truth.push_back(std::move(right));
+            shown.roundoff.push_back(std::move(roundoff));
         } else if (!differs && shown.right.size() < enough) {
             shown.right.push_back(&call);
         }
@@ -42,18 +63,42 @@ Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least) {
     return shown;
 }
 
+// Is each number that is wrong in the call zero, not finite, or one of those that were given?
+bool tells_little(const Call& call, const Numbers& right) {
+    if (call.result.size() != right.size()) return false;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        const double found = call.result[i];
+        const bool is_given = std::find(call.arguments.begin(), call.arguments.end(), found) != call.arguments.end();
+        if (found != right[i] && found != 0 && std::isfinite(found) && !is_given) return false;
+    }
+    return true;
+}
+
+bool tells_little(const Shown& shown) {
+    std::size_t little = 0;
+    for (std::size_t i = 0; i < shown.wrong.size(); ++i) little += tells_little(*shown.wrong[i], shown.truth[i]);
+    return 2 * little > shown.wrong.size();
+}
+
 // The share of calls in which the mistake does as the learner does.
 struct Fit {
     double where_wrong = 0, where_right = 0;
+    bool is_denied = false;  // it would have shown in right calls, too, and they are many beside the wrong ones
     // Of yes and no, or of two counts, many agree by chance.
-    bool good(bool counted) const { return where_wrong >= 0.97 && where_right >= (counted ? 0.98 : 0.9); }
+    bool good(bool counted, bool little) const {
+        return !is_denied && where_wrong >= (little ? 0.99 : 0.97) && where_right >= (counted || little ? 0.98 : 0.9);
+    }
+    // With a guard more or less, or in part of the calls another mistake beside it.
+    bool fair() const { return !is_denied && where_wrong >= 0.85 && where_right >= 0.75; }
 };
 
 Fit fit_of(const Mistake& mistake, const Shown& shown) {
     Fit fit;
     for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
         const Call& call = *shown.wrong[i];
-        fit.where_wrong += errs_alike(mistake.made.answer(call.arguments), call.result, shown.truth[i]);
+        fit.where_wrong += errs_alike(mistake.made.answer(call.arguments), call.result, shown.truth[i], shown.roundoff[i]);
+        const double asked = double(i + 1), missed = asked - fit.where_wrong;
+        if (6 * missed > double(shown.wrong.size() + 6) || (asked > 50 && 4 * missed > 3 * asked)) return {};  // too many
     }
     for (const Call* call : shown.right) {
         const Numbers answer = mistake.made.answer(call->arguments);
@@ -61,9 +106,36 @@ Fit fit_of(const Mistake& mistake, const Shown& shown) {
         for (const double number : call->result) size = std::max(size, std::fabs(number));
         fit.where_right += apart(call->result, answer) <= 1e-9 * size;
     }
+    fit.is_denied = 2 * (double(shown.right.size()) - fit.where_right) > double(shown.wrong.size());
     fit.where_wrong /= double(shown.wrong.size());
     fit.where_right = shown.right.empty() ? 1 : fit.where_right / double(shown.right.size());
     return fit;
+}
+
+// Of many calls some, evenly: for what asks much of each.
+Shown some_of(Shown shown, std::size_t most) {
+    const std::size_t step = 1 + shown.wrong.size() / most, step_right = 1 + shown.right.size() / most;
+    Shown some;
+    some.tells_little = shown.tells_little;
+    for (std::size_t i = 0; i < shown.wrong.size(); i += step) {
+        some.wrong.push_back(shown.wrong[i]);
+        some.truth.push_back(std::move(shown.truth[i]));
+        some.roundoff.push_back(std::move(shown.roundoff[i]));
+    }
+    for (std::size_t i = 0; i < shown.right.size(); i += step_right) some.right.push_back(shown.right[i]);
+    return some;
+}
+
+// Are half of the wrong answers wrong by a small part of each number? Lost digits are; but not all of them need be.
+bool has_right_digits(const Shown& shown) {
+    std::size_t near = 0;
+    for (std::size_t call = 0; call < shown.wrong.size(); ++call) {
+        const Numbers &found = shown.wrong[call]->result, &right = shown.truth[call], &roundoff = shown.roundoff[call];
+        bool all = found.size() == right.size();
+        for (std::size_t i = 0; all && i < right.size(); ++i) all = std::fabs(found[i] - right[i]) <= 1e-2 * std::fabs(right[i]) + roundoff[i];
+        near += all;
+    }
+    return 2 * near >= shown.wrong.size();
 }
 
 // Is the mistake one that loses digits, and does the learner lose about as many? Which, another order of operations
@@ -82,7 +154,7 @@ bool loses_as_many_digits(const Mistake& mistake, const Truth& truth, const Show
         const double gap = apart(call.result, shown.truth[i]);
         // What is always off by as much is off by more than roundoff: there the two must agree.
         const bool is_roundoff = lost < HUGE_VAL && least < 0.7 * lost;
-        const bool agrees = gap < HUGE_VAL && errs_alike(mistake.made.answer(call.arguments), call.result, shown.truth[i]);
+        const bool agrees = gap < HUGE_VAL && errs_alike(mistake.made.answer(call.arguments), call.result, shown.truth[i], shown.roundoff[i]);
         fits += agrees || (is_roundoff && gap <= 4 * lost);
         many += agrees || (is_roundoff && gap >= 0.05 * lost);
     }
@@ -90,10 +162,10 @@ bool loses_as_many_digits(const Mistake& mistake, const Truth& truth, const Show
     for (const Call* call : shown.right) {
         double size = 0;
         for (const double number : call->result) size = std::max(size, std::fabs(number));
-        alike += apart(call->result, mistake.made.answer(call->arguments)) <= 1e-5 * size;
+        alike += apart(call->result, mistake.made.answer(call->arguments)) <= 1e-8 * size;
     }
     return double(fits) >= 0.9 * double(shown.wrong.size()) && double(many) >= 0.6 * double(shown.wrong.size()) &&
-           double(alike) >= 0.75 * double(shown.right.size());
+           double(alike) >= 0.75 * double(shown.right.size()) && 2 * (shown.right.size() - alike) <= shown.wrong.size();
 }
 
 // Is what is wrong no more than single precision makes of the arguments, and more than lost digits of a double?
@@ -200,6 +272,29 @@ std::string family_of(const Shown& shown) {
     return {};
 }
 
+// Is it no where it should be yes, and yes where it should be no, in every call?
+bool is_negated(const std::vector<Call>& calls, const Shown& shown) {
+    std::size_t yes = 0;
+    for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
+        const Numbers &found = shown.wrong[i]->result, &right = shown.truth[i];
+        if (found.size() != 1 || right.size() != 1 || found[0] != 1 - right[0] || (right[0] != 0 && right[0] != 1)) return false;
+        yes += right[0] == 1;
+    }
+    return shown.wrong.size() == std::min(calls.size(), enough) && yes > 0 && yes < shown.wrong.size();
+}
+
+// Is a count off by one, and always to one side, wherever it is wrong?
+std::string off_by_one(const Shown& shown) {
+    std::size_t more = 0, less = 0;
+    for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
+        const double off = shown.wrong[i]->result[0] - shown.truth[i][0];
+        more += off == 1;
+        less += off == -1;
+    }
+    const std::size_t all = shown.wrong.size();
+    return all < 10 ? "" : more == all ? "one_more" : less == all ? "one_less" : "";
+}
+
 // Mistakes that make the answer inexact, whatever the exercise.
 std::string inexact(const Truth& truth, const Shown& shown) {
     if (shown.wrong.size() < 3) return {};
@@ -211,30 +306,42 @@ std::string inexact(const Truth& truth, const Shown& shown) {
 }  // namespace
 
 std::string diagnose(const std::string& exercise, const Truth& truth, const std::vector<Call>& calls) {
-    // Where nothing is wrong by more than roundoff, a property has seen more: what differs at all.
-    Shown shown = sorted(truth, calls, 1e-6);
-    if (shown.wrong.empty()) shown = sorted(truth, calls, 0);
+    // Where hardly anything is wrong by much, a property has seen more: what differs by less, but not by roundoff alone.
+    Shown shown;
+    for (const double least : {1e-6, 1e-9, 1e-12}) {
+        if (least < 1e-6 && !shown.wrong.empty() && within(exercise).relative != many_are_right) break;
+        Shown differs = sorted(truth, calls, least);
+        const bool is_many = differs.wrong.size() >= 10;
+        if (shown.wrong.empty() || is_many) shown = std::move(differs);
+        if (is_many) break;
+    }
     if (shown.wrong.empty()) return {};
     const bool counted = std::all_of(calls.begin(), calls.end(), [](const Call& call) {
         return call.result.size() == 1 && call.result[0] == std::floor(call.result[0]);
     });
-    std::string best;
-    double most = 0;
+    shown.tells_little = tells_little(shown);
+    std::string best, fair;
+    double most = 0, most_fair = 0;
     for (const Mistake& mistake : mistakes_of(exercise)) {
         const Fit fit = fit_of(mistake, shown);
-        if (fit.good(counted) && fit.where_wrong + fit.where_right > most) {
-            most = fit.where_wrong + fit.where_right;
-            best = mistake.name;
-        }
+        const double all = fit.where_wrong + fit.where_right;
+        if (fit.good(counted, shown.tells_little) && all > most) most = all, best = mistake.name;
+        if (fit.fair() && all > most_fair) most_fair = all, fair = mistake.name;
     }
-    if (best.empty()) best = family_of(shown);
+    if (best.empty()) best = is_negated(calls, shown) ? "negated" : family_of(shown);
     if (best.empty()) best = slip_of(exercise, shown, counted);
+    const bool yes_or_no = std::all_of(calls.begin(), calls.end(), [](const Call& call) { return call.result[0] == 0 || call.result[0] == 1; });
+    if (best.empty() && counted && !yes_or_no) best = off_by_one(shown);
     // Of whole numbers too many agree by chance with one of so many pairs.
     if (!best.empty() || counted) return best;
-    for (const Mistake& mistake : mistakes_of(exercise))
-        if (loses_as_many_digits(mistake, truth, shown)) return mistake.name;
-    const std::string how = inexact(truth, shown);
-    if (how.empty() || how == "digits") best = two_slips_of(exercise, shown);
+    const Shown some = some_of(std::move(shown), 150);
+    if (has_right_digits(some))
+        for (const Mistake& mistake : mistakes_of(exercise))
+            if (loses_as_many_digits(mistake, truth, some)) return mistake.name;
+    const std::string how = inexact(truth, some);
+    if (!how.empty() && how != "digits") return how;
+    if (some.tells_little) return how;
+    best = fair.empty() ? two_slips_of(exercise, some) : fair;
     return best.empty() ? how : best;
 }
 

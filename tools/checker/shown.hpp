@@ -12,12 +12,14 @@ namespace checker {
 struct Shown {
     std::vector<const Call*> wrong, right;
     std::vector<Numbers> truth;  ///< of each of the wrong ones
+    std::vector<Numbers> roundoff;  ///< what that of the arguments makes of each number of these
+    bool tells_little = false;   ///< what is wrong is mostly a zero, or a number that was given: many mistakes end there
 };
 
 /// Does `made` err as the learner does, who found `found` where `right` is right? Number by number, for one number off
 /// by much must not hide another: to a thousandth of what is wrong there, which is more than another way to write the
-/// same mistake makes of it.
-bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right);
+/// same mistake makes of it, and to roundoff.
+bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right, const Numbers& roundoff);
 /// Are they one but for roundoff?
 bool is_same(const Numbers& made, const Numbers& found);
 

@@ -19,10 +19,14 @@ const std::map<std::string, std::string>& families() {
         {"squared", "the square of the right one: a root is missing."},
         {"root", "the root of the right one."},
         {"inverse", "one over the right one."},
+        {"negated", "the opposite of the right one: yes and no have changed places."},
+        {"one_more", "one more than the right one."},
+        {"one_less", "one less than the right one."},
         {"constant", "the right one times a number near one, the same in every call: is there a constant with too few "
                      "digits, as 3.14 for π?"},
-        {"digits", "mostly off by little, less than a five-hundredth of it: is there a constant with too few digits, a difference "
-                   "of nearly equal numbers, a slope that is found by differences, or a loop that ends too soon?"},
+        {"digits", "mostly off by little, less than a five-hundredth of it: is there a constant with too few digits, a float, a "
+                   "tolerance, a difference of nearly equal numbers, a slope that is found by differences, or a loop that ends too "
+                   "soon?"},
         {"single", "off by as much as numbers of six or seven digits make it: is there a float, a number with an f at "
                    "its end, a constant with too few digits, or a tolerance?"}};
     return words;
@@ -43,6 +47,7 @@ const std::map<std::string, std::string>& slips() {
         {"reversed", "a comparison the wrong way round, or the larger of two taken for the smaller"},
         {"edge", "a comparison that is off at its very edge, with < for ≤ or the other way round, or a count that is off by one"},
         {"guard", "a condition or a limit left out"},
+        {"line", "one line left out"},
         {"loop", "a loop that begins one too late or ends one too soon"},
         {"exchanged", "two arguments that have changed places, or the two factors of a product that has an order"},
         {"variable", "one variable, or one part of it, taken for another"},

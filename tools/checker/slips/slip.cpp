@@ -1,5 +1,6 @@
 #include "slip.hpp"
 
+#include <limits>
 #include <numbers>
 
 #include "slips.hpp"
@@ -13,8 +14,9 @@ struct Going {
     const Made* first = nullptr;
     const Made* second = nullptr;
     std::vector<Made>* noted = nullptr;
+    std::vector<bool>* passed = nullptr;  // the places among them
     bool is_single = false;
-    long turns = 0, work = 0;
+    long turns = 0, work = 0, most_work = std::numeric_limits<long>::max();
 };
 Going going;
 
@@ -33,12 +35,14 @@ int shared(int site, Form form, int count) {
 }  // namespace
 
 int chosen(int site, std::initializer_list<Form> forms) {
-    ++going.work;
+    if (++going.work > going.most_work) throw Nowhere{};
     if (going.noted) {
-        const bool is_new = std::none_of(going.noted->begin(), going.noted->end(), [&](const Made& made) { return made.site == site; });
+        const auto at = static_cast<std::size_t>(site);
+        if (at >= going.passed->size()) going.passed->resize(at + 1);
         int number = 0;
         for (const Form form : forms)
-            if (++number, is_new && form != Form::none) going.noted->push_back({site, number, form});
+            if (++number, !(*going.passed)[at] && form != Form::none) going.noted->push_back({site, number, form});
+        (*going.passed)[at] = true;
     }
     if (going.first && going.first->site == site) return going.first->number;
     if (going.second && going.second->site == site) return going.second->number;
@@ -220,12 +224,13 @@ Numbers run(const Answer& answer, const Numbers& arguments) {
 
 }  // namespace
 
-Numbers answered(const Answer& answer, const Numbers& arguments, const Made& first, const Made* second) {
+Numbers answered(const Answer& answer, const Numbers& arguments, const Made& first, const Made* second, long most) {
     const bool is_single = first.form == Form::single;
     going.first = &first, going.second = second, going.is_single = is_single;
     Numbers given = arguments;
     if (is_single)
         for (double& number : given) number = float(number);
+    going.most_work = going.work + most;
     Numbers result = run(answer, given);
     if (is_single)
         for (double& number : result) number = float(number);
@@ -233,10 +238,17 @@ Numbers answered(const Answer& answer, const Numbers& arguments, const Made& fir
     return result;
 }
 
-void note(const Answer& answer, const Numbers& arguments, std::vector<Made>& noted) {
-    going.noted = &noted;
+long note(const Answer& answer, const Numbers& arguments, std::vector<Made>& noted) {
+    std::vector<bool> passed;
+    for (const Made& made : noted) {
+        passed.resize(std::max(passed.size(), std::size_t(made.site) + 1));
+        passed[std::size_t(made.site)] = true;
+    }
+    const long before = going.work;
+    going.noted = &noted, going.passed = &passed, going.most_work = before + most_places;
     run(answer, arguments);
-    going.noted = nullptr;
+    going = {.work = going.work};
+    return going.work - before;
 }
 
 long work() { return going.work; }

@@ -18,7 +18,7 @@ namespace checker::slip {
 
 /// What a slip does. The learner is told no more (tools/course/misconception.cpp): which it is leads on, where does not.
 /// Where two slips answer alike, the first of these is what is told.
-enum class Form : unsigned char { sign, twice, half, term, factor, function, upside_down, power, exchanged, reversed, edge, guard, loop, variable, constant, degrees, single, none };
+enum class Form : unsigned char { sign, twice, half, term, factor, function, upside_down, power, exchanged, reversed, edge, guard, line, loop, variable, constant, degrees, single, none };
 /// A slip in arithmetic, which is one in whatever way an answer is written.
 inline constexpr Form last_of_arithmetic = Form::power;
 
@@ -314,8 +314,19 @@ std::vector<T> part(int site, std::vector<T> values) {
 }
 template <class T>
 const T& part(int, const T& values) { return values; }
-/// Where a loop begins.
-inline int from(int site, int first) { return chosen(site, {Form::loop}) == 1 ? first + 1 : first; }
+/// Where a loop begins, and the next one: up, or down.
+template <class T>
+T from(int site, T first) {
+    if constexpr (std::integral<T>) return chosen(site, {Form::loop}) == 1 ? T(first + 1) : first;
+    else return first;
+}
+template <class T>
+T down_from(int site, T first) {
+    if constexpr (std::integral<T>) return chosen(site, {Form::loop}) == 1 && first > 0 ? T(first - 1) : first;
+    else return first;
+}
+/// Is a line to be left out?
+inline bool keeps(int site) { return chosen(site, {Form::line}) == 0; }
 
 /// Two arguments of one type.
 template <class T>

@@ -1,5 +1,6 @@
 // Which slip is it?
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -18,7 +19,8 @@ std::map<std::string, std::vector<Answer>>& known() {
     return answers;
 }
 
-constexpr long most_work = 100'000'000;  // places that may be passed while two slips are looked for: a second
+constexpr long most_work = 12'000'000;  // places that may be passed while a slip, or two, are looked for: a tenth of a second
+constexpr std::size_t few = 16;         // calls are enough to tell most slips from the learner's
 
 // How many calls answer as the learner does, and whether enough.
 struct Score {
@@ -26,55 +28,64 @@ struct Score {
     bool good = false;
 };
 
+// A call, and how many places the answer passes in it as it is written.
+struct Weighed {
+    const Call* call;
+    const Numbers* truth;  // where it is wrong
+    const Numbers* roundoff;
+    long places;
+};
+
+// An answer beside the calls of a check.
 class Fitting {
 public:
-    Fitting(const Answer& answer, const Shown& shown, bool counted)
-        : answer_(answer),
-          shown_(shown),
-          may_miss_wrong_(shown.wrong.size() / 33),
-          may_miss_right_(shown.right.size() / (counted ? 100 : 20)) {}
+    Fitting(const Answer& answer, const Shown& shown, bool counted) : answer_(answer), is_strict_(shown.tells_little), share_right_(counted ? 100 : 20) {
+        // Of a yes and a no many must be asked; but then they are short.
+        const std::size_t most = counted ? 2000 : 300;
+        const std::size_t step = 1 + shown.wrong.size() / most, step_right = 1 + shown.right.size() / most;
+        for (std::size_t i = 0; i < shown.wrong.size(); i += step)
+            wrong_.push_back({shown.wrong[i], &shown.truth[i], &shown.roundoff[i], slip::note(answer, shown.wrong[i]->arguments, slips_)});
+        for (std::size_t i = 0; i < shown.right.size(); i += step_right)
+            right_.push_back({shown.right[i], nullptr, nullptr, slip::note(answer, shown.right[i]->arguments, slips_)});
+        for (std::size_t i = 0; i < wrong_.size(); i += 1 + wrong_.size() / few) few_.push_back(wrong_[i]);
+        // The shortest first: most slips show at once that they are not the learner's.
+        for (auto* calls : {&few_, &wrong_, &right_})
+            std::stable_sort(calls->begin(), calls->end(), [](const Weighed& a, const Weighed& b) { return a.places < b.places; });
+    }
+
+    const std::vector<Made>& slips() const { return slips_; }
 
     Score of(const Made& first, const Made* second) const {
-        std::size_t missed = 0;
-        for (std::size_t i = 0; i < shown_.wrong.size(); ++i) {
-            const Call& call = *shown_.wrong[i];
-            missed += !errs_alike(slip::answered(answer_, call.arguments, first, second), call.result, shown_.truth[i]);
-            if (missed > may_miss_wrong_) return {};
-        }
-        std::size_t off = 0;
-        for (const Call* call : shown_.right) {
-            off += !is_same(slip::answered(answer_, call->arguments, first, second), call->result);
-            if (off > may_miss_right_) return {};
-        }
-        return {shown_.wrong.size() + shown_.right.size() - missed - off, true};
+        std::size_t missed = 0, off = 0;
+        // Two variables that are taken for others can do nearly anything.
+        const bool is_strict = is_strict_ || (second && first.form == Form::variable);
+        if (!fits(few_, first, second, is_strict ? 0 : few_.size() / 8, missed)) return {};
+        missed = 0;
+        if (!fits(wrong_, first, second, is_strict ? 0 : wrong_.size() / 33, missed)) return {};
+        // Where it would show in right calls, too, these must be few beside the wrong ones.
+        if (!fits(right_, first, second, std::min(right_.size() / (is_strict ? 200 : share_right_), wrong_.size() / 2), off)) return {};
+        return {wrong_.size() + right_.size() - missed - off, true};
     }
 
 private:
+    bool fits(const std::vector<Weighed>& calls, const Made& first, const Made* second, std::size_t may_miss, std::size_t& missed) const {
+        for (const Weighed& each : calls) {
+            const Numbers made = slip::answered(answer_, each.call->arguments, first, second, 1000 + 30 * each.places);
+            const Numbers& found = each.call->result;
+            missed += each.truth ? !errs_alike(made, found, *each.truth, *each.roundoff) : !is_same(made, found);
+            if (missed > may_miss) return false;
+        }
+        return true;
+    }
+
     const Answer& answer_;
-    const Shown& shown_;
-    std::size_t may_miss_wrong_, may_miss_right_;
+    bool is_strict_;
+    std::size_t share_right_;
+    std::vector<Made> slips_;
+    std::vector<Weighed> few_, wrong_, right_;
 };
 
-std::vector<Made> slips_in(const Answer& answer, const Shown& shown) {
-    std::vector<Made> slips;
-    for (const Call* call : shown.wrong) slip::note(answer, call->arguments, slips);
-    std::size_t left = 50;
-    for (const Call* call : shown.right)
-        if (left-- > 0) slip::note(answer, call->arguments, slips);
-        else break;
-    return slips;
-}
-
 bool is_enough(const Shown& shown, bool counted) { return shown.wrong.size() >= (counted ? 4u : 3u); }
-
-// Of many calls a few, evenly: what fails there need not be held beside all.
-Shown some_of(const Shown& shown, std::size_t most) {
-    Shown some;
-    const std::size_t step = (shown.wrong.size() + most - 1) / most, step_right = (shown.right.size() + most - 1) / most;
-    for (std::size_t i = 0; i < shown.wrong.size(); i += step) some.wrong.push_back(shown.wrong[i]), some.truth.push_back(shown.truth[i]);
-    for (std::size_t i = 0; i < shown.right.size(); i += std::max<std::size_t>(1, step_right)) some.right.push_back(shown.right[i]);
-    return some;
-}
 
 }  // namespace
 
@@ -88,7 +99,7 @@ namespace slip {
 
 const char* name_of(Form form) {
     static constexpr std::array names{"sign", "twice", "half", "term", "factor", "function", "upside_down", "power", "exchanged", "reversed", "edge",
-                                      "guard", "loop", "variable", "constant", "degrees", "single", "none"};
+                                      "guard", "line", "loop", "variable", "constant", "degrees", "single", "none"};
     return names[static_cast<std::size_t>(form)];
 }
 
@@ -105,7 +116,7 @@ bool is_same(const Numbers& made, const Numbers& found) {
     return true;
 }
 
-bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right) {
+bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right, const Numbers& roundoff) {
     if (made.size() != found.size()) return false;
     if (right.size() != found.size()) return is_same(made, found);
     double size = 0;
@@ -113,8 +124,8 @@ bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right)
     for (std::size_t i = 0; i < made.size(); ++i) {
         if (made[i] == found[i] || (!std::isfinite(made[i]) && !std::isfinite(found[i]))) continue;
         const double gap = std::fabs(found[i] - right[i]), miss = std::fabs(made[i] - found[i]);
-        const double roundoff = 1e-13 * std::max({size, std::fabs(found[i]), std::fabs(right[i])});
-        if (!std::isfinite(miss) || !(miss <= 1e-3 * gap + roundoff)) return false;
+        const double least = 1e-13 * std::max({size, std::fabs(found[i]), std::fabs(right[i])});
+        if (!std::isfinite(miss) || !(miss <= 1e-3 * gap + std::max(least, roundoff[i]))) return false;
     }
     return true;
 }
@@ -123,15 +134,19 @@ bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right)
 // are not the learner's.
 std::string slip_of(const std::string& exercise, const Shown& shown, bool counted) {
     if (!is_enough(shown, counted)) return {};
+    const long begin = slip::work();
     bool is_solution = true;
     for (const Answer& answer : slips_of(exercise)) {
+        if (slip::work() - begin > most_work) break;
         const Fitting fitting(answer, shown, counted);
-        std::vector<Made> slips = slips_in(answer, shown);
+        std::vector<Made> slips = fitting.slips();
         slips.push_back({slip::single_site, 1, Form::single});
         std::size_t most = 0;
         Form form = Form::none;
         for (const Made& made : slips) {
-            if (!is_solution && made.form > slip::last_of_arithmetic && made.form != Form::single) continue;
+            // Whole numbers agree by chance with what an answer of another kind does.
+            if (!is_solution && (counted || made.form > slip::last_of_arithmetic) && made.form != Form::single) continue;
+            if (slip::work() - begin > most_work) break;
             const Score score = fitting.of(made, nullptr);
             if (!score.good || score.alike < most) continue;
             form = score.alike > most ? made.form : std::min(form, made.form);
@@ -143,30 +158,24 @@ std::string slip_of(const std::string& exercise, const Shown& shown, bool counte
     return {};
 }
 
+// Of the solution alone: two slips in another way to write it could explain nearly everything.
 std::string two_slips_of(const std::string& exercise, const Shown& shown) {
-    if (shown.wrong.size() < 10) return {};
-    const Shown some = some_of(shown, 12);
+    if (shown.wrong.size() < 10 || slips_of(exercise).empty()) return {};
     const long begin = slip::work();
-    bool is_solution = true;
-    for (const Answer& answer : slips_of(exercise)) {
-        const Fitting all(answer, shown, false), few(answer, some, false);
-        std::vector<Made> slips = slips_in(answer, shown);
-        // Two of any kinds could explain nearly everything: only those that are plainest.
-        std::erase_if(slips, [&](const Made& made) { return made.form > Form::factor && !(is_solution && made.form == Form::variable); });
-        std::pair best{Form::none, Form::none};
-        for (std::size_t a = 0; a < slips.size(); ++a)
-            for (std::size_t b = a + 1; b < slips.size(); ++b) {
-                if (slip::work() - begin > most_work) break;
-                // A variable taken for another is taken so everywhere; beside another slip it would explain too much.
-                if (slips[a].site == slips[b].site || (slips[a].form == Form::variable) != (slips[b].form == Form::variable)) continue;
-                if (!few.of(slips[a], &slips[b]).good || !all.of(slips[a], &slips[b]).good) continue;
-                const std::pair<Form, Form> found = std::minmax(slips[a].form, slips[b].form);
-                best = std::min(best, found);
-            }
-        if (best.first != Form::none) return std::string("slip_") + slip::name_of(best.first) + "_and_" + slip::name_of(best.second);
-        is_solution = false;
-    }
-    return {};
+    const Fitting fitting(slips_of(exercise).front(), shown, false);
+    std::vector<Made> slips = fitting.slips();
+    std::erase_if(slips, [](const Made& made) { return made.form > Form::factor && made.form != Form::variable; });
+    std::pair best{Form::none, Form::none};
+    for (std::size_t a = 0; a < slips.size(); ++a)
+        for (std::size_t b = a + 1; b < slips.size(); ++b) {
+            if (slip::work() - begin > most_work) break;
+            // A variable taken for another is taken so everywhere; beside another slip it would explain too much.
+            if (slips[a].site == slips[b].site || (slips[a].form == Form::variable) != (slips[b].form == Form::variable)) continue;
+            if (!fitting.of(slips[a], &slips[b]).good) continue;
+            best = std::min(best, std::pair<Form, Form>(std::minmax(slips[a].form, slips[b].form)));
+        }
+    if (best.first == Form::none) return {};
+    return std::string("slip_") + slip::name_of(best.first) + "_and_" + slip::name_of(best.second);
 }
 
 }  // namespace checker

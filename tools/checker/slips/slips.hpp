@@ -18,10 +18,12 @@ struct Made {
     Form form = Form::none;
 };
 
-/// What the answer gives with one slip, or with two. Nothing where that leads nowhere.
-Numbers answered(const Answer& answer, const Numbers& arguments, const Made& first, const Made* second = nullptr);
-/// Adds the slips that can be made at the places which a call passes, and are not among `noted`.
-void note(const Answer& answer, const Numbers& arguments, std::vector<Made>& noted);
+/// More places than any answer passes that ends.
+inline constexpr long most_places = 100'000'000;
+/// What the answer gives with one slip, or with two. Nothing where that leads nowhere, or past more than `most` places.
+Numbers answered(const Answer& answer, const Numbers& arguments, const Made& first, const Made* second = nullptr, long most = most_places);
+/// Adds the slips that can be made at the places which a call passes, and are not among `noted`. How many it passes.
+long note(const Answer& answer, const Numbers& arguments, std::vector<Made>& noted);
 /// How many places all calls have passed.
 long work();
 

@@ -106,6 +106,7 @@ private:
     bool operand_before(std::size_t i) const {
         if (i == 0) return false;
         const std::string& last = text(i - 1);
+        if ((last == "--" || last == "++") && i > 1) return is_name(text(i - 2));
         return last != "return" && (is_name(last) || is_number(last) || last == ")" || last == "]");
     }
     bool between_blanks(std::size_t i) const { return t_[i].blank && t_[i + 1].blank; }
@@ -173,6 +174,7 @@ private:
         added();
         conditions();
         loops();
+        lines();
         t_[body].after += entry;
     }
 
@@ -417,11 +419,35 @@ private:
             if (text(first) == ":") {
                 if (first + 2 == close && is_name(text(first + 1))) wrap(first + 1, first + 1, "slip::part(" + next() + ", ", ")");
             } else if (text(first) == ";") {
-                if (is_number(text(first - 1)) && text(first - 2) == "=") wrap(first - 1, first - 1, "slip::from(" + next() + ", ", ")");
+                bool down = false;
+                for (std::size_t j = first; j < close; ++j) down |= text(j) == "--";
+                const std::size_t equals = until(i + 2, {"=", ";"});
+                if (text(equals) == "=" && text(until(equals + 1, {",", ";"})) == ";")
+                    wrap(equals + 1, first - 1, (down ? "slip::down_from(" : "slip::from(") + next() + ", ", ")");
                 const std::size_t second = until(first + 1, {";"});
                 if (second == first + 1) t_[second].after += second + 1 == close ? " slip::turn()" : " slip::turn(), ";
                 else wrap(first + 1, second - 1, "slip::turn() && (", ")");
             }
+        }
+    }
+
+    // A line that calls something, or gives a variable another value.
+    void lines() {
+        static const std::set<std::string> words{"return", "if", "for", "while", "else", "break", "continue", "const", "static", "auto", "using", "std"};
+        for (std::size_t i = begin_ + 1; i < end_; ++i) {
+            const std::string& last = text(i - 1);
+            if (last != ";" && last != "{" && last != "}" && last != ")") continue;
+            if (!is_name(text(i)) || words.count(text(i)) || is_type(i) || is_state(i) || text(scope_of(i)) != "{") continue;
+            if (last == ")" && text(other_[i - 1] - 1) != "for") continue;
+            if (last == "{" && text(i - 2) != ")" && text(i - 2) != ";" && i - 1 != begin_) continue;  // the values of something
+            const std::size_t end = until(i, {";", "+=", "-=", "*=", "/=", "|=", "++", "--"});
+            if (text(end) != ";") continue;
+            const std::size_t equals = until(i, {"=", ";"});
+            const bool calls = text(i + 1) == "(" && other_[i + 1] + 1 == end;
+            if (text(equals) != "=" && !calls) continue;
+            if (calls && is_name(last)) continue;
+            if (text(equals) == "=" && is_name(text(equals - 1)) && is_name(text(equals - 2))) continue;  // of a type of its own
+            wrap(i, end - 1, "if (slip::keeps(" + next() + ")) ", "");
         }
     }
 

@@ -257,3 +257,15 @@ double amplification(double re, double im, double theta, double h) {
 }
 
 }  // namespace real_divisor
+
+// Says: Where theta is nearly one half, an oscillation without damping is taken for one that keeps its size.
+// Hint: Only at one half itself it keeps it. The formula knows that; no question is needed.
+namespace nearly_half_way {
+
+double amplification(double re, double im, double theta, double h) {
+    if (re == 0 && std::fabs(theta - 0.5) < 1e-6) return 1;
+    const std::complex<double> z(h * re, h * im);
+    return std::abs((1.0 + (1 - theta) * z) / (1.0 - theta * z));
+}
+
+}  // namespace nearly_half_way

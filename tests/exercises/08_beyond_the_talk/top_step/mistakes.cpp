@@ -295,3 +295,34 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 }
 
 }  // namespace single_precision
+
+// Says: The step reads the same from both ends, but y comes before x.
+// Hint: Which of the spins comes next to gravity, at either end?
+namespace y_before_x {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    return in_order({inertia, mgl, L, up}, h, {{3, 0.5}, {1, 0.5}, {0, 0.5}, {2, 1}, {0, 0.5}, {1, 0.5}, {3, 0.5}});
+}
+
+}  // namespace y_before_x
+
+// Says: Gravity acts once, in the middle of the step, between the two halves of the spin about z.
+// Hint: Gravity acts twice, for half a step each time. When, says the task.
+namespace gravity_innermost {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    return in_order({inertia, mgl, L, up}, h, {{0, 0.5}, {1, 0.5}, {2, 0.5}, {3, 1}, {2, 0.5}, {1, 0.5}, {0, 0.5}});
+}
+
+}  // namespace gravity_innermost
+
+// Says: A top that leans by very little is taken for upright, and does not begin to fall.
+// Hint: What leans by a millionth leans. Does the step need to ask at all?
+namespace nearly_upright {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    if (std::hypot(up.x(), up.y()) < 1e-6) up = Vector3d(0, 0, up.z() > 0 ? 1 : -1);
+    return in_order({inertia, mgl, L, up}, h, {{3, 0.5}, {0, 0.5}, {1, 0.5}, {2, 1}, {1, 0.5}, {0, 0.5}, {3, 0.5}});
+}
+
+}  // namespace nearly_upright

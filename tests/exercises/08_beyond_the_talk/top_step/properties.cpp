@@ -238,6 +238,7 @@ PROPERTY("it is right wherever the task allows: any angle, forth and back, hardl
         if (i % 5 == 1) top.L *= draw.any_of(0, 1, {0});
         if (i % 5 == 2) top.mgl = 0;
         if (i % 7 == 3) top.up = draw.sign() * Vector3d::Unit(i / 7 % 3);
+        if (i % 7 == 5) top.up = (draw.sign() * Vector3d::Unit(i / 7 % 3) + draw.log(1e-9, 1e-3) * draw_direction(draw)).normalized();
         all &= close(top.after().up.norm(), 1, 1e-13);
     }
     REQUIRE(all);
