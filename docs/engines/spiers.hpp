@@ -10,13 +10,14 @@ namespace timestep {
 /// two equal moments. Jolt's tangent is the first term of such a turn, for any J′, since L × L = 0. This J′ is the one
 /// for which the energy's second derivative vanishes: k·I⁻¹k / k·k with k = ω × L. Of two equal moments it is one over
 /// those, and the step exact.
-/// [axis]
 template <class Real>
 struct SymmetricGuess {
-    Vector3<Real> L, about;  ///< L in the body; Ω, about which the body turns under it
-    Real inverse;            ///< J′; the rest of the turn is J′L, about L itself
+    Vector3<Real> L;      ///< the angular momentum, in the body
+    Vector3<Real> about;  ///< Ω, about which the body turns under it
+    Real inverse;         ///< J′; the rest of the turn is J′L, about L itself
 
     /// Of moments of any unit; `omega` in body coordinates, rad/s.
+    /// [axis]
     TIMESTEP_INLINE
     SymmetricGuess(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega)
         : L(inertia.unit.cwiseProduct(omega)) {
@@ -25,8 +26,8 @@ struct SymmetricGuess {
         inverse = k2 > 0 ? k.cwiseQuotient(inertia.unit).dot(k) / k2 : Real(0);
         about = omega - inverse * L;
     }
+    /// [axis]
 };
-/// [axis]
 
 /// The step as engines can take it, a new ω: L₂ is L₁ turned by −hΩ, and ω₂ = I⁻¹L₂. Pull request 993 of Avian.
 struct AvianGyroscopic {
