@@ -92,7 +92,7 @@ function setListings() {
 
 // What is wider than the page scrolls in itself. Its edge fades where it goes on.
 function fadeWhatGoesOn() {
-    for (const box of document.querySelectorAll("table.markdownTable, table.markdownTable tbody, p.formulaDsp, a.card, pre, div.fragment")) {
+    for (const box of document.querySelectorAll("table.markdownTable, table.markdownTable tbody, p.formulaDsp, a.card, pre, div.fragment, .memproto")) {
         const look = () => {
             box.classList.toggle("goes-on", box.scrollLeft + box.clientWidth < box.scrollWidth - 4);
             if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;  // so that the arrow keys scroll it

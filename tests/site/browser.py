@@ -127,14 +127,18 @@ function* pale() {
     }
 }
 function* unnamed() {
+    if (document.querySelector("#doc-content:not([role=main]), div.header .title:not([role=heading])")) yield "a screen reader is not told what is the main part and its heading";
+    for (const box of document.querySelectorAll(".contents :is(pre, div.fragment, table, tbody, p.formulaDsp, .memproto)"))
+        if (box.checkVisibility?.() && box.scrollWidth > box.clientWidth + 4 && /auto|scroll/.test(getComputedStyle(box).overflowX) && box.tabIndex < 0 && !box.querySelector("a[href]"))
+            yield "the arrow keys cannot scroll: " + box.textContent.trim().slice(0, 40);
     if (!document.documentElement.lang) yield "does not say its language";
     for (const field of document.querySelectorAll("input:not([type=checkbox]):not([type=hidden]), select"))
         if (!field.labels?.length && !field.ariaLabel && field.checkVisibility?.()) yield "a field without a label: " + (field.id || field.name);
     for (const link of document.querySelectorAll(".contents a[href]:not([aria-hidden])"))
         if (!link.textContent.trim() && !link.getAttribute("aria-label") && ![...link.querySelectorAll("img")].some(image => image.alt)) yield "a link without words: " + link.getAttribute("href");
 }
-// The page hears of the change to dark in the next frame, and changes in the one after it.
-if (dark) requestAnimationFrame(() => requestAnimationFrame(look)); else look();
+// The page hears of the change to dark, and of what is too wide for it, in the next frame, and changes in the one after it.
+requestAnimationFrame(() => requestAnimationFrame(look));
 """
 
 

@@ -164,9 +164,11 @@ class Pages(SiteCase):
         self.assertEqual(self.faults(), [])
 
     def test_what_has_no_name(self):
-        self.plant('<input id="field"><div class="contents"><a href="other.html"><img src="pixel.gif" alt=""></a></div>')
+        self.plant('<input id="field"><div id="doc-content"><div class="contents"><a href="other.html"><img src="pixel.gif" alt=""></a>'
+                   '<pre style="width:40px;overflow:auto">wider than that</pre></div></div>')
         found = self.faults()
-        for fault in ("a field without a label: field", "a link without words: other.html"):
+        for fault in ("a field without a label: field", "a link without words: other.html",
+                      "the arrow keys cannot scroll: wider", "a screen reader is not told"):
             self.assertTrue(any(line.startswith(fault) for line in found), found)
 
     def test_the_search(self):

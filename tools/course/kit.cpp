@@ -30,6 +30,7 @@ struct Part {
 const std::vector<Part> parts{
     {"chapters", {".cpp", ".hpp", ".gp", ".md", ".json", "CMakeLists.txt"}},
     {"docs/engines", {".hpp", ".h", ".c", ".patch"}},
+    {"docs/library", {".cpp"}},
     {"include", {".hpp", ".h"}},
     {"tools/bench", {".cpp", ".hpp", ".cmake", "CMakeLists.txt"}},
     {"tools/checker/learner", {".hpp"}},

@@ -30,7 +30,7 @@ std::string row(const std::string& words) {
 }
 
 /// The comment that a file begins with, as Markdown: the title left out, since the section has it. What stands two
-/// blanks in is a row of a table, what stands farther in is a formula and stands as it is.
+/// blanks in is a row of a table, what stands farther in is a formula.
 std::string task(const fs::path& file) {
     enum { words, rows, formulas } inside = words;
     std::string markdown;
@@ -44,7 +44,7 @@ std::string task(const fs::path& file) {
         const auto before = inside;
         inside = in < 2 ? words : in == 2 || before == rows ? rows : formulas;
         if (before == formulas && inside != formulas) {
-            markdown += "```\n";
+            markdown += "\\end{aligned}\\f]\n";
         } else if (before == rows && inside != rows) {
             markdown += " |\n";
         }
@@ -53,14 +53,14 @@ std::string task(const fs::path& file) {
         } else if (inside == words) {
             markdown += escape_markdown(text) + "\n";
         } else if (inside == formulas) {
-            markdown += (before == formulas ? "" : "```\n") + text.substr(2) + "\n";
+            markdown += (before == formulas ? "\\\\" : "\\f[\\begin{aligned}") + ("&" + formula_tex(std::string{trim(text)})) + "\n";
         } else if (in == 2) {
             markdown += (before == rows ? " |\n" : "| name | what it is |\n|---|---|\n") + row(text.substr(2));
         } else {
             markdown += " " + escape_markdown(text.substr(in));
         }
     }
-    return markdown + (inside == formulas ? "```\n" : inside == rows ? " |\n" : "");
+    return markdown + (inside == formulas ? "\\end{aligned}\\f]\n" : inside == rows ? " |\n" : "");
 }
 
 }  // namespace

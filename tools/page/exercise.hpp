@@ -25,4 +25,8 @@ struct Exercise {
 std::vector<Exercise> load_exercises(const std::filesystem::path& root, const std::string& chapter,
                                      std::vector<std::filesystem::path>& inputs);
 
+/// A formula of a task, `f(omega2) = I (omega2 - omega1) + h omega2 x (I omega2)`, as TeX: names of letters as they
+/// are written in mathematics, their digits as indices, a lone `x` between two things as the vector product.
+std::string formula_tex(const std::string& plain);
+
 }  // namespace page

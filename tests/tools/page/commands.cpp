@@ -171,6 +171,8 @@ TEST_CASE("link_sources takes away what Doxygen guessed in listings") {
                       tip = "<div class=\"ttc\" id=\"b\"><div class=\"ttname\"><a href=\"b.html#s\">timestep::solve</a></div></div>\n";
     course.write("site/p.html", "x<a class=\"code hl_function\" href=\"a.html#g\">step</a>(" + kept + ")\n" +
                                     "<div class=\"ttc\" id=\"a\"><div class=\"ttname\"><a href=\"a.html#g\">timestep::plane::step</a></div></div>\n" + tip);
+    course.write("site/a_source.html", "<a id=\"l00001\" name=\"l00001\"></a>x<a id=\"l00002\"></a>");
     REQUIRE(run_command(std::string{LINK_SOURCES} + " " + (course / "site").string()).status == 0);
+    CHECK(course.read("site/a_source.html") == "<a id=\"l00001\"></a>x<a id=\"l00002\"></a>");
     CHECK(course.read("site/p.html") == "xstep(" + kept + ")\n\n" + tip);
 }

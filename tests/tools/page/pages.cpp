@@ -6,6 +6,7 @@
 
 #include "context.hpp"
 #include "error.hpp"
+#include "exercise.hpp"
 #include "fill.hpp"
 
 using Catch::Matchers::ContainsSubstring;
@@ -277,10 +278,17 @@ TEST_CASE("exercises stand in order on the chapter's page, and in full on pages 
     CHECK(tasks.rfind("# Exercises: 3 · Springs {#exercises_3}\n", 0) == 0);
     CHECK_THAT(tasks, ContainsSubstring("## 3.1 The first {#exercise_first}"));
     CHECK_THAT(tasks, ContainsSubstring("```cpp\ndouble f(double x)\n```"));
-    CHECK_THAT(tasks, ContainsSubstring("You have\na \\< b:\n\n```\n  y = |x|\n```\n\n| name | what it is |\n|---|---|\n"
+    CHECK_THAT(tasks, ContainsSubstring("You have\na \\< b:\n\n\\f[\\begin{aligned}&y=\\vert x\\vert \n\\end{aligned}\\f]\n\n| name | what it is |\n|---|---|\n"
                                         "| `x` | in m, \\|x\\| below 1 |\n| `y, z` | in s |\n\nExample:\n"));
     CHECK_THAT(tasks, ContainsSubstring("```cpp\nint long_one(\n    const std::map<int, double>& all,\n    double first,\n"
                                         "    double second)\n```"));
+    CHECK(page::formula_tex("f(omega2) = I (omega2 - omega1) + h omega2 x (I omega2)") ==
+          "f(\\omega_{2})=I\\,(\\omega_{2}-\\omega_{1})+h\\,\\omega_{2}\\times (I\\,\\omega_{2})");
+    CHECK(page::formula_tex("y2 = y1 + h/6 (k1 + 4 k2)   with   k = sqrt(2) h²") ==
+          "y_{2}=y_{1}+h/6\\,(k_{1}+4\\,k_{2})\\quad \\text{ with }\\quad k=\\sqrt{2}\\,h^2");
+    CHECK(page::formula_tex("inertia.x() = sum of m (x_above - x)") ==
+          "\\mathit{inertia}_{x}=\\text{ sum }\\,\\text{ of }\\,m\\,(x_{\\text{above}}-x)");
+    CHECK(page::formula_tex("up' = up x omega") == "\\mathit{up}'=\\mathit{up}\\times \\omega");
     CHECK_THAT(tasks, ContainsSubstring("Look \\< closer."));
     CHECK_THAT(tasks, !ContainsSubstring("code") && !ContainsSubstring("no task"));
     CHECK(context.inputs.count(course / "solutions/03_springs/first.cpp") == 1);
