@@ -215,8 +215,8 @@ inline Recommendation at_sight(const Choice& choice, const SpringScene& scene, d
 /// list's method where that costs no more than four times what the cheapest does, and a cheap one elsewhere.
 inline Recommendation recommend(const SpringScene& scene, double h, const Wish& wish, const std::vector<Advice>& all) {
     const DampedSpring<double>& spring = scene.fastest;
-    const Choice& choice = choose(SpringQuestion{spring.omega * h, spring.zeta, !scene.varying(), wish.precise, wish.keeps_size,
-                                                 scene.only_pulls});
+    const SpringQuestion question{spring.omega * h, spring.zeta, !scene.varying(), wish.precise, wish.keeps_size, scene.only_pulls};
+    const Choice& choice = choose(question);
     Recommendation made = wish.precise      ? detail::precisely(choice, scene, h, wish.accuracy, all)
                           : scene.only_pulls ? detail::of_tether(choice, scene, h, wish.keeps_size)
                           : scene.varying()  ? detail::in_frames(choice, scene, h, wish.keeps_size, all)

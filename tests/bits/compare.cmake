@@ -3,14 +3,14 @@
 # COMPILE, RUN, INCLUDE, EIGEN and WORK.
 cmake_minimum_required(VERSION 3.25)
 
-file(GLOB sources "${CMAKE_CURRENT_LIST_DIR}/*.cpp")
 set(golden "${CMAKE_CURRENT_LIST_DIR}/golden.txt")
 set(program "${WORK}/bits.exe")
 file(MAKE_DIRECTORY "${WORK}")
 list(JOIN COMPILE " " desk)
 
 execute_process(
-  COMMAND ${COMPILE} -std=c++20 -ffp-contract=off "-I${INCLUDE}" -isystem "${EIGEN}" ${sources} -o "${program}"
+  COMMAND ${COMPILE} -std=c++20 -ffp-contract=off "-I${INCLUDE}" -isystem "${EIGEN}"
+          "${CMAKE_CURRENT_LIST_DIR}/bits.cpp" -o "${program}"
   RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "${desk}: the table does not compile:\n${output}")

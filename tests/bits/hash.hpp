@@ -10,6 +10,8 @@
 #include <timestep/rigid/spin_state.hpp>
 #include <timestep/state.hpp>
 
+using namespace timestep;
+
 // FNV-1a over the bits of real numbers, the lowest byte first on every machine. Which bits "no number" has is nobody's
 // promise: all of them count as one.
 class Hash {
@@ -28,19 +30,19 @@ public:
         for (int i = 0; i < v.size(); ++i) add(v.coeff(i));
     }
     template <class X>
-    void add(const timestep::State<X>& s) {
+    void add(const State<X>& s) {
         add(s.t), add(s.x), add(s.v);
     }
     template <class Y>
-    void add(const timestep::FirstOrder<Y>& s) {
+    void add(const FirstOrder<Y>& s) {
         add(s.t), add(s.y);
     }
     template <class Real>
-    void add(const timestep::SpinState<Real>& s) {
+    void add(const SpinState<Real>& s) {
         add(s.t), add(s.q.coeffs()), add(s.omega);
     }
     template <class Real>
-    void add(const timestep::RigidState<Real>& s) {
+    void add(const RigidState<Real>& s) {
         add(s.t), add(s.q.coeffs()), add(s.omega);
     }
     unsigned long long value() const { return value_; }
@@ -49,7 +51,7 @@ private:
     std::uint64_t value_ = 14695981039346656037u;
 };
 
-inline constexpr int bits_steps = 2000;
+inline constexpr int bits_steps = 10000;
 
 template <class Real>
 inline constexpr const char* name_of = sizeof(Real) == 4 ? "float" : "double";
@@ -57,10 +59,3 @@ inline constexpr const char* name_of = sizeof(Real) == 4 ? "float" : "double";
 inline void row(const Hash& hash, const char* real, const char* scene, const char* method) {
     std::printf("%016llx  %-6s  %-24s  %s\n", hash.value(), real, scene, method);
 }
-
-void print_points();   // points.cpp
-void print_systems();  // systems.cpp
-void print_bodies();   // bodies.cpp
-void print_plain();    // plain.cpp
-void print_others();   // others.cpp
-void print_math();     // math.cpp

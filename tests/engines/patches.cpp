@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -20,7 +21,7 @@ using engines::Engine;
 using engines::Quaternion;
 using engines::Vector;
 
-const Engine& engine(const std::string& name, const std::string& rule) {
+const Engine& engine(std::string_view name, std::string_view rule) {
     static const std::vector<Engine> all = [] {
         std::vector<Engine> found;
         std::vector<std::string> missing;

@@ -48,12 +48,12 @@ test_what_is_in_the_readers_folder_stays() {
     is "$(echo there/.unfinished*)" 'there/.unfinished there/.unfinished_run'
 }
 
-test_a_chapter_has_four_names() {
-    for name in 3 03 swing 03_swing; do
+test_a_chapter_has_four_names_and_its_files() {
+    for name in 3 03 swing 03_swing chapters/03_swing chapters/03_swing/ chapters/03_swing/study/study.cpp; do
         expect 0 course run $name
         says out "Its picture: $folder/build/runs/03_swing/swing.svg"
     done
-    for name in 2 33 3x swin '' 0 -3; do
+    for name in 2 33 3x swin '' 0 -3 chapters chapters/ chapters/03_swi chapters/03_swings; do
         expect 2 course run "$name"
         is "$(lines err)" 1
         is "$(lines out)" 0

@@ -1,7 +1,10 @@
-# Every header of the library with Microsoft's words and rules switched on. (Its standard library is not here: it is
-# g++'s that is read.) Called with COMPILER, INCLUDE, EIGEN and WORK.
+# Every header of the library, and every chapter's program, with Microsoft's words and rules switched on. (Its standard
+# library is not here: it is g++'s that is read.) Called with COMPILER, ROOT, EIGEN and WORK.
 cmake_minimum_required(VERSION 3.25)
 
+set(INCLUDE "${ROOT}/include")
+file(GLOB programs "${ROOT}/chapters/*/*.cpp")
+list(FILTER programs EXCLUDE REGEX "/chapters/support/")
 file(GLOB_RECURSE headers RELATIVE "${INCLUDE}" "${INCLUDE}/*.hpp" "${INCLUDE}/timestep/*.h")
 list(REMOVE_ITEM headers timestep/gyroscopic/rules.h timestep/gyroscopic/flying.h)  # which gyroscopic.h includes
 list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>")
@@ -15,8 +18,8 @@ foreach(type IN ITEMS BOOL CHAR CHAR8_T CHAR16_T CHAR32_T WCHAR_T SHORT INT LONG
 endforeach()
 execute_process(
   COMMAND "${COMPILER}" -std=c++20 -w ${of_gnu} -fms-compatibility -fms-compatibility-version=19.30 -fms-extensions -fsyntax-only
-          "-I${INCLUDE}" -isystem "${EIGEN}" "${WORK}/all.cpp"
+          "-I${INCLUDE}" -isystem "${EIGEN}" "${WORK}/all.cpp" ${programs}
   RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-if(NOT status EQUAL 0)
+if(NOT status EQUAL 0 OR NOT programs)
   message(FATAL_ERROR "${output}")
 endif()

@@ -64,10 +64,12 @@ std::vector<Chapter> read_chapters() {
 }
 
 std::optional<Chapter> chapter_of(const std::string& name) {
-    for (const auto& chapter : read_chapters())
+    for (const auto& chapter : read_chapters()) {
         for (const auto& meant : {std::to_string(chapter.number()), chapter.folder.substr(0, 2),
                                   chapter.program, chapter.folder})
             if (name == meant) return chapter;
+        if ((name + "/").starts_with("chapters/" + chapter.folder + "/")) return chapter;  // or a file of its own
+    }
     return {};
 }
 

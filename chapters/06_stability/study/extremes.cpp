@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <map>
+#include <string_view>
 
 #include "extremes/extremes.hpp"
 #include "sections.hpp"
@@ -18,11 +19,10 @@ long count(const std::vector<Cell>& cells, Outcome word) {
                          [=](const Cell& cell) { return cell.found == word; });
 }
 
-const Cell& find(const std::vector<Cell>& cells, const std::string& real, const std::string& scene,
-                 const std::string& method) {
+const Cell& find(const std::vector<Cell>& cells, std::string_view real, std::string_view scene, std::string_view method) {
     for (const Cell& cell : cells)
         if (cell.real == real && cell.scene == scene && cell.method == method) return cell;
-    throw std::logic_error("extremes: no cell " + scene + ", " + method);
+    throw std::logic_error("extremes: no cell " + std::string(scene) + ", " + std::string(method));
 }
 
 // How often each word fell.

@@ -64,11 +64,11 @@ const std::vector<Method>& others() {
     return all;
 }
 
-const Method& method(const std::string& key) {
+const Method& method(std::string_view key) {
     for (const auto* all : {&methods(), &others()})
         for (const Method& one : *all)
             if (one.key == key) return one;
-    throw std::logic_error("chapter 8 has no method " + key);
+    throw std::logic_error("chapter 8 has no method " + std::string(key));
 }
 
 Exact::Exact(const Body& inertia, const Spin& start)

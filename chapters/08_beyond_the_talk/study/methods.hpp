@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <timestep/rigid/inertia.hpp>
@@ -30,7 +31,7 @@ struct Method {
 const std::vector<Method>& methods();          // the chapter's line
 const std::vector<Method>& others();           // the appendix: first those from books,
 const std::vector<Method>& engines();          // then the rules of engines: these
-const Method& method(const std::string& key);  // any of them
+const Method& method(std::string_view key);  // any of them
 
 // What a step takes, orientation and all, in ns, by the method's key; measured once.
 const std::map<std::string, double>& step_times();  // step_times.cpp

@@ -1,3 +1,4 @@
+#pragma once
 // Bodies that turn, by every rule of the course, with every kind of inertia that it takes.
 #include <type_traits>
 
@@ -6,9 +7,7 @@
 
 #include "hash.hpp"
 
-using namespace timestep;
-
-namespace {
+namespace bodies {
 
 template <class Real, class Rule, class Inertia>
 void print(const char* scene, const Rule& rule, const Inertia& I) {
@@ -43,11 +42,11 @@ void print_all(const Rule& rule) {
     }
 }
 
-}  // namespace
-
-void print_bodies() {
+inline void print_rows() {
     for_each_body_solver([](const auto& rule, const BodyPrice&) {
         print_all<float>(rule);
         print_all<double>(rule);
     });
 }
+
+}  // namespace bodies

@@ -1,3 +1,4 @@
+#pragma once
 // The plain functions of gyroscopic.h.
 #include <initializer_list>
 
@@ -5,7 +6,7 @@
 
 #include "hash.hpp"
 
-namespace {
+namespace plain {
 
 template <class Body, class Real>
 struct Plain {
@@ -41,9 +42,7 @@ void fly(const Body& body, const Fly& rule, const char* name) {
     row(hash, name_of<Real>, "in C, flying", name);
 }
 
-}  // namespace
-
-void print_plain() {
+inline void print_rows() {
     const gyroscopic_bodyf f = gyroscopic_from_momentsf(1.3f, 2.1f, 2.9f);
     const gyroscopic_body d = gyroscopic_from_moments(1.3, 2.1, 2.9);
     using F = Plain<gyroscopic_bodyf, float>;
@@ -59,3 +58,5 @@ void print_plain() {
     fly<double>(d, gyroscopic_ball_and_remainder_2, "ball and remainder 2");
     fly<double>(d, gyroscopic_ball_and_remainder_4, "ball and remainder 4");
 }
+
+}  // namespace plain

@@ -1,3 +1,4 @@
+#pragma once
 // Forces: the methods for State, of numbers and of vectors. Starts and parameters have no short binary fraction.
 #include <type_traits>
 
@@ -14,9 +15,7 @@
 
 #include "hash.hpp"
 
-using namespace timestep;
-
-namespace {
+namespace points {
 
 // A spring that stiffens, a = −x − x³: implicit methods need Newton–Raphson.
 template <class Real>
@@ -72,10 +71,10 @@ void print_all(const Method& method) {
     print_all<double>(method);
 }
 
-}  // namespace
-
-void print_points() {
+inline void print_rows() {
     for_each_method([](const auto& method) { print_all(method); });
     print_all(semi_implicit_euler_new_damping);
     for_each_verlet_method([](const auto& method) { print_all(method); });
 }
+
+}  // namespace points

@@ -1,3 +1,4 @@
+#pragma once
 // A rope, bodies in lanes, and a capsule on a plane.
 #include <timestep/gyroscopic/calm_half_step.hpp>
 #include <timestep/rigid/many_bodies.hpp>
@@ -7,9 +8,7 @@
 
 #include "hash.hpp"
 
-using namespace timestep;
-
-namespace {
+namespace others {
 
 template <class Real>
 void print_rope() {
@@ -59,12 +58,12 @@ void print_plane() {
     row(hash, "double", "capsule on a plane", CalmHalfStep::name);
 }
 
-}  // namespace
-
-void print_others() {
+inline void print_rows() {
     print_rope<float>();
     print_rope<double>();
     print_lanes<float>();
     print_lanes<double>();
     print_plane();
 }
+
+}  // namespace others

@@ -1,3 +1,4 @@
+#pragma once
 // First-order systems.
 #include <timestep/methods.hpp>
 #include <timestep/models/complex_decay.hpp>
@@ -9,9 +10,7 @@
 
 #include "hash.hpp"
 
-using namespace timestep;
-
-namespace {
+namespace systems {
 
 // ẏ = −y³.
 template <class Real>
@@ -44,9 +43,7 @@ void print_all(const Method& method) {
     print("Robertson", method, Robertson<Real>(), FirstOrder<V3>{0, V3(1, 0, 0)}, 0.0003);
 }
 
-}  // namespace
-
-void print_systems() {
+inline void print_rows() {
     const auto both = [](const auto& method) {
         print_all<float>(method);
         print_all<double>(method);
@@ -54,3 +51,5 @@ void print_systems() {
     for_each_method(both);
     for_each_verlet_method(both);
 }
+
+}  // namespace systems

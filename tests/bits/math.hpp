@@ -1,10 +1,11 @@
+#pragma once
 // The library's own functions, by themselves: few of the other rows' numbers are such that another library rounds them
 // in another way.
 #include <timestep/own_math.hpp>
 
 #include "hash.hpp"
 
-namespace {
+namespace math {
 
 template <class Real>
 void print_all() {
@@ -21,9 +22,9 @@ void print_all() {
     row(turns, name_of<Real>, "sines and cosines", "own");
 }
 
-}  // namespace
-
-void print_math() {
+inline void print_rows() {
     print_all<float>();
     print_all<double>();
 }
+
+}  // namespace math
