@@ -39,13 +39,14 @@ struct Weighed {
 // An answer beside the calls of a check.
 class Fitting {
 public:
-    Fitting(const Answer& answer, const Shown& shown, bool counted) : answer_(answer), is_strict_(shown.tells_little), share_right_(counted ? 100 : 20) {
+    Fitting(const Answer& answer, const Shown& shown, bool counted, bool is_solution = true) : answer_(answer), is_strict_(shown.tells_little), share_right_(counted ? 100 : 20), least_(std::min(few, shown.wrong.size())) {
         // Of a yes and a no many must be asked; but then they are short.
-        const std::size_t most = counted ? 2000 : 300;
+        const std::size_t most = counted && is_solution ? 2000 : 300;
         const std::size_t step = 1 + shown.wrong.size() / most, step_right = 1 + shown.right.size() / most;
-        for (std::size_t i = 0; i < shown.wrong.size(); i += step)
+        const auto is_long = [begin = slip::work()](long share) { return slip::work() - begin > most_work / 4 * share; };
+        for (std::size_t i = 0; i < shown.wrong.size() && !is_long(1); i += step)
             wrong_.push_back({shown.wrong[i], &shown.truth[i], &shown.roundoff[i], slip::note(answer, shown.wrong[i]->arguments, slips_)});
-        for (std::size_t i = 0; i < shown.right.size(); i += step_right)
+        for (std::size_t i = 0; i < shown.right.size() && !is_long(2); i += step_right)
             right_.push_back({shown.right[i], nullptr, nullptr, slip::note(answer, shown.right[i]->arguments, slips_)});
         for (std::size_t i = 0; i < wrong_.size(); i += 1 + wrong_.size() / few) few_.push_back(wrong_[i]);
         // The shortest first: most slips show at once that they are not the learner's.
@@ -56,6 +57,7 @@ public:
     const std::vector<Made>& slips() const { return slips_; }
 
     Score of(const Made& first, const Made* second) const {
+        if (wrong_.size() < least_) return {};
         std::size_t missed = 0, off = 0;
         // Two variables that are taken for others can do nearly anything.
         const bool is_strict = is_strict_ || (second && first.form == Form::variable);
@@ -80,10 +82,17 @@ private:
 
     const Answer& answer_;
     bool is_strict_;
-    std::size_t share_right_;
+    std::size_t share_right_, least_;
     std::vector<Made> slips_;
     std::vector<Weighed> few_, wrong_, right_;
 };
+
+// Of what is not finite nothing can be told.
+bool is_no_number(const Shown& shown) {
+    std::size_t none = 0;
+    for (const Call* call : shown.wrong) none += std::any_of(call->result.begin(), call->result.end(), [](double x) { return !std::isfinite(x); });
+    return 2 * none > shown.wrong.size();
+}
 
 bool is_enough(const Shown& shown, bool counted) { return shown.wrong.size() >= (counted ? 4u : 3u); }
 
@@ -133,12 +142,12 @@ bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right,
 // The solution first: its slips are those that one thinks of. The conditions and variables of another way to write it
 // are not the learner's.
 std::string slip_of(const std::string& exercise, const Shown& shown, bool counted) {
-    if (!is_enough(shown, counted)) return {};
+    if (!is_enough(shown, counted) || is_no_number(shown)) return {};
     const long begin = slip::work();
     bool is_solution = true;
     for (const Answer& answer : slips_of(exercise)) {
         if (slip::work() - begin > most_work) break;
-        const Fitting fitting(answer, shown, counted);
+        const Fitting fitting(answer, shown, counted, is_solution);
         std::vector<Made> slips = fitting.slips();
         slips.push_back({slip::single_site, 1, Form::single});
         std::size_t most = 0;

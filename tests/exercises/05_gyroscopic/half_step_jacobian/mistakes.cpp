@@ -322,3 +322,21 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 }
 
 }  // namespace narrow_differences
+
+// Says: Two moments that are nearly equal are taken for equal, and their difference for nothing.
+// Hint: Nearly equal is not equal. The formula has nothing to divide by there; it needs no question.
+namespace nearly_equal_moments {
+
+Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
+    Vector3d rounded = inertia;
+    for (int i = 0; i < 3; ++i)
+        if (std::fabs(inertia[i] - inertia[(i + 1) % 3]) < 1e-4 * inertia[i]) rounded[(i + 1) % 3] = rounded[i];
+    Matrix3d matrix = rounded.asDiagonal();
+    for (int i = 0; i < 3; ++i) {
+        const Vector3d e = Vector3d::Unit(i);
+        matrix.col(i) -= h / 2 * (torque_at(rounded, omega + e) - torque_at(rounded, omega) - torque_at(rounded, e));
+    }
+    return omega + solve_linear(matrix, h * torque_at(rounded, omega));
+}
+
+}  // namespace nearly_equal_moments

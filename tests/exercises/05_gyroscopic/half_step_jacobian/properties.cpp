@@ -145,8 +145,9 @@ PROPERTY("it is right for any body, tiny or huge, any plate, any spin or none, a
     Draw draw;
     for (int i = 0; i < 300; ++i) {
         Vector3d inertia = draw.log(1e-12, 1e12) * draw_moments(draw, 1000);
-        if (i % 3 == 0) inertia[i % 2] = inertia[2] = inertia.maxCoeff();
-        if (i % 6 == 0) inertia[2] *= 1 - draw.log(1e-11, 1e-4);
+        const int one = i / 3 % 3, other = (one + 1) % 3;
+        if (i % 3 == 0) inertia[one] = inertia[other] = inertia.maxCoeff();
+        if (i % 6 == 0) inertia[i / 6 % 2 == 0 ? one : other] *= 1 - draw.log(1e-11, 1e-3);
         if (i % 5 == 0) inertia[i % 3] = inertia[(i + 1) % 3] + inertia[(i + 2) % 3];
         const double speed = draw.log(1e-6, 1e6), h = draw.any_of(-0.95, 0.95, {0}) / speed;
         Vector3d omega = speed * draw_direction(draw);
