@@ -56,7 +56,7 @@ public:
         for (int i = 0; i < 5; ++i) {
             const double x = (i % columns + 0.5) * width, y = (rows - i / columns - 0.72) * height;
             p.ink(names[i]);
-            p.text(x - 0.46 * width, y + 0.62 * height, i == 1 ? "lagged inertia" : i == 2 ? "one Newton step" : names[i]);
+            p.text(x - 0.46 * width, y + 0.62 * height, i == 1 ? "lagged inertia" : names[i]);
             draw_floor(p, now[i].x, x, y);
             if (!holds[i]) continue;
             const V above = view.seen(V(0, 0, now[i].x.z()));

@@ -35,7 +35,7 @@ struct BoxPack : BodyPack<PrincipalInertia<Pack>> {
 
 // What a solver takes a box, and whether it has blown one up.
 struct Price {
-    Price(live::Panel* panel, const char* name) : times{panel, name, "× the talk's", ""}, holds{panel, name} {}
+    Price(live::Panel* panel, const char* name) : times{panel, name, "× one Newton step", ""}, holds{panel, name} {}
     live::Readout times;  // without the solver's colour, which here is that of a box
     live::Fuse holds;
     double least = 1e9;  // ms
