@@ -103,7 +103,7 @@ void costs(const Settings&, lab::Findings& out) {
         const std::string for_it = needed > 0 ? std::to_string(needed) : "more than tried";
         std::printf("  %-20s %8d %8s %22s\n", method.name, method.cost.evaluations, ratio,
                     for_it.c_str());
-        table.row({shown(method.name), double(method.order), double(method.cost.evaluations),
+        table.row({std::string(method.name), double(method.order), double(method.cost.evaluations),
                    std::string(ratio), for_it});
     });
     out.number("time_verlet", time.at(verlet.name) / semi, "",

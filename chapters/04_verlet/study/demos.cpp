@@ -66,7 +66,7 @@ void demos(const Settings&, lab::Findings& out) {
         std::snprintf(off_text, sizeof off_text, "%.1e", off);
         std::snprintf(reached_text, sizeof reached_text, "%.3g", reached);
         std::printf("  %-20s %20s m %22s m\n", method.name, off_text, reached_text);
-        summary.row({shown(method.name), std::string(off_text), std::string(reached_text)});
+        summary.row({std::string(method.name), std::string(off_text), std::string(reached_text)});
 
         // With a constant force these four are pieces of the parabola itself; the Eulers miss it by
         // h g t/2.

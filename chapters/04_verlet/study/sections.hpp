@@ -25,11 +25,6 @@ inline double distance(const timestep::State<double>& a, const timestep::State<d
     return std::hypot(a.x - b.x, a.v - b.v);
 }
 
-/// A method's name in a table: that of the constant-acceleration step is not the talk's, "Newton".
-inline std::string shown(const std::string& name) {
-    return name == "Newton" ? "constant acceleration" : name;
-}
-
 void two_positions(const Settings&, lab::Findings&);   // two_positions.cpp
 void constant_force(const Settings&, lab::Findings&);  // constant_force.cpp
 void three_forms(const Settings&, lab::Findings&);     // three_forms.cpp
