@@ -19,7 +19,8 @@ const Vector3<double> spin(1e-3, 10, 1e-3);     // rad/s, in the axes of the box
 const double h = 1.0 / 60;                      // s
 const int seconds = 12;
 
-// I (ω₂ − ω₁) = −h ω × Iω, solved by one iteration of Newton–Raphson. Its Jacobian is I + h G in the talk.
+// I (ω₂ − ω₁) = −h ω × Iω, solved by one iteration of Newton–Raphson.
+// Its Jacobian is I + h G in the talk.
 // With I + (h/2) G the mean of the torques at both ends acts: order two, for the same price.
 template <class Solver>
 void follow(const Solver& solver, std::ofstream& data) {
