@@ -89,8 +89,8 @@ inline const std::vector<Choice>& choices() {
          "ch6_stiff", "implicit Euler"},
         {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
-        {"unseen", "an oscillation faster than the frame, which nobody must see", "**BDF2**, restarted after each kick",
-         "the fast part dies and the slow one keeps its size; kicked in every frame it would ring: then implicit Euler", "ch6_kicks", "BDF2"},
+        {"unseen", "an oscillation faster than the frame that nobody needs to see; one to be seen asks for substeps of ωh at most " + alive +
+         ", by semi-implicit Euler", "**BDF2**, restarted after each kick", "the fast part dies and the slow one keeps its size; kicked in every frame it would ring: then implicit Euler", "ch6_kicks", "BDF2"},
         {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},
@@ -100,7 +100,7 @@ inline const std::vector<Choice>& choices() {
          "the **passive step** (linearly implicit, as ODE's)", "it adds no energy and takes a little, which hides what the engine gains when ω is changed just before its step; "
          "spins fade too soon", "ch8_contacts", "passive"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "**SymmetricInertia**, by passive or the "
-         "calm half-step, between the contacts and the turn", "it turns ω about the axis of the third moment, which keeps "
+         "calm half-step, between the contacts and the turn", "it turns ω about the axis of the odd moment out, which keeps "
          "energy, |L| and the spin", "ch5_passive", "passive"},
         {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps", "ch8_contacts", "calm half-step"},
@@ -110,14 +110,14 @@ inline const std::vector<Choice>& choices() {
          "the **half-step Jacobian** (Kahan's discretisation) in SIMD lanes; the faster ones by passive",
          "several bodies in the time of one; the energy is good, but fast ones soon turn at the wrong time", "ch8_many", "half-step Jacobian"},
         {"free_uneven", "a body that flies freely, in frames of uneven length",
-         "a constant step, and ball and remainder 4; where that cannot be, **Runge–Kutta 4**, in so many substeps that each "
-         "turns by " + uneven + " of a radian at most",
+         "a constant step, and ball and remainder 4; where that cannot be, **Runge–Kutta 4**, in substeps that turn "
+         "by " + uneven + " of a radian at most",
          "when steps vary a splitting adds up its errors, and a body thrown about its intermediate axis may be lost", "ch8_cost",
          "Runge-Kutta 4"},
         {"free", "a body that flies freely, h|ω| at most " + fair, "**ball and remainder 4**, a splitting into a spherical top and a remainder",
          "|L| stays, the energy is bounded, and the body points where it should", "ch8_work", "ball and remainder 4"},
-        {"free_fast", "the same, faster", "**ball and remainder 4**, in so many substeps that each turns by " + fair + " at most",
-         "what is safe at long steps is not right at them", "ch8_safe", "ball and remainder 4"},
+        {"free_fast", "the same, faster", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
+         "what is safe at long steps is not accurate there", "ch8_safe", "ball and remainder 4"},
         {"energy", "energy and |L| kept, whatever else", "the **calm half-step**",
          "to roundoff, at any spin and when steps vary; the orientation is rough", "ch8_fails", "calm half-step"},
     };
