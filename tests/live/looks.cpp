@@ -26,7 +26,7 @@ const std::map<std::string, std::string> names{
     {"new_damping", "semi-implicit Euler, new damping"},
     {"verlet", "Verlet"},
     {"velocity_verlet", "velocity Verlet"},
-    {"newton", "constant acceleration"},
+    {"constant_acceleration", "constant acceleration"},
     {"midpoint", "midpoint"},
     {"heun", "Heun"},
     {"runge_kutta_4", "Runge-Kutta 4"},
