@@ -65,110 +65,61 @@ inline const std::vector<Choice>& choices() {
                              uneven = "1/" + plain(1 / fair_uneven_turn);
     static const std::vector<Choice> all{
         {"positions", "points that are pushed about, forces of the position alone: ropes, cloth",
-         "**Verlet**; its twin velocity Verlet where you want a velocity",
-         "a point has no velocity to correct when you move it", "ch4_rope", "Verlet"},
-        {"bumps", "things that bump into each other",
-         "**semi-implicit Euler**, with shorter steps where it shows",
-         "a bounce takes the order of the others away", "ch7_bounces",
-         "semi-implicit Euler, new damping"},
-        {"tether",
-         "a tether: a rope, a leash, a spring that only pulls (the model `Tether` pushes, too)",
-         "**implicit Euler**; where it must bounce on, semi-implicit Euler in substeps of ωh at "
-         "most " +
-             tether,
-         "by the first the energy never rises, slack or taut; of the second nothing proves that",
-         "ch6_question", "implicit Euler"},
+         "**Verlet**; its twin velocity Verlet where you want a velocity", "a point has no velocity to correct when you move it",
+         "ch4_rope", "Verlet"},
+        {"bumps", "things that bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
+         "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
+        {"tether", "a tether: a rope, a leash, a spring that only pulls (the model `Tether` pushes, too)",
+         "**implicit Euler**; where it must bounce on, semi-implicit Euler in substeps of ωh at most " + tether,
+         "by the first the energy never rises, slack or taut; of the second nothing proves that", "ch6_question", "implicit Euler"},
         {"uneven", "frames of uneven length",
-         "a constant step, by chapter 2's game loop; where that cannot be, **Runge–Kutta 4**, in "
-         "substeps of ωh at most " +
-             alive +
-             "; for what is faster than the frame implicit Euler, or implicit midpoint where it "
-             "must keep its size",
-         "on a spring no mixture of step lengths blows these three up; semi-implicit Euler and "
-         "Verlet may blow up in "
-         "a mixture, as chapter 2 shows",
-         "ch6_kicks", "Runge-Kutta 4"},
-        {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff,
-         "**Runge–Kutta 4**, with long steps",
-         "four forces a step, and an error that falls with the fourth power of the step",
-         "ch7_spring", "Runge-Kutta 4"},
+         "a constant step, by chapter 2's game loop; where that cannot be, **Runge–Kutta 4**, in substeps of ωh at most " + alive +
+         "; for what is faster than the frame implicit Euler, or implicit midpoint where it must keep its size",
+         "on a spring no mixture of step lengths blows these three up; semi-implicit Euler and Verlet may blow up in "
+         "a mixture, as chapter 2 shows", "ch6_kicks", "Runge-Kutta 4"},
+        {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**, with long steps",
+         "four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",
          "its steps follow the slow part, the fast one dies", "ch6_stiff", "BDF2"},
-        {"swing",
-         "ωh at most " + alive + " a step (up to " + twice +
-             " a frame: two substeps), a constant step: most of a game",
+        {"swing", "ωh at most " + alive + " a step (up to " + twice + " a frame: two substeps), a constant step: most of a game",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "one force a step; its energy oscillates and does not drift, and no damper, however "
-         "strong, blows it up",
-         "ch3_rule", "semi-implicit Euler, new damping"},
-        {"pull", "a stiff pull to a target, a decay: ζ at least 1, or ζωh at least " + ended,
-         "**implicit Euler**", "the decay dies, as it should", "ch6_stiff", "implicit Euler"},
-        {"keeps_size",
-         "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size",
-         "**implicit midpoint**, with a constant step",
-         "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff",
-         "implicit midpoint"},
-        {"unseen",
-         "an oscillation faster than the frame that nobody needs to see; one to be seen asks for "
-         "substeps of ωh at most " +
-             alive + ", by semi-implicit Euler",
-         "**BDF2**, restarted after each kick",
-         "the fast part dies and the slow one keeps its size; kicked in every frame it would ring: "
-         "then implicit Euler",
-         "ch6_kicks", "BDF2"},
-        {"jumps", "a slow motion with sudden jumps", "an **adaptive step**",
-         "one length does not fit both", "ch6_jumps", ""},
-        {"typed", "numbers that others type", "checks where models and runs are made",
-         "no method survives everything", "ch6_extremes", ""},
-        {"ball", "a body with three equal moments: a ball, a cube",
-         "**nothing**: leave the gyroscopic torque out",
-         "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_inertia",
-         "dropped"},
-        {"callback",
-         "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as ODE's)",
-         "it adds no energy and takes a little, which hides what the engine gains when ω is "
-         "changed just before its step; "
-         "spins fade too soon",
-         "ch8_contacts", "passive"},
-        {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others",
-         "**SymmetricInertia**, by passive or the "
-         "calm half-step, between the contacts and the turn",
-         "it turns ω about the axis of the odd moment out, which keeps "
-         "energy, |L| and the spin",
-         "ch5_passive", "passive"},
-        {"contacts", "a body that touches others",
-         "the **calm half-step**, between the contacts and the turn",
-         "energy and |L| stay from one impulse to the next, at any spin, with any steps",
-         "ch8_contacts", "calm half-step"},
-        {"symmetric_free", "two equal moments, flying freely",
-         "**ball and remainder 2**, a splitting into a spherical top and a remainder",
-         "it is the exact motion, orientation and all, at any spin and step", "ch8_splitting",
-         "ball and remainder 2"},
+         "one force a step; its energy oscillates and does not drift, and no damper, however strong, blows it up", "ch3_rule",
+         "semi-implicit Euler, new damping"},
+        {"pull", "a stiff pull to a target, a decay: ζ at least 1, or ζωh at least " + ended, "**implicit Euler**", "the decay dies, as it should",
+         "ch6_stiff", "implicit Euler"},
+        {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
+         "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
+        {"unseen", "an oscillation faster than the frame that nobody needs to see; one to be seen asks for substeps of ωh at most " + alive +
+         ", by semi-implicit Euler", "**BDF2**, restarted after each kick", "the fast part dies and the slow one keeps its size; kicked in every frame it would ring: then implicit Euler", "ch6_kicks", "BDF2"},
+        {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
+        {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
+         "ch6_extremes", ""},
+        {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
+         "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_inertia", "dropped"},
+        {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
+         "the **passive step** (linearly implicit, as ODE's)", "it adds no energy and takes a little, which hides what the engine gains when ω is changed just before its step; "
+         "spins fade too soon", "ch8_contacts", "passive"},
+        {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "**SymmetricInertia**, by passive or the "
+         "calm half-step, between the contacts and the turn", "it turns ω about the axis of the odd moment out, which keeps "
+         "energy, |L| and the spin", "ch5_passive", "passive"},
+        {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn",
+         "energy and |L| stay from one impulse to the next, at any spin, with any steps", "ch8_contacts", "calm half-step"},
+        {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
+         "it is the exact motion, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand, h|ω| at most " + calm + ", a constant step",
-         "the **half-step Jacobian** (Kahan's discretisation) in SIMD lanes; the faster ones by "
-         "passive",
-         "several bodies in the time of one; the energy is good, but fast ones soon turn at the "
-         "wrong time",
-         "ch8_many", "half-step Jacobian"},
+         "the **half-step Jacobian** (Kahan's discretisation) in SIMD lanes; the faster ones by passive",
+         "several bodies in the time of one; the energy is good, but fast ones soon turn at the wrong time", "ch8_many", "half-step Jacobian"},
         {"free_uneven", "a body that flies freely, in frames of uneven length",
-         "a constant step, and ball and remainder 4; where that cannot be, **Runge–Kutta 4**, in "
-         "substeps that turn "
-         "by " +
-             uneven + " of a radian at most",
-         "when steps vary a splitting adds up its errors, and a body thrown about its intermediate "
-         "axis may be lost",
-         "ch8_cost", "Runge-Kutta 4"},
-        {"free", "a body that flies freely, h|ω| at most " + fair,
-         "**ball and remainder 4**, a splitting into a spherical top and a remainder",
-         "|L| stays, the energy is bounded, and the body points where it should", "ch8_work",
-         "ball and remainder 4"},
-        {"free_fast", "the same, faster",
-         "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
+         "a constant step, and ball and remainder 4; where that cannot be, **Runge–Kutta 4**, in substeps that turn "
+         "by " + uneven + " of a radian at most",
+         "when steps vary a splitting adds up its errors, and a body thrown about its intermediate axis may be lost", "ch8_cost",
+         "Runge-Kutta 4"},
+        {"free", "a body that flies freely, h|ω| at most " + fair, "**ball and remainder 4**, a splitting into a spherical top and a remainder",
+         "|L| stays, the energy is bounded, and the body points where it should", "ch8_work", "ball and remainder 4"},
+        {"free_fast", "the same, faster", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
          "what is safe at long steps is not accurate there", "ch8_safe", "ball and remainder 4"},
         {"energy", "energy and |L| kept, whatever else", "the **calm half-step**",
-         "to roundoff, at any spin and when steps vary; the orientation is rough", "ch8_fails",
-         "calm half-step"},
+         "to roundoff, at any spin and when steps vary; the orientation is rough", "ch8_fails", "calm half-step"},
     };
     return all;
 }
