@@ -89,8 +89,9 @@ inline const std::vector<Choice>& choices() {
          "ch6_stiff", "implicit Euler"},
         {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
-        {"unseen", "an oscillation faster than the frame that nobody needs to see; one to be seen asks for substeps of ωh at most " + alive +
-         ", by semi-implicit Euler", "**BDF2**, restarted after each kick", "the fast part dies and the slow one keeps its size; kicked in every frame it would ring: then implicit Euler", "ch6_kicks", "BDF2"},
+        {"unseen", "an oscillation faster than the frame that nobody needs to see; one to be seen asks for substeps of ωh at "
+         "most " + alive + ", by semi-implicit Euler", "**BDF2**, restarted after each kick",
+         "the fast part dies and the slow one keeps its size; kicked in every frame it would ring: then implicit Euler", "ch6_kicks", "BDF2"},
         {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},
