@@ -211,7 +211,7 @@ void a_minute(const Body& brick, const std::map<std::string, double>& ns, lab::F
 }
 
 // Explicit Euler bursts at a moment that hangs on roundoff: ω in the world's axes instead of the
-// body's, as chapter 5 has it, or another start, as near as roundoff, shifts it.
+// body's, or another start, as near as roundoff, shifts it.
 void burst_moment(const Body& brick, lab::Findings& out) {
     const double E0 = kinetic_energy(brick, tumbling.omega), h = 1.0 / 60, patience = 60;
     const auto intact = [&](double energy, double t) { return energy < 1e6 * E0 && t < patience; };
