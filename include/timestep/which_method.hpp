@@ -101,10 +101,13 @@ inline const std::vector<Choice>& choices() {
          "the **passive step** (linearly implicit, as ODE's)", "it adds no energy and takes a little, which hides what the engine gains when ω is changed just before its step; "
          "spins fade too soon", "ch8_contacts", "passive"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "**SymmetricInertia**, by passive or the "
-         "calm half-step, between the contacts and the turn", "it turns ω about the axis of the odd moment out, which keeps "
+         "calm half-step, between the contacts and the turn; on a joint half of it before the joints, half after",
+         "it turns ω about the axis of the odd moment out, which keeps "
          "energy, |L| and the spin", "ch5_passive", "passive"},
-        {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn",
-         "energy and |L| stay from one impulse to the next, at any spin, with any steps", "ch8_contacts", "calm half-step"},
+        {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn; on a joint half of "
+         "it before the joints, half after",
+         "energy and |L| stay from one impulse to the next, at any spin, with any steps; all of it after a joint may send a top "
+         "round at a wrong rate", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
          "it is the exact motion, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand, h|ω| at most " + calm + ", a constant step",

@@ -25,6 +25,8 @@ TEST_CASE("every answer has a name of its own, and takes a method that there is"
         CHECK(methods.contains(each.method));
         CHECK(choice(each.name).take == each.take);
     }
+    for (const char* touches : {"contacts", "symmetric"})
+        CHECK(choice(touches).take.find("on a joint half of it before the joints, half after") != std::string::npos);
     CHECK_THROWS_AS(choice("nothing"), std::invalid_argument);
 }
 

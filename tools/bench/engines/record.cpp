@@ -43,6 +43,12 @@ const std::vector<std::string> main_rules{"without, as by default",       "as it
                                           "calm half-step, before",       "calm half-step, after",
                                           "calm half-step, halves",         "calm, after or in halves"};
 
+// That other table, in halves.
+const std::vector<std::string> in_halves{"calm half-step, halves",        "half-step Jacobian, halves",
+                                         "half-step in substeps, halves", "Cayley, halves",
+                                         "passive, halves",               "ball and remainder 2, halves",
+                                         "Avian proposed, halves"};
+
 struct Column {
     const char *head, *scene, *which, *what;
     int digits;
@@ -63,18 +69,18 @@ public:
     // Of the rules that the page compares, what it may name in a sentence.
     std::string numbers() const {
         const std::vector<std::string> named{"energy left", "true flips", "most energy", "restless, of a hundred",
-                                             "true largest lean, rad", "of the first", "stands, s"};
+                                             "true largest lean, rad", "of the first", "stands, s", "standing, of a hundred"};
         std::string lines = "name\tvalue\tunit\tmeaning\n";
         for (const Row& r : rows_) {
             if (std::find(named.begin(), named.end(), r.what) == named.end() ||
                 std::find(main_rules.begin(), main_rules.end(), r.rule) == main_rules.end() ||
                 !(r.which.starts_with("box 1 x") || r.which == "capsule, 30 rad/s" || r.scene == "top" ||
-                  r.scene == "top on the ground" || r.scene == "cost"))
+                  r.scene == "top on the ground" || r.scene == "stack" || r.scene == "cost"))
                 continue;
             const std::size_t comma = r.what.rfind(", ");
             const bool unit = comma != std::string::npos && r.what.size() - comma < 5;
             lines += id(r.scene) + "_" + id(r.which) + "_" + id(r.engine) + "_" + id(r.rule) + "_" +
-                     id(unit ? r.what.substr(0, comma) : r.what) + "\t" + text(r.value, r.scene == "cost" ? 2 : r.what == "stands, s" ? 1 : std::fabs(r.value) < 10 ? 3 : 0) +
+                     id(unit ? r.what.substr(0, comma) : r.what) + "\t" + text(r.value, r.scene == "cost" || r.what == "stands, s" ? 1 : std::fabs(r.value) < 10 ? 3 : 0) +
                      "\t" + (unit ? r.what.substr(comma + 2) : "") + "\t" + r.engine + ", " + r.rule + ": " + r.which +
                      ", " + r.what + "\n";
         }
@@ -209,6 +215,20 @@ std::string checks(const Record& of) {
     check("after_or_halves", keeps(four, both) && energy(four, both) < 1.1 && off(four, both) < 20,
           "Box3D, after the contacts or in halves: the box keeps its energy to a percent, no thrown capsule gains a tenth, and the "
           "top's precession is off by less than a fifth");
+    bool creeps = true;
+    for (const char* which : {"box 1 x 2 x 3, 3 rad/s", "box 1 x 2 x 3, 10 rad/s", "box 1 x 2 x 3, 30 rad/s"}) {
+        const auto gain = [&](const char* engine, const char* rule) { return value("alone", which, "energy left", engine, rule) - 1; };
+        const char *const one = "Box3D, 1 substep", *const eight = "Box3D, 8 substeps";
+        for (const char* rule : {"half-step Jacobian, before", both, halves})
+            creeps = creeps && gain(one, rule) < gain(four, rule) && gain(four, rule) < gain(eight, rule);
+        creeps = creeps && gain(four, halves) > gain(four, both) && gain(eight, halves) > gain(eight, both);
+        for (const char* rule : {"half-step Jacobian, before", both}) creeps = creeps && gain(eight, rule) < 0.02;
+    }
+    check("creeps", creeps,
+          "Box3D with either patch: a box alone gains energy, the more the more substeps, and less than 2 % in a minute with eight; in "
+          "halves, as a body on a joint has it, more than in one");
+    check("bullet_cost", value("cost", "512 boxes", "of the first", "Bullet", halves) < 1.1,
+          "in Bullet a step with the adapter takes at most a tenth longer than with Bullet's own rule");
     const auto lean = [&](const char* which, const char* engine, const char* rule) {
         return value("top", which, "largest lean, rad", engine, rule);
     };
@@ -239,7 +259,12 @@ std::string checks(const Record& of) {
     for (const char* engine : {"Bullet", "ODE"})
         precise = precise && ground("off, %", engine, halves).second < 5 && ground("lean off, rad", engine, halves).second < 0.01 &&
                   ground("most energy", engine, halves).second < 1.01;
-    check("ground_stands", stands, "as they are, all four engines let a top on the ground fall within 15 seconds; with the rule that the page recommends for each it stands for 20");
+    const char* const without = "without, as by default";
+    stands = stands && ground("stands, s", "Jolt", without).first > 19.9 && ground("off, %", "Jolt", without).first > 50;
+    check("ground_stands", stands,
+          "Box3D, Bullet and ODE as they are, and Jolt with its own rule switched on, let a top on the ground fall within 15 seconds; "
+          "in Jolt without, as by default, it stands for 20 and goes round wrong by more than half; with the rule that the page "
+          "recommends for each it stands for 20");
     check("ground_token", ground("stands, s", four, "half-step Jacobian, before").second < 15,
           "Box3D with the one token lets a top on the ground fall within 15 seconds, as it does as it is");
     check("ground_right", precise, "Bullet and ODE, half and half: the precession of a top on the ground is right to 5 %, its lean to 0.01 rad, and it gains less than a percent of energy");
@@ -308,7 +333,7 @@ void record(const fs::path& folder, const Numbers& numbers) {
                                 {"widest gap, m", "chain", "ten capsules", "widest gap, m", 3}}));
     write(folder / "cost.tsv", of.table(main_rules, {{"ns a body", "cost", "512 boxes", "ns", 0},
                                                      {"over as it is", "cost", "512 boxes", "of the first", 2}}));
-    write(folder / "others.tsv", of.table({}, {{"box, 30 rad/s: energy", "alone", "box 1 x 2 x 3, 30 rad/s", "energy left", 3},
+    write(folder / "others.tsv", of.table(in_halves, {{"box, 30 rad/s: energy", "alone", "box 1 x 2 x 3, 30 rad/s", "energy left", 3},
                                                {"right for, s", "alone", "box 1 x 2 x 3, 30 rad/s", "right for, s", 1},
                                                {"top, 20 rad/s: off by, %", "top", "20 rad/s", "off, %", 0},
                                                {"capsules: restless", "throws", "capsule, 30 rad/s", "restless, of a hundred", 0},
