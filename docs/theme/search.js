@@ -33,7 +33,7 @@ function placesFor(index, text) {
     const phrase = words.join(" "), together = words => (" " + words.toLowerCase().split(apart).join(" ")).includes(" " + phrase);
     for (const one of found) {
         const place = searchPlaces[one.ref];
-        one.score *= place.u.endsWith("exercise_" + text.trim()) ? 1e6 : words.length < 2 ? 1 : together(place.t) ? 4 : together(place.x) ? 2 : 1;
+        one.score *= place.u.endsWith("exercise_" + text.trim()) ? 20 ** words.length : words.length < 2 ? 1 : together(place.t) ? 4 : together(place.x) ? 2 : 1;
     }
     found.sort((a, b) => b.score - a.score);
     const addresses = new Set();  // the glossary leads where a section's own words do
