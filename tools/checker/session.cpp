@@ -128,6 +128,8 @@ void Session::looked_at(const std::string& property, bool holds) {
 
 // Ten digits are read more easily. Do they lead whoever works the call out by hand to another answer?
 Digits Session::digits_for(const Call& call) const {
+    constexpr std::size_t by_hand = 10'000;  // numbers nobody works out, and to try them takes longer than the check
+    if (call.arguments.size() > by_hand) return Digits::all;
     const auto in_ten = [](Numbers numbers) {
         for (double& number : numbers) number = std::strtod(written(number, Digits::ten).c_str(), nullptr);
         return numbers;

@@ -125,13 +125,9 @@ PROPERTY("the same NaN does not differ, and NaN differs from a number and from i
     }
 }
 
-PROPERTY("an hour at sixty steps a second is looked through") {
-    Draw draw;
-    Recording steps(216'000, 1.5);
-    const int last = static_cast<int>(steps.size()) - 1;
-    for (const int k : {draw.integer(100'000, 200'000), last}) {
-        Recording other = steps;
-        other[static_cast<std::size_t>(k)] = next_to(1.5);
-        REQUIRE(learner(steps, other) == k);
-    }
+PROPERTY("an hour at sixty steps a second is looked through, to its last step") {
+    const Recording steps(216'000, 1.5);
+    Recording other = steps;
+    other.back() = next_to(1.5);
+    REQUIRE(learner(steps, other) == static_cast<int>(steps.size()) - 1);
 }
