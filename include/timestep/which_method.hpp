@@ -65,15 +65,15 @@ inline const std::vector<Choice>& choices() {
                              uneven = "1/" + plain(1 / fair_uneven_turn);
     static const std::vector<Choice> all{
         {"positions", "points that are pushed about, forces of the position alone: ropes, cloth",
-         "**Verlet**; its twin velocity Verlet where you want a velocity", "a point has no velocity to correct when you move it",
+         "**Verlet**; its twin velocity Verlet where you want a velocity", "in Verlet's method a point has no velocity to correct when you move it",
          "ch4_rope", "Verlet"},
         {"bumps", "things that bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
          "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
         {"tether", "a tether: a rope, a leash, a spring that only pulls (the model `Tether` pushes, too)",
          "**implicit Euler**; where it must bounce on, semi-implicit Euler in substeps of ωh at most " + tether,
          "by the first the energy never rises, slack or taut; of the second nothing proves that", "ch6_question", "implicit Euler"},
-        {"uneven", "frames of uneven length",
-         "a constant step, by chapter 2's game loop; where that cannot be, **Runge–Kutta 4**, in substeps of ωh at most " + alive +
+        {"uneven", "steps of uneven length: chapter 2's game loop, which makes them constant, cannot be had",
+         "**Runge–Kutta 4**, in substeps of ωh at most " + alive +
          "; for what is faster than the frame implicit Euler, or implicit midpoint where it must keep its size",
          "on a spring no mixture of step lengths blows these three up; semi-implicit Euler and Verlet may blow up in "
          "a mixture, as chapter 2 shows", "ch6_kicks", "Runge-Kutta 4"},
@@ -98,7 +98,7 @@ inline const std::vector<Choice>& choices() {
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_inertia", "dropped"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as ODE's)", "it adds no energy and takes a little, which hides what the engine gains when ω is changed just before its step; "
+         "the **passive step** (linearly implicit, as in the engine ODE)", "it adds no energy and takes a little, which hides what the engine gains when ω is changed just before its step; "
          "spins fade too soon", "ch8_contacts", "passive"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "**SymmetricInertia**, by passive or the "
          "calm half-step, between the contacts and the turn; on a joint half of it before the joints, half after",
@@ -122,7 +122,7 @@ inline const std::vector<Choice>& choices() {
          "|L| stays, the energy is bounded, and the body points where it should", "ch8_work", "ball and remainder 4"},
         {"free_fast", "the same, faster", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
          "what is safe at long steps is not accurate there", "ch8_safe", "ball and remainder 4"},
-        {"energy", "energy and |L| kept, whatever else", "the **calm half-step**",
+        {"energy", "energy and |L| (L is the angular momentum) kept, whatever else", "the **calm half-step**",
          "to roundoff, at any spin and when steps vary; the orientation is rough", "ch8_fails", "calm half-step"},
     };
     return all;

@@ -21,9 +21,9 @@ struct SoftConstraint {
     double omega, zeta;
 
     double correct(double x, double v, double h) const {
-        const double a = 2 * zeta + h * omega;
-        const double all = h * omega * a;
-        const double rate = omega / a;         // how fast x goes back
+        const double b = 2 * zeta + h * omega;
+        const double all = h * omega * b;
+        const double rate = omega / b;         // how fast x goes back
         const double share = all / (1 + all);  // from 0 to 1
         return v - share * (v + rate * x);
     }
@@ -113,8 +113,8 @@ void soft_constraints(const Settings&, lab::Findings& out) {
               "at 60 Hz a soft constraint of 5 Hz has over twice the damping asked for, at 240 Hz less of it");
 
     // Numbers typed in for 60 Hz, at 30 Hz: k = rate·share/(1 − share)/h and so on; the step tells.
-    const double a = 2 * zeta + h * omega, share = h * omega * a / (1 + h * omega * a);
-    const Typed typed{omega / a, share, h};
+    const double b = 2 * zeta + h * omega, share = h * omega * b / (1 + h * omega * b);
+    const Typed typed{omega / b, share, h};
     const auto stiffness = [&](double step) {  // v₂ = (v₁ − h k x₁)/(1 + h c + h² k): the entries' quotient
         const auto m = step_matrix(typed, SoftConstraint{omega, zeta}, step);
         return -m.vx / m.vv / step;
