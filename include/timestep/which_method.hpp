@@ -69,15 +69,15 @@ inline const std::vector<Choice>& choices() {
          "ch4_rope", "Verlet"},
         {"bumps", "things that bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
          "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
-        {"tether", "a tether: a rope, a leash, a spring that only pulls (the model `Tether` pushes, too)",
+        {"tether", "a tether: a rope, a leash, a spring that only pulls",
          "**implicit Euler**; where it must bounce on, semi-implicit Euler in substeps of ωh at most " + tether,
-         "by the first the energy never rises, slack or taut; of the second nothing proves that", "ch6_question", "implicit Euler"},
+         "by the first the energy never rises, slack or taut; of the second nothing proves that. The library's `Tether` is another: it pushes when it is short, and there implicit Euler may gain", "ch6_question", "implicit Euler"},
         {"uneven", "steps of uneven length: chapter 2's game loop, which makes them constant, cannot be had",
-         "**Runge–Kutta 4**, in substeps of ωh at most " + alive +
-         "; for what is faster than the frame implicit Euler, or implicit midpoint where it must keep its size",
-         "on a spring no mixture of step lengths blows these three up; semi-implicit Euler and Verlet may blow up in "
+         "**Runge–Kutta 4**, in substeps of ωh and ζωh at most " + alive +
+         "; for what is faster or more damped implicit Euler, or implicit midpoint where it must keep its size",
+         "within these limits no mixture of step lengths blows them up on a spring; semi-implicit Euler and Verlet may blow up in "
          "a mixture, as chapter 2 shows", "ch6_kicks", "Runge-Kutta 4"},
-        {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**, with long steps",
+        {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**, with ωh and ζωh up to " + alive,
          "four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",
          "its steps follow the slow part, the fast one dies", "ch6_stiff", "BDF2"},
@@ -89,14 +89,13 @@ inline const std::vector<Choice>& choices() {
          "ch6_stiff", "implicit Euler"},
         {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
-        {"unseen", "an oscillation faster than the frame that nobody needs to see; one to be seen asks for substeps of ωh at "
-         "most " + alive + ", by semi-implicit Euler", "**BDF2**, restarted after each kick",
-         "the fast part dies and the slow one keeps its size; kicked in every frame it would ring: then implicit Euler", "ch6_kicks", "BDF2"},
+        {"unseen", "an oscillation faster than the frame that nobody needs to see", "**BDF2**, restarted after each kick",
+         "must it be seen, semi-implicit Euler in substeps of ωh at most " + alive + "; else the fast part dies and the slow one keeps its size; kicked in every frame it would ring: then implicit Euler", "ch6_kicks", "BDF2"},
         {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
-         "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_inertia", "dropped"},
+         "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
          "the **passive step** (linearly implicit, as in the engine ODE)", "it adds no energy and takes a little, which hides what the engine gains when ω is changed just before its step; "
          "spins fade too soon", "ch8_contacts", "passive"},

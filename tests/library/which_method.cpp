@@ -1,7 +1,11 @@
 // I13: the course's one answer to "which method?", and the way down to it.
 #include <catch2/catch_test_macros.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
+
+#include <Eigen/Core>
 
 #include <timestep/gyroscopic.hpp>
 #include <timestep/gyroscopic/calm_half_step.hpp>
@@ -9,6 +13,9 @@
 #include <timestep/methods.hpp>
 #include <timestep/methods/semi_implicit_euler_new_damping.hpp>
 #include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/models/damped_spring.hpp>
+#include <timestep/models/tether.hpp>
+#include <timestep/stability.hpp>
 #include <timestep/which_method.hpp>
 
 using namespace timestep;
@@ -44,6 +51,30 @@ TEST_CASE("a spring is led to its answer", "[library][I13]") {
     CHECK(choose(SpringQuestion{.turn = 5, .keeps_size = true}).name == "keeps_size");
     CHECK(choose(SpringQuestion{.turn = 5, .zeta = 1}).name == "pull");
     CHECK(choose(SpringQuestion{.turn = 100, .zeta = 0.05, .keeps_size = true}).name == "pull");  // its damper ends it
+}
+
+// Where ωh and ζωh are 1 at most, h|λ| is 2 at most: of real and of complex rates. Steps of any length share their
+// eigenvectors, so a mixture of such steps shrinks, too.
+TEST_CASE("Runge-Kutta 4 shrinks every damped spring within the limits that the answer names, and not beyond", "[library][I13]") {
+    const auto factor = [](double wh, double zeta) {
+        return spectral_radius(step_matrix(runge_kutta_4, DampedSpring<double>(1, zeta), wh));
+    };
+    for (int i = 0; i <= 100; ++i)
+        for (int k = 1; k <= 100; ++k) {
+            const double zeta = 0.1 * i, wh = 0.01 * k * std::min(alive_turn, zeta > 0 ? alive_turn / zeta : 1);
+            CAPTURE(zeta, wh);
+            CHECK(factor(wh, zeta) < 1);
+        }
+    CHECK(factor(1, 2) > 3);
+    CHECK(factor(1, 1.58) > 1);
+}
+
+// The energy of a tether that pushes has a hill at its anchor: nothing forbids implicit Euler to gain there.
+TEST_CASE("implicit Euler may gain on a tether that pushes", "[library][I13]") {
+    const Tether tether(std::sqrt(31.0), 1.0);
+    const State<Eigen::Vector2d> start{0, {0.53, 0}, {-3.83, 2.04}};
+    const auto end = implicit_euler.step(tether, start, 0.112);
+    CHECK(tether.energy(end) > 1.2 * tether.energy(start));
 }
 
 TEST_CASE("a body is led to its answer, in whatever order its moments stand", "[library][I13]") {
