@@ -16,7 +16,7 @@ set yrange [0:1.15]
 set ytics 0.2
 set xlabel "spin (rad/s)" offset 0,0.5
 set ylabel "energy left / first" offset 0.5,0
-set label 2 "full: as it is".(narrow ? "\n" : "; ")."dotted, at one: half and half" at first 34,0.7 right textcolor rgb ink
+set label 2 "full: as it is\ndotted, at one:".(narrow ? "\n" : " ")."half and half" at first 34,0.74 right textcolor rgb ink
 plot "energies.tsv" using 1:2 with linespoints @box3d dt 1, \
      "" using 1:4 with linespoints @bullet dt 1, \
      "" using 1:6 with linespoints @ode dt 1, \
@@ -35,10 +35,18 @@ set label 1 "a top on a joint, 20 rad/s: its precession"
 set yrange [1:2000]
 set ytics (1, 10, 100, 1000)
 set ylabel "off by (%)" offset 2,0
-plot "top_places.tsv" using 1:2 with linespoints @box3d dt 1, \
-     "" using 1:3 with linespoints @bullet dt 1, \
-     "" using 1:4 with linespoints @ode dt 1, \
-     "" using 1:5 with linespoints @jolt dt 1
+# A top that hangs below its joint: a cross at the upper edge.
+fell(column) = strcol(column) eq "fell over" ? 1300 : NaN
+stood(column) = strcol(column) eq "fell over" ? NaN : column(column)
+set label 2 "× fell over" at first 1,300 center textcolor rgb ink
+plot "top_places.tsv" using 1:(stood(2)) with linespoints @box3d dt 1, \
+     "" using 1:(stood(3)) with linespoints @bullet dt 1, \
+     "" using 1:(stood(4)) with linespoints @ode dt 1, \
+     "" using 1:(stood(5)) with linespoints @jolt dt 1, \
+     "" using ($1 - 0.06):(fell(3)) with points lc rgb '#56b4e9' pt 2 ps 1, \
+     "" using 1:(fell(4)) with points lc rgb '#009e73' pt 2 ps 1, \
+     "" using ($1 + 0.06):(fell(5)) with points lc rgb '#999933' pt 2 ps 1
+unset label 2
 set label 1 "a hundred capsules thrown onto a plane".(narrow ? "" : " at 30 rad/s")
 set yrange [0.9:12]
 set ytics (1, 2, 5, 10)

@@ -69,13 +69,13 @@ public:
     // Of the rules that the page compares, what it may name in a sentence.
     std::string numbers() const {
         const std::vector<std::string> named{"energy left", "true flips", "most energy", "restless, of a hundred",
-                                             "true largest lean, rad", "of the first", "stands, s", "standing, of a hundred"};
+                                             "true largest lean, rad", "of the first", "stands, s"};
         std::string lines = "name\tvalue\tunit\tmeaning\n";
         for (const Row& r : rows_) {
             if (std::find(named.begin(), named.end(), r.what) == named.end() ||
                 std::find(main_rules.begin(), main_rules.end(), r.rule) == main_rules.end() ||
                 !(r.which.starts_with("box 1 x") || r.which == "capsule, 30 rad/s" || r.scene == "top" ||
-                  r.scene == "top on the ground" || r.scene == "stack" || r.scene == "cost"))
+                  r.scene == "top on the ground" || r.scene == "cost"))
                 continue;
             const std::size_t comma = r.what.rfind(", ");
             const bool unit = comma != std::string::npos && r.what.size() - comma < 5;
@@ -102,21 +102,21 @@ public:
             for (const Column& column : columns) {
                 const double* value = find(column, r.engine, r.rule);
                 any = any || value;
-                line += "\t" + (fell(column, r) ? "fell over" : value ? text(*value, column.digits) : std::string("–"));
+                line += "\t" + (fell(column, r.engine, r.rule) ? "fell over" : value ? text(*value, column.digits) : std::string("–"));
             }
             if (any) lines += line + "\n", done.push_back(key);
         }
         return lines;
     }
 
-private:
     // A top that hangs below its joint goes round somehow: by how much is no matter.
-    bool fell(const Column& column, const Row& row) const {
+    bool fell(const Column& column, const std::string& engine, const std::string& rule) const {
         if (std::string(column.what) != "off, %") return false;
-        const double* lean = find({"", column.scene, column.which, "largest lean, rad", 2}, row.engine, row.rule);
+        const double* lean = find({"", column.scene, column.which, "largest lean, rad", 2}, engine, rule);
         return lean && *lean > 1.57;
     }
 
+private:
     const std::vector<Row>& rows_;
 };
 
@@ -160,10 +160,12 @@ std::string places(const Record& of, const char* scene, const char* which, const
     for (std::size_t place = 0; place < std::size(rules); ++place) {
         lines += std::to_string(place);
         for (const char* engine : {"Box3D, 4 substeps", "Bullet", "ODE", "Jolt"}) {
-            const double* value = nullptr;
+            const Column column{"", scene, which, what, 3};
+            std::string cell = "NaN";
             for (const std::string& rule : rules[place])
-                if (!value) value = of.find({"", scene, which, what, 3}, engine, rule);
-            lines += "\t" + (value ? text(*value, 3) : std::string("NaN"));
+                if (const double* value = of.find(column, engine, rule); value && cell == "NaN")
+                    cell = of.fell(column, engine, rule) ? "fell over" : text(*value, 3);
+            lines += "\t" + cell;
         }
         lines += "\n";
     }
@@ -205,8 +207,12 @@ std::string checks(const Record& of) {
                         energy("Jolt", "calm half-step, before") > 2,
           "in Bullet, Box3D and Jolt a thrown capsule gets more than twice its energy with all of the rule before the contacts");
     const char* const after = "calm half-step, after";
-    check("after", std::fmin(off("Bullet", after), std::fmin(off(four, after), off("Jolt", after))) > 50,
-          "in Bullet, Box3D and Jolt the top's precession is off by more than half with all of the rule after the joints");
+    const auto off_at = [&](const char* which, const char* engine) { return value("top", which, "off, %", engine, after); };
+    check("after", std::fmin(off_at("20 rad/s", "Bullet"), off_at("20 rad/s", four)) > 300 &&
+                       value("top", "20 rad/s", "largest lean, rad", "Jolt", after) > 1.57 &&
+                       std::fmax(off_at("30 rad/s", "Bullet"), off_at("30 rad/s", "Jolt")) < 5,
+          "with all of the rule after the joints a top of 20 rad/s is off by more than three times its precession in Bullet and "
+          "Box3D, and falls over in Jolt; one of 30 rad/s is right to 5 % in Bullet and Jolt");
     check("halves_gain", energy(four, halves) > 1.2 && energy("Jolt", halves) > 1.2,
           "in Box3D and Jolt a thrown capsule gains more than a fifth of its energy half and half");
     check("token", keeps(four, "half-step Jacobian, before") && value("cost", "512 boxes", "of the first", four, "half-step Jacobian, before") < 1.1,
@@ -242,9 +248,6 @@ std::string checks(const Record& of) {
         falls = falls && lean(which, "Jolt", "as it is") > 1.57 && lean(which, "Jolt", halves) > 1.57;
     }
     check("straighter", straighter, "Box3D with four substeps: half and half the top leans less than as it is, and its precession is further off");
-    const auto stand = [&](const char* rule) { return value("stack", "twenty boxes", "standing, of a hundred", "Bullet", rule); };
-    check("bullet_stacks", stand(halves) < stand("as it is") && stand("as it is") <= 50,
-          "in Bullet fewer stacks of twenty boxes stand half and half than as it is, and half of them at most as it is");
     const auto half_at_rest = [&](const char* rule) { return value("throws", "capsule, 30 rad/s", "half at rest, s", "ODE", rule); };
     check("ode_rolls", half_at_rest(halves) > half_at_rest("as it is"), "in ODE half of the capsules take longer to rest, half and half");
     check("jolt_after", lean("20 rad/s", "Jolt", after) > 1.57 && lean("20 rad/s", "Jolt", "as it is") > 1.57 &&
@@ -276,6 +279,12 @@ std::string checks(const Record& of) {
     check("ground_jolt", value("top on the ground", "20 rad/s", "off, %", "Jolt", after) > 100 &&
                              value("top on the ground", "30 rad/s", "off, %", "Jolt", after) < 5,
           "Jolt, after the contacts: a top of 20 rad/s on the ground goes round more than twice too fast, one of 30 rad/s right to 5 %");
+    bool wrong = true;
+    for (const char* engine : {"Bullet", "Jolt", "Box3D, 1 substep"})
+        wrong = wrong && value("top on the ground", "20 rad/s", "off, %", engine, after) > 50;
+    check("ground_after", wrong,
+          "Bullet, Jolt and Box3D with one substep, all of the rule after the contacts: a top of 20 rad/s on the ground goes round "
+          "wrong by more than half");
     check("falls", falls, "Jolt's top falls over as it is and half and half");
     return lines;
 }
@@ -335,13 +344,13 @@ void record(const fs::path& folder, const Numbers& numbers) {
                                 {"energy after 10 s", "chain", "ten capsules", "energy left", 2},
                                 {"widest gap, m", "chain", "ten capsules", "widest gap, m", 3}}));
     write(folder / "cost.tsv", of.table(main_rules, {{"ns a body", "cost", "512 boxes", "ns", 0},
-                                                     {"over as it is", "cost", "512 boxes", "of the first", 2}}));
+                                                     {"over as it is", "cost", "512 boxes", "of the first", 1}}));
     write(folder / "others.tsv", of.table(in_halves, {{"box, 30 rad/s: energy", "alone", "box 1 x 2 x 3, 30 rad/s", "energy left", 3},
                                                {"right for, s", "alone", "box 1 x 2 x 3, 30 rad/s", "right for, s", 1},
                                                {"top, 20 rad/s: off by, %", "top", "20 rad/s", "off, %", 0},
                                                {"capsules: restless", "throws", "capsule, 30 rad/s", "restless, of a hundred", 0},
                                                {"most energy", "throws", "capsule, 30 rad/s", "most energy", 2},
-                                               {"over as it is", "cost", "512 boxes", "of the first", 2}}));
+                                               {"over as it is", "cost", "512 boxes", "of the first", 1}}));
 }
 
 }  // namespace engines

@@ -96,7 +96,7 @@ void throw_bodies(const std::vector<Engine>& engines, const Effort& effort, Numb
                 char which[48];
                 std::snprintf(which, sizeof which, "%s, %g rad/s", body.name, spin);
                 numbers.add("throws", which, engine, "restless, of a hundred", 100.0 * o.restless / throws);
-                numbers.add("throws", which, engine, "half at rest, s", o.median);
+                if (2 * o.restless < throws) numbers.add("throws", which, engine, "half at rest, s", o.median);
                 numbers.add("throws", which, engine, "nine in ten at rest, s", o.slowest);
                 numbers.add("throws", which, engine, "gained a tenth, of a hundred", 100.0 * o.gained / throws);
                 numbers.add("throws", which, engine, "most energy", o.most);
