@@ -203,7 +203,7 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
                 return line.starts_with(name) && line.find_first_not_of(' ', name.size()) == line.find('=');
             });
         });
-    } else if (kind != "end" && kind != "claims" && kind != "chapters" && kind != "talks" && kind != "exercises" && kind != "which" && kind != "ask" && kind != "answered" && kind != "see") {
+    } else if (kind != "end" && kind != "claims" && kind != "chapters" && kind != "talks" && kind != "exercises" && kind != "which" && kind != "ask" && kind != "answered" && kind != "see" && kind != "compile") {
         std::string name = kind;
         if (name.ends_with(".value")) {
             name.erase(name.size() - 6);

@@ -150,7 +150,7 @@ class Pages(SiteCase):
     def test_scrolling_sideways(self):
         self.expect('<div style="width: 370px">wide</div>', "scrolls sideways at 360 px in light mode",
                     "scrolls sideways at 360 px in dark mode")
-        self.expect('<div id="doc-content" style="overflow: auto"><div style="width: 370px">wide</div></div>',
+        self.expect('<div id="doc-content" role="main" style="overflow: auto"><div style="width: 370px">wide</div></div>',
                     "scrolls sideways at 360 px in light mode",
                     "scrolls sideways at 360 px in dark mode")
         self.expect("<style>@media (prefers-color-scheme: dark) { h1 { width: 370px; } }</style>",

@@ -14,7 +14,7 @@ new_checkout() {
     mkdir bin checkout
     printf '#!/bin/sh\nexit 1\n' >bin/apt-get
     chmod +x bin/apt-get
-    for part in course CMakeLists.txt chapters docs exercises include solutions tests tools; do
+    for part in course CMakeLists.txt LICENSE chapters docs exercises include solutions tests tools; do
         cp -r "$source/$part" checkout
     done
     room=checkout/exercises/01_derivatives
