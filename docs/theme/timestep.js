@@ -99,6 +99,7 @@ function fadeWhatGoesOn() {
         };
         box.addEventListener("scroll", look, { passive: true });
         new ResizeObserver(look).observe(box);
+        document.fonts.ready.then(look);  // letters that come late make a formula wider, and no box
     }
 }
 
