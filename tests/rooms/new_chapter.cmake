@@ -14,7 +14,7 @@ endfunction()
 
 # The course with its smallest chapter alone, to be quick.
 set_fixture()
-file(COPY "${ROOT}/docs" "${ROOT}/README.md" DESTINATION "${fixture}")
+file(COPY "${ROOT}/docs" "${ROOT}/README.md" "${ROOT}/LICENSE" DESTINATION "${fixture}")
 file(COPY "${ROOT}/chapters/01_derivatives" DESTINATION "${fixture}/chapters")
 file(COPY "${ROOT}/tests/CMakeLists.txt" "${ROOT}/tests/support" DESTINATION "${fixture}/tests")
 file(COPY "${ROOT}/tests/chapters/01_derivatives.cpp" DESTINATION "${fixture}/tests/chapters")
