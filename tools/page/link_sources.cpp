@@ -4,17 +4,16 @@
 // gives to that file's page depends on all the other files. Here, after Doxygen, the names are
 // known: each source page carries its file in its title.
 //
-// And in listings Doxygen links a function that it does not know to any of that name: all `step` of a page to the plane
-// with contacts. What leads there leads nowhere instead.
+// And of the links that Doxygen guesses in listings stay those that are meant (listings.hpp).
 //
-//     link_sources SITE [UNLINKED]
+//     link_sources SITE TAGS [UNLINKED]
 //
 // A source in the folder UNLINKED is left without a link: the learner's edition shows no tests.
 
 #include "error.hpp"
+#include "listings.hpp"
 #include "text.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -73,28 +72,6 @@ std::string resolve(const std::string& html, const SourcePages& pages, const std
     }
 }
 
-/// The page without the links of its listings to functions of timestep::plane, which no page quotes, and what would
-/// be shown beside them.
-std::string without_guesses(std::string html) {
-    static const std::string tip = "<div class=\"ttc\"", name = "<div class=\"ttname\"><a href=\"", guessed = "\">timestep::plane::";
-    for (std::size_t at = html.find(tip); at != std::string::npos; at = html.find(tip, at)) {
-        const std::size_t next = std::min(html.find(tip, at + 1), html.find("\n", at)), address = html.find(name, at) + name.size();
-        const std::size_t quote = html.find('"', address);
-        if (quote >= next || html.compare(quote, guessed.size(), guessed) != 0) {
-            at += tip.size();
-            continue;
-        }
-        const std::string link = "<a class=\"code hl_function\" href=\"" + html.substr(address, quote - address) + "\">";
-        html.erase(at, next - at);
-        for (std::size_t in = html.find(link); in != std::string::npos; in = html.find(link, in)) {
-            html.erase(html.find("</a>", in), std::string{"</a>"}.size());
-            html.erase(in, link.size());
-        }
-        at = 0;
-    }
-    return html;
-}
-
 /// A source's page whose lines have their place by `id` alone: by `name`, too, they weigh a tenth more.
 std::string named_once(const std::string& html) {
     static const std::string open = "<a id=\"l", again = " name=\"l";
@@ -113,18 +90,19 @@ std::string named_once(const std::string& html) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2 && argc != 3) {
-        std::cerr << "usage: link_sources SITE [UNLINKED]\n";
+    if (argc != 3 && argc != 4) {
+        std::cerr << "usage: link_sources SITE TAGS [UNLINKED]\n";
         return 2;
     }
     try {
         const SourcePages pages = find_source_pages(argv[1]);
+        const page::Listings listings{argv[1], argv[2]};
         for (const auto& entry : fs::directory_iterator{argv[1]}) {
             const std::string name = entry.path().filename().string();
             if (entry.path().extension() == ".html") {
                 const std::string html = page::read_file(entry.path());
                 const bool source = name.ends_with("_source.html");
-                const std::string resolved = source ? named_once(html) : without_guesses(resolve(html, pages, name, argc == 3 ? argv[2] : ""));
+                const std::string resolved = source ? named_once(html) : listings.meant(resolve(html, pages, name, argc == 4 ? argv[3] : ""));
                 if (resolved != html) {
                     page::write_file(entry.path(), resolved);
                 }

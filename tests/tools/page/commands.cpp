@@ -130,7 +130,8 @@ TEST_CASE("link_sources leads to the source pages, and fails where there is none
                  "<title>Timestep: include/step.hpp Source File</title>");
     course.write("html/a.html",
                  "<a href=\"source:include/step.hpp#l00003\">x</a><a href=\"b.html\">");
-    const std::string program = std::string{LINK_SOURCES} + " " + (course / "html").string();
+    course.write("tags", "");
+    const std::string program = std::string{LINK_SOURCES} + " " + (course / "html").string() + " " + (course / "tags").string();
     REQUIRE(run_command(program).status == 0);
     CHECK(course.read("html/a.html") ==
           "<a href=\"step_8hpp_source.html#l00003\">x</a><a href=\"b.html\">");
@@ -165,14 +166,45 @@ TEST_CASE("library_pages puts a unit beside every parameter, and refuses one wit
     CHECK_THAT(make("h\ts\t\nx\t\t\n", groups + groups).words, ContainsSubstring("groups.tsv:2: there is no second header timestep/run.hpp"));
 }
 
-TEST_CASE("link_sources takes away what Doxygen guessed in listings") {
+TEST_CASE("link_sources leaves of what Doxygen guessed in listings what can mean but one thing") {
     const Course course;
-    const std::string kept = "<a class=\"code hl_function\" href=\"b.html#s\">solve</a>",
-                      tip = "<div class=\"ttc\" id=\"b\"><div class=\"ttname\"><a href=\"b.html#s\">timestep::solve</a></div></div>\n";
-    course.write("site/p.html", "x<a class=\"code hl_function\" href=\"a.html#g\">step</a>(" + kept + ")\n" +
-                                    "<div class=\"ttc\" id=\"a\"><div class=\"ttname\"><a href=\"a.html#g\">timestep::plane::step</a></div></div>\n" + tip);
+    const auto link = [](const std::string& address, const std::string& name) {
+        return "<a class=\"code hl_function\" href=\"" + address + "\">" + name + "</a>";
+    };
+    const auto tip = [](const std::string& address) { return "<div class=\"ttc\" id=\"" + address + "\"><div class=\"ttname\"><a href=\"" + address + "\">t</a></div></div>\n"; };
+    const auto member = [](const std::string& name, const std::string& anchor) {
+        return "<member kind=\"function\">\n<name>" + name + "</name>\n<anchorfile>l.html</anchorfile>\n<anchor>" + anchor + "</anchor>\n";
+    };
+    const auto file = [](const std::string& page, const std::string& inside) { return "<compound kind=\"file\">\n<name>x</name>\n<filename>" + page + ".html</filename>\n" + inside; };
+    const std::string solve = member("solve", "s"), step = member("step", "p"), other = member("step", "q"), far = member("far", "f"), rate = member("rate", "r");
+    course.write("tags", file("a_8hpp", "<includes id=\"b_8hpp\" name=\"b.hpp\">b.hpp</includes>\n" + solve + step + rate) + file("b_8hpp", other) + file("c_8hpp", far) +
+                             "<compound kind=\"namespace\">\n<name>t</name>\n" + solve + step + far + rate + "<compound kind=\"struct\">\n<name>t::S</name>\n<filename>s.html</filename>\n" + other);
+    const auto include = [](const std::string& words) { return "<div class=\"line\">#include " + words + "</div>\n"; };
+    const auto source = [&](const std::string& name, const std::string& code) {
+        course.write("site/" + name + "_source.html", "<title>Timestep: x/" + name + " Source File</title>" + code);
+    };
+    source("m", include("&quot;h&quot;") + "<span class=\"comment\">// double solve(</span>" + "const auto rate = [](double x) {}");
+    source("h", include("<a href=\"a_8hpp.html\">a.hpp</a>"));
+    const auto page = [&](const std::string& kept) {
+        return "<figure class=\"listing\"><a href=\"m_source.html#l00001\">m</a>" + link("l.html#s", "solve") + "(" + kept + ")\n" + tip("l.html#s");
+    };
+    const auto made_of = [&](const std::string& guesses, const std::string& tips) {
+        course.write("site/p.html", page(guesses) + tips + "</figure>");
+        const Outcome outcome = run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string());
+        REQUIRE(outcome.status == 0);
+        return course.read("site/p.html");
+    };
+    CHECK(made_of("x", "") == page("x") + "</figure>");
+    CHECK(made_of(link("l.html#f", "far"), tip("l.html#f")) == page("far") + "</figure>");    // in a header that it does not include
+    CHECK(made_of(link("l.html#p", "step"), tip("l.html#p")) == page("step") + "</figure>");  // there are two
+    CHECK(made_of(link("l.html#r", "rate"), tip("l.html#r")) == page("rate") + "</figure>");  // it has one of its own
+    CHECK(made_of(link("b_8hpp.html", "b.hpp"), "") == page(link("b_8hpp.html", "b.hpp")) + "</figure>");
+}
+
+TEST_CASE("link_sources names a line of a source once") {
+    const Course course;
     course.write("site/a_source.html", "<a id=\"l00001\" name=\"l00001\"></a>x<a id=\"l00002\"></a>");
-    REQUIRE(run_command(std::string{LINK_SOURCES} + " " + (course / "site").string()).status == 0);
+    course.write("tags", "");
+    REQUIRE(run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string()).status == 0);
     CHECK(course.read("site/a_source.html") == "<a id=\"l00001\"></a>x<a id=\"l00002\"></a>");
-    CHECK(course.read("site/p.html") == "xstep(" + kept + ")\n\n" + tip);
 }
