@@ -20,47 +20,52 @@ std::string required(const Json& about, const std::string& key, const std::strin
 }
 
 /// A row of the table of what goes in and comes out: `h   length of the step, s`, where lines farther in go on.
-std::string row(const std::string& words) {
+std::string row(const std::string& words, const std::set<std::string>& names) {
     const auto end = words.find("  ");
     const auto meaning = words.find_first_not_of(' ', end);
     if (end == std::string::npos || meaning == std::string::npos) {
         return "| `" + words + "` | ";
     }
-    return "| `" + words.substr(0, end) + "` | " + escape_markdown(words.substr(meaning));
+    return "| `" + words.substr(0, end) + "` | " + with_formulas(words.substr(meaning), names);
 }
 
 /// The comment that a file begins with, as Markdown: the title left out, since the section has it. What stands two
 /// blanks in is a row of a table, what stands farther in is a formula.
-std::string task(const fs::path& file) {
+std::string task(const fs::path& file, const std::set<std::string>& names) {
     enum { words, rows, formulas } inside = words;
-    std::string markdown;
+    std::string markdown, pending;  // a row, or sentences: a formula may go over the end of a line
+    const auto flush = [&] {
+        if (!pending.empty()) markdown += inside == rows ? row(pending, names) + " |\n" : with_formulas(pending, names) + "\n";
+        if (inside == formulas) markdown += "\\end{aligned}\\f]\n";
+        pending.clear();
+    };
     bool title = true;
     for (const std::string& line : split_lines(read_file(file))) {
         if (line.rfind("//", 0) != 0) {
             break;
         }
         const std::string text = line.substr(std::min<std::size_t>(line.size(), 3));
-        const std::size_t in = std::min(text.find_first_not_of(' '), text.size());
-        const auto before = inside;
-        inside = in < 2 ? words : in == 2 || before == rows ? rows : formulas;
-        if (before == formulas && inside != formulas) {
-            markdown += "\\end{aligned}\\f]\n";
-        } else if (before == rows && inside != rows) {
-            markdown += " |\n";
-        }
         if (title) {
             title = false;
-        } else if (inside == words) {
-            markdown += escape_markdown(text) + "\n";
-        } else if (inside == formulas) {
+            continue;
+        }
+        const std::size_t in = std::min(text.find_first_not_of(' '), text.size());
+        const auto before = inside, now = in < 2 ? words : in == 2 || before == rows ? rows : formulas;
+        if (now != before || in == 2 || text.empty()) flush();
+        inside = now;
+        if (inside == formulas) {
             markdown += (before == formulas ? "\\\\" : "\\f[\\begin{aligned}") + ("&" + formula_tex(std::string{trim(text)})) + "\n";
-        } else if (in == 2) {
-            markdown += (before == rows ? " |\n" : "| name | what it is |\n|---|---|\n") + row(text.substr(2));
+        } else if (inside == rows) {
+            if (before != rows) markdown += "| name | what it is |\n|---|---|\n";
+            pending += in == 2 ? text.substr(2) : " " + text.substr(in);
+        } else if (text.empty()) {
+            markdown += "\n";
         } else {
-            markdown += " " + escape_markdown(text.substr(in));
+            pending += (pending.empty() ? "" : " ") + text;
         }
     }
-    return markdown + (inside == formulas ? "\\end{aligned}\\f]\n" : inside == rows ? " |\n" : "");
+    flush();
+    return markdown;
 }
 
 }  // namespace
@@ -95,8 +100,10 @@ std::vector<Exercise> load_exercises(const fs::path& root, const std::string& ch
         if (hints != json.end()) {
             exercise.hints = hints->second;
         }
+        const std::set<std::string> names = names_in(exercise.declaration);
+        for (std::string& hint : exercise.hints) hint = with_formulas(hint, names);
         const fs::path solution = root / "solutions" / chapter / (exercise.name + ".cpp");
-        exercise.task = task(solution);
+        exercise.task = task(solution, names);
         inputs.push_back(about);
         inputs.push_back(solution);
         exercises.push_back(exercise);

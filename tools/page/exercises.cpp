@@ -51,7 +51,7 @@ std::string in_full(const Exercise& exercise) {
                        ".cpp`; `./course check " + exercise.name + "` checks it.\n";
     for (std::size_t i = 0; i < exercise.hints.size(); ++i) {
         text += "\n\\htmlonly[block]<details class=\"hint\"><summary>Hint " + std::to_string(i + 1) +
-                "</summary>\\endhtmlonly\n" + escape_markdown(exercise.hints[i]) +
+                "</summary>\\endhtmlonly\n" + exercise.hints[i] +
                 "\n\\htmlonly[block]</details>\\endhtmlonly\n";
     }
     return text;

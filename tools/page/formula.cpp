@@ -30,7 +30,8 @@ std::string name_tex(std::string name) {
     for (; at < name.size() && name[at] != '\''; ++at) {
         index += name[at] == '_' || name[at] == '.' ? "" : std::string{name[at]};
     }
-    const std::string set = in(greek, base) ? "\\" + base : base.size() > 1 ? "\\mathit{" + base + "}" : base;
+    static const std::array<std::string, 3> functions{"sin", "cos", "exp"};
+    const std::string set = in(greek, base) || in(functions, base) ? "\\" + base : base.size() > 1 ? "\\mathit{" + base + "}" : base;
     return set + (index.empty() ? "" : "_{" + (index.size() > 1 && letter(index[0]) ? "\\text{" + index + "}" : index) + "}") + name.substr(at);
 }
 
@@ -67,6 +68,15 @@ std::string formula_tex(const std::string& plain) {
         } else if (plain.compare(at, 2, "²") == 0) {
             tex += "^2";
             end = at + 2;
+        } else if (plain.compare(at, 2, "³") == 0) {
+            tex += "^3";
+            end = at + 2;
+        } else if (c == '^' && end < size) {  // to a power: what stands in brackets, a name or a number
+            const std::size_t close = plain.find(')', end), last = plain.find_first_of(" )/*,", end);
+            const bool brackets = plain[end] == '(' && close != std::string::npos;
+            const std::string power = brackets ? plain.substr(end + 1, close - end - 1) : plain.substr(end, last - end);
+            tex += "^{" + formula_tex(power) + "}";
+            end = brackets ? close + 1 : std::min(last, size);
         } else {
             tex += c == '|' ? "\\vert " : c == '*' ? "\\," : std::string{c};
             operand = digit(c) || c == ')';

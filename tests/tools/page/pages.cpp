@@ -278,8 +278,8 @@ TEST_CASE("exercises stand in order on the chapter's page, and in full on pages 
     CHECK(tasks.rfind("# Exercises: 3 · Springs {#exercises_3}\n", 0) == 0);
     CHECK_THAT(tasks, ContainsSubstring("## 3.1 The first {#exercise_first}"));
     CHECK_THAT(tasks, ContainsSubstring("```cpp\ndouble f(double x)\n```"));
-    CHECK_THAT(tasks, ContainsSubstring("You have\na \\< b:\n\n\\f[\\begin{aligned}&y=\\vert x\\vert \n\\end{aligned}\\f]\n\n| name | what it is |\n|---|---|\n"
-                                        "| `x` | in m, \\|x\\| below 1 |\n| `y, z` | in s |\n\nExample:\n"));
+    CHECK_THAT(tasks, ContainsSubstring("You have \\f$a<b\\f$:\n\n\\f[\\begin{aligned}&y=\\vert x\\vert \n\\end{aligned}\\f]\n\n| name | what it is |\n|---|---|\n"
+                                        "| `x` | in m, \\f$\\vert x\\vert \\f$ below 1 |\n| `y, z` | in s |\n\nExample: 1.\n"));
     CHECK_THAT(tasks, ContainsSubstring("```cpp\nint long_one(\n    const std::map<int, double>& all,\n    double first,\n"
                                         "    double second)\n```"));
     CHECK(page::formula_tex("f(omega2) = I (omega2 - omega1) + h omega2 x (I omega2)") ==
@@ -288,6 +288,7 @@ TEST_CASE("exercises stand in order on the chapter's page, and in full on pages 
           "y_{2}=y_{1}+h/6\\,(k_{1}+4\\,k_{2})\\quad \\text{ with }\\quad k=\\sqrt{2}\\,h^2");
     CHECK(page::formula_tex("inertia.x() = sum of m (x_above - x)") ==
           "\\mathit{inertia}_{x}=\\text{ sum }\\,\\text{ of }\\,m\\,(x_{\\text{above}}-x)");
+    CHECK(page::formula_tex("E^(1/p) + 2^order") == "E^{1/p}+2^{\\mathit{order}}");
     CHECK(page::formula_tex("up' = up x omega") == "\\mathit{up}'=\\mathit{up}\\times \\omega");
     CHECK_THAT(tasks, ContainsSubstring("Look \\< closer."));
     CHECK_THAT(tasks, !ContainsSubstring("code") && !ContainsSubstring("no task"));
@@ -453,4 +454,21 @@ TEST_CASE("a draft of what is all there is the page itself, and a misspelt numbe
     CHECK(draft() == course.fill());
     course.replace("chapters/03_springs/chapter.md", "It grows to {{amplitude}}", "It grows to {{amplitud}}");
     CHECK_THROWS_AS(draft(), page::Error);
+}
+
+TEST_CASE("a formula in a sentence of a task is set, and what is none is not") {
+    const std::set<std::string> names = page::names_in("State<double> f(std::map<int, double> s, double omega, Vector3d share, double v1)");
+    CHECK(names == std::set<std::string>{"s", "omega", "share", "v1"});
+    const auto set = [&](const std::string& sentence) { return page::with_formulas(sentence, names); };
+    CHECK(set("only omega h decides.") == "only \\f$\\omega\\,h\\f$ decides.");
+    CHECK(set("It is -omega² (x - share), or not.") == "It is \\f$-\\omega^2\\,(x-\\mathit{share})\\f$, or not.");
+    CHECK(set("with share = (3, 0, v1), h = 0.5") == "with \\f$\\mathit{share}=(3,0,v_{1})\\f$, \\f$h=0.5\\f$");
+    CHECK(set("s.x, in m, of s.t") == "`s.x`, in m, of `s.t`");
+    CHECK(set("q * v turns v") == "`q * v` turns \\f$v\\f$");
+    CHECK(set("omega x (I omega)") == "\\f$\\omega\\times (I\\,\\omega)\\f$");
+    // Words, units and numbers; half a formula.
+    for (const char* words : {"a share of 0.25 m", "from 1 to 1000 m/s²", "in 3 kg m² or N m", "such a ball, i.e. a", "share and state", "share x of", "C++20 or", "(x and y)", "std::log1p(u) is"})
+        CHECK_THAT(set(words), !ContainsSubstring("f$\\mathit") && !ContainsSubstring("`"));
+    for (const char* words : {"a share of 0.25 m", "from 1 to 1000 m/s²", "in 3 kg m² or N m"}) CHECK(set(words) == words);
+    CHECK(set("halve h 10 times") == "halve \\f$h\\f$ 10 times");
 }
