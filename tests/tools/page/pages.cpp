@@ -469,6 +469,6 @@ TEST_CASE("a formula in a sentence of a task is set, and what is none is not") {
     // Words, units and numbers; half a formula.
     for (const char* words : {"a share of 0.25 m", "from 1 to 1000 m/s²", "in 3 kg m² or N m", "such a ball, i.e. a", "share and state", "share x of", "C++20 or", "(x and y)", "std::log1p(u) is"})
         CHECK_THAT(set(words), !ContainsSubstring("f$\\mathit") && !ContainsSubstring("`"));
-    for (const char* words : {"a share of 0.25 m", "from 1 to 1000 m/s²", "in 3 kg m² or N m"}) CHECK(set(words) == words);
+    for (const char* words : {"a share of 0.25 m", "from 1 to 1000 m/s²", "in 3 kg m² or N m", "after 0.5 s it"}) CHECK(set(words) == words);
     CHECK(set("halve h 10 times") == "halve \\f$h\\f$ 10 times");
 }
