@@ -1,6 +1,6 @@
 // Chapter 2: a ball with drag and a mass on a spring, handed to one solver; and a loop that frames cannot disturb.
 //
-//   c++ -std=c++20 -O2 -Iinclude chapters/02_first_order_form/first_order_form.cpp -o motion && ./motion
+//   c++ -std=c++20 -O2 chapters/02_first_order_form/first_order_form.cpp -o motion && ./motion
 
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@ using Array = std::array<double, 2>;  // y = (x, v): where it is, and how fast
 // Play with these.
 const double drag = 0.02;        // 1/m: how the air brakes the ball
 const double speed = 20;         // m/s: it is thrown straight up
-const double omega = 3;          // rad/s: the spring, the period is two seconds
+const double omega = 3;          // rad/s: the spring, the period is 2.1 s
 const double h = 0.017;          // s: the simulation's step
 const double frame = 1.0 / 30;   // s: the picture's
 const double seconds = 3;        // of game

@@ -1,6 +1,6 @@
 // Chapter 4: a rope whose points keep two positions and no velocity.
 //
-//   c++ -std=c++20 -O2 -Iinclude chapters/04_verlet/verlet.cpp -o rope && ./rope
+//   c++ -std=c++20 -O2 chapters/04_verlet/verlet.cpp -o rope && ./rope
 
 #include <array>
 #include <cmath>
@@ -28,7 +28,7 @@ void fall(Point& p) {
 }
 
 // Both ends of a link share what is too long: its constraint, projected.
-// Whoever is moved has the velocity changed with it.
+// A point that is moved has its velocity changed with it.
 void put_right(Point& a, Point& b, bool a_is_held) {
     const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
     const double excess = (length - link) / length, share = a_is_held ? 0 : 0.5;

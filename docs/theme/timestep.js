@@ -142,6 +142,7 @@ function offerDownload() {
     if (!link || !owner || !name || name.endsWith(".html")) return;
     link.href = `https://github.com/${owner}/${name}/archive/HEAD.zip`;
     link.hidden = false;
+    link.previousElementSibling.hidden = true;  // that there is none
 }
 
 document.addEventListener("DOMContentLoaded", () => {

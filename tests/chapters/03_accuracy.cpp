@@ -3,6 +3,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -164,6 +165,30 @@ TEST_CASE("a collision brings every order down to one", "[N36][ch3]") {
     CHECK(std::fabs(order(runge_kutta_4, 0.7, 32, 4096) - 1) < 0.1);
     CHECK(std::fabs(order(midpoint, 0.7, 32, 4096) - 1) < 0.1);
     CHECK(std::fabs(order(semi_implicit_euler, 0.7, 32, 4096) - 1) < 0.1);
+}
+
+// By when a step has ended that goes below the ground, at 60 Hz. From rest the exact landing is (w/g) arcosh exp(g x₀/w²).
+TEST_CASE("RK4 turns a ball too late every time, semi-implicit Euler now early, now late", "[N36][ch3]") {
+    const double g = 9.81, w = 4;
+    const Scene ball{Projectile(-g), Drag<double>::from_terminal_speed(w, g)};
+    const auto late = [&](const auto& method) {
+        struct { double least = 1, most = -1, mean = 0; } by;
+        for (int phase = 0; phase < 60; ++phase) {
+            State s{0, 1 + 0.3 * phase / 60, 0.0};
+            const double landing = w / g * std::acosh(std::exp(s.x * g / (w * w)));
+            while (s.x >= 0) s = method.step(ball, s, 1.0 / 60);
+            by.least = std::min(by.least, s.t - landing), by.most = std::max(by.most, s.t - landing);
+            by.mean += (s.t - landing) / 60;
+        }
+        return by;
+    };
+    const auto fourth = late(runge_kutta_4), semi = late(semi_implicit_euler);
+    CHECK(fourth.least > 0);
+    CHECK(fourth.most < 1.0 / 60 * 1.001);  // within the step in which it lands, whatever RK4's own error
+    CHECK(std::fabs(fourth.mean - 0.5 / 60) < 0.1 / 60);
+    CHECK(semi.least < -0.5 / 60);
+    CHECK(semi.most > 0.25 / 60);
+    CHECK(std::fabs(semi.mean) < fourth.mean / 2);
 }
 
 TEST_CASE("implicit Euler pays with solves and gets stability", "[I05][ch3]") {

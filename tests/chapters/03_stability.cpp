@@ -14,6 +14,7 @@
 #include <timestep/models/spring.hpp>
 #include <timestep/run.hpp>
 #include <timestep/stability.hpp>
+#include <timestep/which_method.hpp>
 
 using namespace timestep;
 
@@ -113,6 +114,35 @@ TEST_CASE("semi-implicit Euler keeps its own energy, and the true one stays in a
         CHECK(std::fabs(sum / (steps + 1) - 1 / (1 - wh * wh / 4)) <
               4 * most / std::fabs(std::sin(theta)) / steps + 100 * drift);
     }
+}
+
+// Stepped by hand, with v = h ẋ: of the pendulum's ωh only the square is left.
+TEST_CASE("a pendulum keeps its energy in the spring's band at half the advised step, and not at all of it", "[N31][ch3]") {
+    const auto swing = [](double start, double wh, long steps) {
+        struct { double least = 1, most = 1, farthest = 0; } found;
+        double x = start, v = 0;
+        const auto energy = [&] { return v * v / (wh * wh) / 2 + 1 - std::cos(x); };
+        const double first = energy();
+        for (long n = 0; n < steps; ++n) {
+            v -= wh * wh * std::sin(x);
+            x += v;
+            found.least = std::min(found.least, energy() / first), found.most = std::max(found.most, energy() / first);
+            found.farthest = std::max(found.farthest, std::fabs(x));
+        }
+        return found;
+    };
+    const double calm = pendulum_turn;
+    for (const double start : {0.05, 0.3, 1.0, 1.7, 2.4, 3.0, 3.1}) {
+        CAPTURE(start);
+        const auto found = swing(start, calm, 50000);
+        CHECK(found.least > 1 / (1 + calm / 2));
+        CHECK(found.most < 1 / (1 - calm / 2));
+        CHECK(found.farthest < pi);
+    }
+    // The true one, let go at rest, never comes higher than it was.
+    const auto wild = swing(3.1, alive_turn, 1000000);
+    CHECK(wild.farthest > 2 * pi);
+    CHECK(wild.most > 2);
 }
 
 TEST_CASE("explicit Euler gains energy for ever, implicit Euler loses it", "[N31][ch3]") {

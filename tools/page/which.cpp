@@ -32,8 +32,8 @@ std::string which_markdown(const Context& context, const Directive& directive) {
     if (directive.arguments.empty()) {
         throw std::invalid_argument{"{{which}} takes names of answers, of include/timestep/which_method.hpp"};
     }
-    const bool chapter = context.chapter() != nullptr;
-    std::string text = chapter ? "| you have | take |\n|---|---|\n" : "";
+    const bool chapter = context.chapter() != nullptr, alone = chapter && directive.arguments.size() == 1;
+    std::string text = chapter && !alone ? "| you have | take |\n|---|---|\n" : "";
     int number = 0;
     for (const std::string& name : directive.arguments) {
         const timestep::Choice& choice = timestep::choice(name);
@@ -44,6 +44,7 @@ std::string which_markdown(const Context& context, const Directive& directive) {
         if (!chapter && std::islower(static_cast<unsigned char>(have.front())) != 0) {
             have.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(have.front())));
         }
+        if (alone) return "Take " + take + ", for " + have + ". Why: " + why + " " + where + ".";
         text += chapter ? "| " + have + " | " + take + ": " + why + " " + where + " |\n"
                         : std::to_string(++number) + ". " + have + "?<br>→ " + take + " " + where +
                               " \\htmlonly<details class=\"why\"><summary>why</summary>\\endhtmlonly " + why +

@@ -58,6 +58,8 @@ void taking_turns(lab::Findings& out) {
     out.number("steady_most", std::max(most_60, most_30), "",
                "largest amplitude at a steady rate, of one at the start", 2);
     out.number("turns_omega", omega, "rad/s", "the spring that cannot stand frames taking turns");
+    out.number("turns_short", 1000 * h, "ms", "the short frames", 3);
+    out.number("turns_long", 2000 * h, "ms", "and the long ones", 3);
     out.number("turns_growth", predicted, "",
                "by this each pair of frames multiplies the amplitude");
     out.number("turns_pairs", 2 * rounds, "", "pairs of frames in the run");
@@ -66,6 +68,7 @@ void taking_turns(lab::Findings& out) {
     out.number("turns_seconds", turns.t, "s", "length of the run");
     out.number("steady_60", most_60, "", "largest amplitude at a steady 60 frames/s", 2);
     out.number("steady_30", most_30, "", "largest amplitude at a steady 30 frames/s", 2);
+    out.number("turns_lean", grown / std::pow(predicted, 2 * rounds), "", "one over the other: what the first pairs add", 2);
     out.check("steady_holds", most_60 < 3 && most_30 < 3,
               "at a steady rate the spring stays bounded");
     const double lean = grown / std::pow(predicted, 2 * rounds);
@@ -94,6 +97,7 @@ void spiral_of_death(lab::Findings& out) {
         "  steps that cost %g times what they simulate: frame %d takes %.1f s\n"
         "  without a cap; with one %.0f ms, at %.0f %% of the game's speed\n",
         dear, frames, a, 1000 * b, 100 * speed);
+    out.number("death_step", 1000 * h, "ms", "the step of the spiral of death", 4);
     out.number("death_drawing", 1000 * drawing, "ms", "what a frame takes for drawing");
     out.number("death_cost", dear, "", "what a step costs, over what it simulates");
     out.number("death_frame", a, "s", "how long the last frame of the run takes without a cap", 2);

@@ -48,10 +48,10 @@ Landing fly(const Method& method, const Model& model, double h, lab::Table* path
 }
 
 // How many steps a second are enough to know where the grenade is after three seconds, to a
-// centimetre. Tries whole numbers from 1 on: the next is larger by one and a fiftieth of itself.
+// centimetre: the least whole number.
 template <class Method, class Model>
 double rate_needed(const Method& method, const Model& model, const Vector2& mark) {
-    for (long a_second = 1; a_second < 100000; a_second += 1 + a_second / 50) {
+    for (long a_second = 1; a_second < 10000; ++a_second) {
         const State<Vector2> s = run(method, model, throw_grenade(), 1.0 / a_second, 3 * a_second);
         if ((s.x - mark).norm() < 0.01) return a_second;
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -114,6 +115,12 @@ void two_builds(lab::Findings& out) {
               "on a linear spring other bits stay roundoff");
 }
 
+std::string rounded(double value) {
+    char text[24];
+    std::snprintf(text, sizeof text, "%.3f", value);
+    return text;
+}
+
 // Someone walks away from the origin at 1 m/s, a float for the place: how fast, seen over ten seconds?
 void far_away(lab::Findings& out) {
     auto& table = out.table("far_away.tsv", {"distance (km)", "next float (mm)", "walks at (m/s)"});
@@ -124,7 +131,7 @@ void far_away(lab::Findings& out) {
         float x = start;
         for (int i = 0; i < 600; ++i) x += step * 1.0f;
         const double speed = (double(x) - start) / 10;
-        table.row({km, 1000 * (double(std::nextafter(start, 1e9f)) - start), speed});
+        table.row({km, rounded(1000 * (double(std::nextafter(start, 1e9f)) - start)), rounded(speed)});
         if (km == 300) at_300 = speed;
         if (km == 600) at_600 = speed;
     }
@@ -138,7 +145,7 @@ void far_away(lab::Findings& out) {
     const double in_cells = (1000.0 * (cell - 600) + rest) / 10;
     std::printf("  who walks at 1 m/s goes at %.3f m/s 300 km from the origin, at %.3f beyond 600; in cells %.4f\n", at_300,
                 at_600, in_cells);
-    out.number("walk_300", at_300, "m/s", "speed of a walk at 1 m/s in float, 300 km from the origin", 3);
+    out.number("walk_300", at_300, "m/s", "speed of a walk at 1 m/s in float, 300 km from the origin", 4);
     out.number("walk_600", at_600, "m/s", "and at 600 km");
     out.check("walk_stops", at_600 == 0, "at 600 km a float stands still");
     out.check("walk_in_cells", std::fabs(in_cells - 1) < 1e-4, "in cells of a kilometre it goes on at its speed");

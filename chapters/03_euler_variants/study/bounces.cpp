@@ -1,5 +1,7 @@
 // A beach ball bounces: what a collision inside the run does to the order of a method.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -119,6 +121,35 @@ double mean_over_frames(const Method& method, double from, double to) {
     return sum / double(last - first + 1);
 }
 
+// When the true ball meets the ground: RK4 in steps of 0.1 ms, and between the last two a line.
+double true_landing(double drop) {
+    State state{0, drop, 0.0};
+    for (;;) {
+        const State next = runge_kutta_4.step(ball, state, 1e-4);
+        if (next.x < 0) return state.t + 1e-4 * state.x / (state.x - next.x);
+        state = next;
+    }
+}
+
+// How late a ball is turned round at 60 Hz, in seconds: over the drops the first, the mean and the last.
+struct Late {
+    double least = 1, mean = 0, most = -1;
+};
+
+template <class Method>
+Late turned_late(const Method& method) {
+    Late late;
+    const int drops = 60;
+    for (int i = 0; i < drops; ++i) {
+        State state{0, 1 + 0.3 * i / drops, 0.0};
+        const double landing = true_landing(state.x);
+        while (state.x >= 0) state = method.step(ball, state, 1.0 / 60);
+        const double by = state.t - landing;
+        late.least = std::min(late.least, by), late.most = std::max(late.most, by), late.mean += by / drops;
+    }
+    return late;
+}
+
 void bounces(const Settings&, lab::Findings& out) {
     out.section("A bouncing ball");
     compare(semi_implicit_euler, out);
@@ -142,6 +173,17 @@ void bounces(const Settings&, lab::Findings& out) {
     out.number("bounce_sooner", sooner, "s", "an earlier moment");
     out.number("bounce_sooner_semi", 1000 * cheap_sooner, "mm", "mean error at the earlier moment", 2);
     out.number("bounce_sooner_rk4", 1000 * dear_sooner, "mm", "mean error at the earlier moment", 2);
+    const Late cheap_late = turned_late(semi_implicit_euler), dear_late = turned_late(runge_kutta_4);
+    std::printf("  turned round late by %.1f to %.1f ms, on the mean %.1f: semi-implicit; by %.1f to %.1f, %.1f: RK4\n",
+                1000 * cheap_late.least, 1000 * cheap_late.most, 1000 * cheap_late.mean, 1000 * dear_late.least,
+                1000 * dear_late.most, 1000 * dear_late.mean);
+    out.number("bounce_early_semi", -1000 * cheap_late.least, "ms", "by how much it turns too early, at the most", 2);
+    out.number("bounce_late_semi", 1000 * cheap_late.most, "ms", "and too late", 2);
+    out.number("bounce_late_rk4", 1000 * dear_late.mean, "ms", "by how much RK4's ball turns too late, on the mean", 2);
+    out.check("bounce_turned", dear_late.least > 0 && cheap_late.least < -1e-3 && cheap_late.most > 1e-3 &&
+                                   std::fabs(cheap_late.mean) < dear_late.mean / 2,
+              "in all sixty drops RK4's ball is turned round too late; semi-implicit Euler's now too early, now too late, on "
+              "the mean by less than half as much");
     out.check("bounce_depends", dear_sooner < cheap_sooner,
               "when the ball lands RK4 at 60 Hz is closer than semi-implicit Euler");
     out.check("bounce_rk4_no_better", dear >= cheap,

@@ -1,11 +1,13 @@
 // What the three Eulers do to the energy of the spring.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <timestep/methods/explicit_euler.hpp>
 #include <timestep/methods/implicit_euler.hpp>
 #include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/models/pendulum.hpp>
 #include <timestep/run.hpp>
 
 #include "sections.hpp"
@@ -22,6 +24,57 @@ void energy_of(const Method& method, const Settings& settings, lab::Findings& ou
     run(method, spring, start, settings.step, settings.steps, [&](const auto& s) {
         table.row({s.t, spring.energy(s) / spring.energy(start)});
     });
+}
+
+// What semi-implicit Euler does to the energy of a pendulum that is let go at rest.
+struct Swung {
+    double least = 1, most = 1;  // energy, over that of the start
+    long over = -1;              // the first step beyond the top, which its energy does not reach
+};
+
+Swung swung(double angle, double wh, long steps) {
+    const Pendulum pendulum(1.0);
+    const State start{0, angle, 0.0};
+    Swung result;
+    long n = 0;
+    run(semi_implicit_euler, pendulum, start, wh, steps, [&](const auto& s) {
+        const double energy = pendulum.energy(s) / pendulum.energy(start);
+        result.least = std::min(result.least, energy), result.most = std::max(result.most, energy);
+        if (result.over < 0 && std::fabs(s.x) > pi + 1) result.over = n;
+        ++n;
+    });
+    return result;
+}
+
+// On a spring the band is proven (see below); on a pendulum it is found, and only for steps that are short enough.
+void pendulums(lab::Findings& out) {
+    const double calm = 0.5, wild = 1, near_top = 3.1;
+    const long starts = 31, calm_steps = 100000, wild_steps = 1000000;
+    double least = 1, most = 1;
+    bool over = false;
+    for (long i = 1; i <= starts; ++i) {
+        const Swung one = swung(near_top * double(i) / starts, calm, calm_steps);
+        least = std::min(least, one.least), most = std::max(most, one.most), over = over || one.over >= 0;
+    }
+    const Swung thrown = swung(near_top, wild, wild_steps);
+    std::printf("  a pendulum, omega h = %g, let go from %g to %g rad: energy between %.3f and %.3f of the first;\n"
+                "  omega h = %g, %g rad: step %ld is over the top, energy up to %.2f times the first\n",
+                calm, near_top / starts, near_top, least, most, wild, near_top, thrown.over, thrown.most);
+    out.number("pendulum_starts", double(starts), "", "pendulums let go at rest");
+    out.number("pendulum_near_top", near_top, "rad", "the last of them, from hanging");
+    out.number("pendulum_calm", calm, "", "omega h at which they keep their energy in the band");
+    out.number("pendulum_calm_steps", double(calm_steps), "", "steps of each");
+    out.number("pendulum_least", 100 * least, "%", "least energy of all, over its own first", 2);
+    out.number("pendulum_most", 100 * most, "%", "greatest", 3);
+    out.number("pendulum_wild", wild, "", "omega h at which one goes over the top");
+    out.number("pendulum_wild_steps", double(wild_steps), "", "steps of it");
+    out.number("pendulum_wild_most", thrown.most, "", "its greatest energy, over the first", 2);
+    out.check("pendulum_band", !over && least > 1 / (1 + calm / 2) && most < 1 / (1 - calm / 2),
+              "at omega h = 0.5, 31 pendulums let go from 0.1 to 3.1 rad keep their energy within the spring's band for "
+              "100,000 steps, and none goes over the top");
+    out.check("pendulum_over", thrown.over >= 0 && thrown.most > 2,
+              "at omega h = 1 a pendulum let go at 3.1 rad goes over the top, and in a million steps its energy is at some "
+              "time over twice that of the start");
 }
 
 }  // namespace
@@ -79,4 +132,5 @@ void energies(const Settings& settings, lab::Findings& out) {
               wh < 2 && std::fabs(mean - predicted) < 20 / (1 - wh / 2) / wh / steps + 1e-9 &&
                   std::fabs(moving_mean - 1) < 40 / (1 - wh / 2) / (1 - wh / 2) / wh / steps + 1e-9,
               "the mean energy of semi-implicit Euler is its modified energy over 1 - (omega h)^2/4");
+    pendulums(out);
 }

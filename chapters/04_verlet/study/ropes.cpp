@@ -85,6 +85,8 @@ void stretch_table(const Settings& settings, lab::Findings& out) {
     // slowest motion has left.
     out.check("stretch_quarter", quarter < 1e-7,
               "half the step is a quarter of the stretch, for any number of iterations");
+    out.check("sweeps_share", first / at_8 > 7 && first / at_8 < 9,
+              "eight iterations a step stretch seven to nine times less than one");
     out.check("stretch_budget",
               budget[3] < budget[2] && budget[2] < budget[1] && budget[1] < budget[0],
               "for the same number of iterations a second, more steps with fewer iterations stretch less");

@@ -38,11 +38,13 @@ std::vector<std::string> answers_in(const std::string& page) {
 
 }  // namespace
 
-TEST_CASE("answers to which method stand in a chapter as a table, elsewhere as a list") {
+TEST_CASE("answers to which method stand in a chapter as a table, one alone as a sentence, elsewhere as a list") {
     const Course course;
     const timestep::Choice& bumps = timestep::choice("bumps");
-    CHECK_THAT(course.fill_paragraph("{{which bumps}}"),
+    CHECK_THAT(course.fill_paragraph("{{which bumps jumps}}"),
                ContainsSubstring("| you have | take |\n|---|---|\n| " + bumps.have + " | " + bumps.take + ": "));
+    CHECK_THAT(course.fill_paragraph("{{which bumps}}"),
+               ContainsSubstring("Take " + bumps.take + ", for " + bumps.have + ". Why: " + bumps.why + " ("));
     CHECK_THAT(course.fill_paragraph("{{which free}}"), ContainsSubstring("\\f$h\\lvert\\omega\\rvert\\f$"));
     CHECK_THAT(course.paragraph_error("{{which}}"), ContainsSubstring("takes names of answers"));
     CHECK_THAT(course.paragraph_error("{{which pull push}}"), ContainsSubstring("no answer \"push\""));
