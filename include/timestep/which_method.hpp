@@ -87,7 +87,7 @@ inline const std::vector<Choice>& choices() {
         {"swing", "ωh at most " + alive + " in a constant step: most of a game (where a frame has up to " + twice + ", take two steps a frame)",
          "**semi-implicit Euler**, with the damping at the new velocity",
          "one force a step, and no damper, however strong, blows it up; on a spring its energy oscillates and does not drift (on a "
-         "pendulum that we let go near the top up to ωh = " + pendulum + ", and not at " + alive + ")", "ch3_energy",
+         "pendulum up to ωh = " + pendulum + ")", "ch3_energy",
          "semi-implicit Euler, new damping"},
         {"pull", "a stiff pull to a target, a decay: ζ at least 1, or ζωh at least " + ended, "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},

@@ -182,7 +182,8 @@ TEST_CASE("RK4 turns a ball too late every time, semi-implicit Euler now early, 
         }
         return by;
     };
-    const auto fourth = late(runge_kutta_4), semi = late(semi_implicit_euler);
+    const auto fourth = late(runge_kutta_4);
+    const auto semi = late(semi_implicit_euler);
     CHECK(fourth.least > 0);
     CHECK(fourth.most < 1.0 / 60 * 1.001);  // within the step in which it lands, whatever RK4's own error
     CHECK(std::fabs(fourth.mean - 0.5 / 60) < 0.1 / 60);
