@@ -110,7 +110,7 @@ void costs(const Settings&, lab::Findings& out) {
                "Verlet's time over semi-implicit Euler's", 2);
     out.number("time_velocity", time.at(velocity_verlet.name) / semi, "",
                "velocity Verlet's time over it", 2);
-    out.number("time_rk4", time.at(runge_kutta_4.name) / semi, "", "Runge-Kutta 4's time over it", 2);
+    out.number("time_rk4", time.at(runge_kutta_4.name) / semi, "", "Runge-Kutta 4's time over it", 3);
     out.number("work_euler", double(of_euler), "", "semi-implicit Euler's evaluations for 0.1 %");
     out.number("work_verlet", double(fewest), "", "Verlet's evaluations for 0.1 %");
     out.number("work_ratio", double(of_euler) / double(fewest), "", "one over the other", 2);
