@@ -81,7 +81,7 @@ inline const std::vector<Choice>& choices() {
          "four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",
          "its steps follow the slow part, the fast one dies", "ch6_stiff", "BDF2"},
-        {"swing", "ωh at most " + alive + " a step (up to " + twice + " a frame: two substeps), a constant step: most of a game",
+        {"swing", "ωh at most " + alive + " in a step (up to " + twice + " in a frame, taken as two substeps), and a constant step: most of a game",
          "**semi-implicit Euler**, with the damping at the new velocity",
          "one force a step; its energy oscillates and does not drift, and no damper, however strong, blows it up", "ch3_rule",
          "semi-implicit Euler, new damping"},
@@ -90,22 +90,22 @@ inline const std::vector<Choice>& choices() {
         {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
         {"unseen", "an oscillation faster than the frame that nobody needs to see", "**BDF2**, restarted after each kick",
-         "must it be seen, semi-implicit Euler in substeps of ωh at most " + alive + "; else the fast part dies and the slow one keeps its size; kicked in every frame it would ring: then implicit Euler", "ch6_kicks", "BDF2"},
+         "the fast part dies, the slow one keeps its size. If kicks come in every frame, BDF2 rings: then implicit Euler. Must it be seen, semi-implicit Euler in substeps of ωh at most " + alive, "ch6_kicks", "BDF2"},
         {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in the engine ODE)", "it adds no energy and takes a little, which hides what the engine gains when ω is changed just before its step; "
-         "spins fade too soon", "ch8_contacts", "passive"},
+         "the **passive step** (linearly implicit, as in the engine ODE)", "it adds no energy and takes a little. (An engine may gain some when ω is changed just before its step; that loss hides it.) "
+         "The price: spins fade too soon", "ch8_contacts", "passive"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "**SymmetricInertia**, by passive or the "
          "calm half-step, between the contacts and the turn; on a joint half of it before the joints, half after",
          "it turns ω about the axis of the odd moment out, which keeps "
          "energy, |L| and the spin", "ch5_passive", "passive"},
         {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn; on a joint half of "
          "it before the joints, half after",
-         "energy and |L| stay from one impulse to the next, at any spin, with any steps; all of it after a joint may send a top "
+         "it keeps energy and |L| from one impulse to the next, at any spin and step. All of it after a joint may send a top "
          "round at a wrong rate", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
          "it is the exact motion, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
@@ -117,9 +117,9 @@ inline const std::vector<Choice>& choices() {
          "by " + uneven + " of a radian at most",
          "when steps vary a splitting adds up its errors, and a body thrown about its intermediate axis may be lost", "ch8_cost",
          "Runge-Kutta 4"},
-        {"free", "a body that flies freely, h|ω| at most " + fair, "**ball and remainder 4**, a splitting into a spherical top and a remainder",
+        {"free", "a body that flies freely, h|ω| at most " + fair + ", a constant step", "**ball and remainder 4**, a splitting into a spherical top and a remainder",
          "|L| stays, the energy is bounded, and the body points where it should", "ch8_work", "ball and remainder 4"},
-        {"free_fast", "the same, faster", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
+        {"free_fast", "a body that flies freely, h|ω| above " + fair + ", a constant step", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
          "what is safe at long steps is not accurate there", "ch8_safe", "ball and remainder 4"},
         {"energy", "energy and |L| (L is the angular momentum) kept, whatever else", "the **calm half-step**",
          "to roundoff, at any spin and when steps vary; the orientation is rough", "ch8_fails", "calm half-step"},
