@@ -81,7 +81,7 @@ inline const std::vector<Choice>& choices() {
          "four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",
          "its steps follow the slow part, the fast one dies", "ch6_stiff", "BDF2"},
-        {"swing", "ωh at most " + alive + " in a step (up to " + twice + " in a frame, taken as two substeps), and a constant step: most of a game",
+        {"swing", "ωh at most " + alive + " a step (up to " + twice + " a frame: two substeps), a constant step: most of a game",
          "**semi-implicit Euler**, with the damping at the new velocity",
          "one force a step; its energy oscillates and does not drift, and no damper, however strong, blows it up", "ch3_rule",
          "semi-implicit Euler, new damping"},
@@ -97,7 +97,7 @@ inline const std::vector<Choice>& choices() {
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in the engine ODE)", "it adds no energy and takes a little. (An engine may gain some when ω is changed just before its step; that loss hides it.) "
+         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy and takes a little. (An engine may gain some when ω is changed just before its step; that loss hides it.) "
          "The price: spins fade too soon", "ch8_contacts", "passive"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "**SymmetricInertia**, by passive or the "
          "calm half-step, between the contacts and the turn; on a joint half of it before the joints, half after",
