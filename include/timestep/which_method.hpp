@@ -103,8 +103,8 @@ inline const std::vector<Choice>& choices() {
          "calm half-step, between the contacts and the turn; on a joint half of it before the joints, half after",
          "it turns ω about the axis of the odd moment out, which keeps "
          "energy, |L| and the spin", "ch5_passive", "passive"},
-        {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn; on a joint half of "
-         "it before the joints, half after",
+        {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn (on a joint half of "
+         "it before the joints, half after)",
          "it keeps energy and |L| from one impulse to the next, at any spin and step. All of it after a joint may send a top "
          "round at a wrong rate", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
