@@ -201,10 +201,10 @@ void price(lab::Findings& out) {
     const Fallen &soft = *stiff.front(), &usual = *stiff[2], &hard = *stiff.back();
     const double digit = crossing > 0 ? std::pow(10, std::floor(std::log10(crossing))) : 1;
     out.text("cloth_crossing",
-             crossing > 0               ? "up to some " + words("%.0f", digit * std::round(crossing / digit)) + " steps a frame"
-             : hard.many < hard.factors ? "at all stiffnesses that we tried"
-                                        : "at none of the stiffnesses that we tried",
-             "where explicit steps are cheaper than factorising, to one digit");
+             crossing > 0               ? "up to some " + words("%.0f", digit * std::round(crossing / digit))
+             : hard.many < hard.factors ? "up to " + std::to_string(hard.substeps) + " and more"
+                                        : "below " + std::to_string(soft.substeps) + ", if ever,",
+             "explicit steps a frame that are cheaper than factorising, to one digit");
     const auto rough_wins = [](const Fallen* c) { return c->rough < std::min(c->many, c->factors); };
     const auto first = std::find_if(stiff.begin(), stiff.end(), rough_wins) - stiff.begin();
     out.text("cloth_rough_from", first < 5 ? names[first] + std::string(" N/m") : "beyond 10⁶ N/m",
