@@ -189,6 +189,8 @@ public:
     }
     /// [factorised]
     const Cloth::Sparse& matrix() const { return matrix_; }
+    // The numbers in L: what is computed, whatever their values.
+    Eigen::Index size() const { return solver_.matrixL().nestedExpression().nonZeros(); }
 
 private:
     void fill(const Cloth& cloth, const Tangent& tangent, double h) {

@@ -18,6 +18,8 @@ inline constexpr double alive_turn = 1;
 /// Up to this ωh semi-implicit Euler keeps the energy of a pendulum in the spring's band, let go anywhere up to 3.1 rad, as
 /// chapter 3 has measured. At twice that one let go near its top goes over it.
 inline constexpr double pendulum_turn = 0.5;
+/// Up to this ωh and ζωh Runge–Kutta 4 is right to one percent of the amplitude for four periods, ζ below stiff_decay.
+inline constexpr double precise_turn = 0.45;
 /// Up to this ωh, when taut, we have seen no tether gain a quarter of its energy by semi-implicit Euler, in
 /// 100,000 steps. By twice that one throw in five does, by four times that nine in ten. Nothing proves that none will.
 inline constexpr double tether_turn = 0.125;
@@ -80,8 +82,9 @@ inline const std::vector<Choice>& choices() {
          "; for what is faster or more damped implicit Euler, or implicit midpoint where it must keep its size",
          "within these limits no mixture of step lengths blows them up on a spring; semi-implicit Euler and Verlet may blow up in "
          "a mixture, as chapter 2 shows", "ch6_kicks", "Runge-Kutta 4"},
-        {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**, with ωh and ζωh up to " + alive,
-         "four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
+        {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**",
+         "four forces a step, and an error that falls with the fourth power of the step; with ωh and ζωh up to " + plain(precise_turn) +
+         " one percent holds for four periods", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",
          "its steps follow the slow part, the fast one dies", "ch6_stiff", "BDF2"},
         {"swing", "ωh at most " + alive + " in a constant step: most of a game (where a frame has up to " + twice + ", take two steps a frame)",
@@ -94,22 +97,22 @@ inline const std::vector<Choice>& choices() {
         {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
         {"unseen", "an oscillation faster than the frame that nobody needs to see", "**BDF2**, restarted after each kick",
-         "must it be seen, semi-implicit Euler in substeps of ωh at most " + alive + "; else the fast part dies and the slow one keeps its size; kicked in every frame it would ring: then implicit Euler", "ch6_kicks", "BDF2"},
+         "the fast part dies, the slow one keeps its size. If kicks come in every frame, BDF2 rings: then implicit Euler. Must it be seen, semi-implicit Euler in substeps of ωh at most " + alive, "ch6_kicks", "BDF2"},
         {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in the engine ODE)", "it adds no energy and takes a little, which hides what the engine gains when ω is changed just before its step; "
-         "spins fade too soon", "ch8_contacts", "passive"},
+         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy and takes a little. (An engine may gain some when ω is changed just before its step; that loss hides it.) "
+         "The price: spins fade too soon", "ch8_contacts", "passive"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "**SymmetricInertia**, by passive or the "
          "calm half-step, between the contacts and the turn; on a joint half of it before the joints, half after",
          "it turns ω about the axis of the odd moment out, which keeps "
          "energy, |L| and the spin", "ch5_passive", "passive"},
-        {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn; on a joint half of "
-         "it before the joints, half after",
-         "energy and |L| stay from one impulse to the next, at any spin, with any steps; all of it after a joint may send a top "
+        {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn (on a joint half of "
+         "it before the joints, half after)",
+         "it keeps energy and |L| from one impulse to the next, at any spin and step. All of it after a joint may send a top "
          "round at a wrong rate", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
          "it is the exact motion, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
@@ -121,9 +124,9 @@ inline const std::vector<Choice>& choices() {
          "by " + uneven + " of a radian at most",
          "when steps vary a splitting adds up its errors, and a body thrown about its intermediate axis may be lost", "ch8_cost",
          "Runge-Kutta 4"},
-        {"free", "a body that flies freely, h|ω| at most " + fair, "**ball and remainder 4**, a splitting into a spherical top and a remainder",
+        {"free", "a body that flies freely, h|ω| at most " + fair + ", a constant step", "**ball and remainder 4**, a splitting into a spherical top and a remainder",
          "|L| stays, the energy is bounded, and the body points where it should", "ch8_work", "ball and remainder 4"},
-        {"free_fast", "the same, faster", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
+        {"free_fast", "a body that flies freely, h|ω| above " + fair + ", a constant step", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
          "what is safe at long steps is not accurate there", "ch8_safe", "ball and remainder 4"},
         {"energy", "energy and |L| (L is the angular momentum) kept, whatever else", "the **calm half-step**",
          "to roundoff, at any spin and when steps vary; the orientation is rough", "ch8_fails", "calm half-step"},

@@ -5,7 +5,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 if(LINES)
-  set(table "chapter\tneeds Eigen\tbinary (KB)\tlines that the compiler reads\n")
+  set(table "chapter\tits study needs Eigen\tits program does\tbinary (KB)\tlines that the compiler reads\n")
   foreach(line IN LISTS LINES)
     file(READ "${line}" text)
     string(APPEND table "${text}")
@@ -42,11 +42,16 @@ if(EXISTS "${COMMANDS}")
   endforeach()
 endif()
 set(lines "–")
+set(includes "–")
 find_program(SHELL sh)
 if(command AND SHELL)
   string(REGEX REPLACE " -o .* -c " " -E " preprocess "${command}")
-  execute_process(COMMAND "${SHELL}" -c "${preprocess} | grep -vc -e '^#' -e '^ *$'"
-    WORKING_DIRECTORY "${directory}" OUTPUT_VARIABLE lines OUTPUT_STRIP_TRAILING_WHITESPACE)
+  execute_process(
+    COMMAND "${SHELL}" -c "${preprocess} | awk '/^#/ { if (/[/]Eigen[/]/) eigen = 1; next } NF { ++n } END { print n \" \" (eigen ? \"yes\" : \"no\") }'"
+    WORKING_DIRECTORY "${directory}" OUTPUT_VARIABLE words OUTPUT_STRIP_TRAILING_WHITESPACE)
+  separate_arguments(words)
+  list(GET words 0 lines)
+  list(GET words 1 includes)
 endif()
 
-file(WRITE "${OUT}" "${CHAPTER}\t${eigen}\t${kilobytes}\t${lines}\n")
+file(WRITE "${OUT}" "${CHAPTER}\t${eigen}\t${includes}\t${kilobytes}\t${lines}\n")

@@ -254,6 +254,11 @@ void many_throws(const Settings& settings, lab::Findings& out) {
         if (key == "passive" && arms == plane::Arms::middle)
             out.check("throws_passive", rested == throws && gained == 0,
                       "passive step, arms in the middle: all come to rest and none gains energy");
+        if (key == "passive_after" && arms == plane::Arms::start)
+            out.check("throws_after", rested == throws && gained == 0,
+                      "passive step after the contacts, arms of the start: all come to rest and none gains energy");
+        if (key == "passive_after" && arms == plane::Arms::middle)
+            out.number("throws_both_most", most, "", "most energy, over that at the start, with both cures", 5);
         if (key == "dropped" && arms == plane::Arms::start)
             out.check("throws_dropped", upright > 0 && gained == 0,
                       "dropped: none gains energy, and some stand and spin in the end");
@@ -264,10 +269,13 @@ void many_throws(const Settings& settings, lab::Findings& out) {
             out.check("throws_explicit_" + word, lost_ones > 0,
                       "explicit, arms at the " + word + ": some of the throws blow up");
     };
-    for (const plane::Arms arms : {plane::Arms::start, plane::Arms::middle})
+    const scene::PlaneSolver& after = scene::passive_after_contacts();
+    for (const plane::Arms arms : {plane::Arms::start, plane::Arms::middle}) {
         for (const scene::PlaneSolver& solver : scene::plane_solvers())
             if (solver.key != "converged")
                 run(solver.key, solver.name, solver, arms, settings.step);
+        run(after.key, after.name, after, arms, settings.step);
+    }
     run("fine", "passive, an eighth of the step", scene::plane_solver("passive"), plane::Arms::middle,
         settings.step / 8);
 }

@@ -34,5 +34,6 @@ struct PlaneSolver {
 };
 const std::vector<PlaneSolver>& plane_solvers();          // all, in the order of the course
 const PlaneSolver& plane_solver(const std::string& key);  // explicit, dropped, …, passive
+const PlaneSolver& passive_after_contacts();  // the passive step between the contacts and the turn
 
 }  // namespace scene

@@ -22,8 +22,8 @@ Solver solver_of(const char* key, const Method&) {
 }
 
 template <class Method>
-scene::PlaneSolver on_plane(const char* key, const Method&) {
-    return {key, Method::name,
+scene::PlaneSolver on_plane(const char* key, const Method&, const char* name = Method::name) {
+    return {key, name,
             [](const scene::Pill& body, const plane::Ground& ground, const plane::Motion& m,
                double h, plane::Contacts& contacts) {
                 return plane::step(Method{}, body, ground, m, h, contacts);
@@ -65,6 +65,11 @@ const std::vector<scene::PlaneSolver>& scene::plane_solvers() {
     static const auto list =
         all([](auto key, const auto& method) { return on_plane(key, method); });
     return list;
+}
+const scene::PlaneSolver& scene::passive_after_contacts() {
+    static const auto solver = on_plane("passive_after", plane::AroundContacts<PassiveGyroscopic>{},
+                                        "passive, after the contacts");
+    return solver;
 }
 const scene::PlaneSolver& scene::plane_solver(const std::string& key) {
     return named(key, plane_solvers());
