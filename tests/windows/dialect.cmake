@@ -6,7 +6,7 @@ set(INCLUDE "${ROOT}/include")
 file(GLOB programs "${ROOT}/chapters/*/*.cpp")
 list(FILTER programs EXCLUDE REGEX "/chapters/support/")
 file(GLOB_RECURSE headers RELATIVE "${INCLUDE}" "${INCLUDE}/*.hpp" "${INCLUDE}/timestep/*.h")
-list(REMOVE_ITEM headers timestep/gyroscopic/rules.h timestep/gyroscopic/flying.h)  # which gyroscopic.h includes
+list(REMOVE_ITEM headers timestep/gyroscopic/rules.h timestep/gyroscopic/flying.h timestep/gyroscopic/lanes.h)  # which gyroscopic.h includes
 list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>")
 list(JOIN headers "\n" all)
 file(MAKE_DIRECTORY "${WORK}")
