@@ -3,8 +3,8 @@
 
 // [taken]
 void after_loading(Body* b) {
-    const float* I = b->inverse_moments;
-    b->gyroscopic = gyroscopic_from_inverse_momentsf(I[0], I[1], I[2]);
+    const float* inverse = b->inverse_moments;
+    b->gyroscopic = gyroscopic_from_inverse_momentsf(inverse[0], inverse[1], inverse[2]);
 }
 
 void step(Body* b, float h) {

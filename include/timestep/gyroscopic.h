@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 /// \file
 /// The gyroscopic torque for an engine of any kind: plain functions for C99 and C++, in `float` and `double`. No Eigen,
 /// no exceptions, no templates; nothing is allocated, nothing is kept, and of the standard library there is <math.h>.
@@ -66,18 +67,18 @@ typedef struct gyroscopic_body {
 typedef struct gyroscopic_bodyf {
     /// \cond
     int kind, odd, middle;
-    float unit[3], ratio[3], circling[3], longest;
+    float unit[4], ratio[4], circling[4], longest;  // four, for lanes
     /// \endcond
 } gyroscopic_bodyf;
 
 /// The body with these moments about its axes x, y and z; any unit. Two that differ by at most eight roundoffs are
-/// equal. Takes three cube roots and as many divisions: for loading, not for every step.
+/// equal. Takes three cube roots and some divisions: for loading, not for every step.
 static inline gyroscopic_body gyroscopic_from_moments(double x, double y, double z);
 /// The same of one over each, as engines keep them: zero is a locked axis.
 static inline gyroscopic_body gyroscopic_from_inverse_moments(double x, double y, double z);
 
 /// Is there no gyroscopic torque now: for a ball, a locked axis, a spin about a principal axis? `omega` in the body's
-/// axes. Needs no multiplication. All rules ask it first.
+/// axes. Needs no multiplication. No rule changes ω there.
 static inline int gyroscopic_idle(const gyroscopic_body* body, const double omega[3]);
 
 /// One passive step, `omega` in the body's axes: (I − h [L]) ω₂ = I ω, as ODE has it, solved in closed form. Order one;
@@ -91,7 +92,8 @@ static inline void gyroscopic_passive(const gyroscopic_body* body, double omega[
 static inline void gyroscopic_half_step(const gyroscopic_body* body, double omega[3], double h);
 /// The same in as many equal parts as it takes, 32 at most, and scaled back to the energy that it began with; `omega`
 /// in the body's axes. Order two; energy and |L| stay to roundoff at any spin, in steps of any length. Where 32 parts are not
-/// enough, at h|ω| of about 16, ω circles too slowly.
+/// enough, at h|ω| of about 16, ω circles too slowly. Two equal moments turn in one part, as by gyroscopic_passive(): from a
+/// step's angle of about one radian on too slowly, and from two on less the faster they spin.
 static inline void gyroscopic_calm_half_step(const gyroscopic_body* body, double omega[3], double h);
 
 /// gyroscopic_passive() with `omega` in the world's axes, and the orientation `q`, which stays: the engine turns it.
@@ -187,6 +189,12 @@ static inline float gyroscopic_half_step_limitf(const gyroscopic_bodyf* body, co
 #define TIMESTEP_SMALLEST FLT_MIN
 #define TIMESTEP_LARGEST FLT_MAX
 #define TIMESTEP_TOO_FAST 1e25f
+// Three numbers in a vector of four lanes; not where the processor's own arithmetic has other bits than its vectors.
+#if defined(__GNUC__) && defined(__has_builtin) && (defined(__SSE2_MATH__) || defined(__aarch64__)) && !defined(TIMESTEP_ONE_BY_ONE)
+#if __has_builtin(__builtin_shufflevector)
+#define TIMESTEP_C_LANES
+#endif
+#endif
 #include <timestep/gyroscopic/rules.h>
 #include <timestep/gyroscopic/flying.h>
 #undef TIMESTEP_REAL
@@ -200,4 +208,5 @@ static inline float gyroscopic_half_step_limitf(const gyroscopic_bodyf* body, co
 #undef TIMESTEP_C_INLINE
 #undef TIMESTEP_C_APART
 #undef TIMESTEP_C_ALONE
+#undef TIMESTEP_C_LANES
 /// \endcond

@@ -1,4 +1,5 @@
 #pragma once
+// SPDX-License-Identifier: MIT
 /// \file
 /// Cube root, sine and cosine, the same bits on every machine. For C99 and C++; the library's headers use them by
 /// own_math.hpp.

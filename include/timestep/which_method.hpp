@@ -18,8 +18,8 @@ inline constexpr double alive_turn = 1;
 /// Up to this ωh semi-implicit Euler keeps the energy of a pendulum in the spring's band, let go anywhere up to 3.1 rad, as
 /// chapter 3 has measured. At twice that one let go near its top goes over it.
 inline constexpr double pendulum_turn = 0.5;
-/// Up to this ωh and ζωh Runge–Kutta 4 is right to one percent of the amplitude for four periods, ζ below stiff_decay.
-inline constexpr double precise_turn = 0.45;
+/// Up to this ωh and ζωh Runge–Kutta 4 is right to a percent over four periods, ζ up to stiff_decay.
+inline constexpr double fine_turn = 0.45;
 /// Up to this ωh, when taut, we have seen no tether gain a quarter of its energy by semi-implicit Euler, in
 /// 100,000 steps. By twice that one throw in five does, by four times that nine in ten. Nothing proves that none will.
 inline constexpr double tether_turn = 0.125;
@@ -64,7 +64,7 @@ inline std::string plain(double value) {  // 0.25 and not 0.250000
 /// the first that fits is the answer.
 inline const std::vector<Choice>& choices() {
     using detail::plain;
-    static const std::string alive = plain(alive_turn), twice = plain(2 * alive_turn), fair = plain(fair_turn),
+    static const std::string alive = plain(alive_turn), fine = plain(fine_turn), twice = plain(2 * alive_turn), fair = plain(fair_turn),
                              calm = plain(calm_turn), stiff = plain(stiff_decay),
                              pendulum = plain(pendulum_turn), tether = plain(tether_turn), ended = plain(ended_swing),
                              uneven = "1/" + plain(1 / fair_uneven_turn);
@@ -82,9 +82,8 @@ inline const std::vector<Choice>& choices() {
          "; for what is faster or more damped implicit Euler, or implicit midpoint where it must keep its size",
          "within these limits no mixture of step lengths blows them up on a spring; semi-implicit Euler and Verlet may blow up in "
          "a mixture, as chapter 2 shows", "ch6_kicks", "Runge-Kutta 4"},
-        {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**",
-         "four forces a step, and an error that falls with the fourth power of the step; with ωh and ζωh up to " + plain(precise_turn) +
-         " one percent holds for four periods", "ch7_spring", "Runge-Kutta 4"},
+        {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**, with ωh and ζωh up to " + fine,
+         "a percent over four periods for four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",
          "its steps follow the slow part, the fast one dies", "ch6_stiff", "BDF2"},
         {"swing", "ωh at most " + alive + " in a constant step: most of a game (where a frame has up to " + twice + ", take two steps a frame)",
@@ -110,15 +109,17 @@ inline const std::vector<Choice>& choices() {
          "calm half-step, between the contacts and the turn; on a joint half of it before the joints, half after",
          "it turns ω about the axis of the odd moment out, which keeps "
          "energy, |L| and the spin", "ch5_passive", "passive"},
-        {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn (on a joint half of "
-         "it before the joints, half after)",
-         "it keeps energy and |L| from one impulse to the next, at any spin and step. All of it after a joint may send a top "
-         "round at a wrong rate", "ch8_contacts", "calm half-step"},
+        {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn; on a joint half of "
+         "it before the joints, half after",
+         "energy and |L| stay from one impulse to the next, at any spin, with any steps; all of it after a joint may send a top "
+         "round at a wrong rate. The page In your engine has the place for each engine", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
          "it is the exact motion, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
-        {"many", "bodies by the thousand, h|ω| at most " + calm + ", a constant step",
+        {"many", "bodies by the thousand that fly, h|ω| at most " + calm + ", a constant step",
          "the **half-step Jacobian** (Kahan's discretisation) in SIMD lanes; the faster ones by passive",
          "several bodies in the time of one; the energy is good, but fast ones soon turn at the wrong time", "ch8_many", "half-step Jacobian"},
+        {"energy", "a body that flies, and energy and |L| (L is the angular momentum) must stay before all else", "the **calm half-step**",
+         "to roundoff, at any spin and when steps vary; the orientation is rough", "ch8_fails", "calm half-step"},
         {"free_uneven", "a body that flies freely, in frames of uneven length",
          "a constant step, and ball and remainder 4; where that cannot be, **Runge–Kutta 4**, in substeps that turn "
          "by " + uneven + " of a radian at most",
@@ -128,8 +129,6 @@ inline const std::vector<Choice>& choices() {
          "|L| stays, the energy is bounded, and the body points where it should", "ch8_work", "ball and remainder 4"},
         {"free_fast", "a body that flies freely, h|ω| above " + fair + ", a constant step", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
          "what is safe at long steps is not accurate there", "ch8_safe", "ball and remainder 4"},
-        {"energy", "energy and |L| (L is the angular momentum) kept, whatever else", "the **calm half-step**",
-         "to roundoff, at any spin and when steps vary; the orientation is rough", "ch8_fails", "calm half-step"},
     };
     return all;
 }

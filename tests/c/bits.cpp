@@ -35,6 +35,25 @@ void for_each_throw(unsigned long seed, const Look& look) {
 
 }  // namespace
 
+extern "C" const Callsf callsf_one_by_one;  // compiled without the vectors of lanes.h
+
+TEST_CASE("in C three numbers one by one have the bits that they have in a vector", "[c]") {
+    for_each_throw<float>(1, [&](const auto& I, const auto& three, const Vector3<float>& w, const auto& q, float h) {
+        const float across = I.moments.x(), along = std::min(I.moments.y(), 2 * across);
+        for (const auto& body : {three, of<float>().from_moments(across, along, across), of<float>().from_moments(1, 1, 1)})
+            for (int i = 0; i < 3; ++i) {
+                Vector3<float> lanes = w, single = w;
+                of<float>().rule[i](&body, lanes.data(), h);
+                callsf_one_by_one.rule[i](&body, single.data(), h);
+                REQUIRE(lanes == single);
+                lanes = single = w;
+                of<float>().rule_in_world[i](&body, q.coeffs().data(), lanes.data(), h);
+                callsf_one_by_one.rule_in_world[i](&body, q.coeffs().data(), single.data(), h);
+                REQUIRE(lanes == single);
+            }
+    });
+}
+
 TEMPLATE_TEST_CASE("in C a rule has the library's bits, in the body and in the world", "[c]", float, double) {
     using Vec = Vector3<TestType>;
     int compared = 0;

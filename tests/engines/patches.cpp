@@ -66,14 +66,14 @@ Minute minute(const Engine& engine, double spin, const Vector& axis = Vector(0.0
     return m;
 }
 
-void keeps(const Engine& engine) {
+void keeps(const Engine& engine, double to = 0.02) {
     for (const double spin : {3.0, 10.0, 20.0, 30.0}) {
         const Minute m = minute(engine, spin);
         INFO(engine.name << ", off by " << m.off << ", " << engine.rule << ", " << spin << " rad/s: energy x " << m.energy << ", at most " << m.most);
         CHECK(m.flipped);
         if (spin == 10) CHECK(m.off < 0.03);  // as they are, the engines are off by more: see below
-        CHECK(m.energy > 0.98);
-        CHECK(m.most < 1.02);
+        CHECK(m.energy > 1 - to);
+        CHECK(m.most < 1 + to);
     }
 }
 
@@ -206,7 +206,7 @@ TEST_CASE("Patched, Box3D keeps energy and |L| of a body that may rotate fast, a
 TEST_CASE("Patched, Box3D keeps a box's energy for a minute; as it is, it does not", "[engines]") {
     for (const std::string substeps : {"Box3D, 4 substeps", "Box3D, 1 substep"}) {
         keeps(engine(substeps, "half-step Jacobian, before"));
-        keeps(engine(substeps, "calm, after or in halves"));
+        keeps(engine(substeps, "calm, after or in halves"), 0.001);  // only the change of ω is turned back
         const Minute plain = minute(engine(substeps, "as it is"), 10);
         CHECK(plain.energy < 0.6);
         CHECK(plain.off > 0.03);

@@ -35,7 +35,7 @@ list(FILTER sources EXCLUDE REGEX "/chapters/support/options[.]cpp$")  # the one
 if(PART STREQUAL "programs")
   list(FILTER sources EXCLUDE REGEX "/chapters/support/")
   file(GLOB_RECURSE headers RELATIVE "${include}" "${include}/*.hpp" "${include}/timestep/*.h")
-  list(REMOVE_ITEM headers timestep/gyroscopic/rules.h timestep/gyroscopic/flying.h)  # which gyroscopic.h includes
+  list(REMOVE_ITEM headers timestep/gyroscopic/rules.h timestep/gyroscopic/flying.h timestep/gyroscopic/lanes.h)  # which gyroscopic.h includes
   list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>")
   list(JOIN headers "\n" all)
   file(MAKE_DIRECTORY "${WORK}")

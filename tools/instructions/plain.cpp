@@ -1,11 +1,13 @@
 // Takes a number of gyroscopic steps, in float, with the spin in the world and the orientation at hand, as an engine has
 // them, and prints the last spin: a program for a profiler to count. `plain library calm 1000` takes the library's
 // templates, `plain functions calm 1000` those of gyroscopic.h, and `plain bullet own 1000` Bullet's rule. With
-// `calm_in_body` and so on the spin is in the body's axes.
+// `calm_in_body` and so on the spin is in the body's axes, with `calm_in_double` the numbers are double, with
+// `calm_capsule` two moments are equal.
 
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <type_traits>
 
 #include <timestep/gyroscopic.h>
 #include <timestep/gyroscopic/calm_half_step.hpp>
@@ -19,39 +21,53 @@ namespace {
 
 using namespace timestep;
 
+template <class Inertia>
 struct Body {
-    PrincipalInertia<float> inertia;
-    gyroscopic_bodyf plain;
-    Quaternion<float> q;
-    Vector3<float> omega;
+    using Real = typename Inertia::Scalar;
+    Inertia inertia;
+    std::conditional_t<std::is_same_v<Real, float>, gyroscopic_bodyf, gyroscopic_body> plain;
+    Quaternion<Real> q;
+    Vector3<Real> omega;
 };
 
 // Each in a function that is called, or a compiler may take several bodies at once: an engine's are not so handy.
-template <class Solver>
-[[gnu::noinline]] void library(const Solver& solver, Body& b, float h) {
+template <class Solver, class Inertia, class Real>
+[[gnu::noinline]] void library(const Solver& solver, Body<Inertia>& b, Real h) {
     b.omega = after_gyroscopic_torque(solver, b.inertia, b.q, b.omega, h);
 }
-template <class Solver>
-[[gnu::noinline]] void library_in_body(const Solver& solver, Body& b, float h) {
+template <class Solver, class Inertia, class Real>
+[[gnu::noinline]] void library_in_body(const Solver& solver, Body<Inertia>& b, Real h) {
     b.omega = solver.step(b.inertia, b.omega, h);
 }
-[[gnu::noinline]] void passive_in_body(Body& b, float h) { gyroscopic_passivef(&b.plain, b.omega.data(), h); }
-[[gnu::noinline]] void half_step_in_body(Body& b, float h) { gyroscopic_half_stepf(&b.plain, b.omega.data(), h); }
-[[gnu::noinline]] void calm_in_body(Body& b, float h) { gyroscopic_calm_half_stepf(&b.plain, b.omega.data(), h); }
-[[gnu::noinline]] void passive(Body& b, float h) {
-    gyroscopic_passive_in_worldf(&b.plain, b.q.coeffs().data(), b.omega.data(), h);
+// gyroscopic.h's, by whose name a solver goes.
+template <auto rule, class Inertia, class Real>
+[[gnu::noinline]] void functions(Body<Inertia>& b, Real h) {
+    rule(&b.plain, b.q.coeffs().data(), b.omega.data(), h);
 }
-[[gnu::noinline]] void half_step(Body& b, float h) {
-    gyroscopic_half_step_in_worldf(&b.plain, b.q.coeffs().data(), b.omega.data(), h);
-}
-[[gnu::noinline]] void calm(Body& b, float h) {
-    gyroscopic_calm_half_step_in_worldf(&b.plain, b.q.coeffs().data(), b.omega.data(), h);
+template <auto rule, class Inertia, class Real>
+[[gnu::noinline]] void functions_in_body(Body<Inertia>& b, Real h) {
+    rule(&b.plain, b.omega.data(), h);
 }
 
-template <class Step>
-int print(const Step& step, Body b, long n) {
-    for (long i = 0; i < n; ++i) step(b, 0.001f);
+template <class Inertia, class Step>
+int print(Body<Inertia> b, long n, const Step& step) {
+    const auto h = typename Inertia::Scalar(0.001f) * b.omega.x();  // nor this
+    for (long i = 0; i < n; ++i) step(b, h);
     return std::printf("%.9g %.9g %.9g\n", double(b.omega.x()), double(b.omega.y()), double(b.omega.z())) > 0 ? 0 : 1;
+}
+
+// Takes the rule of that name, or gives back −1. `in_body` and `in_world` are gyroscopic.h's.
+template <auto in_body, auto in_world, class Solver, class Inertia>
+int take(const std::string& name, const Solver& solver, const Body<Inertia>& b, const std::string& whose, const std::string& rule,
+         long n) {
+    using Real = typename Inertia::Scalar;
+    if (whose == "library" && rule == name) return print(b, n, [&](auto& body, Real h) { library(solver, body, h); });
+    if (whose == "functions" && rule == name) return print(b, n, [](auto& body, Real h) { functions<in_world>(body, h); });
+    if (whose == "library" && rule == name + "_in_body")
+        return print(b, n, [&](auto& body, Real h) { library_in_body(solver, body, h); });
+    if (whose == "functions" && rule == name + "_in_body")
+        return print(b, n, [](auto& body, Real h) { functions_in_body<in_body>(body, h); });
+    return -1;
 }
 
 }  // namespace
@@ -61,28 +77,22 @@ int main(int argc, char** argv) {
     const std::string whose = argv[1], rule = argv[2];
     const long n = std::atol(argv[3]);
     const float size = float(argc) - 3;  // which the compiler does not know
-    const Body b{{size, 2, 2.5f}, gyroscopic_from_momentsf(size, 2, 2.5f),
-                 Quaternion<float>(size, 2, 3, 4).normalized(), {size, 2, 3}};
-    const auto by = [&](const auto& solver) {
-        return print([&](Body& body, float h) { library(solver, body, h); }, b, n);
-    };
-    const auto by_in_body = [&](const auto& solver) {
-        return print([&](Body& body, float h) { library_in_body(solver, body, h); }, b, n);
-    };
-    if (whose == "library" && rule == "passive_in_body") return by_in_body(passive_gyroscopic);
-    if (whose == "library" && rule == "half_step_in_body") return by_in_body(half_step_jacobian);
-    if (whose == "library" && rule == "calm_in_body") return by_in_body(calm_half_step);
-    if (whose == "functions" && rule == "passive_in_body") return print(passive_in_body, b, n);
-    if (whose == "functions" && rule == "half_step_in_body") return print(half_step_in_body, b, n);
-    if (whose == "functions" && rule == "calm_in_body") return print(calm_in_body, b, n);
-    if (whose == "library" && rule == "passive") return by(passive_gyroscopic);
-    if (whose == "library" && rule == "half_step") return by(half_step_jacobian);
-    if (whose == "library" && rule == "calm") return by(calm_half_step);
-    if (whose == "functions" && rule == "passive") return print(passive, b, n);
-    if (whose == "functions" && rule == "half_step") return print(half_step, b, n);
-    if (whose == "functions" && rule == "calm") return print(calm, b, n);
-    if (whose == "functions" && rule == "ball")
-        return print(calm, {b.inertia, gyroscopic_from_momentsf(size, size, size), b.q, b.omega}, n);
+    const Quaternion<float> q = Quaternion<float>(size, 2, 3, 4).normalized();
+    const Body<PrincipalInertia<float>> b{{size, 2, 2.5f}, gyroscopic_from_momentsf(size, 2, 2.5f), q, {size, 2, 3}};
+    const Body<PrincipalInertia<double>> d{{size, 2, 2.5}, gyroscopic_from_moments(size, 2, 2.5), q.cast<double>(), {size, 2, 3}};
+    const Body<SymmetricInertia<float>> capsule{{2, size}, gyroscopic_from_momentsf(2, 2, size), q, {size, 2, 3}};
+    auto ball = b;
+    ball.plain = gyroscopic_from_momentsf(size, size, size);
+    for (const int status : {
+             take<gyroscopic_passivef, gyroscopic_passive_in_worldf>("passive", passive_gyroscopic, b, whose, rule, n),
+             take<gyroscopic_half_stepf, gyroscopic_half_step_in_worldf>("half_step", half_step_jacobian, b, whose, rule, n),
+             take<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>("calm", calm_half_step, b, whose, rule, n),
+             take<gyroscopic_passive, gyroscopic_passive_in_world>("passive_in_double", passive_gyroscopic, d, whose, rule, n),
+             take<gyroscopic_half_step, gyroscopic_half_step_in_world>("half_step_in_double", half_step_jacobian, d, whose, rule, n),
+             take<gyroscopic_calm_half_step, gyroscopic_calm_half_step_in_world>("calm_in_double", calm_half_step, d, whose, rule, n),
+             take<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>("calm_capsule", calm_half_step, capsule, whose, rule, n),
+             take<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>("ball", calm_half_step, ball, whose, rule, n)})
+        if (status >= 0) return status;
 #ifdef TIMESTEP_WITH_BULLET
     if (whose == "bullet") {
         btRigidBody body(10, nullptr, nullptr, btVector3(btScalar(size), 2, btScalar(2.5)));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// \file
 /// What stands behind gyroscopic.h, for one kind of real number: the body that flies. As rules.h, it is included there
 /// twice. The formulas are explained in axis_spin.hpp and symmetric_remainder.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// \file
 /// What stands behind gyroscopic.h, for one kind of real number: bodies, rules for ω, limits. gyroscopic.h includes it
 /// twice, with TIMESTEP_REAL float and double; nobody else does. Each formula is explained where the library has it: in
@@ -106,7 +107,9 @@ TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_symmetric)(const TIMESTEP_BODY* bo
     w[j] = y;
 }
 
-TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_passive)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3], TIMESTEP_REAL h) {
+// What it gives back is zero about a principal axis, and where the step divides by infinity and makes nothing of ω.
+TIMESTEP_C_INLINE TIMESTEP_REAL TIMESTEP_NAME(timestep_passive)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
+                                                               TIMESTEP_REAL h) {
     const TIMESTEP_REAL* U = body->unit;
     const TIMESTEP_REAL a0 = h * body->ratio[0], a1 = h * body->ratio[1], a2 = h * body->ratio[2];
     const TIMESTEP_REAL l0 = h * (U[0] * w[0]), l1 = h * (U[1] * w[1]), l2 = h * (U[2] * w[2]);
@@ -116,6 +119,7 @@ TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_passive)(const TIMESTEP_BODY* body
     w[0] = share * x - a0 * y * (share * z) + l_l * U[0] * (share * x);
     w[1] = share * y - a1 * z * (share * x) + l_l * U[1] * (share * y);
     w[2] = share * z - a2 * x * (share * y) + l_l * U[2] * (share * z);
+    return a0 * y * (share * x);
 }
 
 // With `singular` equations that have no solution leave ω as it is; without, they give what is no number.
@@ -135,6 +139,12 @@ TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_half_step)(const TIMESTEP_BODY* bo
     w[0] = x - share * (r0 * bc0 + (r1 * bc1 + r2 * bc2));
     w[1] = y - share * (r0 * ca0 + (r1 * ca1 + r2 * ca2));
     w[2] = z - share * (r0 * ab0 + (r1 * ab1 + r2 * ab2));
+}
+
+// Neither infinite nor no number? (Or their sum is: then the long way finds out.)
+TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_finite)(TIMESTEP_REAL x, TIMESTEP_REAL y, TIMESTEP_REAL z) {
+    const TIMESTEP_REAL sum = x + y + z, zero = sum - sum;
+    return zero == zero;
 }
 
 TIMESTEP_C_INLINE TIMESTEP_REAL TIMESTEP_NAME(timestep_energy)(const TIMESTEP_BODY* body, const TIMESTEP_REAL w[3],
@@ -175,8 +185,8 @@ TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_calm_half_step)(const TIMESTEP_BOD
 
 // The long way, for any numbers. (No pointer to a function for the rule: some compilers then cannot inline what they are
 // told to.) Has ω changed?
-TIMESTEP_C_APART int TIMESTEP_NAME(timestep_take_with_care)(int rule, const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
-                                                          TIMESTEP_REAL h) {
+TIMESTEP_C_APART int TIMESTEP_NAME(timestep_take_with_care)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3], TIMESTEP_REAL h,
+                                                          int rule) {
     TIMESTEP_REAL c;
     if (h == 0 || TIMESTEP_NAME(gyroscopic_idle)(body, w)) return 0;
     c = TIMESTEP_NAME(timestep_tame)(body, w, h) ? 1 : TIMESTEP_NAME(timestep_taming)(body, w, &h);
@@ -193,20 +203,36 @@ TIMESTEP_C_APART int TIMESTEP_NAME(timestep_take_with_care)(int rule, const TIME
     return 1;
 }
 
-// A rule with all that every rule asks before and after. Was that enough?
+// A rule with all that every rule asks before and after.
 //
-// The short way takes its formula and looks whether the result is a number: if no product overflows, it is; and a passive
-// step that divides by infinity makes nothing of ω, or no number. What is asked before is what the formula would round:
-// about a principal axis a half step gives back every bit, and so does the scaling, but the passive step does not.
+// The short way takes its formula and looks whether the result is a number: if no product overflows, it is. About a
+// principal axis most give back every bit, and so does the scaling; the passive step of three moments does not, so there
+// it is asked for the product of two numbers of ω that it has made on its way.
+
+// Where that was not enough, and for two equal moments. Has ω changed?
+TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_take_else)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3], TIMESTEP_REAL h,
+                                                       int rule) {
+    if (body->kind == 1) {
+        TIMESTEP_REAL turned[3];
+        turned[0] = w[0], turned[1] = w[1], turned[2] = w[2];
+        TIMESTEP_NAME(timestep_symmetric)(body, turned, h);
+        if (TIMESTEP_NAME(timestep_finite)(turned[0], turned[1], turned[2])) {
+            w[0] = turned[0], w[1] = turned[1], w[2] = turned[2];
+            return 1;
+        }
+    }
+    return TIMESTEP_NAME(timestep_take_with_care)(body, w, h, rule);
+}
+#ifdef TIMESTEP_C_LANES
+#include <timestep/gyroscopic/lanes.h>
+#else
 TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_take_short)(int rule, const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
                                                         TIMESTEP_REAL h) {
-    TIMESTEP_REAL before[3], size;
+    TIMESTEP_REAL before[3], idle = 1;
     before[0] = w[0], before[1] = w[1], before[2] = w[2];
-    if (body->kind != 2) return 0;
-    if (rule == 0) {
-        if (w[0] * w[1] == 0 && TIMESTEP_NAME(timestep_on_axis)(w)) return 0;
-        TIMESTEP_NAME(timestep_passive)(body, w, h);
-    } else {
+    if (rule == 0)
+        idle = TIMESTEP_NAME(timestep_passive)(body, w, h);
+    else {
         if (rule == 2 && !(TIMESTEP_NAME(timestep_circled2)(body, w, h) <= TIMESTEP_NUMBER(0.25))) return 0;
         TIMESTEP_NAME(timestep_half_step)(body, w, h, 0);
         if (rule == 2) TIMESTEP_NAME(timestep_scale_back)(body, before, w, h);
@@ -214,17 +240,20 @@ TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_take_short)(int rule, const TIMESTE
     TIMESTEP_C_ALONE(w[0]);
     TIMESTEP_C_ALONE(w[1]);
     TIMESTEP_C_ALONE(w[2]);
-    size = TIMESTEP_NAME(fabs)(w[0] + w[1] + w[2]);
-    return size <= TIMESTEP_LARGEST && (rule != 0 || size > 0);
+    return TIMESTEP_NAME(timestep_finite)(w[0], w[1], w[2]) && idle != 0;
 }
 TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_take)(int rule, const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3],
                                                    TIMESTEP_REAL h) {
-    TIMESTEP_REAL w[3];
-    w[0] = omega[0], w[1] = omega[1], w[2] = omega[2];
-    if (TIMESTEP_NAME(timestep_take_short)(rule, body, w, h))
-        omega[0] = w[0], omega[1] = w[1], omega[2] = w[2];
-    else if (body->kind != 0)
-        TIMESTEP_NAME(timestep_take_with_care)(rule, body, omega, h);
+    if (body->kind == 0) return;
+    if (body->kind == 2) {
+        TIMESTEP_REAL w[3];
+        w[0] = omega[0], w[1] = omega[1], w[2] = omega[2];
+        if (TIMESTEP_NAME(timestep_take_short)(rule, body, w, h)) {
+            omega[0] = w[0], omega[1] = w[1], omega[2] = w[2];
+            return;
+        }
+    }
+    TIMESTEP_NAME(timestep_take_else)(body, omega, h, rule);
 }
 
 // Rounded, R is no exact rotation: only the change of ω goes back through it (after_gyroscopic_torque()).
@@ -246,10 +275,10 @@ TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_take_in_world)(int rule, const TIM
     TIMESTEP_C_ALONE(y);
     TIMESTEP_C_ALONE(z);
     w[0] = x, w[1] = y, w[2] = z;
-    if (!TIMESTEP_NAME(timestep_take_short)(rule, body, w, h)) {
+    if (body->kind != 2 || !TIMESTEP_NAME(timestep_take_short)(rule, body, w, h)) {
         TIMESTEP_REAL slow[3];  // w stays in registers, as nobody else is told where it is
         slow[0] = x, slow[1] = y, slow[2] = z;
-        if (!TIMESTEP_NAME(timestep_take_with_care)(rule, body, slow, h)) return;
+        if (!TIMESTEP_NAME(timestep_take_else)(body, slow, h, rule)) return;
         w[0] = slow[0], w[1] = slow[1], w[2] = slow[2];
     }
     x = w[0] - x, y = w[1] - y, z = w[2] - z;
@@ -261,6 +290,7 @@ TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_take_in_world)(int rule, const TIM
     TIMESTEP_C_ALONE(w[2]);
     omega[0] = w[0], omega[1] = w[1], omega[2] = w[2];
 }
+#endif
 
 static inline void TIMESTEP_NAME(gyroscopic_passive)(const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
     TIMESTEP_NAME(timestep_take)(0, body, omega, h);
@@ -297,9 +327,9 @@ static inline TIMESTEP_REAL TIMESTEP_NAME(gyroscopic_fastest)(const TIMESTEP_BOD
     return size * TIMESTEP_NAME(sqrt)(x + y + z + body->circling[r] * (n[r] * n[r]));
 }
 
-// The half-step Jacobian's determinant is 1 − h² p/4 with p = c_r ω_r², of which the curve's largest value is
-// p + min(c_i ω_i², c_j ω_j²). Where h² times that is at most ¼ the determinant is 15/16 or more, and as the step keeps
-// the energy over it, the energy is at most 16/15 of the first.
+// The half-step Jacobian keeps the energy over Δ, its determinant for the component about the intermediate axis alone:
+// Δ = 1 − h² p/4 with p = c_r ω_r², of which the curve's largest value is p + min(c_i ω_i², c_j ω_j²). Where h² times
+// that is at most ¼, Δ is 15/16 or more, and the energy at most 16/15 of the first.
 static inline TIMESTEP_REAL TIMESTEP_NAME(gyroscopic_half_step_limit)(const TIMESTEP_BODY* body,
                                                                       const TIMESTEP_REAL omega[3]) {
     const int r = body->middle, i = (r + 1) % 3, j = (r + 2) % 3;

@@ -136,6 +136,6 @@ void timestep_engines(std::vector<engines::Engine>& engines) {
                                return std::make_unique<engines::JoltWorld>(wanted, gyroscopic);
                            }});
     };
-    if (std::string(ENGINE_RULE) == "as it is") enter("without, as by default", false);
+    if (std::string(ENGINE_RULE) == "as it is") enter("without its rule", false);
     enter(ENGINE_RULE, true);
 }
