@@ -11,6 +11,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "self_test.hpp"
@@ -46,13 +47,19 @@ void test(const std::string& exercise, std::uint64_t seeds) {
     for (const auto& [name, answer] : all.correct)
         for (std::uint64_t seed = 1; seed <= seeds; ++seed)
             expect(name, seed, session().check(exercise, answer, seed), Kind::pass, "");
+    std::size_t messages = 0, short_ones = 0;
     for (const auto& [name, made] : mistakes_of(exercise))
-        for (std::uint64_t seed = 1; seed <= seeds / 10; ++seed)
-            expect(name, seed, session().check(exercise, made.answer, seed), Kind::wrong, name);
+        for (std::uint64_t seed = 1; seed <= seeds / 10; ++seed) {
+            const Verdict verdict = session().check(exercise, made.answer, seed);
+            expect(name, seed, verdict, Kind::wrong, name);
+            ++messages, short_ones += long_numbers(verdict.arguments) == 0;
+            if (std::getenv("SHOW")) std::printf("SHOW %s %s %d: %s | %s%s | %s\n", exercise.c_str(), name.c_str(), long_numbers(verdict.arguments) == 0, verdict.property.substr(0,60).c_str(), exercise.c_str(), verdict.arguments.c_str(), verdict.result.c_str());
+        }
     const auto print = [](std::uint64_t number) { return static_cast<unsigned long long>(number); };
     std::printf("%s: %zu right answers, %llu seeds each; %zu mistakes, %llu seeds each\n",
                 exercise.c_str(), all.correct.size(), print(seeds), mistakes_of(exercise).size(),
                 print(seeds / 10));
+    std::printf("%s: %zu of %zu messages show a call without a number of more than four digits\n", exercise.c_str(), short_ones, messages);
 }
 
 // Does the slip ever leave its vectors, or not end? Then no worker would bring its answers to the tests.
