@@ -53,7 +53,8 @@ double Draw::log(double low, double high) {
     const double least = std::ceil(std::log10(low)), most = std::floor(std::log10(high));
     if (roundest_ && least <= most) {  // rather near one
         const double power = power_of_ten(std::clamp(std::round(std::log10(drawn) * share()), least, most));
-        for (const double one : {power * (coarse_ ? 1 : 1 + choice(2) + 3 * choice(2)), power})  // 1, 2, 4, 5
+        constexpr double first[] = {1, 2, 5, 4, 1.5, 2.5};  // a power of ten may not be what a property looks for
+        for (const double one : {power * (coarse_ && simple_ > 9'000 ? 1 : first[choice(6)]), power})
             if (one >= low && one < high) return one;
     }
     const double power = std::pow(10, std::floor(std::log10(drawn)));

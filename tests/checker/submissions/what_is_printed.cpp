@@ -65,7 +65,7 @@ double velocity_now(double x0, double x1, double x2, double h) {
 #include <cstdio>
 
 double velocity_now(double, double, double, double) {
-    for (int i = 0; i < 20'000; ++i) std::putchar('<');
+    for (int i = 0; i < 2'000; ++i) std::putchar('<');
     return 0;
 }
 
