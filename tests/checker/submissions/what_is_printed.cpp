@@ -59,7 +59,7 @@ double velocity_now(double x0, double x1, double x2, double h) {
 }
 
 // ---- prints one line without end
-// velocity_now wrong: <<<<<<… The same
+// velocity_now wrong: <<<<<<…
 #include "exercise.hpp"
 
 #include <cstdio>
