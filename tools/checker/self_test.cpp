@@ -11,7 +11,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 
 #include "self_test.hpp"
@@ -53,7 +52,6 @@ void test(const std::string& exercise, std::uint64_t seeds) {
             const Verdict verdict = session().check(exercise, made.answer, seed);
             expect(name, seed, verdict, Kind::wrong, name);
             ++messages, short_ones += long_numbers(verdict.arguments) == 0;
-            if (std::getenv("SHOW")) std::printf("SHOW %s %s %d: %s | %s%s | %s\n", exercise.c_str(), name.c_str(), long_numbers(verdict.arguments) == 0, verdict.property.substr(0,60).c_str(), exercise.c_str(), verdict.arguments.c_str(), verdict.result.c_str());
         }
     const auto print = [](std::uint64_t number) { return static_cast<unsigned long long>(number); };
     std::printf("%s: %zu right answers, %llu seeds each; %zu mistakes, %llu seeds each\n",

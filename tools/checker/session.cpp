@@ -84,7 +84,8 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
     }
     if (verdict_.kind == Kind::wrong || verdict_.kind == Kind::not_finite)
         verdict_.misconception = diagnose(exercise, truth_, calls_);
-    if ((verdict_.kind == Kind::wrong && !ended_) || verdict_.kind == Kind::not_finite) find_simplest(all_hold ? first_wrong_in_ : verdict_.property);
+    const bool has_failed = (verdict_.kind == Kind::wrong && !ended_) || verdict_.kind == Kind::not_finite;
+    if (has_failed && spoken_ && truth_.answer) find_simplest(all_hold ? first_wrong_in_ : verdict_.property);
     tell_call();
     return verdict_;
 }

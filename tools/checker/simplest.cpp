@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "session.hpp"
 
@@ -101,7 +100,6 @@ void Session::find_simplest(const std::string& property) {
     };
     if (all_hold) take_wrong(calls_);
     std::size_t left = std::max<std::size_t>(calls_.size(), 200);
-    if (std::getenv("NOSHRINK")) return;
     for (unsigned stream = 1; stream <= streams; ++stream) {
         const Search found = searched(property, answer_, stream, left);
         if (found.is_over) return;
