@@ -1,5 +1,5 @@
 // Tests the tests of one exercise: what is not started, what is right and what is wrong must be
-// told apart, whatever the seed.
+// told apart, whatever the seed; and of what is told of the mistakes, half must be worked out easily.
 //
 //     self_test EXERCISE SEEDS
 //     self_test EXERCISE slips
@@ -57,7 +57,11 @@ void test(const std::string& exercise, std::uint64_t seeds) {
     std::printf("%s: %zu right answers, %llu seeds each; %zu mistakes, %llu seeds each\n",
                 exercise.c_str(), all.correct.size(), print(seeds), mistakes_of(exercise).size(),
                 print(seeds / 10));
-    std::printf("%s: %zu of %zu messages show a call without a number of more than four digits\n", exercise.c_str(), short_ones, messages);
+    // One exercise's properties are of whole runs, and what is wrong is seen at the end of one.
+    const bool can_be_short = exercise != "fourth_order_leapfrog", are_short = 2 * short_ones >= messages;
+    if (can_be_short && !are_short) ++failures;
+    std::printf("%s: %zu of %zu messages show a call without a number of more than four digits%s\n", exercise.c_str(), short_ones, messages,
+                can_be_short && !are_short ? ": must be half of them" : "");
 }
 
 // Does the slip ever leave its vectors, or not end? Then no worker would bring its answers to the tests.
