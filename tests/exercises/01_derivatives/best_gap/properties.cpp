@@ -57,7 +57,7 @@ PROPERTY("no other number of frames has a smaller worst error") {
     Draw draw;
     for (int i = 0; i < 200; ++i) {
         // Just below three, two mistakes differ that give half the gap: rounded 1, weighed 2.
-        const Throw ball(draw, i % 10 == 0 ? draw.real(2.9, 2.99) : draw.log(0.5, 30));
+        const Throw ball(draw, i % 10 == 0 && !draw.is_roundest() ? draw.real(2.9, 2.99) : draw.log(0.5, 30));
         const int most = draw.integer(30, 60);
         REQUIRE(ball.is_best(ball.answer(most), most));
     }
