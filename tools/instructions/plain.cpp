@@ -1,5 +1,5 @@
 // Takes a number of gyroscopic steps, in float, with the spin in the world and the orientation at hand, as an engine has
-// them, and prints the last spin: a program for a profiler to count. `plain library calm 1000` takes the library's
+// them, by one rule or by several, one after the other: a program for a profiler to count. `plain library calm 1000` takes the library's
 // templates, `plain functions calm 1000` those of gyroscopic.h, and `plain bullet own 1000` Bullet's rule. With
 // `calm_in_body` and so on the spin is in the body's axes.
 
@@ -10,6 +10,8 @@
 #include <timestep/gyroscopic.h>
 #include <timestep/gyroscopic/calm_half_step.hpp>
 #include <timestep/rigid/body.hpp>
+
+#include "count.hpp"
 
 #ifdef TIMESTEP_WITH_BULLET
 #include <BulletDynamics/Dynamics/btRigidBody.h>
@@ -49,40 +51,35 @@ template <class Solver>
 }
 
 template <class Step>
-int print(const Step& step, Body b, long n) {
+void keep(const Step& step, Body b, long n) {
     for (long i = 0; i < n; ++i) step(b, 0.001f);
-    return std::printf("%.9g %.9g %.9g\n", double(b.omega.x()), double(b.omega.y()), double(b.omega.z())) > 0 ? 0 : 1;
+    kept = double(b.omega.sum());
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    if (argc != 4) return std::fputs("plain: usage: plain WHOSE RULE COUNT\n", stderr), 2;
-    const std::string whose = argv[1], rule = argv[2];
-    const long n = std::atol(argv[3]);
-    const float size = float(argc) - 3;  // which the compiler does not know
+void take(const std::string& whose, const std::string& rule, long n) {
+    const float size = float(unknown_one);
     const Body b{{size, 2, 2.5f}, gyroscopic_from_momentsf(size, 2, 2.5f),
                  Quaternion<float>(size, 2, 3, 4).normalized(), {size, 2, 3}};
     const auto by = [&](const auto& solver) {
-        return print([&](Body& body, float h) { library(solver, body, h); }, b, n);
+        return keep([&](Body& body, float h) { library(solver, body, h); }, b, n);
     };
     const auto by_in_body = [&](const auto& solver) {
-        return print([&](Body& body, float h) { library_in_body(solver, body, h); }, b, n);
+        return keep([&](Body& body, float h) { library_in_body(solver, body, h); }, b, n);
     };
     if (whose == "library" && rule == "passive_in_body") return by_in_body(passive_gyroscopic);
     if (whose == "library" && rule == "half_step_in_body") return by_in_body(half_step_jacobian);
     if (whose == "library" && rule == "calm_in_body") return by_in_body(calm_half_step);
-    if (whose == "functions" && rule == "passive_in_body") return print(passive_in_body, b, n);
-    if (whose == "functions" && rule == "half_step_in_body") return print(half_step_in_body, b, n);
-    if (whose == "functions" && rule == "calm_in_body") return print(calm_in_body, b, n);
+    if (whose == "functions" && rule == "passive_in_body") return keep(passive_in_body, b, n);
+    if (whose == "functions" && rule == "half_step_in_body") return keep(half_step_in_body, b, n);
+    if (whose == "functions" && rule == "calm_in_body") return keep(calm_in_body, b, n);
     if (whose == "library" && rule == "passive") return by(passive_gyroscopic);
     if (whose == "library" && rule == "half_step") return by(half_step_jacobian);
     if (whose == "library" && rule == "calm") return by(calm_half_step);
-    if (whose == "functions" && rule == "passive") return print(passive, b, n);
-    if (whose == "functions" && rule == "half_step") return print(half_step, b, n);
-    if (whose == "functions" && rule == "calm") return print(calm, b, n);
+    if (whose == "functions" && rule == "passive") return keep(passive, b, n);
+    if (whose == "functions" && rule == "half_step") return keep(half_step, b, n);
+    if (whose == "functions" && rule == "calm") return keep(calm, b, n);
     if (whose == "functions" && rule == "ball")
-        return print(calm, {b.inertia, gyroscopic_from_momentsf(size, size, size), b.q, b.omega}, n);
+        return keep(calm, {b.inertia, gyroscopic_from_momentsf(size, size, size), b.q, b.omega}, n);
 #ifdef TIMESTEP_WITH_BULLET
     if (whose == "bullet") {
         btRigidBody body(10, nullptr, nullptr, btVector3(btScalar(size), 2, btScalar(2.5)));
@@ -91,8 +88,16 @@ int main(int argc, char** argv) {
         body.setAngularVelocity(btVector3(btScalar(size), 2, 3));
         for (long i = 0; i < n; ++i)
             body.setAngularVelocity(body.getAngularVelocity() + body.computeGyroscopicImpulseImplicit_Body(btScalar(0.001)));
-        return std::printf("%.9g\n", double(body.getAngularVelocity().x())) > 0 ? 0 : 1;
+        kept = double(body.getAngularVelocity().x());
+        return;
     }
 #endif
-    return std::fprintf(stderr, "plain: %s %s: no such step\n", argv[1], argv[2]), 2;
+    std::exit((std::fprintf(stderr, "plain: %s %s: no such step\n", whose.c_str(), rule.c_str()), 2));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto one = [](char** words, long n) { take(words[0], words[1], n); };
+    if (!count_all(argc, argv, 2, one)) return std::fputs("plain: usage: plain WHOSE RULE COUNT ...\n", stderr), 2;
 }
