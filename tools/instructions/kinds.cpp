@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "count.hpp"
 #include "mixed.hpp"
 
 namespace {
@@ -31,12 +32,7 @@ void step(Crowd crowd, const Scene& scene, const std::string& kind, long count) 
     step(crowd, scene, count / 64);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    if (argc != 4) return std::fputs("kinds: usage: kinds WAY ball|capsule|box COUNT\n", stderr), 2;
-    const std::string way = argv[1], kind = argv[2];
-    const long n = std::atol(argv[3]);
+void take(const std::string& way, const std::string& kind, long n) {
     if (way == "sorted")
         step(mixed::Sorted(), scene, kind, n);
     else if (way == "no_torque")
@@ -48,5 +44,13 @@ int main(int argc, char** argv) {
     else if (way == "alike")
         step(mixed::Alike(), scene, kind, n);
     else
-        return std::fprintf(stderr, "kinds: %s: no such way\n", way.c_str()), 2;
+        std::exit((std::fprintf(stderr, "kinds: %s: no such way\n", way.c_str()), 2));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto one = [](char** words, long n) { take(words[0], words[1], n); };
+    if (!count_all(argc, argv, 2, one))
+        return std::fputs("kinds: usage: kinds WAY ball|capsule|box COUNT ...\n", stderr), 2;
 }

@@ -1,5 +1,5 @@
 // Takes a number of gyroscopic steps, in float, with the spin in the world and the orientation at hand, as an engine has
-// them, and prints the last spin: a program for a profiler to count. `plain library calm 1000` takes the library's
+// them, by one rule or by several, one after the other: a program for a profiler to count. `plain library calm 1000` takes the library's
 // templates, `plain functions calm 1000` those of gyroscopic.h, and `plain bullet own 1000` Bullet's rule. With
 // `calm_in_body` and so on the spin is in the body's axes, with `calm_in_double` the numbers are double, with
 // `calm_capsule` two moments are equal.
@@ -12,6 +12,8 @@
 #include <timestep/gyroscopic.h>
 #include <timestep/gyroscopic/calm_half_step.hpp>
 #include <timestep/rigid/body.hpp>
+
+#include "count.hpp"
 
 #ifdef TIMESTEP_WITH_BULLET
 #include <BulletDynamics/Dynamics/btRigidBody.h>
@@ -50,49 +52,42 @@ template <auto rule, class Inertia, class Real>
 }
 
 template <class Inertia, class Step>
-int print(Body<Inertia> b, long n, const Step& step) {
+bool keep(Body<Inertia> b, long n, const Step& step) {
     const auto h = typename Inertia::Scalar(0.001f) * b.omega.x();  // nor this
     for (long i = 0; i < n; ++i) step(b, h);
-    return std::printf("%.9g %.9g %.9g\n", double(b.omega.x()), double(b.omega.y()), double(b.omega.z())) > 0 ? 0 : 1;
+    kept = double(b.omega.sum());
+    return true;
 }
 
-// Takes the rule of that name, or gives back −1. `in_body` and `in_world` are gyroscopic.h's.
+// Takes the rule of that name, if it is this one. `in_body` and `in_world` are gyroscopic.h's.
 template <auto in_body, auto in_world, class Solver, class Inertia>
-int take(const std::string& name, const Solver& solver, const Body<Inertia>& b, const std::string& whose, const std::string& rule,
-         long n) {
+bool by(const std::string& name, const Solver& solver, const Body<Inertia>& b, const std::string& whose, const std::string& rule, long n) {
     using Real = typename Inertia::Scalar;
-    if (whose == "library" && rule == name) return print(b, n, [&](auto& body, Real h) { library(solver, body, h); });
-    if (whose == "functions" && rule == name) return print(b, n, [](auto& body, Real h) { functions<in_world>(body, h); });
+    if (whose == "library" && rule == name) return keep(b, n, [&](auto& body, Real h) { library(solver, body, h); });
+    if (whose == "functions" && rule == name) return keep(b, n, [](auto& body, Real h) { functions<in_world>(body, h); });
     if (whose == "library" && rule == name + "_in_body")
-        return print(b, n, [&](auto& body, Real h) { library_in_body(solver, body, h); });
-    if (whose == "functions" && rule == name + "_in_body")
-        return print(b, n, [](auto& body, Real h) { functions_in_body<in_body>(body, h); });
-    return -1;
+        return keep(b, n, [&](auto& body, Real h) { library_in_body(solver, body, h); });
+    return whose == "functions" && rule == name + "_in_body" &&
+           keep(b, n, [](auto& body, Real h) { functions_in_body<in_body>(body, h); });
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    if (argc != 4) return std::fputs("plain: usage: plain WHOSE RULE COUNT\n", stderr), 2;
-    const std::string whose = argv[1], rule = argv[2];
-    const long n = std::atol(argv[3]);
-    const float size = float(argc) - 3;  // which the compiler does not know
+void take(const std::string& whose, const std::string& rule, long n) {
+    const float size = float(unknown_one);
     const Quaternion<float> q = Quaternion<float>(size, 2, 3, 4).normalized();
     const Body<PrincipalInertia<float>> b{{size, 2, 2.5f}, gyroscopic_from_momentsf(size, 2, 2.5f), q, {size, 2, 3}};
     const Body<PrincipalInertia<double>> d{{size, 2, 2.5}, gyroscopic_from_moments(size, 2, 2.5), q.cast<double>(), {size, 2, 3}};
     const Body<SymmetricInertia<float>> capsule{{2, size}, gyroscopic_from_momentsf(2, 2, size), q, {size, 2, 3}};
     auto ball = b;
     ball.plain = gyroscopic_from_momentsf(size, size, size);
-    for (const int status : {
-             take<gyroscopic_passivef, gyroscopic_passive_in_worldf>("passive", passive_gyroscopic, b, whose, rule, n),
-             take<gyroscopic_half_stepf, gyroscopic_half_step_in_worldf>("half_step", half_step_jacobian, b, whose, rule, n),
-             take<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>("calm", calm_half_step, b, whose, rule, n),
-             take<gyroscopic_passive, gyroscopic_passive_in_world>("passive_in_double", passive_gyroscopic, d, whose, rule, n),
-             take<gyroscopic_half_step, gyroscopic_half_step_in_world>("half_step_in_double", half_step_jacobian, d, whose, rule, n),
-             take<gyroscopic_calm_half_step, gyroscopic_calm_half_step_in_world>("calm_in_double", calm_half_step, d, whose, rule, n),
-             take<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>("calm_capsule", calm_half_step, capsule, whose, rule, n),
-             take<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>("ball", calm_half_step, ball, whose, rule, n)})
-        if (status >= 0) return status;
+    if (by<gyroscopic_passivef, gyroscopic_passive_in_worldf>("passive", passive_gyroscopic, b, whose, rule, n) ||
+        by<gyroscopic_half_stepf, gyroscopic_half_step_in_worldf>("half_step", half_step_jacobian, b, whose, rule, n) ||
+        by<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>("calm", calm_half_step, b, whose, rule, n) ||
+        by<gyroscopic_passive, gyroscopic_passive_in_world>("passive_in_double", passive_gyroscopic, d, whose, rule, n) ||
+        by<gyroscopic_half_step, gyroscopic_half_step_in_world>("half_step_in_double", half_step_jacobian, d, whose, rule, n) ||
+        by<gyroscopic_calm_half_step, gyroscopic_calm_half_step_in_world>("calm_in_double", calm_half_step, d, whose, rule, n) ||
+        by<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>("calm_capsule", calm_half_step, capsule, whose, rule, n) ||
+        by<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>("ball", calm_half_step, ball, whose, rule, n))
+        return;
 #ifdef TIMESTEP_WITH_BULLET
     if (whose == "bullet") {
         btRigidBody body(10, nullptr, nullptr, btVector3(btScalar(size), 2, btScalar(2.5)));
@@ -101,8 +96,16 @@ int main(int argc, char** argv) {
         body.setAngularVelocity(btVector3(btScalar(size), 2, 3));
         for (long i = 0; i < n; ++i)
             body.setAngularVelocity(body.getAngularVelocity() + body.computeGyroscopicImpulseImplicit_Body(btScalar(0.001)));
-        return std::printf("%.9g\n", double(body.getAngularVelocity().x())) > 0 ? 0 : 1;
+        kept = double(body.getAngularVelocity().x());
+        return;
     }
 #endif
-    return std::fprintf(stderr, "plain: %s %s: no such step\n", argv[1], argv[2]), 2;
+    std::exit((std::fprintf(stderr, "plain: %s %s: no such step\n", whose.c_str(), rule.c_str()), 2));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto one = [](char** words, long n) { take(words[0], words[1], n); };
+    if (!count_all(argc, argv, 2, one)) return std::fputs("plain: usage: plain WHOSE RULE COUNT ...\n", stderr), 2;
 }

@@ -1,5 +1,5 @@
-// Takes a number of gyroscopic steps of one solver on one kind of inertia and prints the last
-// angular velocity: a program for a profiler to count. `spins passive box 1000`.
+// Takes a number of gyroscopic steps of one solver on one kind of inertia, or of several, one after the other: a program
+// for a profiler to count. `spins passive box 1000`.
 
 #include <cstdio>
 #include <cstdlib>
@@ -10,6 +10,8 @@
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
 #include <timestep/rigid/body.hpp>
 #include <timestep/rigid/shapes.hpp>
+
+#include "count.hpp"
 
 namespace {
 
@@ -39,17 +41,19 @@ Vector3<double> spin(const Solver& solver, const std::string& body, double size,
     std::exit(2);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    if (argc != 4) return std::fputs("spins: usage: spins SOLVER BODY COUNT\n", stderr), 2;
-    const std::string solver = argv[1], body = argv[2];
-    const long n = std::atol(argv[3]);
-    const double size = argc - 3.0;  // which the compiler does not know
+void take(const std::string& solver, const std::string& body, long n) {
+    const double size = unknown_one;
     Vector3<double> omega;
     if (solver == "explicit") omega = spin(explicit_gyroscopic, body, size, n);
     else if (solver == "iteration") omega = spin(implicit_gyroscopic, body, size, n);
     else if (solver == "passive") omega = spin(passive_gyroscopic, body, size, n);
-    else return std::fprintf(stderr, "spins: %s: no such solver\n", solver.c_str()), 2;
-    std::printf("%.17g %.17g %.17g\n", omega.x(), omega.y(), omega.z());
+    else std::exit((std::fprintf(stderr, "spins: %s: no such solver\n", solver.c_str()), 2));
+    kept = omega.sum();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto one = [](char** words, long n) { take(words[0], words[1], n); };
+    if (!count_all(argc, argv, 2, one)) return std::fputs("spins: usage: spins SOLVER BODY COUNT ...\n", stderr), 2;
 }

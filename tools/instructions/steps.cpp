@@ -1,4 +1,4 @@
-// Takes a number of steps with one method and prints the last position: a program for a profiler to
+// Takes a number of steps with one method, or with several, one after the other: a program for a profiler to
 // count. `steps semi_implicit_euler 1000` steps the library, `steps hand_semi_implicit_euler 1000`
 // the same loop written by hand; `steps spring_gravity 1000` steps a scene. The hand-written loops keep no time; nobody reads the library's here, so
 // the compiler drops it too.
@@ -14,6 +14,8 @@
 #include <timestep/models/spring.hpp>
 #include <timestep/run.hpp>
 #include <timestep/scene.hpp>
+
+#include "count.hpp"
 
 namespace {
 
@@ -106,13 +108,8 @@ template <class Model>
     return x;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    if (argc != 3) return std::fputs("steps: usage: steps METHOD COUNT\n", stderr), 2;
-    const char* what = argv[1];
-    const long n = std::atol(argv[2]);
-    const double x = argc - 2.0, v = 0;  // a start that the compiler does not know
+void take(const char* what, long n) {
+    const double x = unknown_one, v = 0;
     double end = 0;
     if (!std::strcmp(what, "hand_explicit_euler")) end = explicit_by_hand(x, v, n);
     else if (!std::strcmp(what, "hand_semi_implicit_euler")) end = semi_implicit_by_hand(x, v, n);
@@ -133,6 +130,13 @@ int main(int argc, char** argv) {
         end = scene_by_library(Scene{DampedSpring(omega, zeta), Projectile(-g)}, x, v, n);
     else if (!std::strcmp(what, "spring_damper_gravity_drag"))
         end = scene_by_library(Scene{DampedSpring(omega, zeta), Projectile(-g), Drag(drag)}, x, v, n);
-    else return std::fprintf(stderr, "steps: %s: no such method\n", what), 2;
-    std::printf("%.17g\n", end);
+    else std::exit((std::fprintf(stderr, "steps: %s: no such method\n", what), 2));
+    kept = end;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto one = [](char** words, long n) { take(words[0], n); };
+    if (!count_all(argc, argv, 1, one)) return std::fputs("steps: usage: steps METHOD COUNT ...\n", stderr), 2;
 }

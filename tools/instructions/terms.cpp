@@ -1,4 +1,4 @@
-// Takes a number of steps in a scene and prints where it ends: a program for a profiler to count.
+// Takes a number of steps in a scene, or in several, one after the other: a program for a profiler to count.
 // `terms drag with 1000` steps a scene that names its drag, `terms drag without 1000` the same
 // scene without it, and `terms drag hand 1000` a loop written by hand that has never heard of it.
 
@@ -19,6 +19,8 @@
 #include <timestep/rope.hpp>
 #include <timestep/run.hpp>
 #include <timestep/scene.hpp>
+
+#include "count.hpp"
 
 namespace {
 
@@ -150,14 +152,8 @@ double one_of(const std::string& way, const With& with, const Without& without, 
     std::exit(2);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    if (argc != 4)
-        return std::fputs("terms: usage: terms TERM with|without|hand COUNT\n", stderr), 2;
-    const std::string term = argv[1], way = argv[2];
-    const long n = std::atol(argv[3]);
-    const double one = argc - 3.0;  // which the compiler does not know
+void take(const std::string& term, const std::string& way, long n) {
+    const double one = unknown_one;
 
     const Spring spring(omega);
     const DampedSpring legs(omega, zeta);
@@ -208,6 +204,14 @@ int main(int argc, char** argv) {
             way, [&] { return rope(V(one, 2, 3), 8, n); }, [&] { return rope(V(one, 2, 3), 0, n); },
             [&] { return points_by_hand(V(one, 2, 3), n); });
     else
-        return std::fprintf(stderr, "terms: %s: no such term\n", term.c_str()), 2;
-    std::printf("%.17g\n", end);
+        std::exit((std::fprintf(stderr, "terms: %s: no such term\n", term.c_str()), 2));
+    kept = end;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto one = [](char** words, long n) { take(words[0], words[1], n); };
+    if (!count_all(argc, argv, 2, one))
+        return std::fputs("terms: usage: terms TERM with|without|hand COUNT ...\n", stderr), 2;
 }
