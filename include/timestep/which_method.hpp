@@ -18,13 +18,13 @@ inline constexpr double alive_turn = 1;
 /// Up to this ωh semi-implicit Euler keeps the energy of a pendulum in the spring's band, let go anywhere up to 3.1 rad, as
 /// chapter 3 has measured. At twice that one let go near its top goes over it.
 inline constexpr double pendulum_turn = 0.5;
-/// Up to this ωh and ζωh Runge–Kutta 4 is right to a percent over four periods, ζ up to stiff_decay.
-inline constexpr double fine_turn = 0.45;
 /// Up to this ωh, when taut, we have seen no tether gain a quarter of its energy by semi-implicit Euler, in
 /// 100,000 steps. By twice that one throw in five does, by four times that nine in ten. Nothing proves that none will.
 inline constexpr double tether_turn = 0.125;
 /// From this damping ratio on an implicit method is right to a percent at less cost than Runge–Kutta 4.
 inline constexpr double stiff_decay = 2;
+/// Up to this ωh and ζωh Runge–Kutta 4 is right to one percent of the amplitude for four periods, ζ up to stiff_decay.
+inline constexpr double fine_turn = 0.45;
 /// From this ζωh on a damper ends an oscillation within a frame or so: it is a decay.
 inline constexpr double ended_swing = 2;
 /// Up to this h|ω|, in radians a step, ball and remainder 4 points where it should: chapter 8 has thrown
