@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#if __has_include(<unistd.h>)
+#ifdef __linux__
 #include <unistd.h>
 #endif
 

@@ -122,21 +122,22 @@ public:
     TIMESTEP_INLINE Lanes& operator/=(const Lanes& b) { return *this = *this / b; }
     /// \endcond
 
-    /// √, in one instruction where the processor has it for so many lanes.
+    /// √, in one instruction where compiler and processor have it for so many lanes.
     TIMESTEP_INLINE friend Lanes sqrt(const Lanes& a) {
-#if defined(__AVX512F__)  // g++ 12 warns of the forms without a mask (GCC bug 105593)
+#if defined(__GNUC__) && defined(__AVX512F__)
+        // g++ 12 warns of the forms without a mask (GCC bug 105593).
         if constexpr (std::is_same_v<Pack, detail::Pack<float, 16>>)
             return Lanes(Pack(_mm512_maskz_sqrt_ps(0xffff, a.pack_)), 0);
         if constexpr (std::is_same_v<Pack, detail::Pack<double, 8>>)
             return Lanes(Pack(_mm512_maskz_sqrt_pd(0xff, a.pack_)), 0);
 #endif
-#if defined(__AVX__)
+#if defined(__GNUC__) && defined(__AVX__)
         if constexpr (std::is_same_v<Pack, detail::Pack<float, 8>>)
             return Lanes(Pack(_mm256_sqrt_ps(a.pack_)), 0);
         if constexpr (std::is_same_v<Pack, detail::Pack<double, 4>>)
             return Lanes(Pack(_mm256_sqrt_pd(a.pack_)), 0);
 #endif
-#if defined(__SSE2__)
+#if defined(__GNUC__) && defined(__SSE2__)
         if constexpr (std::is_same_v<Pack, detail::Pack<float, 4>>)
             return Lanes(Pack(_mm_sqrt_ps(a.pack_)), 0);
         if constexpr (std::is_same_v<Pack, detail::Pack<double, 2>>)

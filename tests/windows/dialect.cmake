@@ -1,25 +1,62 @@
-# Every header of the library, and every chapter's program, with Microsoft's words and rules switched on. (Its standard
-# library is not here: it is g++'s that is read.) Called with COMPILER, ROOT, EIGEN and WORK.
+# What is built for Windows, read with the words and rules of Microsoft's compiler switched on, and the words that only
+# others know forbidden. (Its standard library is not here: it is g++'s that is read, beforehand.) Called with COMPILER,
+# ROOT, EIGEN, CATCH2 (the folders of its headers), WORK, and the PART that is read: programs (and the library's headers
+# and examples, and the panels), studies or tests.
 cmake_minimum_required(VERSION 3.25)
 
-set(INCLUDE "${ROOT}/include")
-file(GLOB programs "${ROOT}/chapters/*/*.cpp")
-list(FILTER programs EXCLUDE REGEX "/chapters/support/")
-file(GLOB_RECURSE headers RELATIVE "${INCLUDE}" "${INCLUDE}/*.hpp" "${INCLUDE}/timestep/*.h")
-list(REMOVE_ITEM headers timestep/gyroscopic/rules.h timestep/gyroscopic/flying.h)  # which gyroscopic.h includes
-list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>")
-list(JOIN headers "\n" all)
-file(MAKE_DIRECTORY "${WORK}")
-file(WRITE "${WORK}/all.cpp" "${all}\n")
 # g++'s standard library asks for these, which no compiler of Microsoft's kind has.
-set(of_gnu -D__STRICT_ANSI__ -D__GCC_ATOMIC_TEST_AND_SET_TRUEVAL=1)
+set(dialect -std=c++20 -w -D__STRICT_ANSI__ -D__GCC_ATOMIC_TEST_AND_SET_TRUEVAL=1)
 foreach(type IN ITEMS BOOL CHAR CHAR8_T CHAR16_T CHAR32_T WCHAR_T SHORT INT LONG LLONG POINTER)
-  list(APPEND of_gnu -D__GCC_ATOMIC_${type}_LOCK_FREE=2)
+  list(APPEND dialect -D__GCC_ATOMIC_${type}_LOCK_FREE=2)
 endforeach()
-execute_process(
-  COMMAND "${COMPILER}" -std=c++20 -w ${of_gnu} -fms-compatibility -fms-compatibility-version=19.30 -fms-extensions -fsyntax-only
-          "-I${INCLUDE}" -isystem "${EIGEN}" "${WORK}/all.cpp" ${programs}
-  RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-if(NOT status EQUAL 0 OR NOT programs)
-  message(FATAL_ERROR "${output}")
+list(APPEND dialect -fms-compatibility -fms-compatibility-version=19.30 -fms-extensions)
+list(REMOVE_ITEM CATCH2 /usr/include)
+foreach(folder IN LISTS EIGEN CATCH2)
+  list(APPEND dialect -isystem "${folder}")
+endforeach()
+foreach(folder IN ITEMS include chapters/support docs docs/engines tests/support tools/live)
+  list(APPEND dialect "-I${ROOT}/${folder}")
+endforeach()
+function(read)
+  execute_process(COMMAND "${COMPILER}" ${dialect} ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${output}")
+  endif()
+endfunction()
+
+set(include "${ROOT}/include")
+set(programs_sources chapters/*/*.cpp chapters/*/live/*.cpp docs/library/*.cpp)
+set(studies_sources chapters/*/study/*.cpp chapters/support/*.cpp chapters/support/*/*.cpp)
+set(tests_sources tests/library/*.cpp tests/chapters/*.cpp tests/c/*.cpp)
+list(TRANSFORM ${PART}_sources PREPEND "${ROOT}/")
+file(GLOB sources ${${PART}_sources})
+list(FILTER sources EXCLUDE REGEX "/chapters/support/options[.]cpp$")  # the one that reads CLI11
+if(PART STREQUAL "programs")
+  list(FILTER sources EXCLUDE REGEX "/chapters/support/")
+  file(GLOB_RECURSE headers RELATIVE "${include}" "${include}/*.hpp" "${include}/timestep/*.h")
+  list(REMOVE_ITEM headers timestep/gyroscopic/rules.h timestep/gyroscopic/flying.h)  # which gyroscopic.h includes
+  list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>")
+  list(JOIN headers "\n" all)
+  file(MAKE_DIRECTORY "${WORK}")
+  file(WRITE "${WORK}/all.cpp" "${all}\n")
+  list(APPEND sources "${WORK}/all.cpp")
 endif()
+if(NOT sources)
+  message(FATAL_ERROR "no sources of ${PART} found")
+endif()
+
+# What is not ours: the standard library, Eigen and Catch2, as any of the sources or of our headers includes it.
+file(GLOB_RECURSE ours "${include}/*.hpp" "${include}/*.h" "${ROOT}/chapters/*.hpp" "${ROOT}/tests/support/*.hpp"
+  "${ROOT}/tests/c/*.h*" "${ROOT}/tools/live/*.hpp")
+set(theirs "")
+foreach(file IN LISTS ours sources)
+  file(STRINGS "${file}" lines REGEX "^#include <(Eigen/|catch2/|[a-z_]+>)")
+  list(APPEND theirs ${lines})
+endforeach()
+list(REMOVE_DUPLICATES theirs)
+list(JOIN theirs "\n" theirs)
+# (Linux's headers have a function link, as one of our small programs has.)
+file(WRITE "${WORK}/theirs.hpp" "#define link link_of_linux\n${theirs}\n#undef link\n#undef __linux__\n"
+  "#pragma GCC poison __attribute__ __extension__ __typeof__ __int128 __asm__ __restrict__ ssize_t M_PI M_PI_2\n")
+read(-x c++-header "${WORK}/theirs.hpp" -Xclang -emit-pch -o "${WORK}/theirs.pch")
+read(-fsyntax-only -include-pch "${WORK}/theirs.pch" ${sources})
