@@ -1,11 +1,12 @@
-# What is built for Windows, read with the words and rules of Microsoft's compiler switched on, and the words that only
-# others know forbidden. (Its standard library is not here: it is g++'s that is read, beforehand.) Called with COMPILER,
-# ROOT, EIGEN, CATCH2 (the folders of its headers), WORK, and the PART that is read: programs (and the library's headers
-# and examples, and the panels), studies or tests.
+# What is built for Windows, read with the words and rules of Microsoft's compiler switched on, and what only others know
+# forbidden: words, and extensions of g++. (Its standard library is not here: it is g++'s that is read, beforehand.)
+# Called with COMPILER, ROOT, EIGEN, CATCH2 (the folders of its headers), WORK, and the PART that is read: programs (with
+# the library's headers and examples, and the panels), studies, or the library's tests.
 cmake_minimum_required(VERSION 3.25)
 
 # g++'s standard library asks for these, which no compiler of Microsoft's kind has.
-set(dialect -std=c++20 -w -D__STRICT_ANSI__ -D__GCC_ATOMIC_TEST_AND_SET_TRUEVAL=1)
+set(dialect -std=c++20 -Wno-everything -Werror=gnu -Werror=vla-extension -Werror=c99-extensions -D__STRICT_ANSI__
+  -D__GCC_ATOMIC_TEST_AND_SET_TRUEVAL=1)
 foreach(type IN ITEMS BOOL CHAR CHAR8_T CHAR16_T CHAR32_T WCHAR_T SHORT INT LONG LLONG POINTER)
   list(APPEND dialect -D__GCC_ATOMIC_${type}_LOCK_FREE=2)
 endforeach()
@@ -26,8 +27,8 @@ endfunction()
 
 set(include "${ROOT}/include")
 set(programs_sources chapters/*/*.cpp chapters/*/live/*.cpp docs/library/*.cpp)
-set(studies_sources chapters/*/study/*.cpp chapters/support/*.cpp chapters/support/*/*.cpp)
-set(tests_sources tests/library/*.cpp tests/chapters/*.cpp tests/c/*.cpp)
+set(studies_sources chapters/*/study/*.cpp chapters/support/*.cpp)
+set(tests_sources tests/library/*.cpp tests/c/*.cpp)
 list(TRANSFORM ${PART}_sources PREPEND "${ROOT}/")
 file(GLOB sources ${${PART}_sources})
 list(FILTER sources EXCLUDE REGEX "/chapters/support/options[.]cpp$")  # the one that reads CLI11
