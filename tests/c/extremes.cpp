@@ -165,7 +165,7 @@ TEMPLATE_TEST_CASE("in C an axis that is locked leaves the spin as it is", "[c]"
     }
 }
 
-TEMPLATE_TEST_CASE("in C nothing changes for h = 0, for ω = 0, and about a principal axis", "[c]", float, double) {
+TEMPLATE_TEST_CASE("in C nothing changes for h = 0, for omega = 0, and about a principal axis", "[c]", float, double) {
     using Vec = Vector3<TestType>;
     const auto box = of<TestType>().from_moments(1, 2, TestType(2.5)), pill = of<TestType>().from_moments(1, TestType(0.3), 1);
     const auto stays = [&](const Body<TestType>& body, const Vec& w, TestType h) {

@@ -118,7 +118,7 @@ TEST_CASE("explicit: a free capsule has a thousand times its energy within secon
           1000 * kinetic_energy(pill, start));
 }
 
-TEST_CASE("dropped: ω stands still in the world and the momentum swings", "[N44][ch5]") {
+TEST_CASE("dropped: omega stands still in the world and the momentum swings", "[N44][ch5]") {
     const auto pill = capsule(1.0, 0.15, 0.6);
     const Spin start = spinning(5, 0, 20), end = after(no_gyroscopic, pill, start, h, 600);
     CHECK((end.omega - start.omega).norm() < 8 * 2.3e-16 * 600 * start.omega.norm());
@@ -133,7 +133,7 @@ TEST_CASE("dropped: ω stands still in the world and the momentum swings", "[N44
     CHECK(swing > 0.5);
 }
 
-TEST_CASE("dropped: a thrown staff's axis goes round at |ω| instead of |L|/I", "[N44][ch5]") {
+TEST_CASE("dropped: a thrown staff's axis goes round at |omega| instead of |L|/I", "[N44][ch5]") {
     const auto stick = staff(1.0, 2.0, 0.06);
     const Spin start = spinning(2, 0, 10);
     const double truth = momentum(stick, start) / stick.across, dropped = start.omega.norm();
@@ -185,7 +185,7 @@ TEST_CASE("for a capsule one iteration is the converged solution", "[N48][ch5]")
           1e-12 * w.norm());
 }
 
-TEST_CASE("one iteration misses the converged solution by the square of h|ω|, squared again",
+TEST_CASE("one iteration misses the converged solution by the square of h|omega|, squared again",
           "[N48][ch5]") {
     // Newton-Raphson starts a residual of order h off and squares it twice over: h · h · h in ω.
     const auto brick = box(12.0, 1.0, 2.0, 3.0);
@@ -226,7 +226,7 @@ TEST_CASE("a box about its intermediate axis: who turns over, and when", "[N50][
 
 // From a spin Ω about the middle axis to the plane of the other two, by E and L:
 // ω₁² = Ω² I₂(I₂ − I₃)/(I₁(I₁ − I₃)), ω₃² = Ω² I₂(I₁ − I₂)/(I₃(I₁ − I₃)). The tilt adds 1e-6 of it.
-TEST_CASE("as a body tumbles, the length of ω rises", "[N50][ch5]") {
+TEST_CASE("as a body tumbles, the length of omega rises", "[N50][ch5]") {
     const auto longest = [](double I1, double I2, double I3) {
         const ExactFreeBody<double> exact({I1, I2, I3}, spinning(1e-3, 1, 1e-3));
         double most = 0;
@@ -285,7 +285,7 @@ TEST_CASE("passive: never more energy, never less momentum, whatever the step", 
     }
 }
 
-TEST_CASE("among random bodies with h|ω| = 1 some gain by one iteration, with h|ω| = 0.01 none",
+TEST_CASE("among random bodies with h|omega| = 1 some gain by one iteration, with h|omega| = 0.01 none",
           "[N51][ch5]") {
     RandomBodies bodies;
     int fast = 0, slow = 0;

@@ -207,7 +207,7 @@ TEST_CASE("Robertson's reaction to t = 40 and to t = 1e11", "[ch6]") {
 // The chapter's rule for scenes of many springs: at each body the sum of k (1/m + r²/I), twice the largest
 // of them. A spring's energy is at most twice what its ends would store one by one, and an end of a body
 // moves by no more than its energy lets it: u² ≤ (1/m + r²/I) (m|v|² + I w²).
-TEST_CASE("twice the largest sum of k (1/m + r²/I) is never below the fastest oscillation", "[ch6]") {
+TEST_CASE("twice the largest sum of k (1/m + r^2/I) is never below the fastest oscillation", "[ch6]") {
     std::mt19937 random(6);
     const auto between = [&](double low, double high) {
         return low * std::pow(high / low, random() / 4294967296.0);

@@ -214,7 +214,7 @@ TEST_CASE("Adams-Bashforth goes on from its last slope, and anew after an impuls
     CHECK(rule.step(I, three, h / 2).omega == buss_2.step(I, three, h / 2).omega);
 }
 
-TEST_CASE("without its parts Moser-Veselov has no step for h|ω| above 1 about an axis", "[ch8]") {
+TEST_CASE("without its parts Moser-Veselov has no step for h|omega| above 1 about an axis", "[ch8]") {
     const Body I = box(1.0, 1.0, 2.0, 3.0);
     const auto off = [&](double size) {  // of h ω = 2 e₀ e
         const Quaternion<double> rho = moser_veselov_2.whole(I, spinning({0, size, 0}), 1.0).q;

@@ -127,7 +127,7 @@ TEST_CASE("the half-step Jacobian is singular where the page says", "[ch8]") {
     CHECK(gain(cayley_gyroscopic, plank, middle, at) < 1 + 1e-14);
 }
 
-TEST_CASE("at h|ω| = 10 it feeds a third of random bodies, Cayley and the calm one none", "[ch8]") {
+TEST_CASE("at h|omega| = 10 it feeds a third of random bodies, Cayley and the calm one none", "[ch8]") {
     RandomBodies bodies;
     int half = 0, early = 0;
     double cayley = 0, calm = 0;
@@ -182,7 +182,7 @@ TEST_CASE("at 60 Hz, thrown in any direction: what the recommendation says", "[c
     CHECK(worst(RungeKutta{}, brick, 10, 60) < worst(symmetric_remainder_2, brick, 10, 60));
 }
 
-TEST_CASE("the half-step Jacobian keeps E/Δ, which bounds the energy", "[ch8]") {
+TEST_CASE("the half-step Jacobian keeps E/Delta, which bounds the energy", "[ch8]") {
     RandomBodies bodies;
     for (const double size : {0.5, 1.0, 1.9})
         for (int n = 0; n < 2000; ++n) {

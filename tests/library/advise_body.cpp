@@ -35,7 +35,7 @@ TEST_CASE("what a solver is said to do to the energy its own steps do", "[librar
 }
 
 // E/Δ stays, and Δ comes to 1 where the spin about the middle axis passes zero.
-TEST_CASE("the half-step Jacobian's bound is reached, and 2/√c is where it ends", "[library][I13]") {
+TEST_CASE("the half-step Jacobian's bound is reached, and 2/sqrt(c) is where it ends", "[library][I13]") {
     for (const Body& body : {box, ruler, plank}) {
         int least, most;
         body.moments.minCoeff(&least), body.moments.maxCoeff(&most);

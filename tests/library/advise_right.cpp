@@ -38,7 +38,7 @@ TEST_CASE("the step for an accuracy is as long as the method's order says", "[li
 
 // There the two exponents of the motion are one, and a change of the spring by ε splits them by √ε: a
 // method is not wrong by that.
-TEST_CASE("at ζ = 1 the step for an accuracy is about as long as beside it", "[library][I13][I15]") {
+TEST_CASE("at zeta = 1 the step for an accuracy is about as long as beside it", "[library][I13][I15]") {
     std::vector<Advice> before;
     for (const double zeta : {0.99, 0.9999, 1.0, 1.0001, 1.01}) {
         const auto all = advise(DampedSpring<double>(10.0, zeta), 0.01, 0.01);
@@ -116,7 +116,7 @@ TEST_CASE("a step that is right to 1 % shows a motion that is, and a longer one 
 }
 
 // Chapter 6's example: a size between 0.74 and 1.25, and far off all the same.
-TEST_CASE("semi-implicit Euler at ωh = 0.84 has a fair rate and a position that is far off", "[library][I13]") {
+TEST_CASE("semi-implicit Euler at omega h = 0.84 has a fair rate and a position that is far off", "[library][I13]") {
     const Advice advice = of(advise(DampedSpring<double>(1.0, 0.0), 0.84), "semi-implicit Euler");
     CHECK(advice.verdict == Verdict::stable);
     CHECK(advice.rate_error < 0.04);

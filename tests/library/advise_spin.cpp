@@ -40,7 +40,7 @@ TEST_CASE("the search for a gain misses none that darts find", "[library][N51][I
 
 // The formula of the longest step came from a search, so it is held to another: darts close to the middle
 // axis, where the first gains are needles.
-TEST_CASE("one iteration gains from h|ω| = √(I₁I₃)/(I₃ − I₁) on", "[library][N51][I13]") {
+TEST_CASE("one iteration gains from h|omega| = sqrt(I1 I3)/(I3 - I1) on", "[library][N51][I13]") {
     RandomInertia random(9);
     std::mt19937_64 numbers(10);
     std::uniform_real_distribution<double> even(-1, 1);

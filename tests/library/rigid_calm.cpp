@@ -104,7 +104,7 @@ TEST_CASE("impulses that keep the energy leave it where it was", "[library][ch8]
     }
 }
 
-TEST_CASE("unscaled, the half-step Jacobian keeps |L|²/E in every single step", "[library][ch8]") {
+TEST_CASE("unscaled, the half-step Jacobian keeps |L|^2/E in every single step", "[library][ch8]") {
     RandomInertia random(6);
     for (int i = 0; i < 2000; ++i) {
         const auto I = random.inertia<double>(10);
@@ -226,7 +226,7 @@ TEST_CASE("in float the calm half-step keeps energy and |L| for an hour", "[libr
 }
 
 // As engines have it: ω in the world, the orientation turned by the new ω, steps that vary.
-TEMPLATE_TEST_CASE("with an orientation, and ω in the world, energy and |L| stay as well", "[library][ch8]", float,
+TEMPLATE_TEST_CASE("with an orientation, and omega in the world, energy and |L| stay as well", "[library][ch8]", float,
                    double) {
     using Real = TestType;
     // Each step rounds some twenty times, as often up as down.

@@ -59,7 +59,7 @@ TEST_CASE("a spin of 1e20 or 1e-25 in float is neither lost nor infinite", "[lib
 
 // Its equations are solved by products of two of their coefficients, which are about hω. Where those
 // are no numbers, following the root gets no farther.
-TEST_CASE("the converged solver ends, however large hω is", "[library][N48]") {
+TEST_CASE("the converged solver ends, however large h omega is", "[library][N48]") {
     const PrincipalInertia<float> small(1, 2, 2.5f);
     const PrincipalInertia<double> big(1, 2, 2.5);
     const F f(0.48f, 0.6f, 0.64f);
@@ -78,7 +78,7 @@ TEST_CASE("the converged solver ends, however large hω is", "[library][N48]") {
 }
 
 // Up to there it stays within its energy, beyond it a run sees it.
-TEST_CASE("the passive step is a number as long as the square of hω is one", "[library][N51]") {
+TEST_CASE("the passive step is a number as long as the square of h omega is one", "[library][N51]") {
     const PrincipalInertia<double> big(1, 2, 2.5);
     const PrincipalInertia<float> small(1, 2, 2.5f);
     const V d(0.48, 0.6, 0.64);

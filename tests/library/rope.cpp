@@ -63,7 +63,7 @@ TEST_CASE("two points of a rope in one place stay there", "[library]") {
 // i meets an excess E_i and moves its ends by E_i/2 each. Point n is lifted by E_n/2 = d; point i
 // by (E_i − E_{i+1})/2 = d: so E_i = 2d (n − i + 1). What the next link's turn leaves of link i is
 // E_{i+1}/2 = d (n − i): on the mean d (n − 1)/2.
-TEST_CASE("one iteration a step hangs (n - 1) h² g / 2 too long a link, on the mean",
+TEST_CASE("one iteration a step hangs (n - 1) h^2 g / 2 too long a link, on the mean",
           "[library][ch4]") {
     for (const std::size_t links : {5u, 10u, 20u}) {
         const double h = 1.0 / 120;

@@ -46,6 +46,17 @@ if(NOT sources)
   message(FATAL_ERROR "no sources of ${PART} found")
 endif()
 
+# CTest calls a test by its name, and Windows hands on no letters but these.
+if(PART STREQUAL "tests")
+  file(GLOB named "${ROOT}/tests/library/*.cpp" "${ROOT}/tests/chapters/*.cpp" "${ROOT}/tests/c/*.cpp")
+  foreach(source IN LISTS named)
+    file(READ "${source}" text)
+    if(text MATCHES "TEST_CASE\\([ \n]*\"([^\"\n]*[^ -~\n][^\"\n]*)\"")
+      message(FATAL_ERROR "${source}: the test's name must be of ASCII's letters: ${CMAKE_MATCH_1}")
+    endif()
+  endforeach()
+endif()
+
 # What is not ours: the standard library, Eigen and Catch2, as any of the sources or of our headers includes it.
 file(GLOB_RECURSE ours "${include}/*.hpp" "${include}/*.h" "${ROOT}/chapters/*.hpp" "${ROOT}/tests/support/*.hpp"
   "${ROOT}/tests/c/*.h*" "${ROOT}/tools/live/*.hpp")
