@@ -25,13 +25,15 @@ double turn_rate(const RigidState<double>& a, const RigidState<double>& b, const
     return std::atan2(about.dot(u.cross(v)), u.dot(v)) / (b.t - a.t);
 }
 
-// The passive step's ω after a second, where two moments are equal: the exact one turns about the axis.
+// The passive step's ω after a second, where two moments are equal: the exact one turns about the
+// axis.
 double order_of_round(const Round& pill) {
     const double angle = pill.wobble * 20;  // that it turns by
     std::vector<double> h, error;
     for (long steps = 120; steps <= 960; steps *= 2) {
         V omega(5, 0, 20);
-        for (long n = 0; n < steps; ++n) omega = passive_gyroscopic.step(pill, omega, 1.0 / double(steps));
+        for (long n = 0; n < steps; ++n)
+            omega = passive_gyroscopic.step(pill, omega, 1.0 / double(steps));
         h.push_back(1.0 / double(steps));
         error.push_back((omega - V(5 * std::cos(angle), 5 * std::sin(angle), 20)).norm());
     }
@@ -48,8 +50,10 @@ void free_capsule(const Settings& settings, lab::Findings& out) {
     const double E0 = kinetic_energy(pill, start);
     const V L0 = angular_momentum(pill, start);
     const double order = order_of_round(pill);
-    out.number("passive_round_order", std::round(order), "", "order of passive's ω, two moments equal");
-    out.check("passive_round_order", std::fabs(order - 4) < 0.05, "with two equal moments passive's ω is of order four");
+    out.number("passive_round_order", std::round(order), "",
+               "order of passive's ω, two moments equal");
+    out.check("passive_round_order", std::fabs(order - 4) < 0.05,
+              "with two equal moments passive's ω is of order four");
     std::printf("  I = %.4f across and %.4f along, omega = (5, 0, 20) rad/s, %g s\n", pill.across,
                 pill.along, seconds);
     std::printf("  (a run ends when it has a thousand times its energy)\n");
@@ -215,7 +219,8 @@ void staff(const Settings& settings, lab::Findings& out) {
     std::printf("  its axis turns with %.2f rad/s in truth, with %.2f rad/s without the term\n",
                 truth, without);
     out.text("staff_size", "2 m long and 0.06 m thick", "the staff");
-    out.text("staff_start", "10 rad/s about its length and 2 rad/s across", "its spin at the start");
+    out.text("staff_start", "10 rad/s about its length and 2 rad/s across",
+             "its spin at the start");
     out.number("staff_rate", truth, "rad/s", "how fast the staff's axis goes round, exactly");
     out.number("staff_rate_dropped", without, "rad/s",
                "how fast the staff's axis goes round without the term");

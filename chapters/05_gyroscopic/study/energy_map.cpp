@@ -102,9 +102,10 @@ void energy_map(const Settings& settings, lab::Findings& out) {
               "one Newton step adds energy to this body, the other two add none");
 
     // Random bodies, ratio of moments up to 1000.
-    auto& gains = out.table("gains.tsv", {"$h\\lvert\\omega\\rvert$", "one Newton step: bodies that gain at all",
-                                          "one Newton step: largest gain, share of E", "converged: the same",
-                                          "passive: the same"});
+    auto& gains = out.table(
+        "gains.tsv",
+        {"$h\\lvert\\omega\\rvert$", "one Newton step: bodies that gain at all",
+         "one Newton step: largest gain, share of E", "converged: the same", "passive: the same"});
     auto& curve =
         out.table("gain_curve.tsv", {"size", "share", "implicit", "converged", "passive"});
     RandomBody bodies(2);

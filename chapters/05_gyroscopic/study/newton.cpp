@@ -76,9 +76,11 @@ void newton(const Settings&, lab::Findings& out) {
     // Quadratic: the residual after a round is a constant times the square of that before it.
     const double first = left[0][1] / (left[0][0] * left[0][0]),
                  second = left[0][2] / (left[0][1] * left[0][1]);
-    out.number("newton_of_square", std::sqrt(first * second), "", "what an iteration leaves, over the residual's square", 1);
+    out.number("newton_of_square", std::sqrt(first * second), "",
+               "what an iteration leaves, over the residual's square", 1);
     out.check("newton_quadratic", second < 2 * first && first < 2 * second,
-              "two iterations leave the residual's square times numbers that differ by less than 2 times");
+              "two iterations leave the residual's square times numbers that differ by less than 2 "
+              "times");
 
     // Random boxes: rounds needed, and how often they do not suffice.
     auto& needed =

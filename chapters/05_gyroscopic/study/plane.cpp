@@ -256,9 +256,11 @@ void many_throws(const Settings& settings, lab::Findings& out) {
                       "passive step, arms in the middle: all come to rest and none gains energy");
         if (key == "passive_after" && arms == plane::Arms::start)
             out.check("throws_after", rested == throws && gained == 0,
-                      "passive step after the contacts, arms of the start: all come to rest and none gains energy");
+                      "passive step after the contacts, arms of the start: all come to rest and "
+                      "none gains energy");
         if (key == "passive_after" && arms == plane::Arms::middle)
-            out.number("throws_both_most", most, "", "most energy, over that at the start, with both cures", 5);
+            out.number("throws_both_most", most, "",
+                       "most energy, over that at the start, with both cures", 5);
         if (key == "dropped" && arms == plane::Arms::start)
             out.check("throws_dropped", upright > 0 && gained == 0,
                       "dropped: none gains energy, and some stand and spin in the end");

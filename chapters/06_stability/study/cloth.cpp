@@ -60,7 +60,9 @@ struct Fallen {
     }
     void measure() {
         Cloth end = cloth, other = cloth;
-        const auto least = [](double& ms, const auto& work) { ms = std::min(ms, 1e3 * seconds_of(work)); };
+        const auto least = [](double& ms, const auto& work) {
+            ms = std::min(ms, 1e3 * seconds_of(work));
+        };
         least(many, [&] {
             for (long i = 0; i < substeps; ++i) step_explicit(end, frame / double(substeps));
         });
@@ -131,8 +133,8 @@ void survivors(lab::Findings& out) {
               "solved to one percent the cloth stands, and moves otherwise");
 }
 
-// Of a cloth without edges, all its waves (a, b), radians from mass to mass: the largest m ω²/k, with the
-// springs along n whose ends are a phase φ apart, 2 (1 − cos φ) n nᵀ of each.
+// Of a cloth without edges, all its waves (a, b), radians from mass to mass: the largest m ω²/k,
+// with the springs along n whose ends are a phase φ apart, 2 (1 − cos φ) n nᵀ of each.
 double fastest_wave() {
     const double pi = std::acos(-1.0);
     double most = 0;
@@ -140,7 +142,8 @@ double fastest_wave() {
         for (int j = 0; j <= 64; ++j) {
             const double a = pi * i / 32, b = pi * j / 32;
             const auto pull = [](double phase) { return 2 * (1 - std::cos(phase)); };
-            const double slanting = (pull(a + b) + pull(a - b)) / 2, mixed = (pull(a + b) - pull(a - b)) / 2;
+            const double slanting = (pull(a + b) + pull(a - b)) / 2,
+                         mixed = (pull(a + b) - pull(a - b)) / 2;
             const double xx = pull(a) + slanting, yy = pull(b) + slanting;
             most = std::max(most, (xx + yy) / 2 + std::hypot((xx - yy) / 2, mixed));
         }
@@ -159,7 +162,8 @@ void price(lab::Findings& out) {
         if (each.stiffness == 1e4) sizes.push_back(&each);
         if (each.n == 24) stiff.push_back(&each);
     }
-    std::sort(stiff.begin(), stiff.end(), [](auto* a, auto* b) { return a->stiffness < b->stiffness; });
+    std::sort(stiff.begin(), stiff.end(),
+              [](auto* a, auto* b) { return a->stiffness < b->stiffness; });
 
     std::printf(
         "  one frame, ms:            explicit   implicit Euler\n"
@@ -167,16 +171,19 @@ void price(lab::Findings& out) {
     double apart = 0;
     bool dear = true;  // a product costs about what an explicit step costs
     for (const Fallen& c : all) {
-        std::printf("  %2d x %-2d %6.0e %6ld %8.2f %9.2f %9.2f (%4d) %9.2f (%3d)\n", c.n, c.n, c.stiffness,
-                    c.substeps, c.many, c.factors, c.gradients, c.products, c.rough, c.few_products);
+        std::printf("  %2d x %-2d %6.0e %6ld %8.2f %9.2f %9.2f (%4d) %9.2f (%3d)\n", c.n, c.n,
+                    c.stiffness, c.substeps, c.many, c.factors, c.gradients, c.products, c.rough,
+                    c.few_products);
         apart = std::max(apart, c.apart);
         dear = dear && c.products > 2 * c.substeps;
     }
-    for (const auto& [file, first, cloths] : {std::tuple("cloth_sizes.tsv", "n", &sizes),
-                                              std::tuple("cloth_stiffness.tsv", "stiffness", &stiff)}) {
+    for (const auto& [file, first, cloths] :
+         {std::tuple("cloth_sizes.tsv", "n", &sizes),
+          std::tuple("cloth_stiffness.tsv", "stiffness", &stiff)}) {
         auto& table = out.table(file, {first, "explicit", "factorised", "gradients", "rough"});
         for (const Fallen* c : *cloths)
-            table.row({cloths == &sizes ? double(c->n) : c->stiffness, c->many, c->factors, c->gradients, c->rough});
+            table.row({cloths == &sizes ? double(c->n) : c->stiffness, c->many, c->factors,
+                       c->gradients, c->rough});
     }
 
     auto& table =
@@ -186,7 +193,8 @@ void price(lab::Findings& out) {
     for (std::size_t i = 0; i < stiff.size(); ++i) {
         const Fallen& c = *stiff[i];
         table.row({std::string(names[i]), double(c.substeps), words("%.2f", c.many),
-                   times(c.factors / c.many), times(c.gradients / c.many), times(c.rough / c.many)});
+                   times(c.factors / c.many), times(c.gradients / c.many),
+                   times(c.rough / c.many)});
     }
     // Where the two cost the same, between two of these cloths: straight lines in logarithms.
     double crossing = 0;
@@ -201,11 +209,13 @@ void price(lab::Findings& out) {
     const Fallen &soft = *stiff.front(), &usual = *stiff[2], &hard = *stiff.back();
     const double digit = crossing > 0 ? std::pow(10, std::floor(std::log10(crossing))) : 1;
     out.text("cloth_crossing",
-             crossing > 0               ? "up to some " + words("%.0f", digit * std::round(crossing / digit))
+             crossing > 0 ? "up to some " + words("%.0f", digit * std::round(crossing / digit))
              : hard.many < hard.factors ? "up to " + std::to_string(hard.substeps) + " and more"
                                         : "below " + std::to_string(soft.substeps) + ", if ever,",
              "explicit steps a frame that are cheaper than factorising, to one digit");
-    const auto rough_wins = [](const Fallen* c) { return c->rough < std::min(c->many, c->factors); };
+    const auto rough_wins = [](const Fallen* c) {
+        return c->rough < std::min(c->many, c->factors);
+    };
     const auto first = std::find_if(stiff.begin(), stiff.end(), rough_wins) - stiff.begin();
     out.text("cloth_rough_from", first < 5 ? names[first] + std::string(" N/m") : "beyond 10⁶ N/m",
              "the softest of these cloths for which gradients to one percent are the cheapest");
@@ -224,9 +234,11 @@ void price(lab::Findings& out) {
     out.number("cloth_hard_few", double(hard.few_products), "", "the same, to one percent");
     bool same = true;
     for (const Fallen* c : stiff) same = same && c->factorised.size() == usual.factorised.size();
-    out.check("cloth_same_work", same, "factorising computes as many numbers, however stiff the cloth");
+    out.check("cloth_same_work", same,
+              "factorising computes as many numbers, however stiff the cloth");
     const double wave = fastest_wave();
-    out.check("cloth_stripes", std::fabs(wave - 8) < 1e-12, "of 64 x 64 waves of the cloth none is faster than 8 k/m, the stripes");
+    out.check("cloth_stripes", std::fabs(wave - 8) < 1e-12,
+              "of 64 x 64 waves of the cloth none is faster than 8 k/m, the stripes");
     // Both solve one system. What is left of the right side, 1e-6 of it, may stand for a thousand
     // times as much of the motion: the matrix has eigenvalues from m to m + 8 h² k.
     out.check("cloth_solvers_agree", apart < 1e-2,

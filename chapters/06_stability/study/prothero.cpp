@@ -96,8 +96,9 @@ void prothero_robinson(const Settings&, lab::Findings& out) {
               "ten times "
               "nearer than with uneven steps");
 
-    out.check("prothero_sdirk_worse", error(sdirk_3, stiff, 60) > 1000 * euler_60,
-              "at 60 Hz SDIRK, of order three, is over a thousand times as far off as implicit Euler");
+    out.check(
+        "prothero_sdirk_worse", error(sdirk_3, stiff, 60) > 1000 * euler_60,
+        "at 60 Hz SDIRK, of order three, is over a thousand times as far off as implicit Euler");
 
     // Without the pull's limit |R(hλ)| ≤ 1, which for RK4 ends at hλ = −2.785, nothing explicit stands.
     const double needed = 2 / -stiff;

@@ -142,11 +142,14 @@ void flight(const All& all, lab::Findings& out) {
     bool as_said = true;
     for (const Point& p : all.at("projectile"))
         if (p.library == "Timestep") {
-            const bool euler = p.method == "explicit Euler" || p.method == "implicit Euler" || p.method == "semi-implicit Euler";
-            as_said = as_said && (euler ? p.asked > marks || p.error_max > 1e-2 : p.error_max < 1e-10);
+            const bool euler = p.method == "explicit Euler" || p.method == "implicit Euler" ||
+                               p.method == "semi-implicit Euler";
+            as_said =
+                as_said && (euler ? p.asked > marks || p.error_max > 1e-2 : p.error_max < 1e-10);
         }
     out.check("flight_exact", as_said,
-              "without air our methods are exact at every rate, to roundoff, but for the three Eulers, which are over 1 % off at 7.5 Hz");
+              "without air our methods are exact at every rate, to roundoff, but for the three "
+              "Eulers, which are over 1 % off at 7.5 Hz");
 }
 
 void bounces(const All& all, lab::Findings& out) {
@@ -258,14 +261,17 @@ void spins(const All& all, lab::Findings& out) {
               "on a free box RK4 at 15 Hz is nearer to the truth than the talk's solver at 960 Hz");
     out.check("more_iterations", at(talk, 240).error_max < 1.05 * at(converged, 240).error_max,
               "more Newton iterations bring a tumbling box no nearer to the truth");
-    const auto top = [&](const char* method) { return line(all.at("symmetric_top"), method, "Timestep"); };
+    const auto top = [&](const char* method) {
+        return line(all.at("symmetric_top"), method, "Timestep");
+    };
     const auto passive = top("passive");
     bool nearer = true;
     for (const char* other : {"explicit", "dropped", "one Newton step", "implicit, converged"})
         for (double rate = 7.5; rate < 250; rate *= 2)
             nearer = nearer && at(passive, rate).error_max < at(top(other), 2 * rate).error_max;
     out.check("top_passive", nearer,
-              "a capsule in the air, up to 240 Hz: passive is nearer than explicit, dropped, one Newton step and "
+              "a capsule in the air, up to 240 Hz: passive is nearer than explicit, dropped, one "
+              "Newton step and "
               "converged at twice the rate");
     out.number("spin_converged_cost", at(converged, 240).seconds / at(talk, 240).seconds, "",
                "time of many iterations over one, 240 Hz", 2);

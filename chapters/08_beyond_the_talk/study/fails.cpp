@@ -143,8 +143,10 @@ void fails(const Settings& settings, lab::Findings& out) {
     const double tilt = 0.01 / singular;
     const Vector middle(tilt, 1, tilt);
     const double there = gain(half_step_jacobian, plank, middle, singular);
-    out.number("singular_at", singular, "", "h|omega| at which the Jacobian of 3:2:1 is singular", 5);
-    out.number("singular_tilt", tilt * singular, "rad", "h times the spin about each of the other axes");
+    out.number("singular_at", singular, "", "h|omega| at which the Jacobian of 3:2:1 is singular",
+               5);
+    out.number("singular_tilt", tilt * singular, "rad",
+               "h times the spin about each of the other axes");
     out.number("singular_gain", 1e4 * std::round(there / 1e4), "",
                "what a step there multiplies the energy by");
     out.check("singular", there > 1e3,
@@ -288,7 +290,8 @@ void fails(const Settings& settings, lab::Findings& out) {
     out.check("fails_first", first > half_more,
               "below h|ω| = 2/√3 no random body gains half of its energy");
     out.check("fails_later", later_and_more,
-              "up to h|ω| = 2.4 the half-step Jacobian gains half on fewer random bodies than one Newton step, from 3 on more");
+              "up to h|ω| = 2.4 the half-step Jacobian gains half on fewer random bodies than one "
+              "Newton step, from 3 on more");
     out.check("cayley_never", never,
               "Cayley, passive and the calm half-step add energy to none, at any h|ω|");
     std::printf("  the first at h|omega| = %.2g\n", first);

@@ -212,9 +212,11 @@ void throws(const Settings&, lab::Findings& out) {
                "the rate at which a ruler leaves its intermediate axis, over |omega|", 2);
     out.number("half_worst", 100 * half_worst, "%", "worst error of the half-step Jacobian", 2);
     out.number("rk4_worst", 100 * rk4_worst, "%", "worst error of Runge-Kutta 4", 2);
-    out.number("rk4_ruler_30", 100 * of("runge_kutta_4", "ruler_30").worst, "%", "that of the ruler at 30 rad/s", 2);
-    out.check("rk4_enough", rk4_worst < 1e-3,
-              "10 rad/s at 60 Hz, every throw of four bodies: Runge-Kutta 4 is off by less than 0.1 %");
+    out.number("rk4_ruler_30", 100 * of("runge_kutta_4", "ruler_30").worst, "%",
+               "that of the ruler at 30 rad/s", 2);
+    out.check(
+        "rk4_enough", rk4_worst < 1e-3,
+        "10 rad/s at 60 Hz, every throw of four bodies: Runge-Kutta 4 is off by less than 0.1 %");
     out.number("ruler_cayley", of("cayley", "ruler").lost, "%",
                "of the ruler's throws that Cayley has lost", 2);
     out.number("ruler_strang", of("strang", "ruler").lost, "%", "that Strang has lost", 2);
