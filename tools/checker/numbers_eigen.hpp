@@ -69,7 +69,9 @@ template <class T>
 struct Nudge<Eigen::Quaternion<T>> {
     template <class Next>
     static void by(Eigen::Quaternion<T>& q, const Next& next) {
+        const T length = q.norm();
         Nudge<Eigen::Matrix<T, 4, 1>>::by(q.coeffs(), next);
+        if (length > 0) q.coeffs() *= length / q.norm();  // a turn stays a turn
     }
 };
 

@@ -2,7 +2,14 @@
 
 #include "property_eigen.hpp"
 
-EXERCISE(world_acceleration);
+// All in the world, with the tensor of this orientation: right, and where the torques cancel, or none is to be, it has
+// the roundoff of what is added up.
+static Vector3d by_tensor(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
+    const Matrix3d R = q.toRotationMatrix(), I = R * inertia.asDiagonal() * R.transpose();
+    return I.inverse() * (torque - omega.cross(I * omega));
+}
+
+EXERCISE_BESIDE(world_acceleration, 2e-12, by_tensor);
 
 namespace {
 
