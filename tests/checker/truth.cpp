@@ -164,6 +164,19 @@ TEST_CASE("a mistake that loses digits has its name in another spelling, too, an
     CHECK(name(+[](double x) { return double(float(std::log1p(float(x)))); }) == "single");
 }
 
+TEST_CASE("a guard by a hair is no guard at another place, though that loses the digits of nearly as much near by") {
+    const auto mirrored = +[](double x, double floor) { return x >= floor ? x : 2 * floor - x; };
+    static const bool known = know("guard_test", {{"asks_for_zero", function_of(+[](double x, double floor) { return x >= 0 ? x : 2 * floor - x; })}});
+    CHECK(known);
+    std::vector<Call> calls;
+    for (int i = 1; i <= 60; ++i) {
+        const double floor = (i % 3 == 0 ? -0.3 : 0.3) * i, x = floor - 5e-4 * std::fabs(floor), above = floor + std::fabs(floor);
+        calls.push_back({{x, floor}, {x}, false});
+        calls.push_back({{above, floor}, {above}, true});
+    }
+    CHECK(diagnose("guard_test", function_of(mirrored), calls) != "asks_for_zero");
+}
+
 TEST_CASE("what is nothing but roundoff is told as zero, as it comes out by hand") {
     const Truth truth = function_of(&sine);
     CHECK(without_roundoff(truth, {std::acos(-1)}) == Numbers{0});

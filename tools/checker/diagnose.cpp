@@ -144,16 +144,18 @@ bool loses_as_many_digits(const Mistake& mistake, const Truth& truth, const Show
     std::size_t fits = 0, many = 0;
     for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
         const Call& call = *shown.wrong[i];
-        double lost = 0, least = HUGE_VAL;
+        double lost = 0, lost_nearer = 0, least = HUGE_VAL;
+        const auto largest = [](const Numbers& each) { return each.empty() ? 0 : *std::max_element(each.begin(), each.end()); };
         for (unsigned variation = 1; variation <= 8; ++variation) {
-            const Numbers each = lost_by(mistake.made, truth, call.arguments, variation);
-            const double one = each.empty() ? 0 : *std::max_element(each.begin(), each.end());
+            const double one = largest(lost_by(mistake.made, truth, call.arguments, variation));
             lost = std::max(lost, one);
             least = std::min(least, one);
+            lost_nearer = std::max(lost_nearer, largest(lost_within(1e-4, mistake.made, truth, call.arguments, variation)));
         }
         const double gap = apart(call.result, shown.truth[i]);
-        // What is always off by as much is off by more than roundoff: there the two must agree.
-        const bool is_roundoff = lost < HUGE_VAL && least < 0.7 * lost;
+        // What is always off by as much is off by more than roundoff: there the two must agree. So is what is off by
+        // less, the nearer one looks: that is a guard that lies on one side or the other.
+        const bool is_roundoff = lost < HUGE_VAL && least < 0.7 * lost && lost <= 5 * lost_nearer;
         const bool agrees = gap < HUGE_VAL && errs_alike(mistake.made.answer(call.arguments), call.result, shown.truth[i], shown.roundoff[i]);
         fits += agrees || (is_roundoff && gap <= 4 * lost);
         many += agrees || (is_roundoff && gap >= 0.05 * lost);

@@ -20,6 +20,8 @@ struct Shown {
 /// by much must not hide another: to a thousandth of what is wrong there, which is more than another way to write the
 /// same mistake makes of it, and to roundoff.
 bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right, const Numbers& roundoff);
+/// By how much `way` misses the right answer where the arguments are smaller by shares of at most `most`, number by number.
+Numbers lost_within(double most, const Function& way, const Truth& truth, const Numbers& arguments, unsigned variation);
 /// Are they one but for roundoff?
 bool is_same(const Numbers& made, const Numbers& found);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shown.hpp"
+
 namespace checker {
 
 namespace {
@@ -21,7 +23,8 @@ bool agree(const Numbers& found, const Numbers& right, const Numbers& allowed) {
     return true;
 }
 
-// By how much a way misses the right answer where the arguments are smaller by shares of at most `most`.
+}  // namespace
+
 Numbers lost_within(double most, const Function& way, const Truth& truth, const Numbers& arguments, unsigned variation) {
     Numbers lost = way.nudged(arguments, variation, most);
     const Numbers right = truth.nudged(arguments, variation, most);
@@ -29,8 +32,6 @@ Numbers lost_within(double most, const Function& way, const Truth& truth, const 
     for (std::size_t i = 0; i < right.size(); ++i) lost[i] = std::fabs(lost[i] - right[i]);
     return lost;
 }
-
-}  // namespace
 
 Numbers lost_by(const Function& way, const Truth& truth, const Numbers& arguments, unsigned variation) {
     constexpr double near_by = 1e-3;  // all but roundoff is alike there, and a sum with 1 is rounded otherwise

@@ -325,3 +325,32 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 }
 
 }  // namespace single_precision
+
+// Says: At the old places only the link above pulls a mass; the one below is forgotten there.
+// Hint: What is k (x_below - x) with x1 in it? It goes to the right side, beside the pull from above.
+namespace below_does_not_pull {
+
+std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
+    Lines lines(s, m, k, h);
+    for (std::size_t i = 0; i + 1 < s.size(); ++i) lines.right[i] -= h * k * (s[i + 1].x - s[i].x);
+    return moved(s, h, lines.solved());
+}
+
+}  // namespace below_does_not_pull
+
+// Says: Each mass is pulled by the link above it alone: what hangs below it does not pull it down.
+// Hint: A link pulls both its ends. How many terms has the force on a mass in the middle?
+namespace no_link_below {
+
+std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
+    double v_above = 0, x_above = 0;
+    for (auto& [t, x, v] : s) {
+        const double pull = h * k * (x_above - x);
+        x_above = x;
+        v = v_above = (m * v + pull + h * h * k * v_above) / (m + h * h * k);
+        t += h, x += h * v;
+    }
+    return s;
+}
+
+}  // namespace no_link_below

@@ -1,5 +1,22 @@
 #include "exercise.hpp"
 
+namespace by_powers {
+
+// R written out, along the ray of the faster decay.
+double longest_kutta_step(double omega, double zeta) {
+    const std::complex<double> fast = -zeta - std::sqrt(std::complex<double>(zeta * zeta - 1));
+    double low = 0, high = 3;
+    for (int i = 0; i < 70; ++i) {
+        const double middle = (low + high) / 2;
+        const std::complex<double> z = middle * fast;
+        const double R = std::abs(1.0 + z + z * z / 2.0 + z * z * z / 6.0);
+        (R > 1 ? high : low) = middle;
+    }
+    return low / omega;
+}
+
+}  // namespace by_powers
+
 namespace step_matrix {
 
 // From the step's matrix for (x, v/omega): what it makes of (1, 0) and of (0, 1). Both roots of

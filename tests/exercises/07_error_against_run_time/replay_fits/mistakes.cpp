@@ -248,8 +248,8 @@ bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, 
 
 }  // namespace turned_round
 
-// Says: The error is cut to a whole number: half a size off counts as nothing.
-// Hint: Is there an int, or an abs without std:: before it?
+// Says: Whatever is off by less than a whole size passes, however little the accuracy allows.
+// Hint: Is there an int, or an abs without std:: before the error? Or is the accuracy no factor beside the size?
 namespace whole_number_error {
 
 bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {

@@ -181,3 +181,14 @@ double step_for_error(double error, double h, int order, double wanted) {
 }
 
 }  // namespace example
+
+// Says: The step that was given comes back, whatever the errors and the order are.
+// Hint: Is there a 1/4 or 1/2 in your exponent? In C++ that is a division of whole numbers, and any number to the power
+//       zero is one.
+namespace step_kept {
+
+double step_for_error(double error, double h, int order, double wanted) {
+    return h;
+}
+
+}  // namespace step_kept

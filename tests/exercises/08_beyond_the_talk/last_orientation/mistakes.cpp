@@ -248,3 +248,28 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
 }
 
 }  // namespace sum_of_turns
+
+// Says: Each gap is turned by the difference of its two spins, not by their mean.
+// Hint: A body that spins evenly has the same spin at both ends of a gap. By what does yours turn then?
+namespace difference_of_spins {
+
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    return through(q, times.size(), [&](std::size_t i) { return scaled(gap_of(times, i) / 2, spins[i] - spins[i - 1]); });
+}
+
+}  // namespace difference_of_spins
+
+// Says: The angle is turned into degrees before its sine and its cosine are taken, which want radians.
+// Hint: Spins are in rad/s, and times in s. In what is their product?
+namespace degrees {
+
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const Vector3d turn = scaled(gap_of(times, i) / 2, sum_of(spins, i));
+        const double degrees = turn.norm() * 180 / std::numbers::pi;
+        if (degrees > 0) q = turned(q, degrees, turn / degrees);
+    }
+    return q.normalized();
+}
+
+}  // namespace degrees

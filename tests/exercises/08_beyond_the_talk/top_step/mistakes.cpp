@@ -326,3 +326,16 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 }
 
 }  // namespace nearly_upright
+
+// Says: The angles are turned into degrees. Eigen, as sine and cosine, wants radians.
+// Hint: The angular velocity is in rad/s. By which number do you multiply it, beside the time?
+namespace degrees {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    Top top{inertia, mgl, L, up};
+    steps(h, [&](double time) { top.kick(time); },
+          [&](int i, double time) { top.turn(i, time * top.L[i] / inertia[i] * (180 / std::numbers::pi)); });
+    return top.state();
+}
+
+}  // namespace degrees
