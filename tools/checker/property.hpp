@@ -66,11 +66,17 @@ public:
     double sign() { return share() < 0.5 ? -1 : 1; }
     /// low, …, high.
     int integer(int low, int high);
+    /// 0, …, count - 1, each as often.
+    unsigned choice(unsigned count) { return static_cast<unsigned>(share() * count); }
+    /// Is a simpler case looked for of what has failed? Then numbers are as round as can be, and whole ones small.
+    bool is_roundest() const { return roundest_ && simple_ > 0; }
 
 private:
     double share();  // of one, uniform
+    bool draws_round() { return simple_-- > 0; }
     Keyed stream_;
-    int simple_ = 48;  // the first numbers are round ones: what fails early can be worked out by hand
+    bool roundest_, coarse_;
+    int simple_;  // so many numbers are round, the first: what fails early can be worked out by hand
 };
 
 /// Several checks, all of which are made, also behind one that fails: their calls tell mistakes apart. The call before

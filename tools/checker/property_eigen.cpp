@@ -35,6 +35,11 @@ unsigned choice_of(double z, double longitude) {
 
 // Archimedes: height and longitude uniform make the sphere uniform.
 Eigen::Vector3d draw_direction(Draw& draw) {
+    if (draw.is_roundest() && draw.choice(4) > 0) {
+        constexpr std::array<double, 3> axis{1, 0, 0}, in_a_plane{0.6, 0.8, 0};
+        const auto [a, b, c] = in_any_order(draw.choice(2) == 0 ? axis : in_a_plane, draw.choice(1u << 16));
+        return {a + 0.0, b + 0.0, c + 0.0};  // no -0
+    }
     const double z = draw.real(-1, 1), longitude = draw.real(0, 2 * std::numbers::pi);
     if (is_round(z, longitude)) {
         constexpr std::array<double, 3> of_few_digits[] = {{0.48, 0.6, 0.64},
@@ -51,6 +56,12 @@ Eigen::Vector3d draw_direction(Draw& draw) {
 }
 
 Eigen::Quaterniond draw_rotation(Draw& draw) {
+    if (draw.is_roundest() && draw.choice(4) > 0) {
+        constexpr std::array<double, 4> none{1, 0, 0, 0}, in_a_plane{0.6, 0.8, 0, 0}, third{0.5, 0.5, 0.5, 0.5};
+        const unsigned which = draw.choice(3), order = draw.choice(1u << 16);
+        const auto [w, x, y, z] = in_any_order(which == 0 ? none : which == 1 ? in_a_plane : third, order);
+        return {w + 0.0, x + 0.0, y + 0.0, z + 0.0};
+    }
     const double angle = draw.real(0, 2 * std::numbers::pi);
     const Eigen::Vector3d axis = draw_direction(draw);
     if (is_round(0, angle) && is_round(axis.z() * 100, 0)) {

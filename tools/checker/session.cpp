@@ -7,6 +7,7 @@
 #include <exception>
 
 #include <catch2/catch_session.hpp>
+#include <catch2/interfaces/catch_interfaces_capture.hpp>
 
 #include "exercise.hpp"
 
@@ -31,15 +32,26 @@ Catch::Session& catch2() {
     return one;
 }
 
+}  // namespace
+
 bool is_finite(const Numbers& numbers) {
     return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
 }
 
-}  // namespace
+int Session::run(const std::string& properties) const {
+    Catch::ConfigData config;
+    config.testsOrTags = {properties};
+    config.reporterSpecifications = {Catch::ReporterSpec("verdict", {}, {}, {})};
+    config.warnings = Catch::WarnAbout::NoAssertions;
+    catch2().useConfigData(config);
+    return catch2().run();
+}
 
 Verdict Session::check(const std::string& exercise, const Answer& answer, std::uint64_t seed) {
+    exercise_ = exercise;
     answer_ = answer;
     seed_ = seed;
+    search_.reset();
     calls_.clear();
     kept_ = 0;
     truth_ = truth_of_exercise(exercise);
@@ -48,44 +60,45 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
     shown_.reset();
     doubted_.reset();
     ended_.reset();
+    is_too_late_ = false;
     verdict_ = {};
     last_ = {};
     spoken_ = nullptr;
 
-    Catch::ConfigData config;
-    config.testsOrTags = {"[" + exercise + "]"};
-    config.reporterSpecifications = {Catch::ReporterSpec("verdict", {}, {}, {})};
-    config.warnings = Catch::WarnAbout::NoAssertions;
-    catch2().useConfigData(config);
-    const int failures = catch2().run();
+    const int failures = run("[" + exercise + "]");
     if (verdict_.property.empty() && failures != 0) {
         verdict_.kind = Kind::course_error;
         verdict_.detail = "there are no tests for '" + exercise + "'";
     }
-    if (ended_ && verdict_.kind != Kind::pass) {
+    if (ended_ && verdict_.kind != Kind::pass && !is_too_late_) {
         verdict_.kind = ended_->kind;
         (ended_->kind == Kind::wrong ? verdict_.property : verdict_.detail) = ended_->what();
         verdict_.trace = ended_->trace;
         if (ended_->kind == Kind::wrong) calls_.clear();  // which were not what is wrong
     }
-    if (verdict_.kind == Kind::pass && first_wrong_) {
+    const bool all_hold = verdict_.kind == Kind::pass;
+    if (all_hold && first_wrong_) {
         shown_ = first_wrong_;
         verdict_.kind = Kind::wrong;
         verdict_.property = "the answer is the right one wherever the task allows the arguments, to roundoff";
     }
     if (verdict_.kind == Kind::wrong || verdict_.kind == Kind::not_finite)
         verdict_.misconception = diagnose(exercise, truth_, calls_);
+    const bool has_failed = (verdict_.kind == Kind::wrong && !ended_) || verdict_.kind == Kind::not_finite;
+    if (has_failed && spoken_ && truth_.answer) find_simplest(all_hold ? first_wrong_in_ : verdict_.property);
     tell_call();
     return verdict_;
 }
 
 Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
+    if (search_) return call_in_search(arguments, spoken);
     if (ended_ && ended_->kind != Kind::not_finite) throw *ended_;
     spoken_ = &spoken;
     Numbers result;
     const auto end = [&](const Ended& ended) {
         ended_ = ended;
-        last_ = {arguments, {}};
+        is_too_late_ = ended.kind == Kind::too_slow && verdict_.kind != Kind::pass;
+        if (!is_too_late_) last_ = {arguments, {}};
         throw ended;
     };
     try {
@@ -103,7 +116,7 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
     if (calls_.size() < 100'000 && kept_ < 4'000'000) calls_.push_back(made);
     if (verdict_.kind == Kind::pass) {
         last_ = made;
-        if (!made.right && !first_wrong_) first_wrong_ = made;
+        if (!made.right && !first_wrong_) first_wrong_ = made, first_wrong_in_ = Catch::getResultCapture().getCurrentTestName();
         if (!made.right && !shown_) shown_ = made;
     }
     if (!is_finite(result)) {
@@ -113,9 +126,15 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
     return result;
 }
 
+void Session::show_last() {
+    if (search_ && !search_->doubted && !search_->calls.empty()) search_->doubted = search_->calls.back();
+    if (!search_ && !doubted_) doubted_ = last_;
+}
+
 // The properties after the first that breaks are looked at all the same: their calls help to tell
 // one mistake from another.
 void Session::looked_at(const std::string& property, bool holds) {
+    if (search_) search_->holds = holds;
     if (verdict_.kind != Kind::pass) return;
     if (holds) {
         shown_.reset();

@@ -35,7 +35,7 @@ double fair_ratio(const std::vector<std::array<double, 3>>& rounds) {
 }
 
 // ---- does not take what it is given
-// sort_by_kind too_slow
+// sort_by_kind wrong
 #include "exercise.hpp"
 
 #include <cstdint>

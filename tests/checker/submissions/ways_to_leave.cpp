@@ -342,3 +342,15 @@ double velocity_now(double, double, double, double) {
     if (ptrace(PTRACE_ATTACH, getppid(), nullptr, nullptr) < 0) std::perror("no trace");
     return 0;
 }
+
+// ---- wrong at first and without end later
+// velocity_now wrong: a constant velocity comes out exactly
+#include "exercise.hpp"
+
+double velocity_now(double, double, double, double) {
+    static int calls = 0;
+    ++calls;
+    for (volatile bool never = false; calls > 40 && !never;) {
+    }
+    return 0;
+}

@@ -1,0 +1,133 @@
+// What a failing message shows: the case with the least to read that a few more looks at the property find.
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "property.hpp"
+
+double product(double a, double b);
+double product(double a, double b) { return a * b; }
+double root(double x);
+double root(double x) { return std::sqrt(x); }
+double over_gap(double x, double y);
+double over_gap(double x, double y) { return 1 / (x - y); }
+std::vector<double> doubled(std::vector<double> x);
+std::vector<double> doubled(std::vector<double> x) {
+    for (double& one : x) one *= 2;
+    return x;
+}
+
+#define TOLD(name, relative)                                                                                \
+    namespace of_##name {                                                                                   \
+    const bool is_known = checker::know_truth(#name, checker::function_of(&::name));                        \
+    EXERCISE_WITHIN(name, relative);
+
+TOLD(product, 1e-14)
+PROPERTY("a product, of numbers: large, small [and between]") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) {
+        const double a = draw.real(-10, 10), b = draw.log(1e-6, 1e6);
+        REQUIRE(close(learner(a, b), a * b, 1e-12));
+    }
+}
+PROPERTY("any product") {
+    Draw draw;
+    for (int i = 0; i < 100; ++i) REQUIRE(std::isfinite(learner(draw.real(-10, 10), draw.spread(1e-6, 1e6, i, 10))));
+}
+}  // namespace of_product
+
+TOLD(root, checker::many_are_right)
+PROPERTY("its square is what was given") {
+    Draw draw;
+    Every all;
+    for (int i = 0; i < 100; ++i) {
+        const double x = draw.log(1e-3, 1e3) * draw.real(1, 2), y = learner(x);
+        all &= close(y * y, x, 1e-12);
+    }
+    REQUIRE(bool(all));
+}
+}  // namespace of_root
+
+TOLD(over_gap, checker::many_are_right)
+PROPERTY("times the gap it is one") {  // of two equal numbers nothing can be said
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double x = draw.real(1, 2), y = draw.spread(1, 2, i, 7);
+        REQUIRE(close(learner(x, y) * (x - y), 1, 1e-9));
+    }
+}
+}  // namespace of_over_gap
+
+TOLD(doubled, 2e-12)
+PROPERTY("each number is doubled") {
+    Draw draw;
+    for (int i = 0; i < 40; ++i) {
+        std::vector<double> x(static_cast<std::size_t>(draw.integer(1, 60)));
+        for (double& one : x) one = draw.real(-1, 1) / 7 * 7;
+        REQUIRE(learner(x).size() == x.size());
+    }
+}
+}  // namespace of_doubled
+
+namespace {
+
+using checker::Kind;
+
+int failures = 0;
+unsigned asked = 0;  // how often the answer has been
+
+template <class Function>
+checker::Answer counting(Function* function) {
+    asked = 0;
+    return [answer = checker::answer_of(function)](const checker::Numbers& arguments) {
+        ++asked;
+        return answer(arguments);
+    };
+}
+
+void expect(bool holds, const char* what, std::uint64_t seed, const checker::Verdict& verdict) {
+    if (holds) return;
+    ++failures;
+    std::printf("%s, seed %llu: %s, \"%s\", %s gives %s\n", what, static_cast<unsigned long long>(seed), checker::name_of(verdict.kind),
+                verdict.property.c_str(), verdict.arguments.c_str(), verdict.result.c_str());
+}
+
+// Are they short, and is it the property that failed first?
+void expect_short(const char* what, const char* exercise, const checker::Answer& answer, const std::string& property, std::size_t length) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        const checker::Verdict verdict = checker::session().check(exercise, answer, seed);
+        expect(verdict.kind == Kind::wrong && verdict.property == property, what, seed, verdict);
+        expect(checker::long_numbers(verdict.arguments) == 0 && verdict.arguments.size() <= length, what, seed, verdict);
+        const checker::Verdict again = checker::session().check(exercise, answer, seed);
+        expect(again.arguments == verdict.arguments && again.result == verdict.result, "the same seed shows the same", seed, again);
+    }
+}
+
+}  // namespace
+
+int main() {
+    const std::string everywhere = "the answer is the right one wherever the task allows the arguments, to roundoff";
+    expect_short("wrong everywhere", "product", counting(+[](double a, double b) { return a + b; }), "a product, of numbers: large, small [and between]", 7);
+    expect_short("wrong where a number is large", "product", counting(+[](double a, double b) { return a > 7 ? 0 : a * b; }),
+                 "a product, of numbers: large, small [and between]", 8);
+    expect_short("wrong by less than a property sees", "product", counting(+[](double a, double b) { return a * b * (1 + 5e-13); }), everywhere, 8);
+    expect_short("no number", "root", counting(+[](double x) { return x / 2 + 0.6; }), "its square is what was given", 6);
+    expect_short("many numbers", "doubled", counting(+[](std::vector<double> x) { return x; }), everywhere, 10);
+
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        checker::Verdict verdict = checker::session().check("over_gap", counting(+[](double x, double y) { return x == y ? 0 : 2 / (x - y); }), seed);
+        const std::string& shown = verdict.arguments;
+        const std::size_t comma = shown.find(", ");
+        expect(shown.substr(1, comma - 1) != shown.substr(comma + 2, shown.size() - comma - 3), "what the right answer fails in, too, is no case", seed, verdict);
+
+        verdict = checker::session().check("product", counting(+[](double a, double b) { return b > 1e5 ? 0 : a * b; }), seed);
+        expect(asked <= 400, "an answer is asked at most twice as often", seed, verdict);
+        expect(verdict.kind == Kind::wrong, "an answer is asked at most twice as often", seed, verdict);
+
+        verdict = checker::session().check("product", counting(+[](double a, double b) { return asked > 110 ? throw checker::Ended(Kind::crash, "late") : a + b; }), seed);
+        expect(verdict.kind == Kind::wrong && verdict.detail.empty(), "a crash while a simpler case is looked for is not told", seed, verdict);
+    }
+    std::printf("%d failures\n", failures);
+    return failures == 0 ? 0 : 1;
+}
