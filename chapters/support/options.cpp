@@ -2,8 +2,6 @@
 
 #include <stdexcept>
 
-#include <CLI/CLI.hpp>
-
 namespace lab {
 
 namespace {
@@ -35,33 +33,34 @@ void Options::add(const std::string& flag, bool& given) {
 }
 
 bool Options::parse(int argc, char** argv) const {
-    CLI::App app;
-    app.set_help_flag();  // CLI11's own takes --help=1, too
-    app.allow_extras();
-    std::vector<const CLI::Option*> given;
-    for (const Option& option : options_) {
-        CLI::Option* const known =
-            option.has_value ? app.add_option(option.flag) : app.add_flag(option.flag);
-        given.push_back(known->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
-        for (int i = 1; i < argc; ++i)  // CLI11 would take the next word for its value
-            if (option.has_value && argv[i] == option.flag + "=") set(option.flag, option.set, "");
+    std::vector<std::vector<std::string>> given(options_.size());
+    std::vector<std::string> unknown;
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        bool known = false;
+        for (std::size_t k = 0; k < options_.size() && !known; ++k) {
+            const auto& [flag, setter, has_value, often] = options_[k];
+            if (word == flag) {
+                if (has_value && i + 1 == argc) throw std::invalid_argument(flag + ": needs a value");
+                given[k].push_back(has_value ? argv[++i] : "");
+            } else if (has_value && word.starts_with(flag + "=")) {
+                given[k].push_back(word.substr(flag.size() + 1));
+            } else {
+                continue;
+            }
+            known = true;
+        }
+        if (!known) unknown.push_back(word);
     }
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ArgumentMismatch& error) {
-        const std::string words = error.what();
-        throw std::invalid_argument(words.substr(0, words.find(':')) + ": needs a value");
-    }
-    for (const std::string& word : app.remaining()) {
+    for (const std::string& word : unknown) {
         if (word == "--help" || word == "-h") return false;
-        throw std::invalid_argument(shown(word) + ": unknown option (" + program_ +
-                                    " --help lists them)");
+        throw std::invalid_argument(shown(word) + ": unknown option (" + program_ + " --help lists them)");
     }
-    for (std::size_t i = 0; i < options_.size(); ++i) {
-        const Option& option = options_[i];
-        if (given[i]->count() > 1 && !option.often)
+    for (std::size_t k = 0; k < options_.size(); ++k) {
+        const Option& option = options_[k];
+        if (given[k].size() > 1 && !option.often)
             throw std::invalid_argument(option.flag + ": must be given once only");
-        for (const std::string& value : given[i]->results()) set(option.flag, option.set, value);
+        for (const std::string& value : given[k]) set(option.flag, option.set, value);
     }
     return true;
 }

@@ -3,7 +3,6 @@
 #include "directives.hpp"
 #include "text.hpp"
 
-#include <regex>
 #include <stdexcept>
 
 namespace page {
@@ -15,13 +14,11 @@ std::string line_markdown(Context& context, const Directive& directive) {
     const std::string& name = directive.arguments[0];
     const std::filesystem::path style = context.root() / "tools/figures/style.gp";
     context.inputs.insert(style);
-    static const std::regex entry{"(\\w+) *= \"lc rgb '(#[0-9a-f]{6})' lw [0-9.]+ dt ([^\"]+)\""};
-    const std::string text = read_file(style);
-    for (std::sregex_iterator each{text.begin(), text.end(), entry}, end; each != end; ++each) {
-        if ((*each)[1] == name) {
-            const char* dashes = (*each)[3] == "1" ? "solid" : "dashed";
-            return "<span class=\"line\" style=\"border-top: 3px " + std::string{dashes} + " " + (*each)[2].str() + "\"></span>";
-        }
+    for (const std::string& line : split_lines(read_file(style))) {  // name = "lc rgb '#123456' lw 2 dt 1"
+        const std::vector<std::string> words = split_words(line);
+        if (words.size() < 9 || words[0] != name || words[1] != "=" || words[2] != "\"lc" || words[7] != "dt") continue;
+        const char* dashes = words[8] == "1\"" ? "solid" : "dashed";
+        return "<span class=\"line\" style=\"border-top: 3px " + std::string{dashes} + " " + words[4].substr(1, 7) + "\"></span>";
     }
     throw std::out_of_range{"tools/figures/style.gp draws no line \"" + name + "\""};
 }

@@ -9,18 +9,36 @@
 #include "error.hpp"
 #include "text.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <regex>
 #include <set>
 
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
+
+/// The text as a string of JavaScript.
+std::string quoted(const std::string& text) {
+    std::string words = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') words += '\\';
+        words += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+    return words + '"';
+}
+
+/// One entry a place.
+class Places {
+public:
+    void add(const std::string& address, const std::string& title, const std::string& page, const std::string& words) {
+        entries_ += (entries_.empty() ? "{\"u\":" : ",\n{\"u\":") + quoted(address) + ",\"t\":" + quoted(title) + ",\"p\":" + quoted(page) + ",\"x\":" + quoted(words) + "}";
+    }
+    const std::string& entries() const { return entries_; }
+
+private:
+    std::string entries_;
+};
 
 /// Words without tags, formulas and listings.
 std::string words_of(std::string html) {
@@ -47,8 +65,17 @@ std::string between(const std::string& text, const std::string& open, const std:
     return end == std::string::npos ? "" : text.substr(begin + open.size(), end - begin - open.size());
 }
 
+/// Is that one of the pages that we have written?
+bool has_words(const std::string& name) {
+    static const std::set<std::string> pages{"chapter_", "index", "which_method", "exercises", "exercises_", "teaching", "promises", "methods", "rigid_methods", "in_your_engine"};
+    if (!name.ends_with(".html")) return false;
+    const std::string stem = name.substr(0, name.size() - 5);
+    const std::size_t number = stem.find_last_not_of("0123456789") + 1;
+    return pages.contains(stem.substr(0, number)) && (stem[number - 1] == '_') == (number < stem.size());
+}
+
 /// A page of words, section by section.
-void add_sections(const fs::path& file, json& places) {
+void add_sections(const fs::path& file, Places& places) {
     const std::string html = page::read_file(file), name = file.filename().string();
     const std::string title = words_of(between(html, "<div class=\"title\">", "</div>"));
     const std::size_t begin = html.find("<div class=\"textblock\">");
@@ -56,27 +83,30 @@ void add_sections(const fs::path& file, json& places) {
     const std::string text = html.substr(begin, html.find("<!-- contents -->") - begin);
     static const std::string heading = "<a class=\"anchor\" id=\"";
     std::size_t at = text.find(heading);
-    places.push_back({{"u", name}, {"t", title}, {"p", ""}, {"x", words_of(text.substr(0, at))}});
+    places.add(name, title, "", words_of(text.substr(0, at)));
     while (at != std::string::npos) {
         const std::size_t next = text.find(heading, at + 1);
         const std::string part = text.substr(at, next - at);
         const std::string id = between(part, heading, "\"");
         const std::size_t end = part.find("</h");
         if (end != std::string::npos && !id.starts_with("autotoc"))
-            places.push_back({{"u", name + "#" + id}, {"t", words_of(part.substr(0, end))}, {"p", title}, {"x", words_of(part.substr(end))}});
+            places.add(name + "#" + id, words_of(part.substr(0, end)), title, words_of(part.substr(end)));
         at = next;
     }
 }
 
 /// Each word of the glossary leads to where it is explained.
-void add_glossary(const fs::path& file, json& places) {
+void add_glossary(const fs::path& file, Places& places) {
     const std::string html = page::read_file(file);
-    static const std::regex entry{"<li><b>(.*?</b>(?: \\(<em>.*?</em>\\))?)([\\s\\S]*?)</li>"}, place{"href=\"([^\"]*)\""};
-    for (std::sregex_iterator each{html.begin(), html.end(), entry}, end; each != end; ++each) {
-        const std::string rest = (*each)[2];
-        std::smatch to;
-        if (!std::regex_search(rest, to, place)) continue;
-        places.push_back({{"u", to.str(1)}, {"t", words_of((*each)[1])}, {"p", "Glossary"}, {"x", words_of(rest.substr(std::min(rest.find(' '), rest.size())))}});
+    static const std::string open = "<li><b>";
+    for (std::size_t at = html.find(open); at != std::string::npos; at = html.find(open, at + 1)) {
+        const std::string entry = between(html, open, "</li>", at);
+        std::size_t end = entry.find("</b>") + 4;
+        if (end < 4) continue;
+        if (entry.compare(end, 6, " (<em>") == 0) end = std::min(entry.find("</em>)", end), entry.size() - 6) + 6;
+        const std::string rest = entry.substr(end), address = between(rest, "href=\"", "\"");
+        if (address.empty()) continue;
+        places.add(address, words_of(entry.substr(0, end)), "Glossary", words_of(rest.substr(std::min(rest.find(' '), rest.size()))));
     }
 }
 
@@ -91,7 +121,7 @@ std::string apart(const std::string& name) {
 }
 
 /// The library's names, from Doxygen's file of tags.
-void add_names(const fs::path& tags, json& places) {
+void add_names(const fs::path& tags, Places& places) {
     std::ifstream stream(tags);
     std::set<std::string> seen;
     std::string compound, kind, name, page_file;
@@ -110,7 +140,7 @@ void add_names(const fs::path& tags, json& places) {
         if (address.empty() || name.find("detail") != std::string::npos || !address.ends_with("html") == (address.find('#') == std::string::npos)) continue;
         const std::string bare = name.substr(name.rfind(':') == std::string::npos ? 0 : name.rfind(':') + 1);
         if (bare.starts_with("operator") || !seen.insert(page_file + bare).second) continue;
-        places.push_back({{"u", address}, {"t", bare}, {"p", "The library"}, {"x", apart(bare)}});
+        places.add(address, bare, "The library", apart(bare));
     }
 }
 
@@ -123,18 +153,17 @@ int main(int argc, char** argv) {
     }
     try {
         const fs::path site = argv[1];
-        json places = json::array();
-        static const std::regex of_words{"(chapter_[0-9]+|index|which_method|exercises(_[0-9]+)?|teaching|promises|methods|rigid_methods|in_your_engine)\\.html"};
+        Places places;
         std::set<fs::path> files;
         for (const auto& entry : fs::directory_iterator{site}) files.insert(entry.path());
         for (const fs::path& file : files) {
             const std::string name = file.filename().string();
-            if (std::regex_match(name, of_words)) add_sections(file, places);
+            if (has_words(name)) add_sections(file, places);
             if (name == "glossary.html") add_glossary(file, places);
         }
         add_names(argv[2], places);
-        if (places.empty()) throw page::Error{site.string(), 1, "has no pages to search"};
-        page::write_file(site / "search_places.js", "const searchPlaces = " + places.dump(-1, ' ', false, json::error_handler_t::replace) + ";\n");
+        if (places.entries().empty()) throw page::Error{site.string(), 1, "has no pages to search"};
+        page::write_file(site / "search_places.js", "const searchPlaces = [" + places.entries() + "];\n");
     } catch (const std::exception& error) {
         std::cerr << "search_index: " << error.what() << '\n';
         return 1;
