@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <timestep/advise_stretch.hpp>
+#include <timestep/inline.hpp>
 
 #if defined(__clang__)  // what is long double here is meant to be
 #pragma clang diagnostic push
@@ -170,7 +171,8 @@ Advice advise(const Method& method, const SpringScene& scene, double h, double w
 /// A force evaluation and a solve are counted as equal in cost. Throws `std::invalid_argument` where
 /// ω or h is not above zero and finite, where ωh is below 1e-12 (a step then changes nothing but the last
 /// digits) or not finite, or `wanted` is not between 1e-8 and 0.5.
-inline std::vector<Advice> advise(const SpringScene& scene, double h, double wanted = 0.01) {
+TIMESTEP_WHERE_CALLED
+std::vector<Advice> advise(const SpringScene& scene, double h, double wanted = 0.01) {
     const double omega = scene.fastest.omega;
     positive("omega", omega);
     positive("step", h);

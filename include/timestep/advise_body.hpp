@@ -92,7 +92,8 @@ void judge(BodyAdvice& advice, const Tumble<Solver>&, const PrincipalInertia<dou
     advice.worst_spin = one.worst_spin;
 }
 
-inline void judge(BodyAdvice& advice, const LaggedInertiaSpin&, const PrincipalInertia<double>& inertia, double spin,
+TIMESTEP_WHERE_CALLED
+void judge(BodyAdvice& advice, const LaggedInertiaSpin&, const PrincipalInertia<double>& inertia, double spin,
                   double h, bool even) {
     judge(advice, Tumble<LaggedInertia>{}, inertia, spin, h, even);
     if (advice.adds == AddsEnergy::never) return;
@@ -102,7 +103,8 @@ inline void judge(BodyAdvice& advice, const LaggedInertiaSpin&, const PrincipalI
 
 // It keeps E/Δ with Δ = 1 − c (hω₂/2)², ω₂ that about the axis of the intermediate moment and c the middle share. As Δ is
 // at most 1, E is never more than the first one over the first Δ, while that is above zero.
-inline void judge(BodyAdvice& advice, const Tumble<HalfStepJacobian>& rule, const PrincipalInertia<double>& inertia,
+TIMESTEP_WHERE_CALLED
+void judge(BodyAdvice& advice, const Tumble<HalfStepJacobian>& rule, const PrincipalInertia<double>& inertia,
                   double spin, double h, bool even) {
     const double share = middle_share(inertia);
     if (share == 0) return void(advice.reason = "two equal moments: the energy stays");
@@ -164,7 +166,8 @@ inline void judge(BodyAdvice& advice, const SymmetricRemainder4& rule, const Pri
 
 // With two equal moments the other two components of ω go round with the angle h·wobble·ω_z a step, and chapter 3's
 // 2√2 is the limit.
-inline void judge(BodyAdvice& advice, const RungeKuttaSpin& rule, const PrincipalInertia<double>& inertia,
+TIMESTEP_WHERE_CALLED
+void judge(BodyAdvice& advice, const RungeKuttaSpin& rule, const PrincipalInertia<double>& inertia,
                   double spin, double h, bool) {
     if (no_torque(inertia)) return void(advice.reason = "equal moments: no gyroscopic torque");
     const double limit = 2 * std::sqrt(2.0);
@@ -213,7 +216,8 @@ inline void check_spin(double spin, double h) {
 ///
 /// Throws `std::invalid_argument` where the spin is not above zero and finite, or it or its product with a step
 /// is above 1e50: some of the solvers' products would overflow.
-inline std::vector<BodyAdvice> advise_body(const PrincipalInertia<double>& inertia, const Vector3<double>& omega,
+TIMESTEP_WHERE_CALLED
+std::vector<BodyAdvice> advise_body(const PrincipalInertia<double>& inertia, const Vector3<double>& omega,
                                            const Frames& frames) {
     const double spin = omega.stableNorm(), h = frames.longest();
     detail::check_spin(spin, h);

@@ -53,7 +53,8 @@ inline long pieces(double step, double longest) {
 }
 
 // Every method that is advised on, judged on the fastest oscillation.
-inline void for_each_judged(const SpringScene& scene, const std::function<void(const Judged&)>& visit) {
+TIMESTEP_WHERE_CALLED
+void for_each_judged(const SpringScene& scene, const std::function<void(const Judged&)>& visit) {
     const auto look = [&](const auto& method) { visit(judged(method, scene.fastest.zeta, scene.least.zeta)); };
     for_each_method(look);
     look(semi_implicit_euler_new_damping);
@@ -70,7 +71,8 @@ inline Advice in_substeps(const Judged& method, SpringScene scene, double h, lon
     scene.shortest_frame /= double(n), scene.longest_frame /= double(n);
     return at_step(method, scene, h / double(n), wanted);
 }
-inline Advice in_substeps(std::string_view name, const SpringScene& scene, double h, long n, double wanted) {
+TIMESTEP_WHERE_CALLED
+Advice in_substeps(std::string_view name, const SpringScene& scene, double h, long n, double wanted) {
     Advice advice;
     for_each_judged(scene, [&](const Judged& method) {
         if (name == method.name) advice = in_substeps(method, scene, h, n, wanted);
@@ -115,7 +117,8 @@ inline Right right_frames(const Judged& method, const SpringScene& scene, double
 }
 
 // Asked for an accuracy: the list's method, or the cheapest that is right where that one costs far more.
-inline Recommendation precisely(const Choice& choice, const SpringScene& scene, double h, double wanted,
+TIMESTEP_WHERE_CALLED
+Recommendation precisely(const Choice& choice, const SpringScene& scene, double h, double wanted,
                                 const std::vector<Advice>& all) {
     std::vector<Right> found;
     double least = std::numeric_limits<double>::infinity();
@@ -154,7 +157,8 @@ inline Recommendation precisely(const Choice& choice, const SpringScene& scene, 
 }
 
 // Frames of uneven length, and no accuracy asked.
-inline Recommendation in_frames(const Choice& choice, const SpringScene& scene, double h, bool keeps_size,
+TIMESTEP_WHERE_CALLED
+Recommendation in_frames(const Choice& choice, const SpringScene& scene, double h, bool keeps_size,
                                 const std::vector<Advice>& all) {
     const auto taken = [&](const char* method, long n, const std::string& why) {
         const std::string take = "a constant step, by chapter 2's game loop; where that cannot be, **" + std::string(method) + "**";
@@ -184,7 +188,8 @@ inline Recommendation of_tether(const Choice& choice, const SpringScene& scene, 
 }
 
 // A constant step, and no accuracy asked: as many substeps as make it stable and still.
-inline Recommendation at_sight(const Choice& choice, const SpringScene& scene, double h, const std::vector<Advice>& all) {
+TIMESTEP_WHERE_CALLED
+Recommendation at_sight(const Choice& choice, const SpringScene& scene, double h, const std::vector<Advice>& all) {
     const DampedSpring<double>& spring = scene.fastest;
     const double turn = spring.omega * h;
     Recommendation made{&choice, 1, choice.method, choice.take, choice.why};
@@ -213,7 +218,8 @@ inline Recommendation at_sight(const Choice& choice, const SpringScene& scene, d
 /// The answer for steps of `h`, and the fewest substeps with which it is stable, does not ring, and is as near as
 /// was asked for. `all` is what advise() says of the same, to the accuracy of `wish`. Asked for an accuracy, it is the
 /// list's method where that costs no more than four times what the cheapest does, and a cheap one elsewhere.
-inline Recommendation recommend(const SpringScene& scene, double h, const Wish& wish, const std::vector<Advice>& all) {
+TIMESTEP_WHERE_CALLED
+Recommendation recommend(const SpringScene& scene, double h, const Wish& wish, const std::vector<Advice>& all) {
     const DampedSpring<double>& spring = scene.fastest;
     const SpringQuestion question{spring.omega * h, spring.zeta, !scene.varying(), wish.precise, wish.keeps_size, scene.only_pulls};
     const Choice& choice = choose(question);

@@ -12,6 +12,7 @@
 
 #include <timestep/advise.hpp>
 #include <timestep/gyroscopic.hpp>
+#include <timestep/inline.hpp>
 
 namespace timestep {
 
@@ -147,7 +148,8 @@ inline bool no_torque(const PrincipalInertia<double>& inertia) {
     return (inertia.ratio.array() == 0).all();
 }
 
-inline SpinAdvice advise_spin(const ExplicitGyroscopic& solver, const PrincipalInertia<double>& inertia,
+TIMESTEP_WHERE_CALLED
+SpinAdvice advise_spin(const ExplicitGyroscopic& solver, const PrincipalInertia<double>& inertia,
                               double spin, double h) {
     SpinAdvice advice = spin_advice(solver.name, h, 1);
     if (no_torque(inertia)) return advice.reason = "equal moments: no gyroscopic torque", advice;
@@ -158,7 +160,8 @@ inline SpinAdvice advise_spin(const ExplicitGyroscopic& solver, const PrincipalI
     return advice;
 }
 
-inline SpinAdvice advise_spin(const LaggedInertia& solver, const PrincipalInertia<double>& inertia,
+TIMESTEP_WHERE_CALLED
+SpinAdvice advise_spin(const LaggedInertia& solver, const PrincipalInertia<double>& inertia,
                               double spin, double h) {
     SpinAdvice advice = spin_advice(solver.name, h, 1);
     if (no_torque(inertia)) return advice.reason = "equal moments: no gyroscopic torque", advice;
@@ -176,7 +179,8 @@ inline SpinAdvice advise_spin(const NoGyroscopic& solver, const PrincipalInertia
     return advice;
 }
 
-inline SpinAdvice advise_spin(const ImplicitGyroscopic& solver, const PrincipalInertia<double>& inertia,
+TIMESTEP_WHERE_CALLED
+SpinAdvice advise_spin(const ImplicitGyroscopic& solver, const PrincipalInertia<double>& inertia,
                               double spin, double h) {
     SpinAdvice advice = spin_advice(solver.name, h, 2);
     if ((inertia.ratio.array() == 0).any())
@@ -220,7 +224,8 @@ inline SpinAdvice advise_spin(const PassiveGyroscopic& solver, const PrincipalIn
 ///
 /// Throws `std::invalid_argument` where spin or step is not above zero and finite, or their product, or
 /// where spin or product is above 1e50: some of the solvers' products would overflow.
-inline std::vector<SpinAdvice> advise_spin(const PrincipalInertia<double>& inertia, double spin,
+TIMESTEP_WHERE_CALLED
+std::vector<SpinAdvice> advise_spin(const PrincipalInertia<double>& inertia, double spin,
                                            double h) {
     positive("spin", spin);
     positive("step", h);

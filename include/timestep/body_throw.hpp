@@ -9,6 +9,7 @@
 #include <random>
 #include <type_traits>
 
+#include <timestep/inline.hpp>
 #include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/rigid/symmetric_remainder.hpp>
 
@@ -122,7 +123,8 @@ Thrown throw_body(const Rule& rule, const PrincipalInertia<double>& inertia, con
 }
 
 /// The exact motion after so many seconds, as a throw.
-inline Thrown throw_exactly(const PrincipalInertia<double>& inertia, const Vector3<double>& omega,
+TIMESTEP_WHERE_CALLED
+Thrown throw_exactly(const PrincipalInertia<double>& inertia, const Vector3<double>& omega,
                             double seconds = 10) {
     PrincipalInertia<double> body = inertia;
     body.moments = body.unit;

@@ -8,6 +8,7 @@
 
 #include <timestep/body_throw.hpp>
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
+#include <timestep/inline.hpp>
 #include <timestep/which_method.hpp>
 
 namespace timestep {
@@ -68,7 +69,8 @@ private:
 /// After how many seconds the passive step has taken half of the spin about the axis of the odd moment, of a body
 /// spun about it at `spin` rad/s and tilted by a hundredth; infinite if it leaves it so long as we watch, an hour
 /// or a million steps.
-inline double half_gone_by_passive(const PrincipalInertia<double>& inertia, double spin, Frames frames) {
+TIMESTEP_WHERE_CALLED
+double half_gone_by_passive(const PrincipalInertia<double>& inertia, double spin, Frames frames) {
     const int odd = closest_moments(inertia).odd;
     Vector3<double> omega = as_thrown(Vector3<double>(spin * Vector3<double>::Unit(odd)));
     const double half = omega[odd] / 2;

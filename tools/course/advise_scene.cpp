@@ -5,6 +5,7 @@
 
 #include <timestep/advise_springs.hpp>
 
+#include "advise.hpp"
 #include "advise_scene.hpp"
 
 namespace course {

@@ -1,9 +1,9 @@
 #pragma once
 // ./course advise: the springs of a question.
 
-#include <timestep/advise.hpp>
+#include <timestep/advise_verdict.hpp>
 
-#include "advise.hpp"
+#include "commands.hpp"
 
 namespace course {
 

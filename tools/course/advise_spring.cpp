@@ -4,11 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include <timestep/advise_recommend.hpp>
-
 #include "advise.hpp"
-#include "advise_scene.hpp"
 #include "advise_words.hpp"
+#include "spring_answer.hpp"
 #include "terminal.hpp"
 
 namespace course {
@@ -207,14 +205,7 @@ void print(const std::vector<Advice>& all, const timestep::SpringScene& scene, c
 }  // namespace
 
 void advise_spring(const Question& question, bool json) {
-    const timestep::SpringScene scene = scene_of(question);
-    const double h = scene.varying() ? scene.longest_frame : step_of(question);
-    const double accuracy = question.accuracy.value_or(1);
-    if (!(accuracy >= 1e-6 && accuracy <= 50))
-        timestep::refuse("accuracy", accuracy, "from 1e-6 to 50 percent");
-    const auto all = timestep::advise(scene, h, accuracy / 100);
-    const timestep::Wish wish{question.accuracy.has_value(), question.keep_size, accuracy / 100};
-    const timestep::Recommendation answer = timestep::recommend(scene, h, wish, all);
+    const auto [scene, h, accuracy, all, answer] = answer_spring(question);
     if (json) {
         Json list = Json::array();
         for (const auto& advice : all) {

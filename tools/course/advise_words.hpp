@@ -1,5 +1,5 @@
 #pragma once
-// How ./course advise writes its numbers.
+// How ./course advise writes its numbers, for people and as JSON.
 
 #include <cmath>
 #include <cstdio>
@@ -7,7 +7,14 @@
 #include <cstring>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 namespace course {
+
+using Json = nlohmann::ordered_json;
+
+// JSON knows neither NaN nor infinity.
+inline Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 // Rounded, in plain digits up to a million: 4300 and not 4.3e+03.
 inline std::string number(double value, const char* format = "%.3g") {

@@ -27,14 +27,14 @@ namespace {
 }
 
 // What stands in the files of tools/new, and what takes its place.
-using Words = std::vector<std::pair<std::string, std::string>>;
+using Replacements = std::vector<std::pair<std::string, std::string>>;
 
 // A file that is made from one of tools/new, and what is to be filled in there.
 struct Skeleton {
     std::string sample, place, fill_in;
 };
 
-std::string filled(const std::string& sample, const Words& words) {
+std::string filled(const std::string& sample, const Replacements& words) {
     const fs::path file = places().source / "tools/new" / sample;
     std::string text = contents(file);
     for (const auto& [word, by] : words) replace_all(text, word, by);
@@ -161,7 +161,7 @@ void new_chapter(const std::string& name) {
     check_chapter_is_new(name);
 
     const std::string digits = (number < 10 ? "0" : "") + std::to_string(number), folder = digits + "_" + name;
-    const Words words{{"NEW_NAME", name}, {"NEW_TITLE", title_from(name)}, {"NEW_NUMBER", std::to_string(number)},
+    const Replacements words{{"NEW_NAME", name}, {"NEW_TITLE", title_from(name)}, {"NEW_NUMBER", std::to_string(number)},
                       {"NEW_DIGITS", digits}, {"NEW_CHAPTER", folder}};
     const std::string room = "chapters/" + folder + "/";
     const std::vector<Skeleton> parts{
@@ -198,7 +198,7 @@ void new_exercise(const std::string& chapter_meant, const std::string& name) {
     }
     check_exercise_is_new(name);
 
-    const Words words{{"NEW_NAME", name}, {"NEW_TITLE", title_from(name)}, {"NEW_PLACE", std::to_string(number)},
+    const Replacements words{{"NEW_NAME", name}, {"NEW_TITLE", title_from(name)}, {"NEW_PLACE", std::to_string(number)},
                       {"NEW_NUMBER", std::to_string(chapter.number())}};
     const std::string room = "tests/exercises/" + chapter.folder + "/" + name + "/", file = chapter.folder + "/" + name + ".cpp";
     const std::vector<Skeleton> parts{
