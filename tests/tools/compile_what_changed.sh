@@ -137,6 +137,37 @@ test_a_call_that_has_moved_is_compiled() {
     done
 }
 
+# Several sources compiled as one, which includes them from elsewhere (CMake's unity builds).
+test_a_call_that_has_moved_in_one_of_many_is_compiled() {
+    new_project
+    new_caller
+    mkdir -p Unity
+    printf '#include "%s"\n' "$folder/study/main.cpp" >Unity/unity_0_cxx.cxx
+    compile_many
+    compiles 1
+    calls_from 6 2
+    sed -i '1i// one line more' library/f.hpp
+    compile_many
+    compiles 1  # in a folder of the project like any other, as nobody knows which is the sources'
+    compile_many
+    compiles 0
+    sed -i '1i// one line more' study/main.cpp
+    compile_many
+    compiles 1
+    calls_from 7 2
+    sed -i 's/, beside()/, 2/; s/caller()/7/' study/main.cpp
+    sed -i '/caller.hpp/d; /beside.hpp/d' study/main.cpp
+    compile_many
+    compiles 1
+    sed -i '1i// one line more' library/f.hpp  # nobody asks
+    compile_many
+    compiles 0
+}
+compile_many() {
+    expect 0 sh "$source/tools/cmake/compile_what_changed.sh" ./compiler -std=c++20 -I"$folder/library" -I"$folder/support" -MD -MT main.o \
+        -MF main.d -o main.o -c "$folder/Unity/unity_0_cxx.cxx"
+}
+
 test_a_line_that_has_moved_within_what_asks_is_compiled() {
     new_project
     new_caller

@@ -20,6 +20,7 @@ for word; do
     esac
     before=$word
 done
+case $near in */Unity/) near=/ ;; esac  # many sources as one, from anywhere
 if [ "$ready" = "$object" ] || [ ! -e "$ready" ]; then ready=; fi
 asking='source_location|__builtin_(LINE|FILE)|__LINE__'
 
