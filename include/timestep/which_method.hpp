@@ -91,7 +91,7 @@ inline const std::vector<Choice>& choices() {
          "one force a step, and no damper, however strong, blows it up; on a spring its energy oscillates and does not drift (on a "
          "pendulum up to ωh = " + pendulum + ")", "ch3_energy",
          "semi-implicit Euler, new damping"},
-        {"pull", "a stiff pull to a target, a decay: ζ at least 1, or ζωh at least " + ended, "**implicit Euler**", "the decay dies, as it should",
+        {"pull", "a stiff pull to a target, a decay, ωh above " + twice + ": ζ at least 1, or ζωh at least " + ended, "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
         {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},

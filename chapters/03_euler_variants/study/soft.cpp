@@ -109,6 +109,9 @@ void soft_constraints(const Settings&, lab::Findings& out) {
     out.number("soft_hz", hz, "Hz", "a designer's spring");
     out.number("soft_felt_zeta", designed.zeta, "", "the damping ratio that it has at 60 Hz", 2);
     out.number("soft_felt_often", often.zeta, "", "and at 240 Hz", 2);
+    const auto swings = [&](const Felt& f) { return f.omega * std::sqrt(1 - f.zeta * f.zeta) / (2 * pi); };
+    out.number("soft_felt_swings", swings(designed), "", "how often it swings in a second at 60 Hz", 2);
+    out.number("soft_often_swings", swings(often), "", "and at 240 Hz", 2);
     out.check("soft_adds_damping", designed.zeta > 2 * zeta && often.zeta < designed.zeta,
               "at 60 Hz a soft constraint of 5 Hz has over twice the damping asked for, at 240 Hz less of it");
 
