@@ -133,7 +133,8 @@ Engine bullet(const std::string& rule) {
 void enter_bullet(std::vector<Engine>& engines, std::vector<std::string>&) {
     using namespace timestep;
     engines.push_back(bullet<btDiscreteDynamicsWorld>("as it is"));
-    engines.push_back(bullet<CallbackWorld<InEngine<PassiveGyroscopic>>>("passive, before"));
+    engines.push_back(bullet<CallbackWorld<InEngine<PassiveGyroscopic>>>("passive, three moments, before"));
+    engines.push_back(bullet<CallbackWorld<PassiveInEngine>>("gyroscopic_passivef, before"));
     engines.push_back(bullet<CallbackWorld<InEngine<CalmHalfStep>>>("calm half-step, before"));
     engines.push_back(bullet<AfterWorld<InEngine<CalmHalfStep>>>("calm half-step, after"));
     for_each_rule([&](const auto& rule, const std::string& name) {

@@ -18,6 +18,20 @@ template <class Solver>
 using InEngine = std::conditional_t<std::is_same_v<Solver, timestep::CalmHalfStep>, timestep::CalmInEngine,
                                     timestep::RuleInEngine<Solver>>;
 
+// The passive step by the plain functions: for two equal moments a turn, which loses nothing.
+struct PassiveInEngine : timestep::CalmInEngine {
+    static bool step(const gyroscopic_bodyf& body, timestep::Vector3<float>& omega, float h) {
+        if (gyroscopic_idlef(&body, omega.data())) return false;
+        gyroscopic_passivef(&body, omega.data(), h);
+        return true;
+    }
+    static bool step(const gyroscopic_body& body, timestep::Vector3<double>& omega, double h) {
+        if (gyroscopic_idle(&body, omega.data())) return false;
+        gyroscopic_passive(&body, omega.data(), h);
+        return true;
+    }
+};
+
 // The half-step Jacobian in n = ⌈2h √(2E/I_min)⌉ substeps: by the fastest that the body can get at its energy.
 struct HalfStepInSubsteps {
     template <class Real>
