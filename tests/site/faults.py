@@ -70,6 +70,15 @@ class Links(SiteCase):
             "navtreedata.js: none.html leads to no file",
             "navtreedata.js: other.html#here leads to no place in the page"])
 
+    def test_what_is_taken_home_is_whole(self):
+        os.makedirs(os.path.join(self.folder.name, "take_home/timestep"))
+        self.write("take_home/timestep/b.h", b"#include <math.h>\n")
+        self.write("take_home/a.hpp", b'#include <vector>\n#include <timestep/b.h>\n')
+        self.assertEqual(self.faults(), [])
+        self.write("take_home/a.hpp", b'#include <timestep/c.h>\n#include "d.hpp"\n')
+        self.assertEqual(self.faults(), ["take_home/a.hpp: d.hpp leads to no file",
+                                         "take_home/a.hpp: timestep/c.h leads to no file"])
+
     def test_hidden_tests_stay_hidden(self):
         title = "Timestep: tests/exercises/01_a/b/properties.cpp Source File"
         self.write("p.html", f"<title>{title}</title>".encode())

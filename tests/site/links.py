@@ -5,7 +5,7 @@ hidden tests stay hidden?
     links.py SITE      prints a line for each fault; exit status 0 when there is none, else 1
 
 Reads the pages as files: every local href and src must name a file that exists, every anchor a
-place in it. Scripts, styles and images come from the site itself. The tree and the search, which
+place in it, and what a file to take home includes lies beside it. Scripts, styles and images come from the site itself. The tree and the search, which
 are made of scripts, are held to the same.
 """
 
@@ -86,6 +86,16 @@ def find_faults(site):
             faults.append(f"{origin}: {address} leads to no file")
         elif parts.fragment and target in pages and parts.fragment not in pages[target].anchors:
             faults.append(f"{origin}: {address} leads to no place in the page")
+
+    # Each file to take home finds what it includes.
+    for folder, _, files in os.walk(os.path.join(site, "take_home")):
+        for name in (name for name in files if name.endswith((".h", ".hpp"))):
+            path = os.path.join(folder, name)
+            for opened, included in re.findall(r'^#include ([<"])([^>"\n]+)', read(path), re.M):
+                if opened == '"' or included.startswith("timestep/"):
+                    base = folder if opened == '"' else os.path.join(site, "take_home")
+                    if not os.path.exists(os.path.join(base, included)):
+                        faults.append(f"{os.path.relpath(path, site)}: {included} leads to no file")
 
     for origin, page in pages.items():
         for address, needed in page.links:
