@@ -56,6 +56,34 @@ TEST_CASE("in C the fastest spin is never passed, and nearly met", "[c]") {
     }
 }
 
+// In equal steps E/(1 − h²p/4) stays, and p is |ω|² at most.
+TEST_CASE("in C the half step adds at most a percent, 7 % or a third where the first step turns by 0.2, 0.5 or 1; beyond two there is no bound", "[c]") {
+    RandomInertia random(8);
+    double most[4] = {};
+    const double turns[] = {0.2, 0.5, 1, 2.2};
+    for (int n = 0; n < 1000; ++n) {
+        const auto I = random.inertia<double>(1000);
+        const auto body = gyroscopic_from_moments(I.moments.x(), I.moments.y(), I.moments.z());
+        V w = random.direction<double>();
+        if (n % 2 == 1) w[body.middle] *= 100;  // where most is gained
+        w *= 10 / w.norm();
+        for (int k = 0; k < 4; ++k) {
+            V now = w;
+            for (int step = 0; step < 300; ++step) {
+                gyroscopic_half_step(&body, now.data(), turns[k] / 10);
+                most[k] = std::max(most[k], energy(body, now) / energy(body, w));
+            }
+        }
+    }
+    for (int k = 0; k < 3; ++k) {
+        const double bound = 1 / (1 - turns[k] * turns[k] / 4);
+        CAPTURE(turns[k], most[k], bound);
+        CHECK(most[k] <= bound * (1 + 1e-10));
+        CHECK(most[k] > 1 + 0.8 * (bound - 1));
+    }
+    CHECK(most[3] > 30);
+}
+
 // The bound has 1 − h²p/4 at the start, and that is 15/16 or more; the solve rounds some 40 times a step.
 TEST_CASE("in C the half step up to its limit adds no more than a fifteenth to the energy", "[c]") {
     RandomInertia random(7);
