@@ -4,7 +4,7 @@ static bool Near(float a, float b) { return Mathf.Abs(a - b) < 0.05f * a; }
 static Vector3 Round(Vector3 v) { float x = v.x; v.x = v.y; v.y = v.z; v.z = x; return v; }
 
 static Vector3 Passive(Vector3 I, Vector3 w, float h) {
-    if (Near(I.x, I.y)) {  // two moments nearly equal: a turn about the third axis
+    if (Near(I.x, I.y)) {  // nearly equal: a turn about the third axis; the energy swings by their difference
         float a = h * (2 * I.z / (I.x + I.y) - 1) * w.z, c = Mathf.Cos(a), s = Mathf.Sin(a), old = w.x;
         w.x = c * old - s * w.y;
         w.y = c * w.y + s * old;

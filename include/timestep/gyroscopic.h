@@ -19,7 +19,7 @@
 /// Which one?
 ///
 ///     gyroscopic_calm_half_step       a body in a game: energy and |L| stay, at any spin and with any steps
-///     gyroscopic_passive              the cheapest that is safe: the energy never grows
+///     gyroscopic_passive              the cheapest that is safe: by itself it adds no energy
 ///     gyroscopic_half_step            with one step throughout, up to gyroscopic_half_step_limit
 ///     gyroscopic_ball_and_remainder_2 what flies: the engine's own turn of the orientation is left out, too
 ///     gyroscopic_ball_and_remainder_4 the same in long steps
@@ -82,8 +82,9 @@ static inline gyroscopic_body gyroscopic_from_inverse_moments(double x, double y
 static inline int gyroscopic_idle(const gyroscopic_body* body, const double omega[3]);
 
 /// One passive step, `omega` in the body's axes: (I − h [L]) ω₂ = I ω, as ODE has it, solved in closed form. Order one;
-/// the energy never grows, whatever the body, spin and step (roundoff: some ε). A body left alone ends about the axis
-/// of its largest moment. Two equal moments turn exactly but for θ⁵/120 of a step's angle θ, and lose nothing.
+/// the energy never grows, whatever the body, spin and step (roundoff: some ε), but where numbers underflow. A body
+/// left alone ends about the axis of its largest moment. Two equal moments turn exactly but for θ⁵/120 of a step's angle
+/// θ, and lose nothing: before an engine's contacts, which may add energy, no loss hides that.
 static inline void gyroscopic_passive(const gyroscopic_body* body, double omega[3], double h);
 /// One step of the half-step Jacobian, `omega` in the body's axes: Box3D's and Bullet's solver with h/2 where their
 /// Jacobian has h (Kahan 1993; Hirota and Kimura 2000). Order two. In equal steps, the first no longer than

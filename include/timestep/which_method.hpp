@@ -103,7 +103,8 @@ inline const std::vector<Choice>& choices() {
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy and takes a little. (An engine may gain some when ω is changed just before its step; that loss hides it.) "
+         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy and takes a little. (An engine may gain some when ω is changed just before its step; that loss hides "
+         "it, but not for two equal moments, which lose nothing.) "
          "The price: spins fade too soon", "ch8_contacts", "passive"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "**SymmetricInertia**, by passive or the "
          "calm half-step, between the contacts and the turn; on a joint half of it before the joints, half after",
@@ -112,7 +113,8 @@ inline const std::vector<Choice>& choices() {
         {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn; on a joint half of "
          "it before the joints, half after",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps; all of it after a joint may send a top "
-         "round at a wrong rate. The page In your engine has the place for each engine", "ch8_contacts", "calm half-step"},
+         "round at a wrong rate. In an engine that you do not know try halves for every body first, and stay there where no capsule thrown "
+         "at 30 rad/s gains a tenth. The page In your engine has the place for each engine", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
          "it is the exact motion, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand that fly, h|ω| at most " + calm + ", a constant step",

@@ -59,6 +59,16 @@ TEST_CASE(
             CHECK(std::fabs(energy(I, now) / energy(I, w) - 1) < 0.01f);
         }
     }
+    // Within a turn the energy swings by as much as the two moments differ.
+    const Vector3 I{1, 1.049f, 0.18f}, across{10, 0, 3};
+    float most = 0;
+    Vector3 now = across;
+    for (int n = 0; n < 600; ++n) {
+        now = Passive(I, now, 1 / 60.0f);
+        most = std::max(most, energy(I, now) / energy(I, across));
+    }
+    CHECK(most > 1.04f);
+    CHECK(most < 1.05f);
     const gyroscopic_bodyf body =
         gyroscopic_from_momentsf(1, 1.02f, 0.18f);  // which the passive step alone tips over
     float w[3] = {0.1f, 0.1f, 10};

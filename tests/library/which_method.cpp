@@ -35,6 +35,7 @@ TEST_CASE("every answer has a name of its own, and takes a method that there is"
     }
     for (const char* touches : {"contacts", "symmetric"})
         CHECK(choice(touches).take.find("on a joint half of it before the joints, half after") != std::string::npos);
+    CHECK(choice("callback").why.find("but not for two equal moments") != std::string::npos);
     CHECK_THROWS_AS(choice("nothing"), std::invalid_argument);
 }
 

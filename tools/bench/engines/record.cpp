@@ -303,7 +303,7 @@ std::string checks(const Record& of) {
                                3 * value("throws", "plate, 30 rad/s", "deepest, m", four, "as it is");
     }
     check("plates", plates,
-          "Box3D with either patch: thrown boxes and plates have up to 1.02 to 1.06 times their energy, which they keep to a percent "
+          "Box3D with either patch and four substeps: thrown boxes and plates have up to 1.02 to 1.06 times their energy, which they keep to a percent "
           "as it is, and a plate digs in more than three times as deep");
     return lines;
 }
