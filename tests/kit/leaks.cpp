@@ -3,9 +3,10 @@
 //     leaks SOURCE KIT
 //
 // Takes every line of the tests, and of the answers among the solutions, that has 20 characters or
-// more and does not stand in a file that is handed out on purpose, too (nor names one, to include it), and looks for it in every
-// file of KIT: in sources, in programs, in pages without their tags, in what is packed. Blanks do
-// not count. Prints what it finds; exit status 0 for nothing, 1 for leaks, 2 for wrong use.
+// more and does not stand in a file that is handed out on purpose, too (nor names one, to include
+// it), and looks for it in every file of KIT: in sources, in programs, in pages without their tags,
+// in what is packed. Blanks do not count. Prints what it finds; exit status 0 for nothing, 1 for
+// leaks, 2 for wrong use.
 
 #include <algorithm>
 #include <cstdint>
@@ -117,7 +118,8 @@ public:
         for_each_file(source / "solutions",
                       [&](const fs::path& file) { take_apart(read(file), lines, open); });
         for (const auto& line : lines)
-            if (line.size() >= shortest && !line.starts_with("#include<timestep/")) lines_[beginning(line.data())].insert(line);
+            if (line.size() >= shortest && !line.starts_with("#include<timestep/"))
+                lines_[beginning(line.data())].insert(line);
         for (const char* folder : {"chapters", "include", "tools", "docs"})
             for_each_file(source / folder, [&](const fs::path& file) { open += read(file); });
         for (const char* file :
