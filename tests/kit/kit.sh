@@ -167,8 +167,9 @@ test_it_works_elsewhere_without_the_checkout() {
     room=$source/tests/exercises/01_derivatives/velocity_now
     sh "$room/../../variant.sh" "$room/mistakes.cpp" middle >"$answers/mistake.cpp"
     cp "$here/kit.sh" "$here/../tools/expect.sh" .
-    # Where the checkout and its build are, there is nothing; the folder has another name.
-    bwrap --dev-bind / / --tmpfs /mnt --bind "$folder" /mnt/home --tmpfs "$source" --tmpfs "$real_build" \
+    # Where the checkout and its build are, there is nothing (nor an engine's source that lies in
+    # them); the folder has another name.
+    env -u TIMESTEP_BOX3D -u TIMESTEP_JOLT bwrap --dev-bind / / --tmpfs /mnt --bind "$folder" /mnt/home --tmpfs "$source" --tmpfs "$real_build" \
         --unshare-net --die-with-parent --chdir "/mnt/home/some folder/a kit of ours" \
         sh -c '. /mnt/home/expect.sh
                source=$1 works=$(sed -n "/^refused()/,/^}/p; /^works()/,/^}/p" /mnt/home/kit.sh)
