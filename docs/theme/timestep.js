@@ -121,20 +121,6 @@ function enlarge(event) {
     dialog.showModal();
 }
 
-// What Doxygen does not say of its page: which part is what, for those who hear it read.
-function nameTheParts() {
-    const say = (selector, attributes) => {
-        const part = document.querySelector(selector);
-        for (const name in part ? attributes : {}) part.setAttribute(name, attributes[name]);
-    };
-    say("#doc-content", { role: "main" });
-    say("#titlearea", { role: "banner" });
-    say("#side-nav", { role: "navigation", "aria-label": "Contents" });
-    say("#nav-path", { role: "navigation", "aria-label": "Where this page is" });
-    say("div.header .title", { role: "heading", "aria-level": "1" });
-    for (const icon of document.querySelectorAll(".directory a > .icondoc")) icon.parentElement.setAttribute("aria-label", "Source");
-}
-
 // Where GitHub publishes the site, the address tells the repository.
 function offerDownload() {
     const link = document.getElementById("download"), owner = location.hostname.match(/^(.+)[.]github[.]io$/)?.[1];
@@ -146,7 +132,6 @@ function offerDownload() {
 }
 
 document.addEventListener("DOMContentLoaded", () => {
-    nameTheParts();
     setListings();
     offerDownload();
     if (document.querySelector("figure[data-module]")) load("script", { src: "live.js" });

@@ -4,7 +4,8 @@
 // gives to that file's page depends on all the other files. Here, after Doxygen, the names are
 // known: each source page carries its file in its title.
 //
-// And of the links that Doxygen guesses in listings stay those that are meant (listings.hpp).
+// And of the links that Doxygen guesses in listings stay those that are meant (listings.hpp), and who
+// hears a page read is told which part of it is what.
 //
 //     link_sources SITE TAGS [UNLINKED]
 //
@@ -17,6 +18,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <string_view>
 
 namespace {
 
@@ -87,6 +89,30 @@ std::string named_once(const std::string& html) {
     return once + html.substr(done);
 }
 
+/// What Doxygen does not say of its page: which part is what, for those who hear it read.
+std::string with_named_parts(std::string html) {
+    struct Part {
+        std::string_view begin, said;
+    };
+    static constexpr Part parts[]{
+        {"<div id=\"doc-content\"", " role=\"main\""},
+        {"<div id=\"titlearea\"", " role=\"banner\""},
+        {"<div id=\"side-nav\"", " role=\"navigation\" aria-label=\"Contents\""},
+        {"<div id=\"nav-path\"", " role=\"navigation\" aria-label=\"Where this page is\""},
+        {"<div class=\"headertitle\"><div class=\"title\"", " role=\"heading\" aria-level=\"1\""}};
+    for (const auto& [begin, said] : parts) {
+        const std::size_t at = html.find(begin);
+        if (at != std::string::npos) {
+            html.insert(at + begin.size(), said);
+        }
+    }
+    static constexpr std::string_view icon = "><span class=\"icondoc\"", label = " aria-label=\"Source\"";
+    for (std::size_t at = html.find(icon); at != std::string::npos; at = html.find(icon, at + label.size() + 1)) {
+        html.insert(at, label);
+    }
+    return html;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -102,7 +128,8 @@ int main(int argc, char** argv) {
             if (entry.path().extension() == ".html") {
                 const std::string html = page::read_file(entry.path());
                 const bool source = name.ends_with("_source.html");
-                const std::string resolved = source ? named_once(html) : listings.meant(resolve(html, pages, name, argc == 4 ? argv[3] : ""));
+                const std::string resolved =
+                    with_named_parts(source ? named_once(html) : listings.meant(resolve(html, pages, name, argc == 4 ? argv[3] : "")));
                 if (resolved != html) {
                     page::write_file(entry.path(), resolved);
                 }

@@ -201,6 +201,17 @@ TEST_CASE("link_sources leaves of what Doxygen guessed in listings what can mean
     CHECK(made_of(link("b_8hpp.html", "b.hpp"), "") == page(link("b_8hpp.html", "b.hpp")) + "</figure>");
 }
 
+TEST_CASE("link_sources tells those who hear a page read which part is what") {
+    const Course course;
+    course.write("site/a.html", "<div id=\"doc-content\">\n<div class=\"headertitle\"><div class=\"title\">T</div></div>"
+                                "<a href=\"a\"><span class=\"icondoc\"></span></a><a href=\"b\"><span class=\"icondoc\"></span></a>");
+    course.write("tags", "");
+    REQUIRE(run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string()).status == 0);
+    CHECK(course.read("site/a.html") ==
+          "<div id=\"doc-content\" role=\"main\">\n<div class=\"headertitle\"><div class=\"title\" role=\"heading\" aria-level=\"1\">T</div></div>"
+          "<a href=\"a\" aria-label=\"Source\"><span class=\"icondoc\"></span></a><a href=\"b\" aria-label=\"Source\"><span class=\"icondoc\"></span></a>");
+}
+
 TEST_CASE("link_sources names a line of a source once") {
     const Course course;
     course.write("site/a_source.html", "<a id=\"l00001\" name=\"l00001\"></a>x<a id=\"l00002\"></a>");
