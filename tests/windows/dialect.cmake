@@ -27,8 +27,8 @@ endfunction()
 
 set(include "${ROOT}/include")
 set(programs_sources chapters/*/*.cpp chapters/*/live/*.cpp docs/library/*.cpp)
-set(studies_sources chapters/*/study/*.cpp chapters/support/*.cpp)
-set(tests_sources tests/library/*.cpp tests/c/*.cpp)
+set(studies_sources chapters/*/study/*.cpp chapters/support/*.cpp chapters/support/*/*.cpp)
+set(tests_sources tests/library/*.cpp tests/chapters/*.cpp tests/c/*.cpp)
 list(TRANSFORM ${PART}_sources PREPEND "${ROOT}/")
 file(GLOB sources ${${PART}_sources})
 list(FILTER sources EXCLUDE REGEX "/chapters/support/options[.]cpp$")  # the one that reads CLI11
