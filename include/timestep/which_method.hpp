@@ -69,12 +69,12 @@ inline const std::vector<Choice>& choices() {
                              pendulum = plain(pendulum_turn), tether = plain(tether_turn), ended = plain(ended_swing),
                              uneven = "1/" + plain(1 / fair_uneven_turn);
     static const std::vector<Choice> all{
-        {"positions", "points that are pushed about, forces of the position alone: ropes, cloth",
+        {"positions", "many points that hold one another, forces of the position alone: a rope of points, cloth",
          "**Verlet** (where you want to read or set a velocity, its twin velocity Verlet)", "when you move a point, its velocity follows by itself",
          "ch4_rope", "Verlet"},
-        {"bumps", "things that bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
+        {"bumps", "things that do little else than bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
          "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
-        {"tether", "a tether: a rope, a leash, a spring that only pulls",
+        {"tether", "a tether: one leash between two things, a spring that only pulls",
          "**implicit Euler**; where it must bounce on, semi-implicit Euler in substeps of ωh at most " + tether,
          "by the first the energy never rises, slack or taut; of the second nothing proves that. The library's `Tether` is another: it pushes when it is short, and there implicit Euler may gain", "ch6_question", "implicit Euler"},
         {"uneven", "steps of uneven length: chapter 2's game loop, which makes them constant, cannot be had",
@@ -103,18 +103,18 @@ inline const std::vector<Choice>& choices() {
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy and takes a little. (An engine may gain some when ω is changed just before its step; that loss hides "
-         "it, but not for two equal moments, which lose nothing.) "
+         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy and takes a little. (The engine's contacts may add energy when ω is changed just before them. "
+         "The step's loss covers that, but not for two equal moments, of which it takes nothing.) "
          "The price: spins fade too soon", "ch8_contacts", "passive"},
-        {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "**SymmetricInertia**, by passive or the "
-         "calm half-step, between the contacts and the turn; on a joint half of it before the joints, half after",
-         "it turns ω about the axis of the odd moment out, which keeps "
+        {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments**, "
+         "`SymmetricInertia` by passive or by the calm half-step, between the contacts and the turn; on a joint half of it before the joints, half after",
+         "it only turns ω about the axis of the odd moment, which keeps "
          "energy, |L| and the spin", "ch5_passive", "passive"},
         {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn; on a joint half of "
          "it before the joints, half after",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps; all of it after a joint may send a top "
-         "round at a wrong rate. In an engine that you do not know try halves for every body first, and stay there where no capsule thrown "
-         "at 30 rad/s gains a tenth. The page In your engine has the place for each engine", "ch8_contacts", "calm half-step"},
+         "round at a wrong rate. In an engine whose loop is not yours try halves for every body first, and stay there where no capsule thrown "
+         "at 30 rad/s gains a tenth of its energy, height included. The page In your engine names the place in each engine measured", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
          "it is the exact motion, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand that fly, h|ω| at most " + calm + ", a constant step",

@@ -327,6 +327,10 @@ test_watch_checks_whenever_the_file_is_saved() {
     cp $solved $file
     wait_for 'velocity_now: right'
     wait_for 'Watching source/exercises/01_derivatives/'
+    # Another than the one that comes next.
+    grep -F 'order_of_results' watched && fail 'it was checked unasked'
+    cp "$source/solutions/01_derivatives/order_of_results.cpp" source/exercises/01_derivatives
+    wait_for 'order_of_results: right'
     kill $watching
     is "$(state velocity_now)" passed
 }

@@ -1,8 +1,10 @@
 // course check, course watch
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <thread>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -146,28 +148,31 @@ void check(const std::string& name, const std::optional<std::string>& file, bool
         throw Stop(verdict.kind == "course_error" ? Status::missing : Status::wrong, "");
 }
 
-// Looks at the file ten times a second, which every system and every editor's way of saving can
-// bear.
+// Begins with the exercise, or the first that has not passed; whichever is saved is checked. Looks at the files ten
+// times a second, which every system and every editor's way of saving can bear.
 void watch(const std::string& name) {
     const TellWaits told_what_is_waited_for;
     std::optional<Exercise> exercise;
+    const auto all = read_exercises();
     const auto progress = read_progress();
     if (!name.empty())
         exercise = find_exercise(name);
     else
-        for (const auto& candidate : read_exercises())
+        for (const auto& candidate : all)
             if (!exercise && state_of(candidate, progress) != "passed") exercise = candidate;
     if (!exercise) {
         std::printf("There is nothing left to watch: you have passed them all.\n");
         return;
     }
-    const auto saved = [](const Exercise& watched) {
+    const auto saved = [&] {
+        std::vector<fs::file_time_type> times;
         std::error_code error;
-        return fs::last_write_time(watched.file(), error);
+        for (const auto& watched : all) times.push_back(fs::last_write_time(watched.file(), error));
+        return times;
     };
     while (exercise) {
         bring_up_to_date({*exercise});
-        auto seen = saved(*exercise);  // before the check: what is saved during it counts
+        const auto seen = saved();  // before the check: what is saved during it counts
         if (on_terminal()) std::printf("\033[2J\033[H");
         try {
             const Verdict verdict = check_file(*exercise, exercise->file(), seed_or_new({}));
@@ -176,13 +181,11 @@ void watch(const std::string& name) {
             if (verdict.kind == "pass") {
                 remember_pass(*exercise);
                 exercise = next_after(*exercise);
-                if (exercise) {
-                    seen = saved(*exercise);
+                if (exercise)
                     std::printf("\nWatching %s now; Ctrl-C ends.\n",
                                 shown(exercise->file()).c_str());
-                }
             } else {
-                std::printf("\nWatching %s; it is checked whenever you save it; Ctrl-C ends.\n",
+                std::printf("\nWatching %s; it, or another, is checked whenever you save it; Ctrl-C ends.\n",
                             shown(exercise->file()).c_str());
             }
         } catch (const Stop& stop) {  // a file that is just being saved, or is not there
@@ -190,8 +193,15 @@ void watch(const std::string& name) {
             std::printf("%s\n", stop.what());
         }
         flush();
-        while (exercise && saved(*exercise) == seen)
+        while (exercise) {
+            const auto now = saved();
+            const auto changed = std::mismatch(now.begin(), now.end(), seen.begin()).first;
+            if (changed != now.end()) {
+                exercise = all[static_cast<std::size_t>(changed - now.begin())];
+                break;
+            }
             std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        }
     }
 }
 

@@ -12,10 +12,11 @@ namespace page {
 
 namespace {
 
-/// The list is plain text, since programs print it, too: here its formulas become formulas.
+/// The list is plain text, since programs print it, too: here its formulas become formulas, and a page it names a link.
 std::string with_formulas(std::string text) {
     text = replace_all(text, "h|ω|", "$h\\lvert\\omega\\rvert$");
     text = replace_all(text, "|L|", "$\\lvert L\\rvert$");
+    text = replace_all(text, "The page In your engine", "The page \\ref in_your_engine");
     return replace_all(text, "ωh", "$\\omega h$");
 }
 
