@@ -80,7 +80,7 @@ GameLoop(Real, long) -> GameLoop<Real>;
 /// \endcond
 
 /// The state to draw, a part `alpha` of the way from the last state but one to the last. The
-/// picture is up to one step late, and moves evenly at any frame rate.
+/// picture is one step late, and moves evenly at any frame rate.
 /// [interpolate]
 template <class X>
 State<X> interpolate(const State<X>& before, const State<X>& now, real_of<X> alpha) {

@@ -70,7 +70,7 @@ inline const std::vector<Choice>& choices() {
                              uneven = "1/" + plain(1 / fair_uneven_turn);
     static const std::vector<Choice> all{
         {"positions", "many points that hold one another, forces of the position alone: a rope of points, cloth",
-         "**Verlet** (where you want to read or set a velocity, its twin velocity Verlet)", "when you move a point, its velocity follows by itself",
+         "**Verlet** (where you want to read or set a velocity, its twin velocity Verlet)", "by Verlet, when you move a point, its velocity follows by itself",
          "ch4_rope", "Verlet"},
         {"bumps", "things that do little else than bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
          "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
@@ -85,11 +85,11 @@ inline const std::vector<Choice>& choices() {
         {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**, with ωh and ζωh up to " + fine,
          "a percent over four periods for four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",
-         "its steps follow the slow part, the fast one dies", "ch6_stiff", "BDF2"},
+         "its steps follow the slow part, the fast one dies; of the first two steps after a kick expect nothing", "ch6_stiff", "BDF2"},
         {"swing", "ωh at most " + alive + " in a constant step: most of a game (where a frame has up to " + twice + ", take two steps a frame)",
          "**semi-implicit Euler**, with the damping at the new velocity",
          "one force a step, and no damper, however strong, blows it up; on a spring its energy oscillates and does not drift (on a "
-         "pendulum up to ωh = " + pendulum + ")", "ch3_energy",
+         "pendulum, let go up to 3.1 rad, up to ωh = " + pendulum + ")", "ch3_energy",
          "semi-implicit Euler, new damping"},
         {"pull", "a stiff pull to a target, a decay, ωh above " + twice + ": ζ at least 1, or ζωh at least " + ended, "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
@@ -116,7 +116,7 @@ inline const std::vector<Choice>& choices() {
          "round at a wrong rate. In an engine whose loop is not yours try halves for every body first, and stay there where no capsule thrown "
          "at 30 rad/s gains a tenth of its energy, height included. The page In your engine names the place in each engine measured", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
-         "it is the exact motion, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
+         "it is the exact motion but for rounding, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand that fly, h|ω| at most " + calm + ", a constant step",
          "the **half-step Jacobian** (Kahan's discretisation) in SIMD lanes; the faster ones by passive",
          "several bodies in the time of one; the energy is good, but fast ones soon turn at the wrong time", "ch8_many", "half-step Jacobian"},
@@ -128,7 +128,7 @@ inline const std::vector<Choice>& choices() {
          "when steps vary a splitting adds up its errors, and a body thrown about its intermediate axis may be lost", "ch8_cost",
          "Runge-Kutta 4"},
         {"free", "a body that flies freely, h|ω| at most " + fair + ", a constant step", "**ball and remainder 4**, a splitting into a spherical top and a remainder",
-         "|L| stays, the energy is bounded, and the body points where it should", "ch8_work", "ball and remainder 4"},
+         "|L| stays, the energy is bounded, and the body points where it should, unless its motion ends all but on the intermediate axis", "ch8_work", "ball and remainder 4"},
         {"free_fast", "a body that flies freely, h|ω| above " + fair + ", a constant step", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
          "what is safe at long steps is not accurate there", "ch8_safe", "ball and remainder 4"},
     };

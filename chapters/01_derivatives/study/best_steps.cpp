@@ -110,7 +110,7 @@ Best measure(const Formula& formula, const Function& f, double x, const std::str
 template <class Function>
 void all(const Function& f, double x, lab::Findings& out) {
     auto& costs =
-        out.table("costs.tsv", {"formula", "values", "best h", "predicted", "error there"});
+        out.table("costs.tsv", {"formula", "values", "best h tried", "predicted", "error there"});
     std::printf("  %-11s %-7s %12s %12s %12s\n", "", "", "best h", "predicted", "error there");
     bool as_predicted = true, float_errs_more = true, order_helps = true;
     Best lower[2] = {{0}, {0}};  // of the formula of lower order, in float and in double

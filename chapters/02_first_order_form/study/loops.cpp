@@ -36,7 +36,7 @@ Frames unsteady() {
     std::mt19937 random(42);
     Frames frames;
     for (double t = 0; t < seconds;) {
-        const double passed = 0.005 + 0.065 * std::pow(random() / 4294967296.0, 3);
+        const double passed = std::min(0.005 + 0.065 * std::pow(random() / 4294967296.0, 3), seconds - t);
         frames.push_back(passed);
         t += passed;
     }

@@ -28,16 +28,25 @@ Portrait portrait(const Method& method, const Settings& settings, lab::Findings&
     const auto row = [&](const auto& s) { table.row({s.t, s.x, s.v / settings.omega}); };
     const State end = run(method, spring, start, settings.step, settings.steps, row);
     /// [portrait]
-    const double reached = amplitude(end, settings.omega);
-    Portrait result{std::pow(reached, 1.0 / settings.steps)};
+    // As far as double reaches: what is smaller loses digits, what is larger is soon no number.
+    double reached = 1;
+    long steps = -1;  // the start is looked at, too
+    bool in_range = true;
+    Portrait result{};
     run(method, spring, start, settings.step, settings.steps, [&](const auto& s) {
-        result.least = std::min(result.least, amplitude(s, settings.omega));
-        result.most = std::max(result.most, amplitude(s, settings.omega));
+        const double size = amplitude(s, settings.omega);
+        result.least = std::min(result.least, size);
+        result.most = std::max(result.most, size);
+        in_range = in_range && size > 1e-290 && size < 1e150;
+        if (in_range) reached = size, ++steps;
     });
-    if (settings.wants(Method::name))
+    result.growth = std::pow(reached, 1.0 / static_cast<double>(std::max(steps, 1L)));
+    if (settings.wants(Method::name) && !is_finite(end))
+        std::printf("  %-20s has left the range of numbers, after %ld steps or more\n", Method::name, steps);
+    else if (settings.wants(Method::name))
         std::printf("  %-20s ends at x = %10.4g m, v = %10.4g m/s, amplitude %.4g m\n", Method::name,
-                    end.x, end.v, reached);
-    out.number(id + "_amplitude", reached, "m", "amplitude at the end of the run");
+                    end.x, end.v, amplitude(end, settings.omega));
+    out.number(id + "_amplitude", amplitude(end, settings.omega), "m", "amplitude at the end of the run");
     out.number(id + "_growth", result.growth, "", "amplitude times this a step", 5);
     out.number(id + "_per_second", std::pow(result.growth, 1 / settings.step), "",
                "amplitude times this a second");

@@ -6,10 +6,10 @@ title_of(id) = id eq "explicit_euler" ? "explicit Euler" : id eq "implicit_euler
     id eq "semi_implicit_euler" ? "semi-implicit Euler" : id eq "runge_kutta_4" ? "Runge–Kutta 4" : \
     id eq "implicit_midpoint" ? "implicit midpoint" : id eq "velocity_verlet" ? "velocity Verlet" : \
     id eq "bdf2" ? "BDF2" : id eq "heun" ? "Heun" : id eq "verlet" ? "Verlet" : \
-    id eq "one_newton_step" ? "one Newton step" : id eq "implicit__converged" ? "converged" : \
+    id eq "semi_implicit_euler__new_damping" ? "new damping" : id eq "one_newton_step" ? "one Newton step" : id eq "implicit__converged" ? "converged" : \
     id eq "passive__arms_of_the_start" ? "passive, arms of the start" : \
     id eq "runge_kutta_4_in_the_air__passive" ? "RK4 in the air" : id
-style_of(id) = id eq "explicit" ? explicit_gyroscopic : id eq "dropped" ? no_gyroscopic : \
+style_of(id) = id eq "semi_implicit_euler__new_damping" ? new_damping : id eq "explicit" ? explicit_gyroscopic : id eq "dropped" ? no_gyroscopic : \
     id eq "one_newton_step" ? implicit_gyroscopic : id eq "implicit__converged" ? converged_gyroscopic : \
     id eq "passive" ? passive_gyroscopic : id eq "passive__arms_of_the_start" ? third : \
     id eq "runge_kutta_4_in_the_air__passive" ? runge_kutta_4 : value(id)

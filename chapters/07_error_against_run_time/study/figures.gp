@@ -78,7 +78,7 @@ call figure "smooth.svg" 860 800 900
 set multiplot
 @left
 set title "a damped spring"
-call rooms."diagram.gp" "damped_spring" "explicit_euler implicit_euler semi_implicit_euler implicit_midpoint bdf2 runge_kutta_4" "1e-7"
+call rooms."diagram.gp" "damped_spring" "explicit_euler implicit_euler semi_implicit_euler semi_implicit_euler__new_damping implicit_midpoint bdf2 runge_kutta_4" "1e-7"
 @right
 set title "a ball on an elastic in space"
 call rooms."diagram.gp" "spring_3d" springs "1e-7"

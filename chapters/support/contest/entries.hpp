@@ -113,6 +113,8 @@ void enter_methods(Scene& scene, const Model& model, const timestep::State<X>& s
     if constexpr (PositionForce<Model, X>) {
         enter(verlet);
         enter(velocity_verlet);
+    } else if constexpr (LinearDamping<Model, X>) {
+        enter(semi_implicit_euler_new_damping);  // without a damper it is semi-implicit Euler
     }
     enter(newton);
 }
