@@ -6,6 +6,7 @@
 #include <string>
 
 #include <timestep/methods.hpp>
+#include <timestep/methods/semi_implicit_euler_new_damping.hpp>
 #include <timestep/run.hpp>
 
 #include "counted.hpp"
