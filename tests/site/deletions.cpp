@@ -212,11 +212,27 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
     }
 }
 
+/// Does the directive begin what this run has not measured (a library was not there), so that the page leaves it out?
+bool leaves_out(const Copy& copy, const std::string& directive) {
+    const std::vector<std::string> words = page::split_words(directive);
+    if (words.size() != 2 || words[0] != "where") {
+        return false;
+    }
+    const std::string numbers = "\n" + page::read_file(copy.run(copy.chapter(), "numbers.tsv"));
+    return numbers.find("\n" + words[1] + "\t\t") != std::string::npos;
+}
+
 /// Captions and formulas hold directives of their own.
 void try_pieces(const Copy& copy, Deletions& deletions, const std::string& source) {
     using Kind = page::Piece::Kind;
+    bool left_out = false;
     for (const page::Piece& piece : page::scan(source, "chapter.md")) {
+        left_out = left_out && !(piece.kind == Kind::directive && page::trim(piece.text) == "end");
+        if (left_out) {
+            continue;
+        }
         if (piece.kind == Kind::directive) {
+            left_out = leaves_out(copy, piece.text);
             try_directive(copy, deletions, piece.text);
             try_pieces(copy, deletions, piece.text);
         } else if (piece.kind == Kind::formula || piece.kind == Kind::display) {

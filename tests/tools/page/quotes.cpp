@@ -86,7 +86,7 @@ TEST_CASE("about.json: anything else is an error at its line") {
     CHECK_THAT(error("{\"a\":\n\n[\"b\"}"), StartsWith("about.json:3: syntax error while parsing array"));
     CHECK_THAT(error("{\"a\": \"b\n\""), StartsWith("about.json:1: syntax error while parsing value - invalid string"));
     CHECK_THAT(error("{} {}"), StartsWith("about.json:1: syntax error while parsing value"));
-    CHECK_THAT(error(""), StartsWith("about.json:1: syntax error while parsing value"));
+    CHECK_THAT(error(""), StartsWith("about.json:1: "));  // in the library's words, of which later ones differ
     CHECK(error("[]") == "about.json:1: must be an object: { … }");
     for (const char* value : {"null", "[1]", "[[\"b\"]]"})
         CHECK(error(std::string{"{\"a\": {\"b\": "} + value + "}}") ==
