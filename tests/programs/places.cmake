@@ -1,9 +1,14 @@
 # Every number, check and data file of a study's run is told with the line that wrote it, seen from the course's
-# folder. Expects PROGRAM, WORK and ROOT.
+# folder. Expects PROGRAM, WORK, ROOT, and EVERY_WAY as full_disk.cmake does: if it is not set, the run is the one that
+# full_disk.cmake has left beside.
 include("${CMAKE_CURRENT_LIST_DIR}/program.cmake")
 
-run_program(--out run)
-file(READ "${WORK}/run/places.tsv" text)
+set(run "${WORK}/../full_disk/older")
+if(EVERY_WAY)
+  set(run "${WORK}/run")
+  run_program(--out run)
+endif()
+file(READ "${run}/places.tsv" text)
 string(REGEX REPLACE "^name\tkind\tplace\n" "" text "${text}")
 string(REGEX MATCHALL "[^\n]+" rows "${text}")
 set(numbers "")
@@ -35,7 +40,7 @@ endforeach()
 
 # What the run left, and nothing else.
 function(must_be_told what told file)
-  file(READ "${WORK}/run/${file}" rows)
+  file(READ "${run}/${file}" rows)
   string(REGEX MATCHALL "\n[^\t\n]+\t" rows "${rows}")
   string(REGEX REPLACE "[\n\t]" "" names "${rows}")
   if(NOT names STREQUAL "${told}")
@@ -44,7 +49,7 @@ function(must_be_told what told file)
 endfunction()
 must_be_told(numbers "${number}" numbers.tsv)
 must_be_told(checks "${check}" checks.tsv)
-file(GLOB left RELATIVE "${WORK}/run" "${WORK}/run/*")
+file(GLOB left RELATIVE "${run}" "${run}/*")
 list(REMOVE_ITEM left numbers.tsv checks.tsv places.tsv)
 list(SORT left)
 list(SORT data)
