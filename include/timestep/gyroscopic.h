@@ -165,6 +165,13 @@ static inline float gyroscopic_half_step_limitf(const gyroscopic_bodyf* body, co
 #define TIMESTEP_C_ALONE(number) (void)0
 #endif
 
+// Neither zero nor no number?
+#if defined(__GNUC__)
+#define TIMESTEP_C_NOT_ZERO(x) __builtin_islessgreater(x, 0)
+#else
+#define TIMESTEP_C_NOT_ZERO(x) ((x) < 0 || (x) > 0)
+#endif
+
 #define TIMESTEP_BODY TIMESTEP_NAME(gyroscopic_body)
 #define TIMESTEP_REAL double
 #define TIMESTEP_NAME(name) name
@@ -209,5 +216,6 @@ static inline float gyroscopic_half_step_limitf(const gyroscopic_bodyf* body, co
 #undef TIMESTEP_C_INLINE
 #undef TIMESTEP_C_APART
 #undef TIMESTEP_C_ALONE
+#undef TIMESTEP_C_NOT_ZERO
 #undef TIMESTEP_C_LANES
 /// \endcond

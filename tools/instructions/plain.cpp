@@ -39,15 +39,15 @@ template <class Solver, class Inertia, class Real>
 }
 template <class Solver, class Inertia, class Real>
 [[gnu::noinline]] void library_in_body(const Solver& solver, Body<Inertia>& b, Real h) {
-    b.omega = solver.step(b.inertia, b.omega, h);
+    if constexpr (Inertia::gyroscopic) b.omega = solver.step(b.inertia, b.omega, h);
 }
-// gyroscopic.h's, by whose name a solver goes.
+// gyroscopic.h's, by whose name a solver goes, inlined as the library's are.
 template <auto rule, class Inertia, class Real>
-[[gnu::noinline]] void functions(Body<Inertia>& b, Real h) {
+[[gnu::noinline, gnu::flatten]] void functions(Body<Inertia>& b, Real h) {
     rule(&b.plain, b.q.coeffs().data(), b.omega.data(), h);
 }
 template <auto rule, class Inertia, class Real>
-[[gnu::noinline]] void functions_in_body(Body<Inertia>& b, Real h) {
+[[gnu::noinline, gnu::flatten]] void functions_in_body(Body<Inertia>& b, Real h) {
     rule(&b.plain, b.omega.data(), h);
 }
 
@@ -71,27 +71,39 @@ bool by(const std::string& name, const Solver& solver, const Body<Inertia>& b, c
            keep(b, n, [](auto& body, Real h) { functions_in_body<in_body>(body, h); });
 }
 
+// All rules of one body, whose kind is the end of their names: nothing, `_capsule`, `_ball`; and of its type of number.
+template <class Real, class Inertia>
+bool of_body(const std::string& kind, const Inertia& inertia, Real x, Real y, Real z, const std::string& whose, const std::string& rule, long n) {
+    const Real size = Real(unknown_one);
+    const Quaternion<Real> q = Quaternion<Real>(size, 2, 3, 4).normalized();
+    if constexpr (std::is_same_v<Real, float>) {
+        const Body<Inertia> b{inertia, gyroscopic_from_momentsf(x, y, z), q, {size, 2, 3}};
+        return by<gyroscopic_passivef, gyroscopic_passive_in_worldf>("passive" + kind, passive_gyroscopic, b, whose, rule, n) ||
+               by<gyroscopic_half_stepf, gyroscopic_half_step_in_worldf>("half_step" + kind, half_step_jacobian, b, whose, rule, n) ||
+               by<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>("calm" + kind, calm_half_step, b, whose, rule, n);
+    } else {
+        const Body<Inertia> b{inertia, gyroscopic_from_moments(x, y, z), q, {size, 2, 3}};
+        return by<gyroscopic_passive, gyroscopic_passive_in_world>("passive" + kind, passive_gyroscopic, b, whose, rule, n) ||
+               by<gyroscopic_half_step, gyroscopic_half_step_in_world>("half_step" + kind, half_step_jacobian, b, whose, rule, n) ||
+               by<gyroscopic_calm_half_step, gyroscopic_calm_half_step_in_world>("calm" + kind, calm_half_step, b, whose, rule, n);
+    }
+}
+template <class Real>
+bool of_number(const std::string& number, const std::string& whose, const std::string& rule, long n) {
+    const Real size = Real(unknown_one);
+    return of_body<Real>(number, PrincipalInertia<Real>(size, 2, Real(2.5)), size, 2, Real(2.5), whose, rule, n) ||
+           of_body<Real>("_capsule" + number, SymmetricInertia<Real>(2, size), 2, 2, size, whose, rule, n) ||
+           of_body<Real>("_ball" + number, UniformInertia<Real>(size), size, size, size, whose, rule, n);
+}
+
 void take(const std::string& whose, const std::string& rule, long n) {
-    const float size = float(unknown_one);
-    const Quaternion<float> q = Quaternion<float>(size, 2, 3, 4).normalized();
-    const Body<PrincipalInertia<float>> b{{size, 2, 2.5f}, gyroscopic_from_momentsf(size, 2, 2.5f), q, {size, 2, 3}};
-    const Body<PrincipalInertia<double>> d{{size, 2, 2.5}, gyroscopic_from_moments(size, 2, 2.5), q.cast<double>(), {size, 2, 3}};
-    const Body<SymmetricInertia<float>> capsule{{2, size}, gyroscopic_from_momentsf(2, 2, size), q, {size, 2, 3}};
-    auto ball = b;
-    ball.plain = gyroscopic_from_momentsf(size, size, size);
-    if (by<gyroscopic_passivef, gyroscopic_passive_in_worldf>("passive", passive_gyroscopic, b, whose, rule, n) ||
-        by<gyroscopic_half_stepf, gyroscopic_half_step_in_worldf>("half_step", half_step_jacobian, b, whose, rule, n) ||
-        by<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>("calm", calm_half_step, b, whose, rule, n) ||
-        by<gyroscopic_passive, gyroscopic_passive_in_world>("passive_in_double", passive_gyroscopic, d, whose, rule, n) ||
-        by<gyroscopic_half_step, gyroscopic_half_step_in_world>("half_step_in_double", half_step_jacobian, d, whose, rule, n) ||
-        by<gyroscopic_calm_half_step, gyroscopic_calm_half_step_in_world>("calm_in_double", calm_half_step, d, whose, rule, n) ||
-        by<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>("calm_capsule", calm_half_step, capsule, whose, rule, n) ||
-        by<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>("ball", calm_half_step, ball, whose, rule, n))
-        return;
+    if (of_number<float>("", whose, rule, n) || of_number<double>("_in_double", whose, rule, n)) return;
 #ifdef TIMESTEP_WITH_BULLET
     if (whose == "bullet") {
+        const float size = float(unknown_one);
+        const Quaternion<float> q = Quaternion<float>(size, 2, 3, 4).normalized();
         btRigidBody body(10, nullptr, nullptr, btVector3(btScalar(size), 2, btScalar(2.5)));
-        btTransform place(btQuaternion(btScalar(b.q.x()), btScalar(b.q.y()), btScalar(b.q.z()), btScalar(b.q.w())));
+        btTransform place(btQuaternion(btScalar(q.x()), btScalar(q.y()), btScalar(q.z()), btScalar(q.w())));
         body.setCenterOfMassTransform(place);
         body.setAngularVelocity(btVector3(btScalar(size), 2, 3));
         for (long i = 0; i < n; ++i)

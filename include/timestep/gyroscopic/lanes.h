@@ -71,25 +71,20 @@ TIMESTEP_C_INLINE int timestep_take_lanes(int rule, const gyroscopic_bodyf* body
     *omega = w;
     sum = w[0] + w[1] + w[2];
     sum -= sum;
-    return rule == 0 ? __builtin_islessgreater(idle + sum, 0.0f) : sum == sum;  // no number is no greater, and no less
+    return rule == 0 ? TIMESTEP_C_NOT_ZERO(idle + sum) : sum == sum;  // no number is no greater, and no less
 }
 
-TIMESTEP_C_INLINE void timestep_takef(int rule, const gyroscopic_bodyf* body, float omega[3], float h) {
-    if (body->kind == 2) {
-        timestep_lanes w = timestep_of_three(omega);
-        if (timestep_take_lanes(rule, body, &w, h)) {
-            omega[0] = w[0], omega[1] = w[1], omega[2] = w[2];
-            return;
-        }
-    }
-    timestep_take_elsef(body, omega, h, rule);
+TIMESTEP_C_INLINE int timestep_take_threef(int rule, const gyroscopic_bodyf* body, float omega[3], float h) {
+    timestep_lanes w = timestep_of_three(omega);
+    if (!timestep_take_lanes(rule, body, &w, h)) return 0;
+    omega[0] = w[0], omega[1] = w[1], omega[2] = w[2];
+    return 1;
 }
 
-TIMESTEP_C_INLINE void timestep_take_in_worldf(int rule, const gyroscopic_bodyf* body, const float orientation[4], float omega[3],
-                                               float h) {
+TIMESTEP_C_INLINE int timestep_take_three_in_worldf(int rule, const gyroscopic_bodyf* body, const float orientation[4],
+                                                    float omega[3], float h) {
     const timestep_lanes one = {1, 1, 1, 1};
     timestep_lanes q, twice, twice_w, product, diagonal, plus, minus, row0, row1, row2, xy, z, w, before, after;
-    if (body->kind == 0) return;
     q = timestep_of_four(orientation);
     twice = q + q;
     twice_w = twice * TIMESTEP_ALL(q, 3);
@@ -104,18 +99,14 @@ TIMESTEP_C_INLINE void timestep_take_in_worldf(int rule, const gyroscopic_bodyf*
     w = timestep_of_three(omega);
     before = row0 * TIMESTEP_ALL(w, 0) + row1 * TIMESTEP_ALL(w, 1) + row2 * TIMESTEP_ALL(w, 2);
     after = before;
-    if (body->kind != 2 || !timestep_take_lanes(rule, body, &after, h)) {
-        float slow[3];
-        slow[0] = before[0], slow[1] = before[1], slow[2] = before[2];
-        if (!timestep_take_elsef(body, slow, h, rule)) return;
-        after = timestep_of_three(slow);
-    }
+    if (!timestep_take_lanes(rule, body, &after, h)) return 0;
     after = after - before;
     xy = TIMESTEP_IN_TURNS(row0, row1), z = __builtin_shufflevector(row0, row1, 2, 6, 3, 7);
     w = w + (TIMESTEP_ALL(after, 0) * __builtin_shufflevector(xy, row2, 0, 1, 4, 7) +
              TIMESTEP_ALL(after, 1) * __builtin_shufflevector(xy, row2, 2, 3, 5, 7) +
              TIMESTEP_ALL(after, 2) * __builtin_shufflevector(z, row2, 0, 1, 6, 7));
     omega[0] = w[0], omega[1] = w[1], omega[2] = w[2];
+    return 1;
 }
 #undef TIMESTEP_YZX
 #undef TIMESTEP_ZXY

@@ -93,23 +93,31 @@ static inline TIMESTEP_REAL TIMESTEP_NAME(timestep_taming)(const TIMESTEP_BODY* 
     return c;
 }
 
-// Two equal moments: a turn about the odd axis, in three shears (PassiveGyroscopic).
-TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_symmetric)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
-                                                        TIMESTEP_REAL h) {
-    const int k = body->odd, i = k < 2 ? k + 1 : 0, j = 3 - k - i;
+// Two equal moments: a turn about the odd axis k, in three shears (PassiveGyroscopic). Is the result a number? Then no
+// product on its way was none.
+TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_symmetric)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3], TIMESTEP_REAL h,
+                                                       int i, int j, int k) {
     const TIMESTEP_REAL u = h / 2 * body->ratio[i] * w[k];
     const TIMESTEP_REAL p = u * u / 3;
     const TIMESTEP_REAL t = u / (1 - p + p * p);
     const TIMESTEP_REAL s = 2 * t / (1 + t * t);
     const TIMESTEP_REAL x = w[i] - t * w[j];
     const TIMESTEP_REAL y = w[j] + s * x;
-    w[i] = x - t * y;
+    const TIMESTEP_REAL turned = x - t * y, zero = turned - turned;
+    if (zero != zero) return 0;
+    w[i] = turned;
     w[j] = y;
+    return 1;
+}
+TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_turn_about_odd)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
+                                                            TIMESTEP_REAL h) {
+    if (body->odd == 2) return TIMESTEP_NAME(timestep_symmetric)(body, w, h, 0, 1, 2);
+    if (body->odd == 1) return TIMESTEP_NAME(timestep_symmetric)(body, w, h, 2, 0, 1);
+    return TIMESTEP_NAME(timestep_symmetric)(body, w, h, 1, 2, 0);
 }
 
-// What it gives back is zero about a principal axis, and where the step divides by infinity and makes nothing of ω.
-TIMESTEP_C_INLINE TIMESTEP_REAL TIMESTEP_NAME(timestep_passive)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
-                                                               TIMESTEP_REAL h) {
+TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_passive)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
+                                                      TIMESTEP_REAL h) {
     const TIMESTEP_REAL* U = body->unit;
     const TIMESTEP_REAL a0 = h * body->ratio[0], a1 = h * body->ratio[1], a2 = h * body->ratio[2];
     const TIMESTEP_REAL l0 = h * (U[0] * w[0]), l1 = h * (U[1] * w[1]), l2 = h * (U[2] * w[2]);
@@ -119,7 +127,6 @@ TIMESTEP_C_INLINE TIMESTEP_REAL TIMESTEP_NAME(timestep_passive)(const TIMESTEP_B
     w[0] = share * x - a0 * y * (share * z) + l_l * U[0] * (share * x);
     w[1] = share * y - a1 * z * (share * x) + l_l * U[1] * (share * y);
     w[2] = share * z - a2 * x * (share * y) + l_l * U[2] * (share * z);
-    return a0 * y * (share * x);
 }
 
 // With `singular` equations that have no solution leave ω as it is; without, they give what is no number.
@@ -192,7 +199,7 @@ TIMESTEP_C_APART int TIMESTEP_NAME(timestep_take_with_care)(const TIMESTEP_BODY*
     c = TIMESTEP_NAME(timestep_tame)(body, w, h) ? 1 : TIMESTEP_NAME(timestep_taming)(body, w, &h);
     if (c == 0) return 0;
     if (body->kind == 1)
-        TIMESTEP_NAME(timestep_symmetric)(body, w, h);
+        TIMESTEP_NAME(timestep_turn_about_odd)(body, w, h);
     else if (rule == 0)
         TIMESTEP_NAME(timestep_passive)(body, w, h);
     else if (rule == 1)
@@ -209,88 +216,150 @@ TIMESTEP_C_APART int TIMESTEP_NAME(timestep_take_with_care)(const TIMESTEP_BODY*
 // principal axis most give back every bit, and so does the scaling; the passive step of three moments does not, so there
 // it is asked for the product of two numbers of ω that it has made on its way.
 
-// Where that was not enough, and for two equal moments. Has ω changed?
-TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_take_else)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3], TIMESTEP_REAL h,
-                                                       int rule) {
-    if (body->kind == 1) {
-        TIMESTEP_REAL turned[3];
-        turned[0] = w[0], turned[1] = w[1], turned[2] = w[2];
-        TIMESTEP_NAME(timestep_symmetric)(body, turned, h);
-        if (TIMESTEP_NAME(timestep_finite)(turned[0], turned[1], turned[2])) {
-            w[0] = turned[0], w[1] = turned[1], w[2] = turned[2];
-            return 1;
-        }
-    }
-    return TIMESTEP_NAME(timestep_take_with_care)(body, w, h, rule);
+// The columns of R are the body's axes in the world.
+TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_matrix)(const TIMESTEP_REAL q[4], TIMESTEP_REAL R[3][3]) {
+    const TIMESTEP_REAL tx = 2 * q[0], ty = 2 * q[1], tz = 2 * q[2];
+    const TIMESTEP_REAL twx = tx * q[3], twy = ty * q[3], twz = tz * q[3];
+    const TIMESTEP_REAL txx = tx * q[0], txy = ty * q[0], txz = tz * q[0];
+    const TIMESTEP_REAL tyy = ty * q[1], tyz = tz * q[1], tzz = tz * q[2];
+    R[0][0] = 1 - (tyy + tzz), R[0][1] = txy - twz, R[0][2] = txz + twy;
+    R[1][0] = txy + twz, R[1][1] = 1 - (txx + tzz), R[1][2] = tyz - twx;
+    R[2][0] = txz - twy, R[2][1] = tyz + twx, R[2][2] = 1 - (txx + tyy);
 }
+// ω into the body.
+TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_in_body)(TIMESTEP_REAL R[3][3], const TIMESTEP_REAL omega[3],
+                                                      TIMESTEP_REAL w[3]) {
+    TIMESTEP_REAL x = R[0][0] * omega[0] + R[1][0] * omega[1] + R[2][0] * omega[2];
+    TIMESTEP_REAL y = R[0][1] * omega[0] + R[1][1] * omega[1] + R[2][1] * omega[2];
+    TIMESTEP_REAL z = R[0][2] * omega[0] + R[1][2] * omega[1] + R[2][2] * omega[2];
+    TIMESTEP_C_ALONE(x);
+    TIMESTEP_C_ALONE(y);
+    TIMESTEP_C_ALONE(z);
+    w[0] = x, w[1] = y, w[2] = z;
+}
+// And its change back: rounded, R is no exact rotation, so not all of it (after_gyroscopic_torque()).
+TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_change)(TIMESTEP_REAL R[3][3], const TIMESTEP_REAL before[3],
+                                                     const TIMESTEP_REAL w[3], TIMESTEP_REAL omega[3]) {
+#if defined(__clang__)  // shown a pair, it takes two numbers at once from here on
+    typedef TIMESTEP_REAL pair __attribute__((vector_size(2 * sizeof(TIMESTEP_REAL))));
+    const pair after_xy = {w[0], w[1]}, before_xy = {before[0], before[1]}, xy = after_xy - before_xy;
+    const TIMESTEP_REAL x = xy[0], y = xy[1], z = w[2] - before[2];
+#else
+    const TIMESTEP_REAL x = w[0] - before[0], y = w[1] - before[1], z = w[2] - before[2];
+#endif
+    const TIMESTEP_REAL X = R[0][0] * x + R[0][1] * y + R[0][2] * z;
+    const TIMESTEP_REAL Y = R[1][0] * x + R[1][1] * y + R[1][2] * z;
+    const TIMESTEP_REAL Z = R[2][0] * x + R[2][1] * y + R[2][2] * z;
+    omega[0] = omega[0] + X, omega[1] = omega[1] + Y, omega[2] = omega[2] + Z;
+}
+
+// The long way in the world.
+TIMESTEP_C_APART void TIMESTEP_NAME(timestep_take_with_care_in_world)(const TIMESTEP_BODY* body, const TIMESTEP_REAL q[4],
+                                                                    TIMESTEP_REAL omega[3], TIMESTEP_REAL h, int rule) {
+    TIMESTEP_REAL R[3][3], before[3], w[3];
+    TIMESTEP_NAME(timestep_matrix)(q, R);
+    TIMESTEP_NAME(timestep_in_body)(R, omega, before);
+    w[0] = before[0], w[1] = before[1], w[2] = before[2];
+    if (TIMESTEP_NAME(timestep_take_with_care)(body, w, h, rule)) TIMESTEP_NAME(timestep_change)(R, before, w, omega);
+}
+
+// Two equal moments; or a ball, for which there is nothing to do.
+TIMESTEP_C_APART void TIMESTEP_NAME(timestep_take_odd)(const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
+    if (body->kind == 0) return;
+    if (!TIMESTEP_NAME(timestep_turn_about_odd)(body, omega, h)) TIMESTEP_NAME(timestep_take_with_care)(body, omega, h, 0);
+}
+TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_symmetric_in_world)(const TIMESTEP_BODY* body, const TIMESTEP_REAL q[4],
+                                                                TIMESTEP_REAL omega[3], TIMESTEP_REAL h, int i, int j,
+                                                                int k) {
+    TIMESTEP_REAL R[3][3], before[3], w[3], x, y, X, Y, Z;
+    TIMESTEP_NAME(timestep_matrix)(q, R);
+    TIMESTEP_NAME(timestep_in_body)(R, omega, before);
+    w[0] = before[0], w[1] = before[1], w[2] = before[2];
+    if (!TIMESTEP_NAME(timestep_symmetric)(body, w, h, i, j, k)) return 0;
+    x = w[i] - before[i], y = w[j] - before[j];
+    X = omega[0] + (R[0][i] * x + R[0][j] * y);
+    Y = omega[1] + (R[1][i] * x + R[1][j] * y);
+    Z = omega[2] + (R[2][i] * x + R[2][j] * y);
+    TIMESTEP_C_ALONE(X);
+    TIMESTEP_C_ALONE(Y);
+    TIMESTEP_C_ALONE(Z);
+    omega[0] = X, omega[1] = Y, omega[2] = Z;
+    return 1;
+}
+TIMESTEP_C_APART void TIMESTEP_NAME(timestep_take_odd_in_world)(const TIMESTEP_BODY* body, const TIMESTEP_REAL q[4],
+                                                              TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
+    if (body->kind == 0) return;
+    if (body->odd == 2   ? TIMESTEP_NAME(timestep_symmetric_in_world)(body, q, omega, h, 0, 1, 2)
+        : body->odd == 1 ? TIMESTEP_NAME(timestep_symmetric_in_world)(body, q, omega, h, 2, 0, 1)
+                         : TIMESTEP_NAME(timestep_symmetric_in_world)(body, q, omega, h, 1, 2, 0))
+        return;
+    TIMESTEP_NAME(timestep_take_with_care_in_world)(body, q, omega, h, 0);
+}
+
+// Three moments, the short way. Was that enough?
 #ifdef TIMESTEP_C_LANES
 #include <timestep/gyroscopic/lanes.h>
 #else
-TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_take_short)(int rule, const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
-                                                        TIMESTEP_REAL h) {
-    TIMESTEP_REAL before[3], idle = 1;
+// Was it possible?
+TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_by_rule)(int rule, const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
+                                                     TIMESTEP_REAL h) {
+    TIMESTEP_REAL before[3];
     before[0] = w[0], before[1] = w[1], before[2] = w[2];
     if (rule == 0)
-        idle = TIMESTEP_NAME(timestep_passive)(body, w, h);
+        TIMESTEP_NAME(timestep_passive)(body, w, h);
     else {
         if (rule == 2 && !(TIMESTEP_NAME(timestep_circled2)(body, w, h) <= TIMESTEP_NUMBER(0.25))) return 0;
         TIMESTEP_NAME(timestep_half_step)(body, w, h, 0);
         if (rule == 2) TIMESTEP_NAME(timestep_scale_back)(body, before, w, h);
     }
-    TIMESTEP_C_ALONE(w[0]);
-    TIMESTEP_C_ALONE(w[1]);
-    TIMESTEP_C_ALONE(w[2]);
-    return TIMESTEP_NAME(timestep_finite)(w[0], w[1], w[2]) && idle != 0;
+    return 1;
 }
-TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_take)(int rule, const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3],
-                                                   TIMESTEP_REAL h) {
-    if (body->kind == 0) return;
-    if (body->kind == 2) {
-        TIMESTEP_REAL w[3];
-        w[0] = omega[0], w[1] = omega[1], w[2] = omega[2];
-        if (TIMESTEP_NAME(timestep_take_short)(rule, body, w, h)) {
-            omega[0] = w[0], omega[1] = w[1], omega[2] = w[2];
-            return;
-        }
-    }
-    TIMESTEP_NAME(timestep_take_else)(body, omega, h, rule);
+// Are x, y and z numbers? For the passive step, which gives back ω in the body, a product of two of ω's numbers must not be
+// zero: it is about a principal axis, and where the step divides by infinity.
+TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_good)(int rule, const TIMESTEP_REAL w[3], TIMESTEP_REAL x, TIMESTEP_REAL y,
+                                                  TIMESTEP_REAL z) {
+    TIMESTEP_REAL sum = x + y + z;
+    sum -= sum;
+    return rule == 0 ? TIMESTEP_C_NOT_ZERO(w[0] * w[1] + sum) : sum == sum;
 }
-
-// Rounded, R is no exact rotation: only the change of ω goes back through it (after_gyroscopic_torque()).
-TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_take_in_world)(int rule, const TIMESTEP_BODY* body, const TIMESTEP_REAL q[4],
-                                                            TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
-    if (body->kind == 0) return;
-    const TIMESTEP_REAL tx = 2 * q[0], ty = 2 * q[1], tz = 2 * q[2];
-    const TIMESTEP_REAL twx = tx * q[3], twy = ty * q[3], twz = tz * q[3];
-    const TIMESTEP_REAL txx = tx * q[0], txy = ty * q[0], txz = tz * q[0];
-    const TIMESTEP_REAL tyy = ty * q[1], tyz = tz * q[1], tzz = tz * q[2];
-    const TIMESTEP_REAL R00 = 1 - (tyy + tzz), R01 = txy - twz, R02 = txz + twy;
-    const TIMESTEP_REAL R10 = txy + twz, R11 = 1 - (txx + tzz), R12 = tyz - twx;
-    const TIMESTEP_REAL R20 = txz - twy, R21 = tyz + twx, R22 = 1 - (txx + tyy);
-    TIMESTEP_REAL x = R00 * omega[0] + R10 * omega[1] + R20 * omega[2];
-    TIMESTEP_REAL y = R01 * omega[0] + R11 * omega[1] + R21 * omega[2];
-    TIMESTEP_REAL z = R02 * omega[0] + R12 * omega[1] + R22 * omega[2];
+TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_take_three)(int rule, const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3],
+                                                        TIMESTEP_REAL h) {
     TIMESTEP_REAL w[3];
-    TIMESTEP_C_ALONE(x);
-    TIMESTEP_C_ALONE(y);
-    TIMESTEP_C_ALONE(z);
-    w[0] = x, w[1] = y, w[2] = z;
-    if (body->kind != 2 || !TIMESTEP_NAME(timestep_take_short)(rule, body, w, h)) {
-        TIMESTEP_REAL slow[3];  // w stays in registers, as nobody else is told where it is
-        slow[0] = x, slow[1] = y, slow[2] = z;
-        if (!TIMESTEP_NAME(timestep_take_else)(body, slow, h, rule)) return;
-        w[0] = slow[0], w[1] = slow[1], w[2] = slow[2];
-    }
-    x = w[0] - x, y = w[1] - y, z = w[2] - z;
-    w[0] = omega[0] + (R00 * x + R01 * y + R02 * z);
-    w[1] = omega[1] + (R10 * x + R11 * y + R12 * z);
-    w[2] = omega[2] + (R20 * x + R21 * y + R22 * z);
-    TIMESTEP_C_ALONE(w[0]);
-    TIMESTEP_C_ALONE(w[1]);
-    TIMESTEP_C_ALONE(w[2]);
+    w[0] = omega[0], w[1] = omega[1], w[2] = omega[2];
+    if (!TIMESTEP_NAME(timestep_by_rule)(rule, body, w, h) || !TIMESTEP_NAME(timestep_good)(rule, w, w[0], w[1], w[2])) return 0;
     omega[0] = w[0], omega[1] = w[1], omega[2] = w[2];
+    return 1;
+}
+TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_take_three_in_world)(int rule, const TIMESTEP_BODY* body, const TIMESTEP_REAL q[4],
+                                                                 TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
+    TIMESTEP_REAL R[3][3], before[3], w[3], after[3];
+    TIMESTEP_NAME(timestep_matrix)(q, R);
+    TIMESTEP_NAME(timestep_in_body)(R, omega, before);
+    w[0] = before[0], w[1] = before[1], w[2] = before[2];
+    if (!TIMESTEP_NAME(timestep_by_rule)(rule, body, w, h)) return 0;
+    after[0] = omega[0], after[1] = omega[1], after[2] = omega[2];
+    TIMESTEP_NAME(timestep_change)(R, before, w, after);
+    if (!TIMESTEP_NAME(timestep_good)(rule, w, after[0], after[1], after[2])) return 0;
+    omega[0] = after[0], omega[1] = after[1], omega[2] = after[2];
+    return 1;
 }
 #endif
+
+// A rule with all that every rule asks before and after.
+TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_take)(int rule, const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3],
+                                                   TIMESTEP_REAL h) {
+    if (body->kind != 2)
+        TIMESTEP_NAME(timestep_take_odd)(body, omega, h);
+    else if (!TIMESTEP_NAME(timestep_take_three)(rule, body, omega, h))
+        TIMESTEP_NAME(timestep_take_with_care)(body, omega, h, rule);
+}
+TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_take_in_world)(int rule, const TIMESTEP_BODY* body, const TIMESTEP_REAL q[4],
+                                                            TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
+    if (body->kind != 2)
+        TIMESTEP_NAME(timestep_take_odd_in_world)(body, q, omega, h);
+    else if (!TIMESTEP_NAME(timestep_take_three_in_world)(rule, body, q, omega, h))
+        TIMESTEP_NAME(timestep_take_with_care_in_world)(body, q, omega, h, rule);
+}
 
 static inline void TIMESTEP_NAME(gyroscopic_passive)(const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
     TIMESTEP_NAME(timestep_take)(0, body, omega, h);
