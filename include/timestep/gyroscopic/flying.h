@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What stands behind gyroscopic.h, for one kind of real number: the body that flies. As rules.h, it is included there
+/// What stands behind gyroscopic.h, for one kind of real number: the body that flies, and limits. As rules.h, it is included there
 /// twice. The formulas are explained in axis_spin.hpp and symmetric_remainder.hpp.
 
 /// \cond
@@ -124,5 +124,39 @@ static inline void TIMESTEP_NAME(gyroscopic_ball_and_remainder_4_in_world)(const
     TIMESTEP_REAL w[3];
     TIMESTEP_NAME(timestep_rotate)(q, -1, omega, w);
     if (TIMESTEP_NAME(timestep_fly_4)(body, q, w, h)) TIMESTEP_NAME(timestep_rotate)(q, 1, w, omega);
+}
+
+// ω over the largest of its numbers, so that squares neither overflow nor vanish; gives back that number.
+TIMESTEP_C_INLINE TIMESTEP_REAL TIMESTEP_NAME(timestep_scaled)(const TIMESTEP_REAL w[3], TIMESTEP_REAL n[3]) {
+    const TIMESTEP_REAL size = TIMESTEP_NAME(fmax)(
+        TIMESTEP_NAME(fabs)(w[0]), TIMESTEP_NAME(fmax)(TIMESTEP_NAME(fabs)(w[1]), TIMESTEP_NAME(fabs)(w[2])));
+    const TIMESTEP_REAL by = size > 0 ? size : 1;
+    n[0] = w[0] / by, n[1] = w[1] / by, n[2] = w[2] / by;
+    return size;
+}
+
+// On the curve of its energy and |L|, |ω|² is largest where the component about the intermediate axis r is zero, and is
+// then |ω|² + c_r ω_r², with c_r the circling of r.
+static inline TIMESTEP_REAL TIMESTEP_NAME(gyroscopic_fastest)(const TIMESTEP_BODY* body, const TIMESTEP_REAL omega[3]) {
+    const int r = body->middle;
+    TIMESTEP_REAL x, y, z, n[3];
+    const TIMESTEP_REAL size = TIMESTEP_NAME(timestep_scaled)(omega, n);
+    x = n[0] * n[0], y = n[1] * n[1], z = n[2] * n[2];
+    return size * TIMESTEP_NAME(sqrt)(x + y + z + body->circling[r] * (n[r] * n[r]));
+}
+
+// The half-step Jacobian keeps the energy over Δ, its determinant for the component about the intermediate axis alone:
+// Δ = 1 − h² p/4 with p = c_r ω_r², of which the curve's largest value is p + min(c_i ω_i², c_j ω_j²). Where h² times
+// that is at most ¼, Δ is 15/16 or more, and the energy at most 16/15 of the first.
+static inline TIMESTEP_REAL TIMESTEP_NAME(gyroscopic_half_step_limit)(const TIMESTEP_BODY* body,
+                                                                      const TIMESTEP_REAL omega[3]) {
+    const int r = body->middle, i = (r + 1) % 3, j = (r + 2) % 3;
+    const TIMESTEP_REAL* c = body->circling;
+    TIMESTEP_REAL n[3], p, limit;
+    const TIMESTEP_REAL size = TIMESTEP_NAME(timestep_scaled)(omega, n);
+    p = c[r] * (n[r] * n[r]) + TIMESTEP_NAME(fmin)(c[i] * (n[i] * n[i]), c[j] * (n[j] * n[j]));
+    if (!(size > 0 && p > 0)) return TIMESTEP_LARGEST;
+    limit = TIMESTEP_NUMBER(0.5) / TIMESTEP_NAME(sqrt)(p) / size;
+    return limit <= TIMESTEP_LARGEST ? limit : TIMESTEP_LARGEST;
 }
 /// \endcond

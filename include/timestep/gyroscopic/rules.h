@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What stands behind gyroscopic.h, for one kind of real number: bodies, rules for ω, limits. gyroscopic.h includes it
+/// What stands behind gyroscopic.h, for one kind of real number: bodies, rules for ω. gyroscopic.h includes it
 /// twice, with TIMESTEP_REAL float and double; nobody else does. Each formula is explained where the library has it: in
 /// inertia.hpp, passive_gyroscopic.hpp, half_step_jacobian.hpp and calm_half_step.hpp.
 
@@ -60,15 +60,6 @@ TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_on_axis)(const TIMESTEP_REAL w[3]) 
 }
 TIMESTEP_C_INLINE int TIMESTEP_NAME(gyroscopic_idle)(const TIMESTEP_BODY* body, const TIMESTEP_REAL omega[3]) {
     return body->kind == 0 || TIMESTEP_NAME(timestep_on_axis)(omega) || (body->kind == 1 && omega[body->odd] == 0);
-}
-
-// ω over the largest of its numbers, so that squares neither overflow nor vanish; gives back that number.
-TIMESTEP_C_INLINE TIMESTEP_REAL TIMESTEP_NAME(timestep_scaled)(const TIMESTEP_REAL w[3], TIMESTEP_REAL n[3]) {
-    const TIMESTEP_REAL size = TIMESTEP_NAME(fmax)(
-        TIMESTEP_NAME(fabs)(w[0]), TIMESTEP_NAME(fmax)(TIMESTEP_NAME(fabs)(w[1]), TIMESTEP_NAME(fabs)(w[2])));
-    const TIMESTEP_REAL by = size > 0 ? size : 1;
-    n[0] = w[0] / by, n[1] = w[1] / by, n[2] = w[2] / by;
-    return size;
 }
 
 // The rules are homogeneous: a step of h with ω is a step of ch with ω/c, times c. So ω and h can be brought to where no
@@ -148,12 +139,6 @@ TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_half_step)(const TIMESTEP_BODY* bo
     w[2] = z - share * (r0 * ab0 + (r1 * ab1 + r2 * ab2));
 }
 
-// Neither infinite nor no number? (Or their sum is: then the long way finds out.)
-TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_finite)(TIMESTEP_REAL x, TIMESTEP_REAL y, TIMESTEP_REAL z) {
-    const TIMESTEP_REAL sum = x + y + z, zero = sum - sum;
-    return zero == zero;
-}
-
 TIMESTEP_C_INLINE TIMESTEP_REAL TIMESTEP_NAME(timestep_energy)(const TIMESTEP_BODY* body, const TIMESTEP_REAL w[3],
                                                               TIMESTEP_REAL h) {
     const TIMESTEP_REAL x = h * w[0], y = h * w[1], z = h * w[2];
@@ -210,11 +195,9 @@ TIMESTEP_C_APART int TIMESTEP_NAME(timestep_take_with_care)(const TIMESTEP_BODY*
     return 1;
 }
 
-// A rule with all that every rule asks before and after.
-//
 // The short way takes its formula and looks whether the result is a number: if no product overflows, it is. About a
-// principal axis most give back every bit, and so does the scaling; the passive step of three moments does not, so there
-// it is asked for the product of two numbers of ω that it has made on its way.
+// principal axis most give back every bit, and so does the scaling; the passive step of three moments does not, so of
+// the product of two of the numbers that it has made must not be zero.
 
 // The columns of R are the body's axes in the world.
 TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_matrix)(const TIMESTEP_REAL q[4], TIMESTEP_REAL R[3][3]) {
@@ -240,7 +223,7 @@ TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_in_body)(TIMESTEP_REAL R[3][3], co
 // And its change back: rounded, R is no exact rotation, so not all of it (after_gyroscopic_torque()).
 TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_change)(TIMESTEP_REAL R[3][3], const TIMESTEP_REAL before[3],
                                                      const TIMESTEP_REAL w[3], TIMESTEP_REAL omega[3]) {
-#if defined(__clang__)  // shown a pair, it takes two numbers at once from here on
+#if defined(__clang__) && defined(__GNUC__)  // shown a pair, it takes two numbers at once from here on
     typedef TIMESTEP_REAL pair __attribute__((vector_size(2 * sizeof(TIMESTEP_REAL))));
     const pair after_xy = {w[0], w[1]}, before_xy = {before[0], before[1]}, xy = after_xy - before_xy;
     const TIMESTEP_REAL x = xy[0], y = xy[1], z = w[2] - before[2];
@@ -361,53 +344,16 @@ TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_take_in_world)(int rule, const TIM
         TIMESTEP_NAME(timestep_take_with_care_in_world)(body, q, omega, h, rule);
 }
 
-static inline void TIMESTEP_NAME(gyroscopic_passive)(const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
-    TIMESTEP_NAME(timestep_take)(0, body, omega, h);
-}
-static inline void TIMESTEP_NAME(gyroscopic_half_step)(const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3],
-                                                       TIMESTEP_REAL h) {
-    TIMESTEP_NAME(timestep_take)(1, body, omega, h);
-}
-static inline void TIMESTEP_NAME(gyroscopic_calm_half_step)(const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3],
-                                                            TIMESTEP_REAL h) {
-    TIMESTEP_NAME(timestep_take)(2, body, omega, h);
-}
-static inline void TIMESTEP_NAME(gyroscopic_passive_in_world)(const TIMESTEP_BODY* body, const TIMESTEP_REAL q[4],
-                                                              TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
-    TIMESTEP_NAME(timestep_take_in_world)(0, body, q, omega, h);
-}
-static inline void TIMESTEP_NAME(gyroscopic_half_step_in_world)(const TIMESTEP_BODY* body, const TIMESTEP_REAL q[4],
-                                                                TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {
-    TIMESTEP_NAME(timestep_take_in_world)(1, body, q, omega, h);
-}
-static inline void TIMESTEP_NAME(gyroscopic_calm_half_step_in_world)(const TIMESTEP_BODY* body,
-                                                                     const TIMESTEP_REAL q[4], TIMESTEP_REAL omega[3],
-                                                                     TIMESTEP_REAL h) {
-    TIMESTEP_NAME(timestep_take_in_world)(2, body, q, omega, h);
-}
-
-// On the curve of its energy and |L|, |ω|² is largest where the component about the intermediate axis r is zero, and is
-// then |ω|² + c_r ω_r², with c_r the circling of r.
-static inline TIMESTEP_REAL TIMESTEP_NAME(gyroscopic_fastest)(const TIMESTEP_BODY* body, const TIMESTEP_REAL omega[3]) {
-    const int r = body->middle;
-    TIMESTEP_REAL x, y, z, n[3];
-    const TIMESTEP_REAL size = TIMESTEP_NAME(timestep_scaled)(omega, n);
-    x = n[0] * n[0], y = n[1] * n[1], z = n[2] * n[2];
-    return size * TIMESTEP_NAME(sqrt)(x + y + z + body->circling[r] * (n[r] * n[r]));
-}
-
-// The half-step Jacobian keeps the energy over Δ, its determinant for the component about the intermediate axis alone:
-// Δ = 1 − h² p/4 with p = c_r ω_r², of which the curve's largest value is p + min(c_i ω_i², c_j ω_j²). Where h² times
-// that is at most ¼, Δ is 15/16 or more, and the energy at most 16/15 of the first.
-static inline TIMESTEP_REAL TIMESTEP_NAME(gyroscopic_half_step_limit)(const TIMESTEP_BODY* body,
-                                                                      const TIMESTEP_REAL omega[3]) {
-    const int r = body->middle, i = (r + 1) % 3, j = (r + 2) % 3;
-    const TIMESTEP_REAL* c = body->circling;
-    TIMESTEP_REAL n[3], p, limit;
-    const TIMESTEP_REAL size = TIMESTEP_NAME(timestep_scaled)(omega, n);
-    p = c[r] * (n[r] * n[r]) + TIMESTEP_NAME(fmin)(c[i] * (n[i] * n[i]), c[j] * (n[j] * n[j]));
-    if (!(size > 0 && p > 0)) return TIMESTEP_LARGEST;
-    limit = TIMESTEP_NUMBER(0.5) / TIMESTEP_NAME(sqrt)(p) / size;
-    return limit <= TIMESTEP_LARGEST ? limit : TIMESTEP_LARGEST;
-}
+#define TIMESTEP_RULE(rule, in_body, in_world)                                                                          \
+    static inline void TIMESTEP_NAME(in_body)(const TIMESTEP_BODY* body, TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {      \
+        TIMESTEP_NAME(timestep_take)(rule, body, omega, h);                                                              \
+    }                                                                                                                    \
+    static inline void TIMESTEP_NAME(in_world)(const TIMESTEP_BODY* body, const TIMESTEP_REAL q[4],                      \
+                                               TIMESTEP_REAL omega[3], TIMESTEP_REAL h) {                                \
+        TIMESTEP_NAME(timestep_take_in_world)(rule, body, q, omega, h);                                                  \
+    }
+TIMESTEP_RULE(0, gyroscopic_passive, gyroscopic_passive_in_world)
+TIMESTEP_RULE(1, gyroscopic_half_step, gyroscopic_half_step_in_world)
+TIMESTEP_RULE(2, gyroscopic_calm_half_step, gyroscopic_calm_half_step_in_world)
+#undef TIMESTEP_RULE
 /// \endcond
