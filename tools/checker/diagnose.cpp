@@ -334,6 +334,8 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
     if (best.empty()) best = slip_of(exercise, shown, counted);
     const bool yes_or_no = std::all_of(calls.begin(), calls.end(), [](const Call& call) { return call.result[0] == 0 || call.result[0] == 1; });
     if (best.empty() && counted && !yes_or_no) best = off_by_one(shown);
+    const std::string where = where_wrong(truth, calls, shown);
+    if (best.empty() && counted) best = is_near_thing(truth, shown) ? "near" : where;
     // Of whole numbers too many agree by chance with one of so many pairs.
     if (!best.empty() || counted) return best;
     const Shown some = some_of(std::move(shown), 150);
@@ -342,9 +344,10 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
             if (loses_as_many_digits(mistake, truth, some)) return mistake.name;
     const std::string how = inexact(truth, some);
     if (!how.empty() && how != "digits") return how;
-    if (some.tells_little) return how;
+    const std::string told = where.empty() ? how : where;
+    if (some.tells_little) return told;
     best = fair.empty() ? two_slips_of(exercise, some) : fair;
-    return best.empty() ? how : best;
+    return best.empty() ? told : best;
 }
 
 }  // namespace checker

@@ -31,4 +31,12 @@ bool is_same(const Numbers& made, const Numbers& found);
 std::string slip_of(const std::string& exercise, const Shown& shown, bool counted);
 std::string two_slips_of(const std::string& exercise, const Shown& shown);
 
+
+/// Is the answer wrong only where one of the arguments is zero, negative or positive, or a list is empty, and is it there
+/// always what was given, or one whole number? "where_negative_2", "is_given", "where_zero_0_is_-1"; else nothing.
+std::string where_wrong(const Truth& truth, const std::vector<Call>& calls, const Shown& shown);
+/// Of counts, and of yes and no: is it wrong only where a little less of the arguments makes another of the right answer?
+/// (where.cpp)
+bool is_near_thing(const Truth& truth, const Shown& shown);
+
 }  // namespace checker

@@ -69,7 +69,7 @@ double plus(int site, double l, double r) {
 }
 
 double minus(int site, double l, double r) {
-    switch (chosen(site, {Form::sign, Form::sign, Form::term, Form::term, Form::twice, Form::twice, Form::half, Form::half, Form::sign})) {
+    switch (chosen(site, {Form::sign, Form::sign, Form::term, Form::term, Form::twice, Form::twice, Form::half, Form::half, Form::sign, Form::absolute, Form::limit, Form::limit})) {
         case 1: return l + r;
         case 2: return r - l;
         case 3: return l;
@@ -79,6 +79,9 @@ double minus(int site, double l, double r) {
         case 7: return l - r / 2;
         case 8: return l / 2 - r;
         case 9: return -l - r;
+        case 10: return std::fabs(l - r);
+        case 11: return std::max(l - r, 0.0);
+        case 12: return std::min(l - r, 0.0);
         default: return out(l - r);
     }
 }

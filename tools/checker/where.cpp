@@ -1,0 +1,109 @@
+// Where no mistake and no slip fits: where is the answer wrong, and what is it there? Nothing of this is a guess.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "shown.hpp"
+
+namespace checker {
+
+namespace {
+
+constexpr std::size_t few = 6;  // calls could be so by chance
+constexpr std::size_t most_numbers = 12;
+
+struct Region {
+    std::string name;
+    std::function<bool(const Numbers&)> holds;
+};
+
+// "where_negative_2": the number 2 of the arguments, counted from 0; the length of the first list is the last of them.
+std::vector<Region> regions(std::size_t leading, bool has_list) {
+    std::vector<Region> all;
+    const auto add = [&](const char* what, std::size_t i, auto is) {
+        all.push_back({std::string("where_") + what + "_" + std::to_string(i), [i, is](const Numbers& given) { return is(given[i]); }});
+    };
+    const std::size_t count = std::min(leading, most_numbers);
+    for (std::size_t i = 0; i < count; ++i) {
+        add("zero", i, [](double x) { return x == 0; });
+        add("negative", i, [](double x) { return x < 0; });
+        add("positive", i, [](double x) { return x > 0; });
+    }
+    if (has_list && leading <= most_numbers) add("empty", leading, [](double size) { return size == 0; });
+    return all;
+}
+
+// Is it in every wrong call one and the same of the numbers, or rows of numbers, that were given?
+bool is_given(const Shown& shown) {
+    const std::size_t size = shown.wrong[0]->result.size(), most = shown.wrong[0]->arguments.size();
+    for (std::size_t at = 0; at + size <= most; ++at) {
+        const auto is_there = [&](const Call* call) {
+            const Numbers& given = call->arguments;
+            return call->result.size() == size && at + size <= given.size() && std::equal(call->result.begin(), call->result.end(), given.begin() + long(at));
+        };
+        if (std::all_of(shown.wrong.begin(), shown.wrong.end(), is_there)) return true;
+    }
+    return false;
+}
+
+// What it is in every wrong call, where that is one thing: "given", or a whole number.
+std::string always(const Shown& shown) {
+    const Numbers& first = shown.wrong[0]->result;
+    const auto is_first = [&](const Call* call) { return call->result == first; };
+    if (std::all_of(shown.wrong.begin(), shown.wrong.end(), is_first)) {
+        const bool is_zero = std::all_of(first.begin(), first.end(), [](double x) { return x == 0; });
+        if (is_zero || (first.size() == 1 && first[0] == std::floor(first[0]) && std::fabs(first[0]) < 1000)) {
+            char text[16];
+            std::snprintf(text, sizeof text, "%.0f", is_zero ? 0 : first[0]);
+            return text;
+        }
+    }
+    return is_given(shown) ? "given" : "";
+}
+
+}  // namespace
+
+std::string where_wrong(const Truth& truth, const std::vector<Call>& calls, const Shown& shown) {
+    if (shown.wrong.size() < few || shown.right.size() < few) return {};
+    std::string where;
+    bool two = false;
+    for (const Region& region : regions(truth.leading, truth.has_list)) {
+        const auto inside = [&](const Call* call) { return region.holds(call->arguments); };
+        if (!std::all_of(shown.wrong.begin(), shown.wrong.end(), inside)) continue;
+        const auto right_inside = std::size_t(std::count_if(shown.right.begin(), shown.right.end(), inside));
+        // What holds nearly everywhere, or is mostly right there, says nothing.
+        if (2 * right_inside > shown.wrong.size() || shown.right.size() - right_inside < few) continue;
+        two = !where.empty();
+        if (two) break;
+        where = region.name;
+    }
+    if (two) where.clear();
+    const std::string what = always(shown);
+    if (where.empty() && what.empty()) return {};
+    // An answer that is always so tells nothing of where it is wrong.
+    const bool else_too = std::all_of(calls.begin(), calls.end(), [&](const Call& call) { return call.result == shown.wrong[0]->result; });
+    if (else_too) return {};
+    return what.empty() ? where : where.empty() ? "is_" + what : where + "_is_" + what;
+}
+
+bool is_near_thing(const Truth& truth, const Shown& shown) {
+    constexpr double near = 3e-3;
+    constexpr unsigned tries = 24;
+    const auto flips = [&](const Numbers& arguments) {
+        const Numbers right = truth.answer(arguments);
+        for (unsigned variation = 1; variation <= tries; ++variation)
+            if (truth.nudged(arguments, variation, near) != right) return true;
+        return false;
+    };
+    if (shown.wrong.size() < few || shown.right.size() < few) return false;
+    std::size_t asked = 0, near_ones = 0;
+    for (std::size_t i = 0; i < shown.wrong.size(); i += 1 + shown.wrong.size() / 100, ++asked)
+        if (!flips(shown.wrong[i]->arguments)) return false;
+    asked = 0;
+    for (std::size_t i = 0; i < shown.right.size(); i += 1 + shown.right.size() / 100, ++asked) near_ones += flips(shown.right[i]->arguments);
+    return 3 * near_ones < asked;
+}
+
+}  // namespace checker
