@@ -104,7 +104,8 @@ Fit fit_of(const Mistake& mistake, const Shown& shown) {
         const Numbers answer = mistake.made.answer(call->arguments);
         double size = 0;
         for (const double number : call->result) size = std::max(size, std::fabs(number));
-        fit.where_right += apart(call->result, answer) <= 1e-9 * size;
+        // Against what is no number whoever makes the mistake may well have a guard.
+        fit.where_right += apart(call->result, answer) <= 1e-9 * size || !is_finite(answer);
     }
     fit.is_denied = 2 * (double(shown.right.size()) - fit.where_right) > double(shown.wrong.size());
     fit.where_wrong /= double(shown.wrong.size());
@@ -252,6 +253,7 @@ std::string family_of(const Shown& shown) {
         {"half", [](double x) { return x / 2; }},
         {"degrees", [](double x) { return x * 57.29577951308232; }},
         {"radians", [](double x) { return x / 57.29577951308232; }},
+        {"absolute", [](double x) { return std::fabs(x); }},
         {"squared", [](double x) { return x * x; }},
         {"root", [](double x) { return std::sqrt(x); }},
         {"inverse", [](double x) { return 1 / x; }},
@@ -332,6 +334,9 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
     }
     if (best.empty()) best = is_negated(calls, shown) ? "negated" : family_of(shown);
     if (best.empty()) best = slip_of(exercise, shown, counted);
+    const bool is_open = best == not_told;
+    if (is_open) best.clear();
+    if (best.empty() && !counted) best = changed(truth, shown);
     const bool yes_or_no = std::all_of(calls.begin(), calls.end(), [](const Call& call) { return call.result[0] == 0 || call.result[0] == 1; });
     if (best.empty() && counted && !yes_or_no) best = off_by_one(shown);
     const std::string where = where_wrong(truth, calls, shown);
@@ -345,7 +350,7 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
     const std::string how = inexact(truth, some);
     if (!how.empty() && how != "digits") return how;
     const std::string told = where.empty() ? how : where;
-    if (some.tells_little) return told;
+    if (some.tells_little || is_open) return told;
     best = fair.empty() ? two_slips_of(exercise, some) : fair;
     return best.empty() ? told : best;
 }

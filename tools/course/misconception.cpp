@@ -17,10 +17,14 @@ const std::map<std::string, std::string>& families() {
         {"half", "half of the right one."},
         {"degrees", "180/π times the right one: degrees instead of radians?"},
         {"radians", "π/180 times the right one: radians instead of degrees?"},
+        {"absolute", "the right one without its sign: is there an absolute value too many?"},
         {"squared", "the square of the right one: a root is missing."},
         {"root", "the root of the right one."},
         {"inverse", "one over the right one."},
         {"negated", "the opposite of the right one: yes and no have changed places."},
+        {"changed_twice", "what was given, changed by twice as much as it should be."},
+        {"changed_half", "what was given, changed by half as much as it should be."},
+        {"changed_back", "what was given, changed the other way."},
         {"near", "a near thing: is there a tolerance, a number with too few digits, a rounding, or a < for a ≤?"},
         {"one_more", "one more than the right one."},
         {"one_less", "one less than the right one."},
@@ -55,7 +59,7 @@ const std::map<std::string, std::string>& slips() {
         {"brackets", "brackets left out of a sum: only its first term is multiplied or divided"},
         {"line", "one line left out"},
         {"loop", "a loop that begins one too late or ends one too soon"},
-        {"exchanged", "two arguments that have changed places, or the two factors of a product that has an order"},
+        {"exchanged", "two arguments, or two parts of one, that have changed places, or the two factors of a product that has an order"},
         {"variable", "one variable, or one part of it, taken for another"},
         {"constant", "π with too few digits"},
         {"degrees", "an angle in degrees where radians belong, or the other way round"},
@@ -117,7 +121,14 @@ std::string of_where(const std::string& name, const std::string& declaration) {
         const std::vector<std::string> names = numbers_in(declaration);
         const auto number = std::size_t(std::atoi(name.c_str() + behind + 1));
         if (behind == std::string::npos || number >= names.size()) return {};
-        where = "only where " + names[number] + " is " + name.substr(6, behind - 6);
+        const std::string how = name.substr(6, behind - 6);
+        where = "only where " + names[number] + " is " + how;
+        if (how == "above" || how == "below") {
+            const auto limit = name.find('_', behind + 1);
+            if (limit == std::string::npos) return {};
+            const std::string least = name.substr(limit + 1, is == std::string::npos ? is : is - 1 - (limit + 1));
+            where = "only where " + names[number] + " is " + least + (how == "above" ? " or more" : " or less");
+        }
     } else if (is != 0) {
         return {};
     }

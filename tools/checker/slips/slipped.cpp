@@ -74,7 +74,8 @@ private:
         for (const Weighed& each : calls) {
             const Numbers made = slip::answered(answer_, each.call->arguments, first, second, 1000 + 30 * each.places);
             const Numbers& found = each.call->result;
-            missed += each.truth ? !errs_alike(made, found, *each.truth, *each.roundoff) : !is_same(made, found);
+            // Where all is right, there may be a guard against what is no number.
+            missed += each.truth ? !errs_alike(made, found, *each.truth, *each.roundoff) : !is_same(made, found) && (made.empty() || is_finite(made));
             if (missed > may_miss) return false;
         }
         return true;
@@ -140,8 +141,8 @@ bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right,
 }
 
 // The solution first: its slips are those that one thinks of. The conditions and variables of another way to write it
-// are not the learner's. Where two different slips of arithmetic, at two places, do the same, neither is told; nor where
-// two ways to write it disagree.
+// are not the learner's. Where one part twice as large, and another half as large, do the same, neither is told; nor
+// where two ways to write it disagree.
 std::string slip_of(const std::string& exercise, const Shown& shown, bool counted) {
     if (!is_enough(shown, counted) || is_no_number(shown)) return {};
     const long begin = slip::work();
@@ -162,11 +163,11 @@ std::string slip_of(const std::string& exercise, const Shown& shown, bool counte
             const Score score = fitting.of(made, nullptr);
             if (!score.good || score.alike < most) continue;
             if (score.alike > most) best = made, are_two = false;
-            else if (made.form != best.form && made.site != best.site) are_two |= std::max(made.form, best.form) <= slip::last_of_arithmetic;
+            else if (made.form != best.form && made.site != best.site) are_two |= std::minmax(made.form, best.form) == std::minmax(Form::twice, Form::half);
             if (made.form < best.form) best = made;
             most = score.alike;
         }
-        if (are_two || (told != Form::none && best.form != Form::none && best.form != told)) return {};
+        if (are_two || (told != Form::none && best.form != Form::none && best.form != told)) return not_told;
         if (best.form != Form::none) told = best.form;
         if (is_solution && told != Form::none) break;
         is_solution = false;

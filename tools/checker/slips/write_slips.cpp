@@ -170,6 +170,7 @@ private:
         if (is_answer)
             for (std::size_t a = 0; a < arguments_; ++a)
                 if (variables_[a].type == "double") entry += " slip::given(" + next() + ", " + variables_[a].name + ");";
+                else if (variables_[a].type == "State") entry += " slip::exchange(" + next() + ", " + variables_[a].name + ".x, " + variables_[a].name + ".v);";
         picks();
         operators();  // before anything else is taken for another word
         subscripts();
@@ -431,7 +432,7 @@ private:
         static const std::set<std::string> delimiters{"=", "return", ",", ";", "(", "[", "{", "}", "?", ":", "<", ">", "<=", ">=",
                                                       "==", "!=", "&&", "||", "+=", "-=", "*=", "/="};
         for (std::size_t i = begin_; i < end_; ++i)
-            if (text(i) == "Vector3d" || text(i) == "Matrix3d" || text(i) == "Quaterniond") return;
+            if (text(i) == "Vector3d" || text(i) == "Matrix3d" || text(i) == "Quaterniond" || text(i) == "complex") return;
         std::map<std::size_t, std::vector<std::string>> others;  // of the expressions that begin there
         std::map<std::size_t, std::size_t> ends;
         for (std::size_t i = begin_; i < end_; ++i) {

@@ -172,7 +172,7 @@ double longest_parabola_step(double omega, double zeta) {
 }  // namespace half_over_zeta
 
 // Says: The limit of strong damping is 2 / omega, whatever zeta is: that is where a spring without a damper ends.
-// Hint: 1 + trace + determinant is 4 - 4 zeta wh. Where is that zero?
+// Hint: The harder the damper, the sooner the real eigenvalue passes -1. Where does zeta stand in your limit?
 namespace real_limit_of_verlet {
 
 double longest_parabola_step(double omega, double zeta) {
