@@ -57,14 +57,10 @@ inline constexpr bool is_list<std::vector<T>> = true;
 /// Those of the arguments before the first list.
 template <class... Args>
 std::size_t leading_numbers() {
-    Numbers numbers;
-    bool before = true;
-    const auto add = [&]<class T>(const T& value) {
-        before = before && !is_list<T>;
-        if (before) Wire<T>::put(numbers, value);
-    };
-    (add(Args{}), ...);
-    return numbers.size();
+    const Numbers zeros(64);
+    Reader reader(zeros);
+    (... && (!is_list<Args> && (Wire<Args>::take(reader), true)));
+    return reader.at();
 }
 
 template <class R, class... Args>

@@ -167,10 +167,10 @@ private:
                     if (variables_[a].type == variables_[b].type)
                         entry += " slip::exchange(" + next() + ", " + variables_[a].name + ", " + variables_[b].name + ");";
         }
-        if (is_answer)
-            for (std::size_t a = 0; a < arguments_; ++a)
-                if (variables_[a].type == "double") entry += " slip::given(" + next() + ", " + variables_[a].name + ");";
-                else if (variables_[a].type == "State") entry += " slip::exchange(" + next() + ", " + variables_[a].name + ".x, " + variables_[a].name + ".v);";
+        for (std::size_t a = 0; is_answer && a < arguments_; ++a) {
+            if (variables_[a].type == "double") entry += " slip::given(" + next() + ", " + variables_[a].name + ");";
+            else if (variables_[a].type == "State") entry += " slip::exchange(" + next() + ", " + variables_[a].name + ".x, " + variables_[a].name + ".v);";
+        }
         picks();
         operators();  // before anything else is taken for another word
         subscripts();
