@@ -100,12 +100,13 @@ Fit fit_of(const Mistake& mistake, const Shown& shown) {
         const double asked = double(i + 1), missed = asked - fit.where_wrong;
         if (6 * missed > double(shown.wrong.size() + 6) || (asked > 50 && 4 * missed > 3 * asked)) return {};  // too many
     }
+    const bool has_numbers = std::all_of(shown.wrong.begin(), shown.wrong.end(), [](const Call* call) { return is_finite(call->result); });
     for (const Call* call : shown.right) {
         const Numbers answer = mistake.made.answer(call->arguments);
         double size = 0;
         for (const double number : call->result) size = std::max(size, std::fabs(number));
         // Against what is no number whoever makes the mistake may well have a guard.
-        fit.where_right += apart(call->result, answer) <= 1e-9 * size || !is_finite(answer);
+        fit.where_right += apart(call->result, answer) <= 1e-9 * size || (has_numbers && !is_finite(answer));
     }
     fit.is_denied = 2 * (double(shown.right.size()) - fit.where_right) > double(shown.wrong.size());
     fit.where_wrong /= double(shown.wrong.size());

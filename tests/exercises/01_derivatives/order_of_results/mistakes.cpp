@@ -210,14 +210,3 @@ double order_of_results(double coarse, double middle, double fine) {
 }
 
 }  // namespace half_of_the_ratio
-
-// Says: The finest result is taken for the exact one. But it has an error of its own, which does not cancel in a
-//       quotient.
-// Hint: Take the differences of neighbours: in them the exact result cancels.
-namespace fine_taken_as_exact {
-
-double order_of_results(double coarse, double middle, double fine) {
-    return std::log2((coarse - fine) / (middle - fine));
-}
-
-}  // namespace fine_taken_as_exact
