@@ -83,6 +83,7 @@ bool tells_little(const Shown& shown) {
 // The share of calls in which the mistake does as the learner does.
 struct Fit {
     double where_wrong = 0, where_right = 0;
+    double excused = 0;  // of those in right calls: there the mistake makes no number, and the learner may have a guard
     bool is_denied = false;  // it would have shown in right calls, too, and they are many beside the wrong ones
     // Of yes and no, or of two counts, many agree by chance.
     bool good(bool counted, bool little) const {
@@ -105,11 +106,13 @@ Fit fit_of(const Mistake& mistake, const Shown& shown) {
         const Numbers answer = mistake.made.answer(call->arguments);
         double size = 0;
         for (const double number : call->result) size = std::max(size, std::fabs(number));
-        // Against what is no number whoever makes the mistake may well have a guard.
-        fit.where_right += apart(call->result, answer) <= 1e-9 * size || (has_numbers && !is_finite(answer));
+        const bool is_excused = has_numbers && !is_finite(answer);
+        fit.where_right += is_excused || apart(call->result, answer) <= 1e-9 * size;
+        fit.excused += is_excused;
     }
     fit.is_denied = 2 * (double(shown.right.size()) - fit.where_right) > double(shown.wrong.size());
     fit.where_wrong /= double(shown.wrong.size());
+    fit.excused /= std::max(1.0, double(shown.right.size()));
     fit.where_right = shown.right.empty() ? 1 : fit.where_right / double(shown.right.size());
     return fit;
 }
@@ -329,7 +332,7 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
     double most = 0, most_fair = 0;
     for (const Mistake& mistake : mistakes_of(exercise)) {
         const Fit fit = fit_of(mistake, shown);
-        const double all = fit.where_wrong + fit.where_right;
+        const double all = fit.where_wrong + fit.where_right - fit.excused;
         if (fit.good(counted, shown.tells_little) && all > most) most = all, best = mistake.name;
         if (fit.fair() && all > most_fair) most_fair = all, fair = mistake.name;
     }
