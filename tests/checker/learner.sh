@@ -30,6 +30,25 @@ test_from_stub_to_pass() {
     says out '1 of '
 }
 
+# The stub of an exercise with an answer in it.
+answers() {
+    sed "s/return not_started;.*/$2/" "$real_build/exercises/generated/$1_stub.cpp" >answer.cpp
+    expect 1 course check "$1" --file answer.cpp
+}
+
+test_is_shown_both_sides_of_a_property() {
+    answers longest_parabola_step 'return 4 * zeta \/ omega + 1;'
+    says out 'In the long run a step of'
+    says out 'and must be less than 1'
+    answers tr_bdf2_step 'return {s.t + h, s.x, s.v};'
+    says out 'they differ by'
+}
+
+test_is_told_where_an_answer_is_wrong() {
+    answers pendulum_rates 'return {s.v, -g \/ length * std::sin(std::fabs(s.x)) - drag * length * std::fabs(s.v) * s.v};'
+    says out 'only where s.x is negative'
+}
+
 # As the problem matcher of .vscode/tasks.json reads it: where the line N of the file is marked.
 marks() {
     sed -n 's/.*"regexp": "\(.*\)",/\1/p' "$source/.vscode/tasks.json" >pattern

@@ -83,6 +83,7 @@ bool tells_little(const Shown& shown) {
 // The share of calls in which the mistake does as the learner does.
 struct Fit {
     double where_wrong = 0, where_right = 0;
+    double excused = 0;  // of those in right calls: there the mistake makes no number, and the learner may have a guard
     bool is_denied = false;  // it would have shown in right calls, too, and they are many beside the wrong ones
     // Of yes and no, or of two counts, many agree by chance.
     bool good(bool counted, bool little) const {
@@ -100,14 +101,18 @@ Fit fit_of(const Mistake& mistake, const Shown& shown) {
         const double asked = double(i + 1), missed = asked - fit.where_wrong;
         if (6 * missed > double(shown.wrong.size() + 6) || (asked > 50 && 4 * missed > 3 * asked)) return {};  // too many
     }
+    const bool has_numbers = std::all_of(shown.wrong.begin(), shown.wrong.end(), [](const Call* call) { return is_finite(call->result); });
     for (const Call* call : shown.right) {
         const Numbers answer = mistake.made.answer(call->arguments);
         double size = 0;
         for (const double number : call->result) size = std::max(size, std::fabs(number));
-        fit.where_right += apart(call->result, answer) <= 1e-9 * size;
+        const bool is_excused = has_numbers && !is_finite(answer);
+        fit.where_right += is_excused || apart(call->result, answer) <= 1e-9 * size;
+        fit.excused += is_excused;
     }
     fit.is_denied = 2 * (double(shown.right.size()) - fit.where_right) > double(shown.wrong.size());
     fit.where_wrong /= double(shown.wrong.size());
+    fit.excused /= std::max(1.0, double(shown.right.size()));
     fit.where_right = shown.right.empty() ? 1 : fit.where_right / double(shown.right.size());
     return fit;
 }
@@ -252,6 +257,7 @@ std::string family_of(const Shown& shown) {
         {"half", [](double x) { return x / 2; }},
         {"degrees", [](double x) { return x * 57.29577951308232; }},
         {"radians", [](double x) { return x / 57.29577951308232; }},
+        {"absolute", [](double x) { return std::fabs(x); }},
         {"squared", [](double x) { return x * x; }},
         {"root", [](double x) { return std::sqrt(x); }},
         {"inverse", [](double x) { return 1 / x; }},
@@ -326,14 +332,19 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
     double most = 0, most_fair = 0;
     for (const Mistake& mistake : mistakes_of(exercise)) {
         const Fit fit = fit_of(mistake, shown);
-        const double all = fit.where_wrong + fit.where_right;
+        const double all = fit.where_wrong + fit.where_right - fit.excused;
         if (fit.good(counted, shown.tells_little) && all > most) most = all, best = mistake.name;
         if (fit.fair() && all > most_fair) most_fair = all, fair = mistake.name;
     }
     if (best.empty()) best = is_negated(calls, shown) ? "negated" : family_of(shown);
     if (best.empty()) best = slip_of(exercise, shown, counted);
+    const bool is_open = best == not_told;
+    if (is_open) best.clear();
+    if (best.empty() && !counted) best = changed(truth, shown);
     const bool yes_or_no = std::all_of(calls.begin(), calls.end(), [](const Call& call) { return call.result[0] == 0 || call.result[0] == 1; });
     if (best.empty() && counted && !yes_or_no) best = off_by_one(shown);
+    const std::string where = where_wrong(truth, calls, shown);
+    if (best.empty() && counted) best = is_near_thing(truth, shown) ? "near" : where;
     // Of whole numbers too many agree by chance with one of so many pairs.
     if (!best.empty() || counted) return best;
     const Shown some = some_of(std::move(shown), 150);
@@ -342,9 +353,10 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
             if (loses_as_many_digits(mistake, truth, some)) return mistake.name;
     const std::string how = inexact(truth, some);
     if (!how.empty() && how != "digits") return how;
-    if (some.tells_little) return how;
+    const std::string told = where.empty() ? how : where;
+    if (some.tells_little || is_open) return told;
     best = fair.empty() ? two_slips_of(exercise, some) : fair;
-    return best.empty() ? how : best;
+    return best.empty() ? told : best;
 }
 
 }  // namespace checker

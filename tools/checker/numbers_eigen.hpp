@@ -23,8 +23,21 @@ requires(rows > 0 && columns > 0) struct Wire<Eigen::Matrix<T, rows, columns, re
             for (int i = 0; i < rows; ++i) values(i, j) = Wire<T>::take(reader);
         return values;
     }
-    /// A vector as (x, y, z); a matrix column by column, as the vectors that they are.
+    /// A vector as (x, y, z); a matrix column by column, as the vectors that they are, or what stands on its diagonal, if
+    /// that is all.
     static std::string show(Reader& reader) {
+        if constexpr (rows == columns && rows > 1) {
+            Reader ahead = reader;
+            const Matrix values = take(ahead);
+            if ((values.array() == 0).count() == rows * (rows - 1) && (values.diagonal().array() != 0).all()) {
+                std::string diagonal;
+                for (int i = 0; i < rows * rows; ++i) {
+                    const std::string one = Wire<T>::show(reader);
+                    if (i % (rows + 1) == 0) diagonal += (i > 0 ? ", " : "") + one;
+                }
+                return "{diagonal (" + diagonal + ")}";
+            }
+        }
         std::string columns_shown;
         for (int j = 0; j < columns; ++j) {
             if (j > 0) columns_shown += ", ";

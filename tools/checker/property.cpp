@@ -5,6 +5,8 @@
 
 #include <catch2/interfaces/catch_interfaces_capture.hpp>
 
+#include "sides.hpp"
+
 namespace checker {
 
 namespace {
@@ -93,7 +95,8 @@ int Draw::integer(int low, int high) {
 bool close(double a, double b, double relative, double absolute) {
     const double tolerance = std::max(relative * std::max(std::fabs(a), std::fabs(b)), absolute);
     // What is infinite lies near nothing, though inf <= relative * inf.
-    return std::isfinite(tolerance) && std::fabs(a - b) <= tolerance;
+    if (std::isfinite(tolerance) && std::fabs(a - b) <= tolerance) return true;
+    return told(false, "Two numbers that must agree are " + in_words(a) + " and " + in_words(b) + ": they differ by " + in_words(std::fabs(a - b)) + ".");
 }
 
 double order(double error, double error_of_half) {

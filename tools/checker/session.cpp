@@ -10,6 +10,7 @@
 #include <catch2/interfaces/catch_interfaces_capture.hpp>
 
 #include "exercise.hpp"
+#include "sides.hpp"
 
 namespace checker {
 
@@ -64,6 +65,7 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
     verdict_ = {};
     last_ = {};
     spoken_ = nullptr;
+    sides_begin();
 
     const int failures = run("[" + exercise + "]");
     if (verdict_.property.empty() && failures != 0) {
@@ -87,10 +89,12 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
     const bool has_failed = (verdict_.kind == Kind::wrong && !ended_) || verdict_.kind == Kind::not_finite;
     if (has_failed && spoken_ && truth_.answer) find_simplest(all_hold ? first_wrong_in_ : verdict_.property);
     tell_call();
+    if (verdict_.kind == Kind::wrong && !verdict_.right.empty()) verdict_.detail.clear();  // that says more
     return verdict_;
 }
 
 Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
+    sides_call();
     if (search_) return call_in_search(arguments, spoken);
     if (ended_ && ended_->kind != Kind::not_finite) throw *ended_;
     spoken_ = &spoken;
@@ -129,20 +133,24 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
 void Session::show_last() {
     if (search_ && !search_->doubted && !search_->calls.empty()) search_->doubted = search_->calls.back();
     if (!search_ && !doubted_) doubted_ = last_;
+    sides_break();
 }
 
 // The properties after the first that breaks are looked at all the same: their calls help to tell
 // one mistake from another.
 void Session::looked_at(const std::string& property, bool holds) {
     if (search_) search_->holds = holds;
+    if (!holds) sides_break();
     if (verdict_.kind != Kind::pass) return;
     if (holds) {
         shown_.reset();
         doubted_.reset();
+        sides_begin();
         return;
     }
     verdict_.kind = Kind::wrong;
     verdict_.property = property;
+    verdict_.detail = sides_said();
 }
 
 // Ten digits are read more easily. Do they lead whoever works the call out by hand to another answer?

@@ -30,7 +30,7 @@ struct Verdict {
     Kind kind = Kind::pass;
     std::string property;       ///< the first that does not hold
     std::string misconception;  ///< the mistake that would have answered just so
-    std::string detail;         ///< what is known of a crash and the like
+    std::string detail;         ///< what is known of a crash and the like, or both sides of the property
     std::string trace;          ///< of a crash: the addresses that lead to it
     std::string arguments;      ///< of the call that it was noticed after: "(1, 2)"
     std::string result;         ///< what it returned, if it did

@@ -28,7 +28,19 @@ bool is_same(const Numbers& made, const Numbers& found);
 /// The slip, or the two at once, that answer as the learner does: their kinds' names, as "slip_sign" or "slip_sign_term"; nothing
 /// where none does. `counted`: of a yes and a no, or of counts, many agree by chance; two slips at once are not asked then.
 /// (slips/slipped.cpp)
+/// Or `not_told`, where two do that say the opposite.
+inline constexpr const char* not_told = "slip_";
 std::string slip_of(const std::string& exercise, const Shown& shown, bool counted);
 std::string two_slips_of(const std::string& exercise, const Shown& shown);
+
+
+/// Is the answer wrong only where one of the arguments is zero, negative or positive, or a list is empty, and is it there
+/// always what was given, or one whole number? "where_negative_2", "is_given", "where_zero_0_is_-1"; else nothing.
+std::string where_wrong(const Truth& truth, const std::vector<Call>& calls, const Shown& shown);
+/// Wherever it is wrong, is it what was given, changed twice as much as it should be, half, or the other way?
+std::string changed(const Truth& truth, const Shown& shown);
+/// Of counts, and of yes and no: is it wrong only where a little less of the arguments makes another of the right answer?
+/// (where.cpp)
+bool is_near_thing(const Truth& truth, const Shown& shown);
 
 }  // namespace checker

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "session.hpp"
+#include "sides.hpp"
 
 namespace checker {
 
@@ -78,6 +79,7 @@ Numbers Session::call_in_search(const Numbers& arguments, const Spoken& spoken) 
 
 Session::Search Session::searched(const std::string& property, const Answer& answer, unsigned stream, std::size_t most) {
     search_ = Search{answer, stream, most, {}, {}, true, false};
+    sides_begin();
     run(by_name(property) + "[" + exercise_ + "]");
     Search found = std::move(*search_);
     search_.reset();
@@ -108,8 +110,9 @@ void Session::find_simplest(const std::string& property) {
         if (by_call || found.holds || found.calls.empty()) continue;
         const Call seen = found.doubted ? *found.doubted : found.calls.back();
         if (!is_finite(seen.result) || effort_of(seen) >= least) continue;
+        const std::string said = sides_said();
         const Search right = searched(property, truth_.answer, stream, 100'000);
-        if (right.holds && !right.doubted) take(seen);
+        if (right.holds && !right.doubted) take(seen), verdict_.detail = said;
     }
 }
 

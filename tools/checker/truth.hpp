@@ -41,10 +41,27 @@ inline constexpr double few_units = 4 * std::numeric_limits<double>::epsilon();
 struct Function {
     Answer answer;
     std::function<Numbers(const Numbers& arguments, unsigned variation, double most)> nudged;
+    std::size_t leading = 0;  ///< of the numbers in its arguments so many stand before the first list,
+    bool has_list = false;    ///< which there may be
 };
 
 /// The right answer.
 using Truth = Function;
+
+/// Has it as many numbers whatever they are?
+template <class T>
+inline constexpr bool is_list = false;
+template <class T>
+inline constexpr bool is_list<std::vector<T>> = true;
+
+/// Those of the arguments before the first list.
+template <class... Args>
+std::size_t leading_numbers() {
+    const Numbers zeros(64);
+    Reader reader(zeros);
+    (... && (!is_list<Args> && (Wire<Args>::take(reader), true)));
+    return reader.at();
+}
 
 template <class R, class... Args>
 Function function_of(R (*function)(Args...)) {
@@ -64,7 +81,8 @@ Function function_of(R (*function)(Args...)) {
                 Numbers result;
                 Wire<std::decay_t<R>>::put(result, std::apply(function, arguments));
                 return result;
-            }};
+            },
+            leading_numbers<std::decay_t<Args>...>(), (is_list<std::decay_t<Args>> || ...)};
 }
 
 /// How near the right answer an answer must be.

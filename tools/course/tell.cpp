@@ -124,6 +124,7 @@ std::string wrong(const Exercise& exercise, const Verdict& verdict, const fs::pa
     else if (!verdict.result.empty())
         text += "  It was noticed after the call\n" +
                 wrapped(call(exercise, verdict) + ", which returned " + verdict.result, 6) + "\n";
+    if (!verdict.detail.empty()) text += wrapped(verdict.detail, 2) + "\n";
     const std::string mistake = told_of(exercise, verdict.misconception);
     text += !mistake.empty() ? mistake
                              : wrapped("This is none of the usual mistakes. Work the property out by hand for the numbers above.", 2);

@@ -55,7 +55,7 @@ bool turn() {
 }
 
 double plus(int site, double l, double r) {
-    switch (chosen(site, {Form::sign, Form::sign, Form::term, Form::term, Form::twice, Form::twice, Form::half, Form::half})) {
+    switch (chosen(site, {Form::sign, Form::sign, Form::term, Form::term, Form::twice, Form::twice, Form::half, Form::half, Form::absolute})) {
         case 1: return l - r;
         case 2: return r - l;
         case 3: return l;
@@ -64,12 +64,13 @@ double plus(int site, double l, double r) {
         case 6: return 2 * l + r;
         case 7: return l + r / 2;
         case 8: return l / 2 + r;
+        case 9: return std::fabs(l + r);
         default: return out(l + r);
     }
 }
 
 double minus(int site, double l, double r) {
-    switch (chosen(site, {Form::sign, Form::sign, Form::term, Form::term, Form::twice, Form::twice, Form::half, Form::half, Form::sign})) {
+    switch (chosen(site, {Form::sign, Form::sign, Form::term, Form::term, Form::twice, Form::twice, Form::half, Form::half, Form::sign, Form::absolute, Form::limit, Form::limit})) {
         case 1: return l + r;
         case 2: return r - l;
         case 3: return l;
@@ -79,12 +80,15 @@ double minus(int site, double l, double r) {
         case 7: return l - r / 2;
         case 8: return l / 2 - r;
         case 9: return -l - r;
+        case 10: return std::fabs(l - r);
+        case 11: return std::max(l - r, 0.0);
+        case 12: return std::min(l - r, 0.0);
         default: return out(l - r);
     }
 }
 
 double times(int site, double l, double r) {
-    switch (chosen(site, {Form::sign, Form::twice, Form::half, Form::factor, Form::factor, Form::upside_down, Form::upside_down, Form::power, Form::power})) {
+    switch (chosen(site, {Form::sign, Form::twice, Form::half, Form::factor, Form::factor, Form::upside_down, Form::upside_down, Form::power, Form::power, Form::absolute})) {
         case 1: return -(l * r);
         case 2: return 2 * (l * r);
         case 3: return l * r / 2;
@@ -94,6 +98,7 @@ double times(int site, double l, double r) {
         case 7: return r / l;
         case 8: return l * l * r;
         case 9: return l * r * r;
+        case 10: return std::fabs(l * r);
         default: return out(l * r);
     }
 }

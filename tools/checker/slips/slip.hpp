@@ -18,7 +18,7 @@ namespace checker::slip {
 
 /// What a slip does. The learner is told no more (tools/course/misconception.cpp): which it is leads on, where does not.
 /// Where two slips answer alike, the first of these is what is told.
-enum class Form : unsigned char { sign, twice, half, term, factor, function, upside_down, power, exchanged, reversed, edge, guard, line, loop, variable, constant, degrees, single, none };
+enum class Form : unsigned char { sign, twice, half, term, factor, function, upside_down, power, exchanged, reversed, edge, guard, absolute, limit, joined, brackets, line, loop, variable, constant, degrees, single, none };
 /// A slip in arithmetic, which is one in whatever way an answer is written.
 inline constexpr Form last_of_arithmetic = Form::power;
 
@@ -43,6 +43,8 @@ double negative(int site, double x);
 double pi();
 double angle(double x);
 bool without(int site);
+inline bool joined(int site) { return chosen(site, {Form::joined}) == 1; }
+inline bool unbracketed(int site) { return chosen(site, {Form::brackets}) == 1; }
 double pick(int site, double one, std::initializer_list<double> others);
 
 template <class T>
@@ -275,7 +277,7 @@ auto sqrt(int site, const X& x) {
 template <class X>
 auto abs(int site, const X& x) {
     using T = decltype(std::abs(x));
-    if constexpr (Number<X>) return chosen(site, {Form::function}) == 1 ? x : T(std::abs(x));
+    if constexpr (Number<X>) return chosen(site, {Form::absolute}) == 1 ? x : T(std::abs(x));
     else return chosen(site, {Form::function}) == 1 ? T(x.real()) : std::abs(x);
 }
 inline double fabs(int site, double x) { return abs(site, x); }
@@ -332,6 +334,12 @@ inline bool keeps(int site) { return chosen(site, {Form::line}) == 0; }
 template <class T>
 void exchange(int site, T& a, T& b) {
     if (chosen(site, {Form::exchanged}) == 1) std::swap(a, b);
+}
+
+/// An argument whose sign is gone, turned round, or which is never less than nothing.
+inline void given(int site, double& a) {
+    const int slip = chosen(site, {Form::absolute, Form::sign, Form::limit});
+    if (slip != 0) a = slip == 1 ? std::fabs(a) : slip == 2 ? -a : std::max(a, 0.0);
 }
 
 /// A variable, or another that is there.

@@ -74,7 +74,8 @@ private:
         for (const Weighed& each : calls) {
             const Numbers made = slip::answered(answer_, each.call->arguments, first, second, 1000 + 30 * each.places);
             const Numbers& found = each.call->result;
-            missed += each.truth ? !errs_alike(made, found, *each.truth, *each.roundoff) : !is_same(made, found);
+            // Where all is right, there may be a guard against what is no number.
+            missed += each.truth ? !errs_alike(made, found, *each.truth, *each.roundoff) : !is_same(made, found) && (made.empty() || is_finite(made));
             if (missed > may_miss) return false;
         }
         return true;
@@ -108,7 +109,7 @@ namespace slip {
 
 const char* name_of(Form form) {
     static constexpr std::array names{"sign", "twice", "half", "term", "factor", "function", "upside_down", "power", "exchanged", "reversed", "edge",
-                                      "guard", "line", "loop", "variable", "constant", "degrees", "single", "none"};
+                                      "guard", "absolute", "limit", "joined", "brackets", "line", "loop", "variable", "constant", "degrees", "single", "none"};
     return names[static_cast<std::size_t>(form)];
 }
 
@@ -140,31 +141,38 @@ bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right,
 }
 
 // The solution first: its slips are those that one thinks of. The conditions and variables of another way to write it
-// are not the learner's.
+// are not the learner's. Where one part twice as large, and another half as large, do the same, neither is told; nor
+// where two ways to write it disagree.
 std::string slip_of(const std::string& exercise, const Shown& shown, bool counted) {
     if (!is_enough(shown, counted) || is_no_number(shown)) return {};
     const long begin = slip::work();
     bool is_solution = true;
+    Form told = Form::none;
     for (const Answer& answer : slips_of(exercise)) {
         if (slip::work() - begin > most_work) break;
         const Fitting fitting(answer, shown, counted, is_solution);
         std::vector<Made> slips = fitting.slips();
         slips.push_back({slip::single_site, 1, Form::single});
         std::size_t most = 0;
-        Form form = Form::none;
+        Made best{0, 0, Form::none};
+        bool are_two = false;
         for (const Made& made : slips) {
             // Whole numbers agree by chance with what an answer of another kind does.
             if (!is_solution && (counted || made.form > slip::last_of_arithmetic) && made.form != Form::single) continue;
             if (slip::work() - begin > most_work) break;
             const Score score = fitting.of(made, nullptr);
             if (!score.good || score.alike < most) continue;
-            form = score.alike > most ? made.form : std::min(form, made.form);
+            if (score.alike > most) best = made, are_two = false;
+            else if (made.form != best.form && made.site != best.site) are_two |= std::minmax(made.form, best.form) == std::minmax(Form::twice, Form::half);
+            if (made.form < best.form) best = made;
             most = score.alike;
         }
-        if (form != Form::none) return std::string("slip_") + slip::name_of(form);
+        if (are_two || (told != Form::none && best.form != Form::none && best.form != told)) return not_told;
+        if (best.form != Form::none) told = best.form;
+        if (is_solution && told != Form::none) break;
         is_solution = false;
     }
-    return {};
+    return told == Form::none ? "" : std::string("slip_") + slip::name_of(told);
 }
 
 // Of the solution alone: two slips in another way to write it could explain nearly everything.

@@ -6,6 +6,7 @@
 // C++ as clang-format leaves it: an operator with two operands stands between blanks, any other one does not. A file
 // with the words "[no slips]" is left out: for what this cannot read.
 
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <fstream>
@@ -166,11 +167,16 @@ private:
                     if (variables_[a].type == variables_[b].type)
                         entry += " slip::exchange(" + next() + ", " + variables_[a].name + ", " + variables_[b].name + ");";
         }
+        for (std::size_t a = 0; is_answer && a < arguments_; ++a) {
+            if (variables_[a].type == "double") entry += " slip::given(" + next() + ", " + variables_[a].name + ");";
+            else if (variables_[a].type == "State") entry += " slip::exchange(" + next() + ", " + variables_[a].name + ".x, " + variables_[a].name + ".v);";
+        }
         picks();
         operators();  // before anything else is taken for another word
         subscripts();
         methods();
         calls();
+        brackets();
         added();
         conditions();
         loops();
@@ -393,6 +399,7 @@ private:
     void parts_of(std::size_t first, std::size_t end, bool alone) {
         std::size_t part = first;
         std::string joined;
+        std::vector<std::size_t> joints;
         for (;;) {
             const std::size_t stop = std::min(end, until(part, {"||", "&&", "?", ":"}));
             if (stop < end && (text(stop) == "?" || text(stop) == ":")) return;
@@ -400,10 +407,65 @@ private:
             if (!last) joined = text(stop);
             if (joined.empty() && !alone) return;
             wrap(part, stop - 1, std::string("(slip::without(") + next() + ") ? " + (joined == "&&" ? "true" : "false") + " : bool(", "))");
-            if (last) return;
+            if (last) break;
+            joints.push_back(stop);
             part = stop + 1;
         }
+        // All of it once more, with the other word between its parts.
+        const auto is_joined = [&](std::size_t i) { return text(i) == joined; };
+        if (joints.empty() || !std::all_of(joints.begin(), joints.end(), is_joined)) return;
+        for (const std::size_t i : joints) t_[i].text = joined == "&&" ? "||" : "&&";
+        const std::string other = rendered(first, end);
+        for (const std::size_t i : joints) t_[i].text = joined;
+        wrap(first, end - 1, "(slip::joined(" + next() + ") ? bool(" + other + ") : bool(", "))");
     }
+
+    std::string rendered(std::size_t first, std::size_t end) const {
+        std::string code;
+        for (std::size_t i = first; i < end; ++i) code += (t_[i].blank ? " " : "") + t_[i].before + t_[i].text + t_[i].after;
+        return code;
+    }
+
+    // An expression once more, without the brackets of a sum in it that is multiplied or divided. Of numbers alone: what
+    // else there is may have no such sum.
+    void brackets() {
+        static const std::set<std::string> delimiters{"=", "return", ",", ";", "(", "[", "{", "}", "?", ":", "<", ">", "<=", ">=",
+                                                      "==", "!=", "&&", "||", "+=", "-=", "*=", "/="};
+        for (std::size_t i = begin_; i < end_; ++i)
+            if (text(i) == "Vector3d" || text(i) == "Matrix3d" || text(i) == "Quaterniond" || text(i) == "complex") return;
+        std::map<std::size_t, std::vector<std::string>> others;  // of the expressions that begin there
+        std::map<std::size_t, std::size_t> ends;
+        for (std::size_t i = begin_; i < end_; ++i) {
+            if (text(i) != "(" || operand_before(i) || text(i - 1) == "]") continue;
+            const std::size_t open = i, close = other_[open];
+            const auto multiplies = [&](std::size_t j) { return is_operator(j, '*') || is_operator(j, '/'); };
+            if (!multiplies(open - 1) && !multiplies(close + 1)) continue;
+            bool is_sum = false;
+            for (std::size_t j = open + 1; j < close; ++j) {
+                if (text(j) == "(" || text(j) == "[" || text(j) == "{") j = other_[j];
+                is_sum |= is_operator(j, '+') || is_operator(j, '-');
+                if (delimiters.count(text(j)) && text(j) != "]") { is_sum = false; break; }
+            }
+            if (!is_sum) continue;
+            std::size_t first = open;
+            while (first > begin_ + 1 && !delimiters.count(text(first - 1))) {
+                --first;
+                if (text(first) == ")" || text(first) == "]") first = other_[first];
+            }
+            const std::size_t end = until(open, {",", ";", "?", ":", "<", ">", "<=", ">=", "==", "!=", "&&", "||"});
+            t_[open].text = " ", t_[close].text = " ";
+            if (others[first].size() < 3) others[first].push_back("(slip::unbracketed(" + next() + ") ? " + rendered(first, end) + " : ");
+            t_[open].text = "(", t_[close].text = ")";
+            ends[first] = end;
+        }
+        for (const auto& [first, all] : others) {
+            std::string before, after;
+            for (const std::string& other : all) before += other, after += ")";
+            wrap(first, ends[first] - 1, before + "(", ")" + after);
+        }
+    }
+    // As operators() has written it.
+    bool is_operator(std::size_t i, char which) const { return text(i).size() > 1 && text(i)[0] == which && text(i).compare(1, 7, " slip::") == 0; }
     void conditions() {
         for (std::size_t i = begin_; i < end_; ++i) {
             if (text(i) == "if" && text(i + 1) == "(") parts_of(i + 2, other_[i + 1], true);

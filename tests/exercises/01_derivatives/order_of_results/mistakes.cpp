@@ -177,3 +177,36 @@ double order_of_results(double coarse, double middle, double fine) {
 }
 
 }  // namespace only_falling
+
+// Says: Each difference has a logarithm of its own, and where the results rise, both are negative: there is no such
+//       logarithm.
+// Hint: Take the logarithm of the quotient, which is positive either way, or of both sizes.
+namespace no_absolute_of_falling {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::log2(coarse - middle) - std::log2(middle - fine);
+}
+
+}  // namespace no_absolute_of_falling
+
+// Says: Each difference has a logarithm of its own, and where the results fall, both are negative: there is no such
+//       logarithm.
+// Hint: The quotient of two negative numbers is positive: divide first.
+namespace no_absolute_of_rising {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::log2(middle - coarse) - std::log2(fine - middle);
+}
+
+}  // namespace no_absolute_of_rising
+
+// Says: This is half of the quotient of the differences. It is right for an error that shrinks to a quarter, by
+//       chance.
+// Hint: The quotient is 2 to the power of the order. What finds an exponent?
+namespace half_of_the_ratio {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return (coarse - middle) / (middle - fine) / 2;
+}
+
+}  // namespace half_of_the_ratio

@@ -148,3 +148,29 @@ int first_difference(const std::vector<double>& here, const std::vector<double>&
 }
 
 }  // namespace zeros_alike
+
+// Says: The last step that both recordings have is not compared: your loop ends one too soon.
+// Hint: How many steps have both? Which number has the last of them?
+namespace last_step_not_compared {
+
+int first_difference(const std::vector<double>& here, const std::vector<double>& there) {
+    const std::size_t both = std::min(here.size(), there.size());
+    for (std::size_t k = 0; k + 1 < both; ++k)
+        if (std::bit_cast<std::uint64_t>(here[k]) != std::bit_cast<std::uint64_t>(there[k])) return static_cast<int>(k);
+    return here.size() == there.size() ? -1 : static_cast<int>(both);
+}
+
+}  // namespace last_step_not_compared
+
+// Says: Where one recording ends early, you return the length of the longer one.
+// Hint: The first step that one of them lacks: which number has it?
+namespace end_of_the_longer {
+
+int first_difference(const std::vector<double>& here, const std::vector<double>& there) {
+    const std::size_t both = std::min(here.size(), there.size());
+    for (std::size_t k = 0; k < both; ++k)
+        if (std::bit_cast<std::uint64_t>(here[k]) != std::bit_cast<std::uint64_t>(there[k])) return static_cast<int>(k);
+    return here.size() == there.size() ? -1 : static_cast<int>(std::max(here.size(), there.size()));
+}
+
+}  // namespace end_of_the_longer

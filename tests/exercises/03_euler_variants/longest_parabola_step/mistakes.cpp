@@ -170,3 +170,23 @@ double longest_parabola_step(double omega, double zeta) {
 }
 
 }  // namespace half_over_zeta
+
+// Says: The limit of strong damping is 2 / omega, whatever zeta is: that is where a spring without a damper ends.
+// Hint: The harder the damper, the sooner the real eigenvalue passes -1. Where does zeta stand in your limit?
+namespace real_limit_of_verlet {
+
+double longest_parabola_step(double omega, double zeta) {
+    return std::min(4 * zeta, 2.0) / omega;
+}
+
+}  // namespace real_limit_of_verlet
+
+// Says: Without damping you return 2 / omega, the limit of Verlet. This method gains energy in any step there.
+// Hint: Put zeta = 0 into the determinant: it is more than one, however short the step is.
+namespace undamped_as_verlet {
+
+double longest_parabola_step(double omega, double zeta) {
+    return zeta == 0 ? 2 / omega : std::min(4 * zeta, 1 / zeta) / omega;
+}
+
+}  // namespace undamped_as_verlet

@@ -1,6 +1,7 @@
 #include "longest_parabola_step.hpp"
 
 #include "property.hpp"
+#include "sides.hpp"
 
 // A part in a million off is near enough, and where no step is stable a search may end at a tiny
 // one: the properties say how near, on both sides of the limit.
@@ -20,6 +21,13 @@ static double growth(double omega, double zeta, double h) {
     return std::max(std::abs(half + root), std::abs(half - root));
 }
 
+static bool dies_away(double omega, double zeta, double h) {
+    return checker::below("In the long run a step of " + checker::in_words(h) + " multiplies the swing by", growth(omega, zeta, h), 1);
+}
+static bool grows(double omega, double zeta, double h) {
+    return checker::above("In the long run a step of " + checker::in_words(h) + " multiplies the swing by", growth(omega, zeta, h), 1);
+}
+
 // With h = (1 ± 2e-6) limit a run shrinks or grows by 8 zeta² · 2e-6 a step at least: 2e-13 for the
 // weakest damper, a thousand times the roundoff.
 static double draw_zeta(Draw& draw) {
@@ -33,7 +41,7 @@ PROPERTY("with any step below it a run dies away") {
         const double longest = learner(omega, zeta);
         REQUIRE(longest > 0);
         for (const double share : {1e-3, 0.1, 0.5, 0.9, 1 - 2e-6})
-            REQUIRE(growth(omega, zeta, share * longest) < 1);
+            REQUIRE(dies_away(omega, zeta, share * longest));
     }
 }
 
@@ -41,7 +49,7 @@ PROPERTY("with a step a little longer a run grows") {
     Draw draw;
     for (int i = 0; i < 60; ++i) {
         const double omega = draw.log(1e-2, 1e3), zeta = draw_zeta(draw);
-        REQUIRE(growth(omega, zeta, learner(omega, zeta) * (1 + 2e-6)) > 1);
+        REQUIRE(grows(omega, zeta, learner(omega, zeta) * (1 + 2e-6)));
     }
 }
 
@@ -51,8 +59,8 @@ PROPERTY("where weak damping gives way to strong, the limit is still the limit")
         const double omega = draw.log(1e-2, 1e3);
         const double zeta = 0.5 + draw.sign() * draw.log(1e-4, 0.1);
         const double longest = learner(omega, zeta);
-        REQUIRE(growth(omega, zeta, longest * (1 - 2e-6)) < 1);
-        REQUIRE(growth(omega, zeta, longest * (1 + 2e-6)) > 1);
+        REQUIRE(dies_away(omega, zeta, longest * (1 - 2e-6)));
+        REQUIRE(grows(omega, zeta, longest * (1 + 2e-6)));
     }
 }
 
@@ -90,8 +98,8 @@ PROPERTY(
         const double omega = draw.log(1e-6, 1e6), zeta = draw.any_of(1e-4, 20, {1e-4, 0.5, 1, 20});
         const double longest = learner(omega, zeta);
         REQUIRE(longest > 0);
-        REQUIRE(growth(omega, zeta, longest * (1 - 2e-6)) < 1);
-        REQUIRE(growth(omega, zeta, longest * (1 + 2e-6)) > 1);
+        REQUIRE(dies_away(omega, zeta, longest * (1 - 2e-6)));
+        REQUIRE(grows(omega, zeta, longest * (1 + 2e-6)));
     }
 }
 
@@ -100,8 +108,8 @@ PROPERTY("no spring is too soft or too stiff for it, with any damping or none") 
     for (int i = 0; i < 240; ++i) {
         const double omega = draw.spread(1e-12, 1e12, i, 15), zeta = draw.spread(1e-4, 20, i, 16);
         const double longest = learner(omega, zeta);
-        REQUIRE(growth(omega, zeta, longest * (1 - 2e-6)) < 1);
-        REQUIRE(growth(omega, zeta, longest * (1 + 2e-6)) > 1);
+        REQUIRE(dies_away(omega, zeta, longest * (1 - 2e-6)));
+        REQUIRE(grows(omega, zeta, longest * (1 + 2e-6)));
         if (i % 4 == 0) REQUIRE(close(learner(omega, 0) * omega, 0, 0, 1e-5));
     }
 }

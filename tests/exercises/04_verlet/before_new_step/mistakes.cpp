@@ -158,3 +158,23 @@ double before_new_step(double before, double now, double a, double h_old, double
 }
 
 }  // namespace difference_of_squares
+
+// Says: The new place before is counted from the old one before. It lies behind the place now.
+// Hint: Go back from now, by what the body moves in a new step.
+namespace from_the_old_place {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    return before - (now - before) * h_new / h_old + h_new * (h_new + h_old) / 2 * a;
+}
+
+}  // namespace from_the_old_place
+
+// Says: The correction by the force has the old step before its brackets, where the new one belongs.
+// Hint: The displacement is h_new times a velocity. So is what the force adds to it.
+namespace correction_with_old_step {
+
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    return now - (now - before) * h_new / h_old + h_old * (h_new - h_old) / 2 * a;
+}
+
+}  // namespace correction_with_old_step

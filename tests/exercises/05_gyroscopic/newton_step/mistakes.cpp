@@ -311,3 +311,14 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 }
 
 }  // namespace narrow_differences
+
+// Says: The torque in the residual is that of omega1, and the Jacobian that of a torque that moves with the guess.
+// Hint: All of f is taken at the guess: I (guess - omega1) and h guess x (I guess).
+namespace torque_at_omega1 {
+
+Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
+    const Vector3d f = inertia * (guess - omega1) + h * omega1.cross(inertia * omega1);
+    return guess - solve_linear(jacobian_of(inertia, guess, h, h), f);
+}
+
+}  // namespace torque_at_omega1

@@ -294,3 +294,15 @@ Vector3d top_after(double across, double along, const Vector3d& omega, double t)
 }
 
 }  // namespace nothing_turns
+
+// Says: The rate is |L| / across, by which the axis goes round as it is seen from outside. In the body it is another
+//       one.
+// Hint: In the body the spin turns by (along - across) / across times the spin about the axis.
+namespace rate_seen_from_outside {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    const Vector3d L(across * omega.x(), across * omega.y(), along * omega.z());
+    return Eigen::AngleAxisd(L.norm() / across * t, Vector3d::UnitZ()) * omega;
+}
+
+}  // namespace rate_seen_from_outside

@@ -57,31 +57,24 @@ static Chain swept(Chain s, double m, double k, double h, int sweeps) {
 
 // The pull of both links of each mass.
 static std::vector<double> pulls(const Chain& s, double k) {
-    std::vector<double> force(s.size());
-    for (std::size_t i = 0; i < s.size(); ++i) {
-        force[i] = -k * (s[i].x - (i > 0 ? s[i - 1].x : 0));
-        if (i + 1 < s.size()) force[i] += k * (s[i + 1].x - s[i].x);
-    }
-    return force;
+    return Lines(s, 0, k, 0, k).right;
 }
 
-// Says: The links pull from the old places: this is semi-implicit Euler, which blows up when the chain is
-//       stiff.
+// Says: The links pull from the old places: this is semi-implicit Euler, which blows up when the chain is stiff.
 // Hint: The force belongs to the x2, which are x1 + h v2. So v2 stands on both sides.
 namespace explicit_pull {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
-    const std::vector<double> force = pulls(s, k);
-    std::vector<double> v2;
-    for (std::size_t i = 0; i < s.size(); ++i) v2.push_back(s[i].v + h * force[i] / m);
+    std::vector<double> v2 = pulls(s, k);
+    for (std::size_t i = 0; i < s.size(); ++i) v2[i] = s[i].v + h * v2[i] / m;
     return moved(s, h, v2);
 }
 
 }  // namespace explicit_pull
 
 // Says: Each mass is solved alone, as if its neighbours stood still.
-// Hint: Their v2 are unknown, too. All equations have to hold at once: first remove one neighbour from each,
-//       then go back.
+// Hint: Their v2 are unknown, too. All equations have to hold at once: first remove one neighbour from each, then go
+//       back.
 namespace neighbours_stand_still {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
@@ -93,8 +86,8 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 }  // namespace neighbours_stand_still
 
 // Says: You go down the chain once, with the new velocity of the mass above and the old one of that below.
-// Hint: The one below is unknown yet. Write down its equation before you use it; or sweep until nothing
-//       changes, which takes long for a stiff chain.
+// Hint: The one below is unknown yet. Write down its equation before you use it; or sweep until nothing changes, which
+//       takes long for a stiff chain.
 namespace one_sweep {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
@@ -103,8 +96,8 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 
 }  // namespace one_sweep
 
-// Says: You sweep over the chain twenty times. Soft chains come out right, stiff ones do not: each sweep
-//       carries news from one mass to the next.
+// Says: You sweep over the chain twenty times. Soft chains come out right, stiff ones do not: each sweep carries news
+//       from one mass to the next.
 // Hint: Elimination needs two passes, one down and one up, and has no error.
 namespace twenty_sweeps {
 
@@ -272,8 +265,8 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 }  // namespace clock_stands
 
 // Says: This is explicit Euler: links and masses both go by the old places and velocities.
-// Hint: What stands on the right of the equations in the task is taken at the end of the step. Nothing of it
-//       is known yet.
+// Hint: What stands on the right of the equations in the task is taken at the end of the step. Nothing of it is known
+//       yet.
 namespace explicit_euler {
 
 std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {

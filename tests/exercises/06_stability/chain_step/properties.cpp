@@ -44,14 +44,14 @@ struct Chain {
         for (const auto& [t, x, v] : s) size = std::max({size, std::fabs(x), std::fabs(h * v)});
         return size;
     }
-    // Does each mass obey the equations? What is missing is compared with the terms: x2 is the
+    // Does each mass obey the equations? What is missing is small beside the terms: x2 is the
     // difference of two numbers of the size of x1 and is multiplied by 4 h² k/m.
     bool is_step(const Masses& next) const {
         const double largest = size();
         for (std::size_t i = 0; i < s.size(); ++i) {
             const double force = longer(next, i + 1) - longer(next, i);
-            const double missing = h * (next[i].v - s[i].v) - stiff * force;
-            if (!close(missing, 0, 0, 1e-10 * (1 + 4 * stiff) * largest)) return false;
+            const double change = h * (next[i].v - s[i].v);  // over m/h², as the force
+            if (!close(change, stiff * force, 0, 1e-10 * (1 + 4 * stiff) * largest)) return false;
             if (!close(next[i].x, s[i].x + h * next[i].v, 0, 1e-12 * largest)) return false;
             if (!close(next[i].t, s[i].t + h, 0, 1e-14)) return false;
         }

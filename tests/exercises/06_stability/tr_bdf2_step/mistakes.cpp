@@ -312,3 +312,27 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 }
 
 }  // namespace example
+
+// Says: The first part has lost f(y1): it is implicit Euler over half of gamma h.
+// Hint: The trapezoid rule takes the mean of both rates: that at y1 comes to the right side.
+namespace first_part_without_old_rate {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const Turret turret{omega, zeta};
+    const Pair y1{s.x, s.v};
+    return at(s.t + h, turret.end(h, y1, turret.solve(turret.gamma * h / 2, y1)));
+}
+
+}  // namespace first_part_without_old_rate
+
+// Says: The second part goes on for (1 - gamma) h, as if it were implicit Euler: the divisor 2 - gamma is missing.
+// Hint: What stands before h f(y2), once y2 stands alone, is (1 - gamma)/(2 - gamma).
+namespace end_for_all_of_the_rest {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const Turret turret{omega, zeta};
+    const Pair y1{s.x, s.v}, ym = turret.middle(h, y1);
+    return at(s.t + h, turret.solve((1 - turret.gamma) * h, turret.between(y1, ym, turret.weight())));
+}
+
+}  // namespace end_for_all_of_the_rest

@@ -1,6 +1,7 @@
 #include "tr_bdf2_step.hpp"
 
 #include "property.hpp"
+#include "sides.hpp"
 
 // Far out R is some 5/z, and whoever adds up rates, which are |z| times as large as the velocity, loses |z|
 // roundoffs: how many digits must be right, the properties say.
@@ -50,8 +51,13 @@ struct Turret {
         const double scale = std::fabs(s.v) + largest * std::fabs(s.x);
         const double tolerance = 1e-14 * (1 + h * largest) * (1 + h * largest) * scale;
         const auto right = [&](Complex rate, Complex other) {
-            const Complex before = s.v - other * s.x, after = next.v - other * next.x;
-            return std::abs(after - R(h * rate) * before) <= tolerance;
+            const Complex before = s.v - other * s.x, after = next.v - other * next.x, wanted = R(h * rate) * before;
+            using checker::in_words;
+            return checker::agree(std::abs(after - wanted) <= tolerance,
+                                  "One decay has the rate a = " + in_words(rate) + ", the other b = " + in_words(other) + ". With z = " +
+                                      in_words(h * rate) + ", R(z) = " + in_words(R(h * rate)) + " multiplies v - b x, which was " +
+                                      in_words(before) + ". After the step it is",
+                                  after, wanted);
         };
         return right(a, b) && right(b, a);
     }
@@ -137,7 +143,7 @@ PROPERTY("no step adds energy, however long it is, with a damper or without") {
         const State<double> s = turret.draw_state(draw);
         const double h = draw.log(1e-3, 1e5) / turret.omega;
         const State<double> next = learner(s, turret.omega, turret.zeta, h);
-        REQUIRE(turret.energy(next) <= turret.energy(s) * (1 + 1e-13));
+        REQUIRE(checker::below("(v² + omega² x²)/2 is", turret.energy(next), turret.energy(s) * (1 + 1e-13) + 1e-300));
     }
 }
 
@@ -164,7 +170,7 @@ PROPERTY("a stiff spring is at rest after one step; one twice as fast has half a
         const double h = draw.spread(1e4, 5e5, i / 2, 20) / turret.omega;
         const double before = turret.energy(s);
         const double left = turret.energy(learner(s, turret.omega, turret.zeta, h)) / before;
-        REQUIRE(left < 1e-5);
+        REQUIRE(checker::below("Of the energy this share is left:", left, 1e-5));
         const double longer = turret.energy(learner(s, turret.omega, turret.zeta, 2 * h)) / before;
         REQUIRE((turret.zeta > 0 || (left > 0 && close(longer, left / 4, 1e-3))));
     }
@@ -177,8 +183,8 @@ PROPERTY("kicked against a hard damper it stands after one step, and does not ri
         const double zeta = draw.log(1e4, 1e6) / wh, h = wh / omega;
         const State<double> kicked{0, 0, draw.sign() * omega};
         const State<double> next = learner(kicked, omega, zeta, h);
-        REQUIRE(std::fabs(next.v) < 1e-3 * omega);
-        REQUIRE(std::fabs(learner(next, omega, zeta, h).v) < 1e-6 * omega);
+        REQUIRE(checker::below("After the step |v| is", std::fabs(next.v), 1e-3 * omega));
+        REQUIRE(checker::below("After two steps |v| is", std::fabs(learner(next, omega, zeta, h).v), 1e-6 * omega));
     }
 }
 

@@ -326,3 +326,16 @@ std::array<double, 2> crossover(std::array<double, 2> a, int p, std::array<doubl
 }
 
 }  // namespace example
+
+// Says: The two runs have each other's seconds.
+// Hint: Each line goes through the seconds and the error of one and the same run.
+namespace seconds_exchanged {
+
+std::array<double, 2> crossover(std::array<double, 2> a, int p, std::array<double, 2> b, int q) {
+    std::swap(a[0], b[0]);
+    const double a_of_1 = a[0] * std::pow(a[1], 1.0 / p), b_of_1 = b[0] * std::pow(b[1], 1.0 / q);
+    const double error = std::pow(a_of_1 / b_of_1, 1 / (1.0 / p - 1.0 / q));
+    return {a_of_1 / std::pow(error, 1.0 / p), error};
+}
+
+}  // namespace seconds_exchanged

@@ -273,3 +273,16 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 }
 
 }  // namespace slow_spin_stays
+
+// Says: The product of the moments is missing, as if each of them were one.
+// Hint: What k is made of has the unit of an angle: h L over the root of a product of three moments, times a root of
+//       one.
+namespace moments_not_multiplied {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d root = inertia.cwiseSqrt(), y = root.cwiseProduct(omega);
+    const Vector3d k = h * root.cwiseProduct(momentum(inertia, wheel, omega));
+    return ((y + k.cross(y) + k.dot(y) * k) / (1 + k.squaredNorm())).cwiseQuotient(root);
+}
+
+}  // namespace moments_not_multiplied

@@ -273,3 +273,26 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
 }
 
 }  // namespace degrees
+
+// Says: The first gap is counted from time zero, but the replay begins with its first frame.
+// Hint: The orientation that is given is the one at the first frame. From there on the body turns.
+namespace clock_from_zero {
+
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    if (!times.empty()) times.insert(times.begin(), 0), spins.insert(spins.begin(), spins.front());
+    return through(q, times.size(), [&](std::size_t i) { return scaled(gap_of(times, i) / 2, sum_of(spins, i)); });
+}
+
+}  // namespace clock_from_zero
+
+// Says: The speed is the mean of both, but the axis is that of the old spin.
+// Hint: Take the mean of the two vectors, and then its length and its direction.
+namespace mean_speed_about_old_axis {
+
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    return through(q, times.size(), [&](std::size_t i) {
+        return scaled(gap_of(times, i) / 2 * (spins[i - 1].norm() + spins[i].norm()), spins[i - 1].normalized());
+    });
+}
+
+}  // namespace mean_speed_about_old_axis

@@ -1,6 +1,7 @@
 #include "last_orientation.hpp"
 
 #include "property_eigen.hpp"
+#include "sides.hpp"
 
 // There are several turns of order two that the mean of two spins may stand for: by its angle, by Cayley's formula,
 // by halves. It is the properties that say how near they are to each other.
@@ -18,6 +19,18 @@ Quaterniond turned(const Quaterniond& q, const Vector3d& turn) {
     return (q * Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized()))).normalized();
 }
 
+// Is it so far from what is right at most? The learner is told both.
+bool is_near(const Quaterniond& found, const Quaterniond& right, double allowed) {
+    const auto shown = [&](const Quaterniond& q) {
+        const double sign = q.dot(right) < 0 ? -1 : 1;
+        std::string words = "{";
+        for (int i = 0; i < 4; ++i) words += std::string(i > 0 ? ", " : "") + "xyzw"[i] + " " + checker::in_words(sign * q.coeffs()[i] + 0.0);
+        return words + "}";
+    };
+    return checker::told(apart(found, right) <= allowed, "The orientation is " + shown(found) + ", and must be " + shown(right) + ", or its negative: they are " +
+                                                             checker::in_words(apart(found, right)) + " apart.");
+}
+
 struct Replay {
     Quaterniond q;
     std::vector<double> times;
@@ -25,6 +38,19 @@ struct Replay {
 
     Quaterniond answer() const { return learner(q, times, spins); }
     double duration() const { return times.back() - times.front(); }
+    // Does each gap turn the body by the mean of its two spins? By Cayley's formula the turn lags behind by angle^3/12,
+    // and half of that shows in a quaternion; two halves, one about each spin, differ by a turn of an eighth of the
+    // product of their angles.
+    bool is_turned_by_means(double allowed) const {
+        Quaterniond right = q;
+        for (std::size_t k = 1; k < times.size(); ++k) {
+            const double gap = times[k] - times[k - 1];
+            const Vector3d turn = gap / 2 * (spins[k - 1] + spins[k]);
+            if (turn.norm() > 0) right = turned(right, turn);
+            allowed += std::pow(turn.norm(), 3) / 20 + gap * gap * spins[k - 1].cross(spins[k]).norm() / 14;
+        }
+        return is_near(answer(), right, allowed);
+    }
 };
 
 // Frames at uneven times; from one to the next the body turns by `turn` at most. Of five gaps one,
@@ -105,13 +131,13 @@ PROPERTY("one frame leaves the orientation as it is, and so does a pause, or a r
     Draw draw;
     for (int i = 0; i < 20; ++i) {
         const Replay one = draw_replay(draw, 1, 0.1);
-        REQUIRE(apart(one.answer(), one.q) < 1e-6);
+        REQUIRE(is_near(one.answer(), one.q, 1e-6));
         Replay still = draw_replay(draw, 10, 0.1);
         for (Vector3d& spin : still.spins) spin.setZero();
-        REQUIRE(apart(still.answer(), still.q) < 1e-6);
+        REQUIRE(is_near(still.answer(), still.q, 1e-6));
         Replay paused = draw_replay(draw, static_cast<int>(draw.log(2, 100)), 0.1);
         for (double& t : paused.times) t = paused.times[0];
-        REQUIRE(apart(paused.answer(), paused.q) < 1e-6);
+        REQUIRE(is_near(paused.answer(), paused.q, 1e-6));
     }
 }
 
@@ -144,7 +170,7 @@ PROPERTY("a constant spin turns the body by |spin| times the time from first fra
         double allowed = 1e-5;
         for (std::size_t j = 1; j < steady.times.size(); ++j)
             allowed += std::pow(spin.norm() * (steady.times[j] - steady.times[j - 1]), 3) / 20;
-        REQUIRE(apart(steady.answer(), turned(steady.q, turn)) < allowed);
+        REQUIRE(is_near(steady.answer(), turned(steady.q, turn), allowed));
     }
 }
 
@@ -157,7 +183,7 @@ PROPERTY("a clock that was started earlier or later tells the same replay") {
         const Quaterniond before = replay.answer();
         const double shift = draw.sign() * draw.integer(1, 1000);
         for (double& t : replay.times) t += shift;
-        REQUIRE(apart(replay.answer(), before) < 1e-5);
+        REQUIRE(is_near(replay.answer(), before, 1e-5));
     }
 }
 
@@ -170,7 +196,16 @@ PROPERTY("two replays, one after the other, are one long replay") {
                            {all.spins.begin(), all.spins.begin() + cut + 1}};
         const Replay second{first.answer(), {all.times.begin() + cut, all.times.end()},
                             {all.spins.begin() + cut, all.spins.end()}};
-        REQUIRE(apart(second.answer(), all.answer()) < 1e-5);
+        REQUIRE(is_near(second.answer(), all.answer(), 1e-5));
+    }
+}
+
+PROPERTY("from one frame to the next the body turns by the mean of the two spins") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        Replay replay = draw_replay(draw, 2, 0.1);
+        replay.times = {0, draw.real(0.2, 1) / 10 / std::max(replay.spins[0].norm(), replay.spins[1].norm())};
+        REQUIRE(replay.is_turned_by_means(1e-6));
     }
 }
 
@@ -199,7 +234,7 @@ PROPERTY("the replay backwards leads back to where it came from, to twelve digit
             back.times.push_back(-replay.times[j]);
             back.spins.push_back(-replay.spins[j]);
         }
-        REQUIRE(apart(back.answer(), replay.q) < 1e-12);
+        REQUIRE(is_near(back.answer(), replay.q, 1e-12));
     }
 }
 
@@ -210,15 +245,13 @@ PROPERTY("a spin that reverses from one frame to the next turns the body forth a
     for (int i = 0; i < 20; ++i) {
         Replay shaken = draw_replay(draw, 2, 0.1);
         shaken.spins[1] = -shaken.spins[0];
-        REQUIRE(apart(shaken.answer(), shaken.q) < 1e-13);
+        REQUIRE(is_near(shaken.answer(), shaken.q, 1e-13));
         Replay still = draw_replay(draw, 5, 0.1);
         for (Vector3d& spin : still.spins) spin.setZero();
-        REQUIRE(apart(still.answer(), still.q) < 1e-13);
+        REQUIRE(is_near(still.answer(), still.q, 1e-13));
     }
 }
 
-// By Cayley's formula the turn lags behind by angle^3/12, and half of that shows in a quaternion; two halves, one about
-// each spin, differ by a turn of an eighth of the product of their angles.
 PROPERTY("it is right wherever the task allows: tiny turns, tiny gaps, spins of unlike length, pauses between") {
     Draw draw;
     Every all;
@@ -236,15 +269,12 @@ PROPERTY("it is right wherever the task allows: tiny turns, tiny gaps, spins of 
             one.times.insert(one.times.begin() + frame, one.times[frame]);
             one.spins.insert(one.spins.begin() + frame, one.spins[frame]);
         }
-        const Vector3d turn = gap / 2 * (one.spins.front() + one.spins.back());
-        const Quaterniond right = turned(one.q, turn);
-        const double halves = gap * gap * one.spins.front().cross(one.spins.back()).norm() / 14;
-        all &= apart(one.answer(), right) <= 1e-14 + std::pow(turn.norm(), 3) / 20 + halves;
+        all &= one.is_turned_by_means(1e-14);
     }
     REQUIRE(bool(all));
 }
 
-// Three spins in turn, of which no number of frames brings the body back; Cayley and halves as above, for each gap.
+// Three spins in turn, of which no number of frames brings the body back.
 PROPERTY("each of up to a thousand frames turns the body") {
     Draw draw;
     for (int i = 0; i < 8; ++i) {
@@ -252,14 +282,6 @@ PROPERTY("each of up to a thousand frames turns the body") {
         Replay replay = draw_replay(draw, frames, draw.log(1e-3, 0.1));
         const double begin = replay.times[0];
         for (double& t : replay.times) t -= begin;
-        Quaterniond right = replay.q;
-        double allowed = 1e-9;
-        for (std::size_t k = 1; k < replay.times.size(); ++k) {
-            const double gap = replay.times[k] - replay.times[k - 1];
-            const Vector3d turn = gap / 2 * (replay.spins[k - 1] + replay.spins[k]);
-            right = turned(right, turn);
-            allowed += std::pow(turn.norm(), 3) / 20 + gap * gap * replay.spins[k - 1].cross(replay.spins[k]).norm() / 14;
-        }
-        REQUIRE(apart(replay.answer(), right) <= allowed);
+        REQUIRE(replay.is_turned_by_means(1e-9));
     }
 }

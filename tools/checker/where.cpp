@@ -1,0 +1,159 @@
+// Where no mistake and no slip fits: where is the answer wrong, and what is it there? Nothing of this is a guess.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "shown.hpp"
+
+namespace checker {
+
+namespace {
+
+constexpr std::size_t few = 6;      // calls could be so by chance
+constexpr std::size_t fewest = 3;   // which all err in one way
+constexpr std::size_t many = 20;    // tell where a limit is
+constexpr std::size_t most_numbers = 12;
+
+struct Region {
+    std::string name;
+    std::function<bool(const Numbers&)> holds;
+};
+
+// "where_negative_2": the number 2 of the arguments, counted from 0; the length of the first list is the last of them.
+std::vector<Region> regions(std::size_t leading, bool has_list) {
+    std::vector<Region> all;
+    const auto add = [&](const char* what, std::size_t i, auto is) {
+        all.push_back({std::string("where_") + what + "_" + std::to_string(i), [i, is](const Numbers& given) { return is(given[i]); }});
+    };
+    const std::size_t count = std::min(leading, most_numbers);
+    for (std::size_t i = 0; i < count; ++i) {
+        add("zero", i, [](double x) { return x == 0; });
+        add("negative", i, [](double x) { return x < 0; });
+        add("positive", i, [](double x) { return x > 0; });
+    }
+    if (has_list && leading <= most_numbers) add("empty", leading, [](double size) { return size == 0; });
+    return all;
+}
+
+// Is one of the numbers above all those with which nearly all of the answers are right, or below? "where_above_2_1.5": the
+// least with which it is wrong is 1.5.
+std::string beyond(const Truth& truth, const Shown& shown) {
+    if (shown.wrong.size() < many || shown.right.size() < many) return {};
+    std::string where;
+    for (std::size_t i = 0; i < std::min(truth.leading, most_numbers); ++i)
+        for (const bool above : {true, false}) {
+            double limit = HUGE_VAL;
+            for (const Call* call : shown.wrong) limit = std::min(limit, above ? call->arguments[i] : -call->arguments[i]);
+            const auto is_beyond = [&](const Call* call) { return (above ? call->arguments[i] : -call->arguments[i]) >= limit; };
+            const auto right_beyond = std::size_t(std::count_if(shown.right.begin(), shown.right.end(), is_beyond));
+            if (20 * right_beyond > shown.wrong.size() || shown.right.size() - right_beyond < many) continue;
+            if (!where.empty()) return {};  // which of the two?
+            char text[48];
+            std::snprintf(text, sizeof text, "where_%s_%zu_%.3g", above ? "above" : "below", i, above ? limit : -limit);
+            where = text;
+        }
+    return where;
+}
+
+// Is it in every wrong call one and the same of the numbers, or rows of numbers, that were given?
+bool is_given(const Shown& shown) {
+    const std::size_t size = shown.wrong[0]->result.size(), most = shown.wrong[0]->arguments.size();
+    for (std::size_t at = 0; at + size <= most; ++at) {
+        const auto is_there = [&](const Call* call) {
+            const Numbers& given = call->arguments;
+            return call->result.size() == size && at + size <= given.size() && is_same(Numbers(given.begin() + long(at), given.begin() + long(at + size)), call->result);
+        };
+        if (std::all_of(shown.wrong.begin(), shown.wrong.end(), is_there)) return true;
+    }
+    return false;
+}
+
+// What it is in every wrong call, where that is one thing: "given", or a whole number.
+std::string always(const Shown& shown) {
+    const Numbers& first = shown.wrong[0]->result;
+    const auto is_first = [&](const Call* call) { return call->result == first; };
+    if (std::all_of(shown.wrong.begin(), shown.wrong.end(), is_first)) {
+        const bool is_zero = std::all_of(first.begin(), first.end(), [](double x) { return x == 0; });
+        if (is_zero || (first.size() == 1 && first[0] == std::floor(first[0]) && std::fabs(first[0]) < 1000)) {
+            char text[16];
+            std::snprintf(text, sizeof text, "%.0f", is_zero ? 0 : first[0]);
+            return text;
+        }
+    }
+    return is_given(shown) ? "given" : "";
+}
+
+}  // namespace
+
+std::string where_wrong(const Truth& truth, const std::vector<Call>& calls, const Shown& shown) {
+    if (shown.wrong.size() < fewest || shown.right.size() < few) return {};
+    std::string where;
+    bool two = false;
+    for (const Region& region : regions(truth.leading, truth.has_list)) {
+        if (shown.wrong.size() < few) break;
+        const auto inside = [&](const Call* call) { return region.holds(call->arguments); };
+        if (!std::all_of(shown.wrong.begin(), shown.wrong.end(), inside)) continue;
+        const auto right_inside = std::size_t(std::count_if(shown.right.begin(), shown.right.end(), inside));
+        // What holds nearly everywhere, or is mostly right there, says nothing.
+        if (2 * right_inside > shown.wrong.size() || shown.right.size() - right_inside < few) continue;
+        two = !where.empty();
+        if (two) break;
+        where = region.name;
+    }
+    if (two) where.clear();
+    else if (where.empty()) where = beyond(truth, shown);
+    const std::string what = always(shown);
+    if (where.empty() && what.empty()) return {};
+    // An answer that is always so tells nothing of where it is wrong.
+    const bool else_too = std::all_of(calls.begin(), calls.end(), [&](const Call& call) { return call.result == shown.wrong[0]->result; });
+    if (else_too) return {};
+    return what.empty() ? where : where.empty() ? "is_" + what : where + "_is_" + what;
+}
+
+std::string changed(const Truth& truth, const Shown& shown) {
+    struct Family {
+        const char* name;
+        double share;
+    };
+    static constexpr Family families[] = {{"changed_twice", 2}, {"changed_half", 0.5}, {"changed_back", -1}};
+    if (shown.wrong.size() < few) return {};
+    const std::size_t size = shown.truth[0].size();
+    for (const auto& [name, share] : families)
+        for (std::size_t at = 0; at + size <= truth.leading; ++at) {
+            const auto made = [&](const Numbers& given, const Numbers& right, const Numbers& found) {
+                Numbers numbers = right;
+                for (std::size_t i = 0; i < size && found.size() == size; ++i)
+                    if (found[i] != right[i]) numbers[i] = given[at + i] + share * (right[i] - given[at + i]);
+                return numbers;
+            };
+            bool fits = true;
+            for (std::size_t i = 0; fits && i < shown.wrong.size(); ++i) {
+                const Call& call = *shown.wrong[i];
+                fits = shown.truth[i].size() == size && errs_alike(made(call.arguments, shown.truth[i], call.result), call.result, shown.truth[i], shown.roundoff[i]);
+            }
+            if (fits) return name;
+        }
+    return {};
+}
+
+bool is_near_thing(const Truth& truth, const Shown& shown) {
+    constexpr double near = 3e-3;
+    constexpr unsigned tries = 24;
+    const auto flips = [&](const Numbers& arguments) {
+        const Numbers right = truth.answer(arguments);
+        for (unsigned variation = 1; variation <= tries; ++variation)
+            if (truth.nudged(arguments, variation, near) != right) return true;
+        return false;
+    };
+    if (shown.wrong.size() < few || shown.right.size() < few) return false;
+    std::size_t asked = 0, near_ones = 0;
+    for (std::size_t i = 0; i < shown.wrong.size(); i += 1 + shown.wrong.size() / 100, ++asked)
+        if (!flips(shown.wrong[i]->arguments)) return false;
+    asked = 0;
+    for (std::size_t i = 0; i < shown.right.size(); i += 1 + shown.right.size() / 100, ++asked) near_ones += flips(shown.right[i]->arguments);
+    return 3 * near_ones < asked;
+}
+
+}  // namespace checker
