@@ -97,7 +97,7 @@ std::string where_wrong(const Truth& truth, const std::vector<Call>& calls, cons
         if (!std::all_of(shown.wrong.begin(), shown.wrong.end(), inside)) continue;
         const auto right_inside = std::size_t(std::count_if(shown.right.begin(), shown.right.end(), inside));
         // What holds nearly everywhere, or is mostly right there, says nothing.
-        if (2 * right_inside > shown.wrong.size() || shown.right.size() - right_inside < few) continue;
+        if (2 * right_inside > shown.wrong.size() || shown.right.size() - right_inside < std::max(few, shown.wrong.size() / 4)) continue;
         two = !where.empty();
         if (two) break;
         where = region.name;

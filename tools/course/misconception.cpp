@@ -31,8 +31,8 @@ const std::map<std::string, std::string>& families() {
         {"constant", "the right one times a number near one, the same in every call: is there a constant with too few "
                      "digits, as 3.14 for π?"},
         {"digits", "mostly off by little, less than a five-hundredth of it: is there a constant with too few digits, a float, a "
-                   "tolerance, a difference of nearly equal numbers, a slope that is found by differences, or a loop that ends too "
-                   "soon?"},
+                   "tolerance, a difference of nearly equal numbers, a slope that is found by differences, a loop that ends too "
+                   "soon, or another method?"},
         {"single", "off by as much as numbers of six or seven digits make it: is there a float, a number with an f at "
                    "its end, a constant with too few digits, or a tolerance?"}};
     return words;

@@ -312,3 +312,32 @@ int best_gap(double frame, double noise, double jerk, int most) {
 }
 
 }  // namespace one_without_jerk
+
+// Says: The larger of the two errors is made as small as can be, not their sum.
+// Hint: At the worst both errors point the same way: what do you do with them then?
+namespace larger_for_sum {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    const auto worst = [&](int frames) {
+        const double h = frames * frame / 2;
+        return std::max(jerk * h * h / 6, noise / h);
+    };
+    int best = 1;
+    for (int frames = 2; frames <= most; ++frames)
+        if (worst(frames) < worst(best)) best = frames;
+    return best;
+}
+
+}  // namespace larger_for_sum
+
+// Says: This is the optimal step size in frames, rounded to the nearest whole number. And without jerk it is infinite,
+//       which is no int.
+// Hint: Compare the worst errors of neighbouring numbers of frames, and look at a jerk of zero first.
+namespace rounded_even_without_jerk {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    const double frames = std::round(2 * std::cbrt(3 * noise / jerk) / frame);
+    return frames < 2e9 ? std::clamp(static_cast<int>(frames), 1, most) : 1;
+}
+
+}  // namespace rounded_even_without_jerk

@@ -189,3 +189,15 @@ double extrapolated(double coarse, double fine, double ratio, int order) {
 }
 
 }  // namespace whole_ratio
+
+// Says: The power of the ratio is one too low.
+// Hint: An error of order one shrinks by the ratio itself. How often does your loop multiply for that?
+namespace power_one_less {
+
+double extrapolated(double coarse, double fine, double ratio, int order) {
+    double shrinks = 1;
+    for (int i = 1; i < order; ++i) shrinks *= ratio;
+    return shrinks == 1 ? fine : fine + (fine - coarse) / (shrinks - 1);
+}
+
+}  // namespace power_one_less

@@ -210,3 +210,13 @@ double order_of_results(double coarse, double middle, double fine) {
 }
 
 }  // namespace half_of_the_ratio
+
+// Says: The quotients of the results themselves are compared, where those of their differences belong.
+// Hint: Shift all three results by the same amount: the order must stay. What of yours stays?
+namespace results_for_differences {
+
+double order_of_results(double coarse, double middle, double fine) {
+    return std::log2(std::fabs((coarse / middle) / (middle / fine)));
+}
+
+}  // namespace results_for_differences

@@ -248,3 +248,14 @@ std::array<double, 2> pendulum_rates(const State<double>& s, double g, double le
 }
 
 }  // namespace whole_speed
+
+// Says: The drag has the sign of the angle, the side on which the lamp is, and not that of its motion.
+// Hint: On its way back from the right the lamp moves to the left. Where does the air push it then?
+namespace drag_by_the_side {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    const double u = length * s.v, side = s.x > 0 ? 1 : s.x < 0 ? -1 : 0;
+    return {s.v, (-g * std::sin(s.x) - drag * u * u * side) / length};
+}
+
+}  // namespace drag_by_the_side

@@ -335,3 +335,54 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 }
 
 }  // namespace only_with_steps
+
+// Says: A step is taken as soon as anything at all is owed: the simulation runs ahead of the clock.
+// Hint: A step is paid when it is owed in full. With what must the owed time be compared?
+namespace ahead_of_the_clock {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    return each_frame(frames, [&](double& owed) {
+        int count = 0;
+        for (; owed > 0 && count < most_steps; ++count) owed -= step;
+        if (owed > 0) owed = std::fmod(owed, step);
+        return count;
+    });
+}
+
+}  // namespace ahead_of_the_clock
+
+// Says: The game begins with a whole step owed: the first steps come too early.
+// Hint: How much is owed before the first frame?
+namespace owed_at_the_start {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    bool first = true;
+    return each_frame(frames, [&](double& owed) {
+        if (first) owed += step;
+        first = false;
+        int count = 0;
+        for (; owed >= step && count < most_steps; ++count) owed -= step;
+        owed = std::fmod(owed, step);
+        return count;
+    });
+}
+
+}  // namespace owed_at_the_start
+
+// Says: The first frame is left out: its time is never added.
+// Hint: With which index does your loop begin? And the time of that frame?
+namespace first_frame_left_out {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    bool first = true;
+    return each_frame(frames, [&](double& owed) {
+        if (first) owed = 0;
+        first = false;
+        int count = 0;
+        for (; owed >= step && count < most_steps; ++count) owed -= step;
+        owed = std::fmod(owed, step);
+        return count;
+    });
+}
+
+}  // namespace first_frame_left_out

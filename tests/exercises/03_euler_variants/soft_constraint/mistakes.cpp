@@ -167,3 +167,15 @@ std::array<double, 2> soft_constraint(double mass, double omega, double zeta, do
 }
 
 }  // namespace damper_share
+
+// Says: Without a damper your constraint is rigid: gamma is zero there.
+// Hint: A spring without a damper still gives way. Put zeta = 0 into the formula for gamma.
+namespace rigid_without_damper {
+
+std::array<double, 2> soft_constraint(double mass, double omega, double zeta, double h) {
+    if (zeta == 0) return {0.0, 1.0};
+    const double k = mass * omega * omega, c = 2 * mass * zeta * omega;
+    return {1 / (h * (c + h * k)), h * k / (c + h * k)};
+}
+
+}  // namespace rigid_without_damper

@@ -109,7 +109,7 @@ PROPERTY("no body has a moment above the sum of the other two, not even by a lit
     }
 }
 
-PROPERTY("nor has a small body: what is a little depends on its size") {
+PROPERTY("no small body has a moment above the sum of the other two: what is a little depends on its size") {
     Draw draw;
     for (int i = 0; i < 30; ++i) {
         const double a = draw.log(1e-18, 1e3), b = draw.log(0.02, 1) * a;

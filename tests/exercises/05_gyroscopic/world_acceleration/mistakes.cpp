@@ -220,3 +220,15 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 }
 
 }  // namespace cross_of_two_kinds
+
+// Says: In the third of Euler's equations the two moments have changed places.
+// Hint: The equations go round: y and z, z and x, and then?
+namespace third_reversed {
+
+Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
+    const Vector3d w = q.conjugate() * omega, t = q.conjugate() * torque, I = inertia;
+    return q * Vector3d((t.x() + (I.y() - I.z()) * w.y() * w.z()) / I.x(), (t.y() + (I.z() - I.x()) * w.z() * w.x()) / I.y(),
+                        (t.z() + (I.y() - I.x()) * w.x() * w.y()) / I.z());
+}
+
+}  // namespace third_reversed

@@ -238,3 +238,14 @@ int substeps(double mass, int springs, double stiffness, double frame, double sh
 }
 
 }  // namespace radians_twice
+
+// Says: What you call omega is omega squared; where it is too large for an int, it is limited.
+// Hint: What is the unit of springs times stiffness over mass? And that of omega?
+namespace no_root_below_a_limit {
+
+int substeps(double mass, int springs, double stiffness, double frame, double share) {
+    const double omega = springs * stiffness / mass;
+    return std::max(1, static_cast<int>(std::min(1e9, std::ceil(omega * frame / (2 * share)))));
+}
+
+}  // namespace no_root_below_a_limit

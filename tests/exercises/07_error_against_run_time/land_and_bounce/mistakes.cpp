@@ -534,3 +534,60 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 }
 
 }  // namespace clock_stops_at_rest
+
+// Says: After the last bounce the ball flies for the whole step, and not only for what is left of it.
+// Hint: You count down the time that is left. Which time belongs into the last flight?
+namespace whole_step_at_last {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    double x = s.x, v = s.v, left = h;
+    for (;;) {
+        const double landing = std::sqrt(v * v + 2 * g * x), until = (v + landing) / g;
+        if (landing == 0 || (e < 1 && landing < 1e-8)) return {s.t + h, 0.0, 0.0};
+        if (left < until) break;
+        left -= until;
+        v = e * landing;
+        x = 0;
+    }
+    return {s.t + h, x + v * h - g * h * h / 2, v - g * h};
+}
+
+}  // namespace whole_step_at_last
+
+// Says: The landing speed is that of a ball let go at this height: the velocity that it had is forgotten.
+// Hint: A ball thrown down lands faster than one that is let go. Add both energies.
+namespace height_alone {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    double x = s.x, v = s.v, left = h;
+    for (;;) {
+        const double landing = std::sqrt(v * v + 2 * g * x), until = (v + landing) / g;
+        if (landing == 0 || (e < 1 && landing < 1e-8)) return {s.t + h, 0.0, 0.0};
+        if (left < until) break;
+        left -= until;
+        v = x > 0 ? e * std::sqrt(2 * g * x) : e * std::fabs(v);
+        x = 0;
+    }
+    return {s.t + h, x + v * left - g * left * left / 2, v - g * left};
+}
+
+}  // namespace height_alone
+
+// Says: Height and velocity are right, but the time has gone on only by what was left after the last bounce.
+// Hint: The state is that at the end of the step. Which time is that?
+namespace time_of_the_rest {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    double x = s.x, v = s.v, left = h;
+    for (;;) {
+        const double landing = std::sqrt(v * v + 2 * g * x), until = (v + landing) / g;
+        if (landing == 0 || (e < 1 && landing < 1e-8)) return {s.t + left, 0.0, 0.0};
+        if (left < until) break;
+        left -= until;
+        v = e * landing;
+        x = 0;
+    }
+    return {s.t + left, x + v * left - g * left * left / 2, v - g * left};
+}
+
+}  // namespace time_of_the_rest

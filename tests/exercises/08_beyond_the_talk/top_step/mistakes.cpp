@@ -339,3 +339,31 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 }
 
 }  // namespace degrees
+
+// Says: Each turn is a first-order one, v + v × angle: it makes the vectors longer.
+// Hint: A turn keeps lengths. Sine and cosine do, and so does Eigen's AngleAxisd.
+namespace linear_turns {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const auto turn = [&](int i, double t) {
+        const Vector3d w = t * L[i] / inertia[i] * Vector3d::Unit(i);
+        L = (L + L.cross(w)).eval(), up = (up + up.cross(w)).eval();
+    };
+    L += h / 2 * mgl * up.cross(Vector3d::UnitZ());
+    turn(0, h / 2), turn(1, h / 2), turn(2, h), turn(1, h / 2), turn(0, h / 2);
+    L += h / 2 * mgl * up.cross(Vector3d::UnitZ());
+    return {L, up};
+}
+
+}  // namespace linear_turns
+
+// Says: This is explicit Euler for gravity and spins at once: nothing is split, and nothing kept.
+// Hint: The task names the parts and their order. Each of them is taken exactly.
+namespace explicit_euler {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    const Vector3d omega = L.cwiseQuotient(inertia);
+    return {Vector3d(L + h * (L.cross(omega) + mgl * up.cross(Vector3d::UnitZ()))), Vector3d(up + h * up.cross(omega))};
+}
+
+}  // namespace explicit_euler
