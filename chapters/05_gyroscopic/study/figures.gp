@@ -203,7 +203,7 @@ set palette defined (0 "#ffffff", 0.02 "#fbe3b5", 1 "#f0b040", 3 "#d55e00", 5.5 
 set border 15
 unset grid
 set rmargin 12
-set lmargin at screen 0.15
+set lmargin at screen 0.19
 if (narrow) { set lmargin at screen 0.2; set rmargin at screen 0.74; set xtics ("0.1" -1, "1" 0, "10" 1) }
 plot "energy_map.tsv" skip 1 using (log10($1)):(log10($2)):($3 > 1.000001 ? log10($3) : 0) with image notitle, \
      "map_edge.tsv" skip 1 using (log10($1)):(log10($2)) with lines lc rgb "#0072b2" lw 2 dt (6,4) notitle
