@@ -77,7 +77,7 @@ bool has_words(const std::string& name) {
 /// A page of words, section by section.
 void add_sections(const fs::path& file, Places& places) {
     const std::string html = page::read_file(file), name = file.filename().string();
-    const std::string title = words_of(between(html, "<div class=\"title\">", "</div>"));
+    const std::string title = words_of(between(html, "<div class=\"title\" role=\"heading\" aria-level=\"1\">", "</div>"));
     const std::size_t begin = html.find("<div class=\"textblock\">");
     if (begin == std::string::npos) return;
     const std::string text = html.substr(begin, html.find("<!-- contents -->") - begin);

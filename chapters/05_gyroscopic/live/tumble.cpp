@@ -85,9 +85,9 @@ public:
         for (int i = 0; i < 6; ++i) {
             const double x = (i % columns + 0.5) * width, y = (rows - i / columns - 0.5) * height;
             p.ink(i == 0 ? "ink" : names[i]);
-            p.text(x - 0.46 * width, y + 0.36 * height, i == 3 ? "lagged inertia" : names[i]);
+            p.text(x - 0.46 * width, y + 0.4 * height, i == 3 ? "lagged inertia" : names[i]);
             if (holds[i])
-                solids[body].draw(p, view, now[i].q, x, y - 0.06 * height);
+                solids[body].draw(p, view, now[i].q, x, y - 0.08 * height);
             else
                 p.text(x - 0.2 * width, y, "blew up");
         }
@@ -106,7 +106,7 @@ public:
     bool handle(double& x, double& y) const override { return x = width / 2, y = height / 2, true; }
 
 private:
-    static constexpr double width = 1.75, height = 1.35;  // of a body's place in the picture, m
+    static constexpr double width = 1.75, height = 1.5;  // of a body's place in the picture, m
     static constexpr std::array names{"exact", no_gyroscopic.name, explicit_gyroscopic.name, lagged_inertia.name,
                                       implicit_gyroscopic.name, passive_gyroscopic.name};
 
