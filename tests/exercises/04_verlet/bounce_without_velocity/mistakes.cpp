@@ -1,7 +1,6 @@
 #include "exercise.hpp"
 
-// Says: The ball is put where it belongs, but "before" is left alone: the two heights still tell a fall, a
-//       slower one.
+// Says: The ball is put where it belongs, but "before" is left alone: the two heights do not tell the bounce.
 // Hint: Verlet reads the velocity off the two heights. Compute now - before from your answer: does it point
 //       up?
 namespace only_now {

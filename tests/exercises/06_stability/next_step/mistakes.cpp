@@ -85,7 +85,7 @@ double next_step(double whole, double halves, double h, double tolerance, int or
 
 }  // namespace upside_down
 
-// Says: A limit is missing: after one small error the step grows as far as it likes.
+// Says: The limits are missing: the step grows and shrinks as far as it likes.
 // Hint: std::clamp(factor, low, high) keeps a number between two others.
 namespace no_limits {
 

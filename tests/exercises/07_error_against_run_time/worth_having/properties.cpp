@@ -74,7 +74,7 @@ PROPERTY("of no settings none is worth having, and a single one that did not blo
     }
 }
 
-PROPERTY("what is returned are places in the list, none of them twice, and the fastest first") {
+PROPERTY("what is returned are places in the list, none of them twice, the fastest first, and never nothing") {
     Draw draw;
     for (int i = 0; i < 80; ++i) {
         const Points points = draw_points(draw, i);
