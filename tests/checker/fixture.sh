@@ -1,17 +1,22 @@
 # A fixture for a learner: what is needed to check, and a checkout to work in.
 
+# The exercises of a chapter.
+add_chapter() {
+    mkdir -p "source/chapters/$1" source/tests/exercises "source/exercises/$1" source/solutions
+    cp "$source/chapters/$1/about.json" "source/chapters/$1"
+    cp -r "$source/tests/exercises/$1" source/tests/exercises
+    cp -r "$source/solutions/$1" source/solutions
+    for solution in "$source/solutions/$1"/*.cpp; do
+        name=$(basename "$solution" .cpp)
+        cp "$real_build/exercises/generated/${name}_stub.cpp" "source/exercises/$1/$name.cpp"
+    done
+}
+
 # A checkout with the exercises of one chapter and the build's ready parts.
 new_fixture() {
-    mkdir -p source/chapters/01_derivatives source/tests/exercises source/exercises source/solutions build
-    cp "$source/chapters/01_derivatives/about.json" source/chapters/01_derivatives
-    cp -r "$source/tests/exercises/01_derivatives" source/tests/exercises
-    cp -r "$source/solutions/01_derivatives" source/solutions
+    mkdir build
+    add_chapter 01_derivatives
     ln -s "$real_build/exercises" build/exercises
-    mkdir source/exercises/01_derivatives
-    for solution in "$source"/solutions/01_derivatives/*.cpp; do
-        name=$(basename "$solution" .cpp)
-        cp "$real_build/exercises/generated/${name}_stub.cpp" "source/exercises/01_derivatives/$name.cpp"
-    done
     file=source/exercises/01_derivatives/velocity_now.cpp
     solved=source/solutions/01_derivatives/velocity_now.cpp
     mistake=mistake_middle.cpp

@@ -37,6 +37,8 @@ answers() {
 }
 
 test_is_shown_both_sides_of_a_property() {
+    add_chapter 03_euler_variants
+    add_chapter 06_stability
     answers longest_parabola_step 'return 4 * zeta \/ omega + 1;'
     says out 'In the long run a step of'
     says out 'and must be less than 1'
@@ -45,6 +47,7 @@ test_is_shown_both_sides_of_a_property() {
 }
 
 test_is_told_where_an_answer_is_wrong() {
+    add_chapter 02_first_order_form
     answers pendulum_rates 'return {s.v, -g \/ length * std::sin(std::fabs(s.x)) - drag * length * std::fabs(s.v) * s.v};'
     says out 'only where s.x is negative'
 }
