@@ -41,7 +41,7 @@ test_is_shown_both_sides_of_a_property() {
     add_chapter 06_stability
     answers longest_parabola_step 'return 4 * zeta \/ omega + 1;'
     says out 'In the long run a step of'
-    says out 'and must be less than 1'
+    says out 'multiplies the swing by'
     answers tr_bdf2_step 'return {s.t + h, s.x, s.v};'
     says out 'they differ by'
 }
