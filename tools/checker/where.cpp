@@ -120,12 +120,12 @@ std::string changed(const Truth& truth, const Shown& shown) {
     static constexpr Family families[] = {{"changed_twice", 2}, {"changed_half", 0.5}, {"changed_back", -1}};
     if (shown.wrong.size() < few) return {};
     const std::size_t size = shown.truth[0].size();
-    for (const auto& [name, share] : families)
+    for (const Family& family : families)
         for (std::size_t at = 0; at + size <= truth.leading; ++at) {
             const auto made = [&](const Numbers& given, const Numbers& right, const Numbers& found) {
                 Numbers numbers = right;
                 for (std::size_t i = 0; i < size && found.size() == size; ++i)
-                    if (found[i] != right[i]) numbers[i] = given[at + i] + share * (right[i] - given[at + i]);
+                    if (found[i] != right[i]) numbers[i] = given[at + i] + family.share * (right[i] - given[at + i]);
                 return numbers;
             };
             bool fits = true;
@@ -133,7 +133,7 @@ std::string changed(const Truth& truth, const Shown& shown) {
                 const Call& call = *shown.wrong[i];
                 fits = shown.truth[i].size() == size && errs_alike(made(call.arguments, shown.truth[i], call.result), call.result, shown.truth[i], shown.roundoff[i]);
             }
-            if (fits) return name;
+            if (fits) return family.name;
         }
     return {};
 }
