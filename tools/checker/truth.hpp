@@ -59,7 +59,7 @@ template <class... Args>
 std::size_t leading_numbers() {
     const Numbers zeros(64);
     Reader reader(zeros);
-    (... && (!is_list<Args> && (Wire<Args>::take(reader), true)));
+    static_cast<void>((... && (!is_list<Args> && (Wire<Args>::take(reader), true))));
     return reader.at();
 }
 
