@@ -85,7 +85,7 @@ inline const std::vector<Choice>& choices() {
         {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**, with ωh and ζωh up to " + fine,
          "a percent over four periods for four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",
-         "its steps follow the slow part, the fast one dies; of the first two steps after a kick expect nothing", "ch6_stiff", "BDF2"},
+         "its steps follow the slow part, the fast one dies; the first step after a kick may be off by nearly all that the kick does", "ch6_stiff", "BDF2"},
         {"swing", "ωh at most " + alive + " in a constant step: most of a game (where a frame has up to " + twice + ", take two steps a frame)",
          "**semi-implicit Euler**, with the damping at the new velocity",
          "one force a step, and no damper, however strong, blows it up; on a spring its energy oscillates and does not drift (on a "

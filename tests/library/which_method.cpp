@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -53,6 +54,26 @@ TEST_CASE("a spring is led to its answer", "[library][I13]") {
     CHECK(choose(SpringQuestion{.turn = 5, .keeps_size = true}).name == "keeps_size");
     CHECK(choose(SpringQuestion{.turn = 5, .zeta = 1}).name == "pull");
     CHECK(choose(SpringQuestion{.turn = 100, .zeta = 0.05, .keeps_size = true}).name == "pull");  // its damper ends it
+}
+
+TEST_CASE("BDF2 follows a hard damped spring that is let go, and misses the first step after a kick", "[library][I13]") {
+    const double h = 0.2;
+    const DampedSpring<double> spring(10, 20);
+    const auto errors = [&](const State<double>& start) {  // of the positions, over what the spring does at most
+        double largest = 0;
+        for (int n = 0; n <= 5000; ++n) largest = std::max(largest, std::fabs(spring.exact(start, 0.0002 * n).x));
+        std::vector<double> all;
+        Bdf2Motion<State<double>> motion(start);
+        for (int n = 1; n <= 20; ++n) {
+            motion.step(spring, h);
+            all.push_back(std::fabs(motion.now().x - spring.exact(start, n * h).x) / largest);
+        }
+        return all;
+    };
+    const std::vector<double> let_go = errors({0, 1, 0}), kicked = errors({0, 0, 1});
+    CHECK(*std::max_element(let_go.begin(), let_go.end()) < 0.01);
+    CHECK(kicked[0] > 0.9);
+    CHECK(*std::max_element(kicked.begin() + 2, kicked.end()) < 0.01);
 }
 
 // Where ωh and ζωh are 1 at most, h|λ| is 2 at most: of real and of complex rates. Steps of any length share their
