@@ -85,7 +85,7 @@ public:
         for (int i = 0; i < 6; ++i) {
             const double x = (i % columns + 0.5) * width, y = (rows - i / columns - 0.5) * height;
             p.ink(i == 0 ? "ink" : names[i]);
-            p.text(x - 0.46 * width, y + 0.4 * height, i == 3 ? "lagged inertia" : names[i]);
+            p.text(x - 0.46 * width, y + 0.38 * height, i == 3 ? "lagged inertia" : names[i]);
             if (holds[i])
                 solids[body].draw(p, view, now[i].q, x, y - 0.08 * height);
             else
