@@ -10,7 +10,7 @@
 //   snap         the largest |x⁗|, the fourth derivative of the position by time, in metres per
 //                second to the fourth (above zero)
 //   returns      the step h for which the worst error of the acceleration is smallest, in seconds;
-//                five parts in 10⁸ off is near enough, as a search for the smallest error finds it
+//                an error of five parts in 10⁸ is allowed, so a search for the minimum will do
 //
 // The worst error is, as in the chapter, the sum of two: the leading term of what the formula cuts
 // off, with the largest snap, and the noise at its worst in all three positions together.

@@ -2,7 +2,7 @@
 //
 // A lamp hangs from the ceiling on a cable, and an explosion makes it swing. The angle x is
 // measured from hanging straight down, so the lamp runs along an arc with the speed u = length v.
-// Along the arc it accelerates by −g sin x, gravity, and by −drag |u| u, the air. Give your solver
+// Along the arc it accelerates by -g sin x, gravity, and by -drag |u| u, the air. Give your solver
 // the first-order form in the unknowns x and v. Swings may be large, and go over the
 // top, and round and round.
 //
