@@ -18,6 +18,11 @@ std::vector<double> doubled(std::vector<double> x) {
     return x;
 }
 
+double moved(double x, double v);
+double moved(double x, double v) { return x + v; }
+double moved_by_square(double x, double v);
+double moved_by_square(double x, double v) { return x + v * v; }
+
 #define TOLD(name, relative)                                                                                \
     namespace of_##name {                                                                                   \
     const bool is_known = checker::know_truth(#name, checker::function_of(&::name));                        \
@@ -58,6 +63,27 @@ PROPERTY("times the gap it is one") {  // of two equal numbers nothing can be sa
     }
 }
 }  // namespace of_over_gap
+
+// Of the two only the second's calls are many.
+TOLD(moved, 2e-12)
+const bool knows = checker::know("moved", {{"by_square", checker::function_of(&moved_by_square)}});
+PROPERTY("what stands, stays") {
+    Draw draw;
+    for (int i = 0; i < 2; ++i) {
+        const double x = draw.real(1, 9);
+        REQUIRE(close(learner(x, 0), x, 1e-12));
+    }
+}
+PROPERTY("what moves is moved") {
+    Draw draw;
+    Every all;
+    for (int i = 0; i < 200; ++i) {
+        const double x = draw.real(1, 9), v = draw.real(2, 9);
+        all &= close(learner(x, v), x + v, 1e-12);
+    }
+    REQUIRE(bool(all));
+}
+}  // namespace of_moved
 
 TOLD(doubled, 2e-12)
 PROPERTY("each number is doubled") {
@@ -115,11 +141,23 @@ int main() {
     expect_short("no number", "root", counting(+[](double x) { return x / 2 + 0.6; }), "its square is what was given", 6);
     expect_short("many numbers", "doubled", counting(+[](std::vector<double> x) { return x; }), everywhere, 10);
 
+    unsigned named = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         checker::Verdict verdict = checker::session().check("over_gap", counting(+[](double x, double y) { return x == y ? 0 : 2 / (x - y); }), seed);
         const std::string& shown = verdict.arguments;
         const std::size_t comma = shown.find(", ");
         expect(shown.substr(1, comma - 1) != shown.substr(comma + 2, shown.size() - comma - 3), "what the right answer fails in, too, is no case", seed, verdict);
+
+        const std::string stays = "what stands, stays", moves = "what moves is moved";
+        verdict = checker::session().check("moved", counting(+[](double x, double v) { return v == 0 ? x + 1 : x + v * v; }), seed);
+        expect(verdict.property == stays && verdict.misconception.empty(), "what is shown is none of the mistake, which is not named", seed, verdict);
+        // Another mistake at x = 1, which is not to be shown for the one that is named.
+        verdict = checker::session().check("moved", counting(+[](double x, double v) { return x == 1 ? v : v == 0 ? x : x + v * v; }), seed);
+        expect(verdict.misconception != "by_square" || (verdict.property == moves && verdict.arguments.substr(0, 3) != "(1,"), "what is shown is a case of the mistake that is named", seed, verdict);
+        named += verdict.misconception == "by_square";
+
+        verdict = checker::session().check("moved", [](const checker::Numbers& given) { return given[1] == 0 ? checker::Numbers{given[0] + 1} : throw checker::Ended(Kind::wrong, "arguments stay"); }, seed);
+        expect(verdict.property == "arguments stay" && verdict.right.empty() && verdict.detail.empty(), "what is shown is the call that changed its arguments", seed, verdict);
 
         verdict = checker::session().check("product", counting(+[](double a, double b) { return b > 1e5 ? 0 : a * b; }), seed);
         expect(asked <= 400, "an answer is asked at most twice as often", seed, verdict);
@@ -128,6 +166,7 @@ int main() {
         verdict = checker::session().check("product", counting(+[](double a, double b) { return asked > 110 ? throw checker::Ended(Kind::crash, "late") : a + b; }), seed);
         expect(verdict.kind == Kind::wrong && verdict.detail.empty(), "a crash while a simpler case is looked for is not told", seed, verdict);
     }
+    expect(named > 20, "the mistake is named wherever there is a case of it", named, {});
     std::printf("%d failures\n", failures);
     return failures == 0 ? 0 : 1;
 }

@@ -7,11 +7,6 @@
 
 namespace checker {
 
-namespace {
-
-constexpr std::size_t enough = 2000;  // calls are looked at
-
-// How far one answer lies from another. What is not finite agrees with its like.
 double apart(const Numbers& a, const Numbers& b) {
     if (a.size() != b.size()) return HUGE_VAL;
     double difference = 0;
@@ -22,6 +17,8 @@ double apart(const Numbers& a, const Numbers& b) {
     }
     return difference;
 }
+
+namespace {
 
 // What roundoff of the arguments makes of each number of the right answer; of a count nothing.
 Numbers roundoff_of(const Truth& truth, const Numbers& arguments, const Numbers& right) {
@@ -49,14 +46,14 @@ Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least) {
         double size = least > 0 ? 1 : 0;
         for (const double number : right) size = std::max(size, std::fabs(number));
         const bool differs = !call.right || apart(call.result, right) > least * size;
-        if (differs && shown.wrong.size() < enough) {
+        if (differs && shown.wrong.size() < enough_calls) {
             Numbers roundoff = roundoff_of(truth, call.arguments, right);
             // By no more than roundoff, or than that of another number beside it: that tells nothing.
             if (errs_alike(right, call.result, right, roundoff)) continue;
             shown.wrong.push_back(&call);
             shown.truth.push_back(std::move(right));
             shown.roundoff.push_back(std::move(roundoff));
-        } else if (!differs && shown.right.size() < enough) {
+        } else if (!differs && shown.right.size() < enough_calls) {
             shown.right.push_back(&call);
         }
     }
@@ -175,142 +172,6 @@ bool loses_as_many_digits(const Mistake& mistake, const Truth& truth, const Show
            double(alike) >= 0.75 * double(shown.right.size()) && 2 * (shown.right.size() - alike) <= shown.wrong.size();
 }
 
-// Is what is wrong no more than single precision makes of the arguments, and more than lost digits of a double?
-bool is_single_precision(const Truth& truth, const Shown& shown) {
-    constexpr double most = 0x1p-22;
-    std::size_t fits = 0, large = 0;
-    for (std::size_t call = 0; call < shown.wrong.size(); ++call) {
-        const Numbers &found = shown.wrong[call]->result, &right = shown.truth[call];
-        Numbers off(right.size());
-        for (unsigned variation = 1; variation <= 12; ++variation) {
-            const Numbers near = truth.nudged(shown.wrong[call]->arguments, variation, most);
-            for (std::size_t i = 0; i < std::min(off.size(), near.size()); ++i) off[i] = std::max(off[i], std::fabs(near[i] - right[i]));
-        }
-        bool fit = found.size() == right.size(), is_large = false;
-        for (std::size_t i = 0; fit && i < found.size(); ++i) {
-            const bool counted = right[i] == std::floor(right[i]) && found[i] == std::floor(found[i]);
-            fit = std::fabs(found[i] - right[i]) <= (counted ? 1 : 4) * std::max(off[i], counted ? 0 : most * std::fabs(right[i]));
-            is_large |= std::fabs(found[i] - right[i]) > 0.06 * off[i];
-        }
-        fits += fit;
-        large += is_large;
-    }
-    return double(fits) >= 0.95 * double(shown.wrong.size()) && 2 * large >= shown.wrong.size();
-}
-
-constexpr double little = 2e-3;  // of the right answer: more than 3.14 for π costs, and its square
-
-// Is each number that is wrong the right one times a number near one, and that always the same?
-bool is_nearly_one_share(const Shown& shown) {
-    double share = 0;
-    std::size_t fits = 0;
-    for (std::size_t call = 0; call < shown.wrong.size(); ++call) {
-        const Numbers &found = shown.wrong[call]->result, &right = shown.truth[call];
-        bool fit = found.size() == right.size();
-        for (std::size_t i = 0; fit && i < found.size(); ++i) {
-            if (found[i] == right[i]) continue;
-            const double off = found[i] / right[i] - 1;
-            const bool is_little = std::fabs(off) <= little && std::fabs(off) > 1e-13;
-            if (share == 0 && is_little) share = off;
-            fit = is_little && std::fabs(off - share) <= 1e-2 * std::fabs(share);
-        }
-        fits += fit;
-    }
-    return double(fits) >= 0.95 * double(shown.wrong.size());
-}
-
-// Is the answer wrong by a small part of it in most calls?
-bool is_off_by_little(const Shown& shown) {
-    std::size_t fits = 0, parts = 0;
-    for (std::size_t call = 0; call < shown.wrong.size(); ++call) {
-        double size = 0;
-        for (const double number : shown.truth[call]) size = std::max(size, std::fabs(number));
-        if (size == 0) continue;  // of nothing there is no part
-        ++parts;
-        fits += apart(shown.wrong[call]->result, shown.truth[call]) <= little * size;
-    }
-    return parts > 0 && double(fits) >= 0.97 * double(parts);  // another method errs by much somewhere
-}
-
-// Are the wrong answers numbers of single precision throughout, where the right ones are none?
-bool is_rounded_to_single(const Shown& shown) {
-    std::size_t numbers = 0, single = 0, by_nature = 0;
-    for (std::size_t call = 0; call < shown.wrong.size(); ++call) {
-        for (const double number : shown.wrong[call]->result) {
-            ++numbers;
-            single += double(float(number)) == number;
-        }
-        for (const double number : shown.truth[call]) by_nature += double(float(number)) == number;
-    }
-    return single == numbers && 2 * by_nature < numbers && is_off_by_little(shown);
-}
-
-// Mistakes of a kind that every exercise knows: by what is the answer off?
-std::string family_of(const Shown& shown) {
-    struct Family {
-        const char* name;
-        double (*makes)(double right);
-    };
-    static constexpr Family families[] = {
-        {"minus", [](double x) { return -x; }},
-        {"twice", [](double x) { return 2 * x; }},
-        {"half", [](double x) { return x / 2; }},
-        {"degrees", [](double x) { return x * 57.29577951308232; }},
-        {"radians", [](double x) { return x / 57.29577951308232; }},
-        {"absolute", [](double x) { return std::fabs(x); }},
-        {"squared", [](double x) { return x * x; }},
-        {"root", [](double x) { return std::sqrt(x); }},
-        {"inverse", [](double x) { return 1 / x; }},
-    };
-    if (shown.wrong.size() < 3) return {};  // a property that breaks calls no more
-    for (const Family& family : families) {
-        const auto made_of = [&](Numbers right) {
-            for (double& number : right) number = family.makes(number);
-            return right;
-        };
-        std::size_t fits = 0, misfits = 0;
-        for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
-            const double gap = apart(shown.wrong[i]->result, shown.truth[i]);
-            fits += gap < HUGE_VAL && apart(shown.wrong[i]->result, made_of(shown.truth[i])) <= 1e-6 * gap;
-        }
-        for (const Call* call : shown.right) misfits += apart(call->result, made_of(call->result)) > 1e-12;
-        if (double(fits) >= 0.95 * double(shown.wrong.size()) && double(misfits) <= 0.05 * double(shown.wrong.size() + shown.right.size()))
-            return family.name;
-    }
-    return {};
-}
-
-// Is it no where it should be yes, and yes where it should be no, in every call?
-bool is_negated(const std::vector<Call>& calls, const Shown& shown) {
-    std::size_t yes = 0;
-    for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
-        const Numbers &found = shown.wrong[i]->result, &right = shown.truth[i];
-        if (found.size() != 1 || right.size() != 1 || found[0] != 1 - right[0] || (right[0] != 0 && right[0] != 1)) return false;
-        yes += right[0] == 1;
-    }
-    return shown.wrong.size() == std::min(calls.size(), enough) && yes > 0 && yes < shown.wrong.size();
-}
-
-// Is a count off by one, and always to one side, wherever it is wrong?
-std::string off_by_one(const Shown& shown) {
-    std::size_t more = 0, less = 0;
-    for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
-        const double off = shown.wrong[i]->result[0] - shown.truth[i][0];
-        more += off == 1;
-        less += off == -1;
-    }
-    const std::size_t all = shown.wrong.size();
-    return all < 10 ? "" : more == all ? "one_more" : less == all ? "one_less" : "";
-}
-
-// Mistakes that make the answer inexact, whatever the exercise.
-std::string inexact(const Truth& truth, const Shown& shown) {
-    if (shown.wrong.size() < 3) return {};
-    if (is_nearly_one_share(shown)) return "constant";
-    if (is_rounded_to_single(shown) || is_single_precision(truth, shown)) return "single";
-    return is_off_by_little(shown) ? "digits" : "";
-}
-
 }  // namespace
 
 std::string diagnose(const std::string& exercise, const Truth& truth, const std::vector<Call>& calls) {
@@ -357,6 +218,20 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
     if (some.tells_little || is_open) return told;
     best = fair.empty() ? two_slips_of(exercise, some) : fair;
     return best.empty() ? told : best;
+}
+
+bool is_case_of(const std::string& exercise, const Truth& truth, const std::string& name, const Call& call) {
+    if (name.empty()) return true;
+    const Numbers right = truth.answer(call.arguments), roundoff = roundoff_of(truth, call.arguments, right);
+    if (errs_alike(right, call.result, right, roundoff)) return false;  // nothing is wrong there
+    constexpr std::size_t as_all = 10;  // calls that are wrong were this one
+    const Shown one{{as_all, &call}, {}, {as_all, right}, {as_all, roundoff}};
+    for (const Mistake& mistake : mistakes_of(exercise))
+        if (mistake.name == name)
+            return errs_alike(mistake.made.answer(call.arguments), call.result, right, roundoff) || loses_as_many_digits(mistake, truth, one);
+    if (name.starts_with("slip_")) return is_case_of_slip(exercise, name, one);
+    if (name.starts_with("where_") || name.starts_with("is_")) return is_case_of_where(name, truth, call);
+    return is_case_of_family(name, truth, one);
 }
 
 }  // namespace checker

@@ -10,6 +10,7 @@
 #include <catch2/interfaces/catch_interfaces_capture.hpp>
 
 #include "exercise.hpp"
+#include "shown.hpp"
 #include "sides.hpp"
 
 namespace checker {
@@ -76,7 +77,7 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
         verdict_.kind = ended_->kind;
         (ended_->kind == Kind::wrong ? verdict_.property : verdict_.detail) = ended_->what();
         verdict_.trace = ended_->trace;
-        if (ended_->kind == Kind::wrong) calls_.clear();  // which were not what is wrong
+        if (ended_->kind == Kind::wrong) calls_.clear(), shown_.reset(), doubted_.reset(), verdict_.detail.clear();  // which were not what is wrong
     }
     const bool all_hold = verdict_.kind == Kind::pass;
     if (all_hold && first_wrong_) {
@@ -176,6 +177,8 @@ void Session::tell_call() {
     if (!spoken_) return;
     const bool is_wrong = verdict_.kind == Kind::wrong;
     const Call& call = is_wrong && shown_ ? *shown_ : is_wrong && doubted_ ? *doubted_ : last_;
+    // What is named is what the call shows, or nothing is.
+    if (!is_case_of(exercise_, truth_, verdict_.misconception, call)) verdict_.misconception.clear();
     const Digits given = digits_for(call);
     verdict_.arguments = spoken_->arguments(call.arguments, given);
     if (call.result.empty()) return;

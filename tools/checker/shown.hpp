@@ -16,6 +16,14 @@ struct Shown {
     bool tells_little = false;   ///< what is wrong is mostly a zero, or a number that was given: many mistakes end there
 };
 
+inline constexpr std::size_t enough_calls = 2000;  ///< are looked at, of the wrong ones and of the right ones
+
+/// Is the call a case of the mistake of that name, whichever it is of those below? What the learner is shown must be.
+/// (diagnose.cpp)
+bool is_case_of(const std::string& exercise, const Truth& truth, const std::string& name, const Call& call);
+
+/// How far one answer lies from another. What is not finite agrees with its like. (diagnose.cpp)
+double apart(const Numbers& a, const Numbers& b);
 /// Does `made` err as the learner does, who found `found` where `right` is right? Number by number, for one number off
 /// by much must not hide another: to a thousandth of what is wrong there, which is more than another way to write the
 /// same mistake makes of it, and to roundoff.
@@ -32,15 +40,28 @@ bool is_same(const Numbers& made, const Numbers& found);
 inline constexpr const char* not_told = "slip_";
 std::string slip_of(const std::string& exercise, const Shown& shown, bool counted);
 std::string two_slips_of(const std::string& exercise, const Shown& shown);
-
+/// `one`: a call as often as if it were all that are wrong.
+bool is_case_of_slip(const std::string& exercise, const std::string& name, const Shown& one);
 
 /// Is the answer wrong only where one of the arguments is zero, negative or positive, or a list is empty, and is it there
 /// always what was given, or one whole number? "where_negative_2", "is_given", "where_zero_0_is_-1"; else nothing.
 std::string where_wrong(const Truth& truth, const std::vector<Call>& calls, const Shown& shown);
-/// Wherever it is wrong, is it what was given, changed twice as much as it should be, half, or the other way?
-std::string changed(const Truth& truth, const Shown& shown);
+bool is_case_of_where(const std::string& name, const Truth& truth, const Call& call);
 /// Of counts, and of yes and no: is it wrong only where a little less of the arguments makes another of the right answer?
 /// (where.cpp)
 bool is_near_thing(const Truth& truth, const Shown& shown);
+
+/// By what is the answer off, in nearly every call: "twice", "minus".
+std::string family_of(const Shown& shown);
+/// Is it no where it should be yes, and yes where it should be no, in every call?
+bool is_negated(const std::vector<Call>& calls, const Shown& shown);
+/// Is a count off by one, and always to one side, wherever it is wrong?
+std::string off_by_one(const Shown& shown);
+/// Mistakes that make the answer inexact, whatever the exercise.
+std::string inexact(const Truth& truth, const Shown& shown);
+/// Wherever it is wrong, is it what was given, changed twice as much as it should be, half, or the other way?
+std::string changed(const Truth& truth, const Shown& shown);
+bool is_case_of_family(const std::string& name, const Truth& truth, const Shown& one);
+/// (families.cpp)
 
 }  // namespace checker

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "session.hpp"
+#include "shown.hpp"
 #include "sides.hpp"
 
 namespace checker {
@@ -87,33 +87,45 @@ Session::Search Session::searched(const std::string& property, const Answer& ans
 }
 
 // The answer is asked at most as often again as in the check. What the course's own answer fails in, too, is no case.
+// A case of the mistake that is named goes before all others.
 void Session::find_simplest(const std::string& property) {
+    struct Found {
+        Call call;
+        std::string said;
+        double effort = HUGE_VAL;
+    };
     const bool is_finite_asked = verdict_.kind == Kind::not_finite, by_call = shown_ || is_finite_asked;
     const bool all_hold = property != verdict_.property;
     Call& best = shown_ && !is_finite_asked ? *shown_ : doubted_ && !is_finite_asked ? *doubted_ : last_;
-    double least = effort_of(best);
-    const auto take = [&](const Call& call) {
+    const std::string name = verdict_.misconception;
+    Found any, of_name;
+    const auto take = [&](const Call& call, const std::string& said) {
         const double effort = effort_of(call);
-        if (effort < least) least = effort, best = call;
+        if (effort < of_name.effort && is_case_of(exercise_, truth_, name, call)) of_name = {call, said, effort};
+        if (effort < any.effort) any = {call, said, effort};
     };
     const auto take_wrong = [&](const std::vector<Call>& calls) {
         for (const Call& call : calls)
-            if (!call.right && is_finite(call.result) != is_finite_asked) take(call);
+            if (!call.right && is_finite(call.result) != is_finite_asked) take(call, verdict_.detail);
     };
+    take(best, verdict_.detail);
     if (all_hold) take_wrong(calls_);
     std::size_t left = std::max<std::size_t>(calls_.size(), 200);
-    for (unsigned stream = 1; stream <= streams; ++stream) {
+    for (unsigned stream = of_name.effort < HUGE_VAL ? 1 : 0; stream <= streams; ++stream) {
         const Search found = searched(property, answer_, stream, left);
-        if (found.is_over) return;
+        if (found.is_over) break;
         left -= found.calls.size();
         if (all_hold || (by_call && !found.holds)) take_wrong(found.calls);
         if (by_call || found.holds || found.calls.empty()) continue;
         const Call seen = found.doubted ? *found.doubted : found.calls.back();
-        if (!is_finite(seen.result) || effort_of(seen) >= least) continue;
+        if (!is_finite(seen.result) || effort_of(seen) >= of_name.effort) continue;
         const std::string said = sides_said();
         const Search right = searched(property, truth_.answer, stream, 100'000);
-        if (right.holds && !right.doubted) take(seen), verdict_.detail = said;
+        if (right.holds && !right.doubted) take(seen, said);
     }
+    const bool is_named = of_name.effort < HUGE_VAL;
+    best = is_named ? of_name.call : any.call;
+    verdict_.detail = is_named ? of_name.said : any.said;
 }
 
 }  // namespace checker

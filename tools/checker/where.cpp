@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 
 #include "shown.hpp"
@@ -112,30 +113,21 @@ std::string where_wrong(const Truth& truth, const std::vector<Call>& calls, cons
     return what.empty() ? where : where.empty() ? "is_" + what : where + "_is_" + what;
 }
 
-std::string changed(const Truth& truth, const Shown& shown) {
-    struct Family {
-        const char* name;
-        double share;
-    };
-    static constexpr Family families[] = {{"changed_twice", 2}, {"changed_half", 0.5}, {"changed_back", -1}};
-    if (shown.wrong.size() < few) return {};
-    const std::size_t size = shown.truth[0].size();
-    for (const Family& family : families)
-        for (std::size_t at = 0; at + size <= truth.leading; ++at) {
-            const auto made = [&](const Numbers& given, const Numbers& right, const Numbers& found) {
-                Numbers numbers = right;
-                for (std::size_t i = 0; i < size && found.size() == size; ++i)
-                    if (found[i] != right[i]) numbers[i] = given[at + i] + family.share * (right[i] - given[at + i]);
-                return numbers;
-            };
-            bool fits = true;
-            for (std::size_t i = 0; fits && i < shown.wrong.size(); ++i) {
-                const Call& call = *shown.wrong[i];
-                fits = shown.truth[i].size() == size && errs_alike(made(call.arguments, shown.truth[i], call.result), call.result, shown.truth[i], shown.roundoff[i]);
-            }
-            if (fits) return family.name;
-        }
-    return {};
+bool is_case_of_where(const std::string& name, const Truth& truth, const Call& call) {
+    const auto is = name.rfind("is_");
+    const std::string what = is == std::string::npos ? "" : name.substr(is + 3), where = name.substr(0, is == std::string::npos ? is : is - (is > 0));
+    const Shown one{{&call}, {}, {}, {}};
+    if (!what.empty() && !(what == "given" ? is_given(one) : always(one) == what)) return false;
+    for (const Region& region : regions(truth.leading, truth.has_list))
+        if (region.name == where) return region.holds(call.arguments);
+    std::size_t number = 0;
+    double limit = 0;
+    char least[24] = "";
+    const bool above = std::sscanf(where.c_str(), "where_above_%zu_%lf", &number, &limit) == 2;
+    if (!above && std::sscanf(where.c_str(), "where_below_%zu_%lf", &number, &limit) != 2) return true;
+    std::snprintf(least, sizeof least, "%.3g", call.arguments[number]);
+    const double read = std::strtod(least, nullptr);  // as the limit is told
+    return above ? read >= limit : read <= limit;
 }
 
 bool is_near_thing(const Truth& truth, const Shown& shown) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "shown.hpp"
 #include "slips.hpp"
@@ -193,6 +194,28 @@ std::string two_slips_of(const std::string& exercise, const Shown& shown) {
         }
     if (best.first == Form::none) return {};
     return std::string("slip_") + slip::name_of(best.first) + "_and_" + slip::name_of(best.second);
+}
+
+bool is_case_of_slip(const std::string& exercise, const std::string& name, const Shown& one) {
+    const Call& call = *one.wrong[0];
+    const std::string forms = name.substr(std::string("slip_").size());
+    bool is_solution = true;
+    for (const Answer& answer : slips_of(exercise)) {
+        std::vector<Made> slips;
+        const long places = slip::note(answer, call.arguments, slips);
+        slips.push_back({slip::single_site, 1, Form::single});
+        const auto answers_so = [&](const Made& first, const Made* second) {
+            const Numbers made = slip::answered(answer, call.arguments, first, second, 1000 + 30 * places);
+            return errs_alike(made, call.result, one.truth[0], one.roundoff[0]);
+        };
+        for (const Made& made : slips)
+            if (forms == slip::name_of(made.form) && answers_so(made, nullptr)) return true;
+        if (!std::exchange(is_solution, false) || forms.find("_and_") == std::string::npos) continue;
+        for (const Made& a : slips)
+            for (const Made& b : slips)
+                if (a.site != b.site && forms == std::string(slip::name_of(a.form)) + "_and_" + slip::name_of(b.form) && answers_so(a, &b)) return true;
+    }
+    return false;
 }
 
 }  // namespace checker
