@@ -377,7 +377,7 @@ class LivePanel {
         history.replaceState(null, "", `#${this.figure.id}:${this.set().join(",")}`);
         const say = words => this.linkButton.textContent = words;
         const copied = navigator.clipboard?.writeText(location.href) || Promise.reject();
-        copied.then(() => say("Link copied"), () => say("It is in the address bar"));
+        copied.then(() => say("Copied"), () => say("In the address bar"));
         setTimeout(() => say("Link"), 2000);
     }
     settings() {
