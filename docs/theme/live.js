@@ -83,8 +83,8 @@ class LiveCanvas {
             }
             case 1: this.axes(this.text(a), this.text(b), c, commands[i + 4]); break;
             case 2: {
-                const [colour, dashes, look] = looks[a] ||= [shade(this.text(a, "colour")), this.text(a, "dashes").split(",").filter(Boolean).map(Number), this.text(a, "colour")];
-                pen.strokeStyle = pen.fillStyle = colour;
+                const [look, dashes] = looks[a] ||= [this.text(a, "colour"), this.text(a, "dashes").split(",").filter(Boolean).map(Number)];
+                pen.strokeStyle = pen.fillStyle = shade(look);
                 veil = /^#(.)\1*$/.test(look) && look;  // a grey body, and light and shadow on it, are the same in the dark
                 pen.setLineDash(dashes);
                 pen.lineWidth = b, pen.globalAlpha = c;
@@ -165,7 +165,7 @@ class LivePanel {
     }
 
     async start() {
-        const { figure } = this, { instance } = await WebAssembly.instantiate(await bytesOf(figure.dataset.module), new Proxy({}, { get: () => page }));
+        const { figure } = this, { instance } = await WebAssembly.instantiate(await bytesOf(figure.dataset.module), { page, wasi_snapshot_preview1: page });
         this.of = instance.exports;
         this.of._initialize();
         this.of.begin();
@@ -227,6 +227,7 @@ class LivePanel {
         const id = `${this.figure.id}-${name}`, row = make("div", { className: "live-control" });
         const control = { name, first, get: () => of.control_number(i, 5), set: value => {
             if (!isNaN(value)) this.trying(() => of.set(i, value));
+            control.taken = (value < least || value > most) && `${label}: ${written(least)} to ${written(most)} ${unit}, ${written(control.get())} taken.`;
             if (of.moves(i)) this.play(false);
             this.show();
         } };
@@ -241,19 +242,18 @@ class LivePanel {
             control.show = () => box.checked = control.get() !== 0;
             row.append(box);
         } else {  // a number, on a log slider by its logarithm
-            const there = x => kind === 1 ? Math.log10(x) : x, back = x => kind === 1 ? +(10 ** x).toPrecision(3) : x;
-            const range = make("input", { id, type: "range", min: there(least), max: there(most), step: kind === 1 ? .01 : step });
+            const log = kind === 1, there = x => log ? Math.log10(x) : x, back = x => log ? +(10 ** x).toPrecision(3) : x;
+            const range = make("input", { id, type: "range", min: there(least), max: there(most), step: log ? .01 : step });
             const typed = make("input", { type: "number", min: least, max: most, step: "any", ariaLabel: label + " as a number" });
             range.oninput = () => control.set(back(+range.value));
-            typed.onchange = () => {
-                control.typed = true;  // while it is being typed a number is left alone
-                control.set(typed.valueAsNumber);
-                control.show(), control.typed = false;
+            const fill = () => {
+                const value = +control.get().toPrecision(log ? 3 : 6);
+                typed.value = log && value < 1e-3 ? value.toExponential() : value;
             };
+            typed.onchange = () => { control.set(typed.valueAsNumber), fill(); };
             control.show = () => {
                 range.value = there(control.get());
-                const value = +control.get().toPrecision(kind === 1 ? 3 : 6);
-                if (document.activeElement !== typed || control.typed) typed.value = kind === 1 && value < 1e-3 ? value.toExponential() : value;
+                if (document.activeElement !== typed) fill();  // while it is being typed a number is left alone
             };
             row.append(range, typed, make("span", { className: "unit" }, unit));
         }
@@ -289,8 +289,7 @@ class LivePanel {
         on(canvas, "touchmove", drag);
         on(window, "mousemove", drag);
         const end = () => { if (held) held = false, of.let_go(), this.show(); };
-        on(canvas, "touchend touchcancel", end);
-        on(window, "mouseup", end);
+        on(window, "touchend touchcancel mouseup", end);
         on(canvas, "keydown", event => {
             const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
             const x = of.handle(0), y = of.handle(1), far = 10 / this.picture.main.scaleX;
@@ -363,7 +362,7 @@ class LivePanel {
             if (c.get() !== c.shown) c.shown = c.get(), c.show();
         this.readouts.forEach((out, i) => out.textContent = of.known(i) ? written(of.readout(i)) + " " + this.words(of.readout_text(i, 1)) : "not yet");
         const blown = count(of.fuses()).filter(i => of.fuse(i) >= 0).map(i => `${this.words(of.fuse_text(i))} at step ${of.fuse(i)}`);
-        const said = [blown.length && `Blew up: ${blown.join(", ")}.`, this.broke,
+        const said = [...this.controls.map(c => c.taken), blown.length && `Blew up: ${blown.join(", ")}.`, this.broke,
             of.broken() && "A place is no number, and is not drawn."].filter(Boolean).join(" ");
         if (this.status.textContent !== said) this.status.textContent = said;
         this.showInShell();
@@ -378,7 +377,7 @@ class LivePanel {
         history.replaceState(null, "", `#${this.figure.id}:${this.set().join(",")}`);
         const say = words => this.linkButton.textContent = words;
         const copied = navigator.clipboard?.writeText(location.href) || Promise.reject();
-        copied.then(() => say("Link copied"), () => say("It is in the address bar"));
+        copied.then(() => say("Copied"), () => say("In the address bar"));
         setTimeout(() => say("Link"), 2000);
     }
     settings() {
@@ -398,10 +397,8 @@ class LivePanel {
     }
 }
 
-// What a module may ask of the page.
-const page = new Proxy({ clock: () => performance.now() }, {
-    get: (known, name) => known[name] || (() => { throw new Error("a page has no " + name); }),
-});
+// What a module may ask of the page; who puts words together brings along how they would be written to a file.
+const page = { clock: () => performance.now(), fd_close() {}, fd_seek() {}, fd_write() {} };
 
 // ---- Each panel begins when it comes near the screen ----------------------------------------------------
 

@@ -19,6 +19,8 @@ namespace timestep {
 /// Where `TIMESTEP_REFUSED(line)` is defined before the first header of the library, it is called with that line, a
 /// `const char*`; if it returns, the program is aborted. Otherwise `std::invalid_argument` is thrown, and where there
 /// are no exceptions (-fno-exceptions) the line is printed and the program aborted. Define it alike everywhere.
+/// With `TIMESTEP_REFUSED_BRIEFLY` the line is the rule alone: to put name and value into it takes C's `printf`, 14 kB of
+/// a module of WebAssembly.
 [[noreturn]] inline void refuse(const char* line) {
 #if defined(TIMESTEP_REFUSED)
     TIMESTEP_REFUSED(line);

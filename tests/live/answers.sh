@@ -94,6 +94,7 @@ test_the_dropped_capsule() {
     holds 'a < 1 && b == 0' "$(read_off capsule dropped start=1 steps=1200)" "$(read_off capsule 'one Newton step' start=1 steps=1200)"
     holds 'a > 1 && b == 0 && c == 0' "$(read_off capsule 'calm half-step' start=1 place=0 steps=1200)" \
         "$(read_off capsule 'calm half-step' start=1 place=1 steps=1200)" "$(read_off capsule passive start=1 arms=1 steps=1200)"
+    is "$(read_off capsule 'calm half-step' start=1 place=2 steps=1200)" 0
 }
 
 test_more_damping_blows_up() {
@@ -120,12 +121,23 @@ test_a_jump_takes_the_order_away() {
     holds 'a > 23.9 * 6 * 1.1 && b < 23.9 * 6 * 0.5' "$(fall 0)" "$(fall 1)"
 }
 
+# Solvers of the boxes: 0 one Newton step, 1 passive, 2 half-step Jacobian, 3 calm half-step, 4 ball and remainder 4.
+boxes() { read_off many_bodies "$1" "solver=$2" "spin=$3" count=200 "steps=$4"; }
+
 test_boxes_that_spin_fast() {
-    boxes() { read_off many_bodies 'mean energy' "solver=$1" spin=60 count=200 steps=600; }
-    holds 'a > 99.9 && a < 100.1' "$(boxes 3)"
-    holds 'a < 95 && b < 95' "$(boxes 1)" "$(boxes 0)"
-    holds 'a > 95 && a < 105' "$(boxes 2)"
-    blows_up many_bodies explicit solver=4 spin=60 steps=600 || fail 'explicit does not blow up'
+    holds 'a > 99.9 && a < 100.1' "$(boxes 'mean energy' 3 60 600)"
+    holds 'a < 95 && b < 95' "$(boxes 'mean energy' 1 60 600)" "$(boxes 'mean energy' 0 60 600)"
+    holds 'a > 95 && a < 105' "$(boxes 'mean energy' 2 60 600)"
+    is "$(boxes 'have gained a tenth' 1 60 600)" 0
+    blows_up many_bodies explicit solver=5 spin=60 steps=600 || fail 'explicit does not blow up'
+}
+
+test_boxes_that_point_where_they_should() {
+    off() { boxes 'off by half a radian' "$@"; }
+    holds 'a == 0 && b == 0 && c == 0' "$(off 4 15 3600)" "$(off 4 30 3600)" "$(off 4 60 3600)"
+    holds 'a > 80 && b > 80 && c > 80' "$(off 2 60 600)" "$(off 3 60 600)" "$(off 1 60 600)"
+    holds 'a == 0 && b > 20 && c > 80' "$(off 2 15 120)" "$(off 2 15 600)" "$(off 2 15 3600)"
+    is "$(boxes 'have lost a tenth' 2 15 3600)" 0
 }
 
 . "$(dirname "$0")/../tools/expect.sh"

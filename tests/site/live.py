@@ -15,8 +15,8 @@ import time
 
 import browser
 from panel import BITS, DRAWN, LIVE, PICTURE, READY, STEPS, Faults, Page
-from panel_on_screen import (DESK, can_be_read, fits_the_screen, leaves_its_sliders_in_place, seen_together,
-                             starts_where_it_is)
+from panel_on_screen import (DESK, can_be_read, fits_the_screen, leaves_its_sliders_in_place, says_what_it_took,
+                             seen_together, starts_where_it_is)
 
 MODULE, SCRIPT = 60_000, 15_000  # bytes, at most
 PANEL = re.compile(r'<figure id="live-(\w+)"[^>]*data-live="([^"]+)" data-module="([^"]+)"')
@@ -326,7 +326,7 @@ def main():
             same_bits(page, build, live, (root / "chapters" / live.replace("/", "/live/")).with_suffix(".cpp").read_text(), faults)
             stands_extremes(page, faults)
             for look in (by_keyboard, by_finger, goes_on_where_it_is_left, leaves_its_sliders_in_place,
-                         says_what_the_shell_would, scrolls_under_a_finger, seen_together, fits_the_screen, starts_where_it_is,
+                         says_what_it_took, says_what_the_shell_would, scrolls_under_a_finger, seen_together, fits_the_screen, starts_where_it_is,
                          carries_settings, costs_little, grows_not, can_be_read, keeps_calm, stands_without_scripts):
                 look(page, faults)
             faults += ["console: " + entry["message"] for entry in on.driver.get_log("browser") if entry["level"] == "SEVERE"]

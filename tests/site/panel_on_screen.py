@@ -25,6 +25,30 @@ def leaves_its_sliders_in_place(page, faults):
         faults.unless(place() == before, f"its sliders move by {place() - before} px after 500 steps with all at their {end}")
 
 
+def says_what_it_took(page, faults):
+    """A number beyond an end, typed or in a link, is taken for that end, and it says so until another one is set."""
+    from selenium.webdriver.common.keys import Keys
+    page.open()
+    page.button("Stop").click()
+    slider = next((c for c in page.controls() if c["kind"] < 2), None)
+    if not slider:
+        return
+    said = lambda: page.part(".live-status").text
+
+    def enter(number):
+        page.run("document.querySelector(`#${arguments[0]} input[type=number]`).select()")
+        page.part("input[type=number]").send_keys(number + Keys.ENTER)
+        return next(c["value"] for c in page.controls() if c["name"] == slider["name"])
+    for number, end in (repr(2 * slider["most"] + 1), slider["most"]), ("-1000000", slider["least"]):
+        taken = enter(number)
+        words = page.run("return written(arguments[1])", end)
+        faults.unless(taken == end and said().endswith(words + " taken."), f"typed {number} it takes {taken} and says '{said()}'")
+    taken = enter(repr(slider["most"]))
+    faults.unless(taken == slider["most"] and said() == "", f"typed {slider['most']} it takes {taken} and says '{said()}'")
+    page.open(f"{slider['name']}=-1000000")
+    faults.unless(page.wait(lambda: said().endswith(" taken."), 40), f"with -1000000 in its link it says '{said()}'")
+
+
 def seen_together(page, faults):
     """On a phone the picture stands whole above each slider that has been scrolled to."""
     on_screen(page, PHONE)

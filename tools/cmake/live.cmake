@@ -75,6 +75,9 @@ function(timestep_live chapter needs)
     endif()
     target_compile_options(${native} PRIVATE ${same_bits} $<$<NOT:$<CXX_COMPILER_ID:MSVC>>:${optimised}>)
 
+    # A module that the library refuses something stops. To throw, and to put words together, would be a third of it.
+    set(small -fno-exceptions -fno-rtti "-DTIMESTEP_REFUSED(line)=__builtin_trap()" -DTIMESTEP_REFUSED_BRIEFLY)
+
     set(still "${folder}/${name}.svg")
     file(STRINGS "${panel}" words REGEX "^// still: ")
     string(REGEX REPLACE "^// still: " "" words "${words}")
@@ -90,7 +93,7 @@ function(timestep_live chapter needs)
     if(TIMESTEP_WASM)
       add_custom_command(OUTPUT "${folder}/${name}.wasm"
         COMMAND "${CMAKE_COMMAND}" -E make_directory "${folder}"
-        COMMAND "${WASM_CXX}" ${wasm_options} -O2 ${same_bits} ${more} ${includes} -MD -MF "${folder}/${name}.d"
+        COMMAND "${WASM_CXX}" ${wasm_options} -O2 ${same_bits} ${small} ${more} ${includes} -MD -MF "${folder}/${name}.d"
                 -MT "${folder}/${name}.wasm" "${panel}" -o "${folder}/${name}.wasm" -Wl,--strip-all
         DEPENDS "${panel}" DEPFILE "${folder}/${name}.d"
         COMMENT "Compiling the panel ${name} for the page" VERBATIM)

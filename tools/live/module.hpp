@@ -1,17 +1,13 @@
 #pragma once
 // What the page calls: a panel as a WebAssembly module. docs/theme/live.js is the other side of it.
 
-#include <cstdlib>
 #include <limits>
 
 #include "live.hpp"
 
-// The library refuses bad parameters by exceptions, which the module has not: it stops, and the page says so.
-extern "C" void* __cxa_allocate_exception(std::size_t) noexcept {
-    std::abort();
-}
-extern "C" void __cxa_throw(void*, void*, void (*)(void*)) {
-    std::abort();
+// A module has no words for what cannot go on (tools/cmake/live.cmake): it stops, and the page says so.
+extern "C" void __cxa_pure_virtual() {
+    __builtin_trap();
 }
 
 extern "C" __attribute__((import_module("page"), import_name("clock"))) double page_clock();
