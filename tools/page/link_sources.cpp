@@ -89,6 +89,11 @@ std::string named_once(const std::string& html) {
     return once + html.substr(done);
 }
 
+/// Is it a page of what the library has, whose examples speak of nothing else?
+bool is_of_library(const std::string& name) {
+    return name.starts_with("group__") || name.starts_with("struct") || name.starts_with("class") || name.starts_with("namespace") || name.starts_with("concept");
+}
+
 /// What Doxygen does not say of its page: which part is what, for those who hear it read.
 std::string with_named_parts(std::string html) {
     struct Part {
@@ -127,9 +132,14 @@ int main(int argc, char** argv) {
             const std::string name = entry.path().filename().string();
             if (entry.path().extension() == ".html") {
                 const std::string html = page::read_file(entry.path());
-                const bool source = name.ends_with("_source.html");
-                const std::string resolved =
-                    with_named_parts(source ? named_once(html) : listings.meant(resolve(html, pages, name, argc == 4 ? argv[3] : "")));
+                std::string resolved;
+                if (name.ends_with("_source.html")) {
+                    resolved = named_once(html);
+                } else {
+                    resolved = listings.meant(resolve(html, pages, name, argc == 4 ? argv[3] : ""));
+                    if (!is_of_library(name)) resolved = page::Listings::types_alone(resolved);
+                }
+                resolved = with_named_parts(resolved);
                 if (resolved != html) {
                     page::write_file(entry.path(), resolved);
                 }

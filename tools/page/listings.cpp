@@ -170,33 +170,66 @@ bool Listings::means(const std::string& file, const std::set<std::string>& seen,
     return one && (home_.at(address) == file || code == code_.end() || !declares(code->second, thing->second.name));
 }
 
+namespace {
+
+/// Names linked in a listing: `keeps` says whether a link stays, by itself and what stands before it. What would be
+/// shown beside the others goes with them.
+template <class Keeps>
+std::string with_links(std::string listing, const Keeps& keeps) {
+    static const std::string link = "<a class=\"code ", tip = "<div class=\"ttc\"";
+    std::set<std::string> kept;
+    for (std::size_t in = listing.find(link); in != std::string::npos; in = listing.find(link, in)) {
+        const std::string address = between(listing, "href=\"", "\"", in);
+        if (keeps(listing.substr(in, listing.find('>', in) - in), address, in > 0 ? listing[in - 1] : ' ')) {
+            kept.insert(address);
+            ++in;
+            continue;
+        }
+        listing.erase(listing.find("</a>", in), 4);
+        listing.erase(in, listing.find('>', in) + 1 - in);
+    }
+    for (std::size_t in = listing.find(tip); in != std::string::npos; in = listing.find(tip, in)) {
+        const bool stays = kept.contains(between(listing, "<div class=\"ttname\"><a href=\"", "\"", in));
+        const std::size_t line = listing.find('\n', in);
+        stays ? void(in = line) : void(listing.erase(in, line + 1 - in));
+    }
+    return listing;
+}
+
+}  // namespace
+
 std::string Listings::meant(std::string html) const {
-    static const std::string open = "<figure class=\"listing\"", link = "<a class=\"code ", tip = "<div class=\"ttc\"";
+    static const std::string open = "<figure class=\"listing\"", close = "</figure>";
     for (std::size_t at = html.find(open); at != std::string::npos; at = html.find(open, at + 1)) {
-        std::size_t end = html.find("</figure>", at);
-        const std::string file = file_of_page(between(html.substr(at, end - at), "href=\"", "#"));
+        const std::size_t end = html.find(close, at);
+        const std::string figure = html.substr(at, end - at), file = file_of_page(between(figure, "href=\"", "#"));
         if (file.empty() || !code_.contains(file)) continue;
         const std::set<std::string> seen = seen_from(file);
-        std::set<std::string> kept;
-        std::string listing = html.substr(at, end - at);
-        for (std::size_t in = listing.find(link); in != std::string::npos; in = listing.find(link, in)) {
-            const std::string address = between(listing, "href=\"", "\"", in);
-            if (means(file, seen, address)) {
-                kept.insert(address);
-                ++in;
-                continue;
-            }
-            listing.erase(listing.find("</a>", in), 4);
-            listing.erase(in, listing.find('>', in) + 1 - in);
-        }
-        for (std::size_t in = listing.find(tip); in != std::string::npos; in = listing.find(tip, in)) {
-            const bool stays = kept.contains(between(listing, "<div class=\"ttname\"><a href=\"", "\"", in));
-            const std::size_t line = listing.find('\n', in);
-            stays ? void(in = line) : void(listing.erase(in, line + 1 - in));
-        }
-        html.replace(at, end - at, listing);
+        html.replace(at, end - at, with_links(figure, [&](const std::string&, const std::string& address, char before) {
+            return means(file, seen, address) && !(before == '.' && in_namespace(address));
+        }));
     }
     return html;
+}
+
+std::string Listings::types_alone(std::string html) {
+    static const std::string open = "<div class=\"fragment\"", close = "<!-- fragment -->";
+    for (std::size_t at = html.find(open); at != std::string::npos; at = html.find(open, at + 1)) {
+        const std::size_t figure = html.rfind("<figure class=\"listing\"", at), end = html.find(close, at);
+        if (end == std::string::npos || (figure != std::string::npos && html.find("</figure>", figure) > at)) continue;
+        html.replace(at, end - at, with_links(html.substr(at, end - at), [](const std::string& link, const std::string&, char) {
+            return link.find("hl_function") == std::string::npos && link.find("hl_variable") == std::string::npos;
+        }));
+    }
+    return html;
+}
+
+bool Listings::in_namespace(const std::string& address) const {
+    const auto thing = things_.find(address);
+    if (thing == things_.end()) return false;
+    const std::string& owner = thing->second.owner;
+    const std::size_t last = owner.rfind("::");
+    return std::islower(static_cast<unsigned char>(owner[last == std::string::npos ? 0 : last + 2])) != 0;
 }
 
 }  // namespace page

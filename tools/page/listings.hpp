@@ -18,6 +18,10 @@ public:
     /// what it includes, and declares nothing else by it. What would be shown beside the other links goes, too.
     std::string meant(std::string html) const;
 
+    /// The page, in which code that quotes no file (a task's signature, a whole program) links types and headers only:
+    /// of whose `step` it speaks nobody can tell.
+    static std::string types_alone(std::string html);
+
 private:
     struct Thing {
         std::string name, owner;  ///< a class or namespace owns it
@@ -25,6 +29,7 @@ private:
     void read_tags(const std::filesystem::path& tags);
     void read_sources(const std::filesystem::path& site);
     std::set<std::string> seen_from(const std::string& file) const;
+    bool in_namespace(const std::string& address) const;  ///< is it no member?
     bool means(const std::string& file, const std::set<std::string>& seen, const std::string& address) const;
 
     // A file is named by its page: "run_8hpp".

@@ -43,13 +43,15 @@ bool is_unit(const std::string& unit, const std::string& before) {
     return unit.find('/') != std::string::npos || before == "in" || before == "kg" || before == "N" || before == "per" || (!before.empty() && digit(before.back()));
 }
 
+bool is_function(const std::string& text) { return text == "sin" || text == "cos" || text == "exp" || text == "sqrt"; }
+
 Token token_of(const std::string& word, const Token& before, const Names& names) {
     Token token;
     const std::size_t end = word.find_last_not_of(".,;:?!") + 1;
     token.text = word.substr(0, end), token.behind = word.substr(end);
     const std::string& text = token.text;
     static const std::array<std::string_view, 8> signs{"+", "-", "\u2212", "*", "/", "=", "<", ">"};
-    if (std::find(signs.begin(), signs.end(), text) != signs.end() || (text == "x" && before.kind == Token::named && before.behind.empty())) {
+    if (std::find(signs.begin(), signs.end(), text) != signs.end() || (text == "x" && before.kind == Token::named && before.behind.empty() && !is_function(before.text))) {
         token.kind = Token::sign;
         return token;
     }
@@ -84,10 +86,11 @@ int depth_of(const std::string& text) {
 /// `h` is a formula, `state` a word.
 bool is_word(const std::string& text) {
     static const std::array<std::string_view, 7> greek{"omega", "theta", "gamma", "beta", "zeta", "lambda", "alpha"};
-    return std::all_of(text.begin(), text.end(), letter) && (text == "a" || text == "I" || (text.size() > 1 && std::find(greek.begin(), greek.end(), text) == greek.end()));
+    return std::all_of(text.begin(), text.end(), letter) && !is_function(text) && (text == "a" || text == "I" || (text.size() > 1 && std::find(greek.begin(), greek.end(), text) == greek.end()));
 }
 
 bool is_code(const std::string& text) {
+    if (text.find('_') != std::string::npos && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == std::string::npos) return true;  // `most_steps`
     const std::size_t dot = text.find('.');
     return text.find("()") != std::string::npos || text.find(" * ") != std::string::npos || text.find('[') != std::string::npos ||
            (dot != std::string::npos && dot > 0 && letter(text[dot - 1]) && dot + 1 < text.size() && letter(text[dot + 1]));

@@ -125,6 +125,16 @@ void free_capsule(const Settings& settings, lab::Findings& out) {
 void uneven_capsule(const Settings& settings, lab::Findings& out) {
     out.section("A spin about the length");
     const auto pill = capsule(1.0, 0.15, 0.6);
+    // By how much the step for two equal moments turns ω, where the exact motion turns it by θ.
+    const auto turned = [&](double theta) {
+        const V omega = passive_gyroscopic.step(pill, V(1, 0, theta / pill.wobble), 1.0);
+        return std::atan2(omega.y(), omega.x());
+    };
+    bool falls = true;
+    for (const double theta : {3.1, 3.5, 4.0, 6.0, 10.0, 30.0, 100.0})
+        falls = falls && turned(1.01 * theta) < turned(theta) && turned(theta) > 0;
+    out.number("symmetric_turn_2", 100 * (1 - turned(2) / 2), "%", "by which passive turns ω too little, two equal moments, at two radians", 2);
+    out.check("symmetric_turn_falls", falls, "with two equal moments passive turns ω less, the faster the body spins, from three radians a step on");
     const auto start = spinning(0.5, 0, 20);
     const double h = settings.step, seconds = 10;
     out.text("uneven_start", "(0.5, 0, 20) rad/s", "spin at the start, the last along the length");

@@ -38,7 +38,7 @@ set ylabel "off by at most (°)"
 set xrange [2:200]
 set xtics (2.5,5,10,20,45,90,180)
 set key outside bottom center vertical reverse Left
-plot "between.tsv" using 1:3 with linespoints @second pt 7 ps 0.6 title "slerp, half-way, a tumbling box", \
+plot "between.tsv" using 1:3 with linespoints @second pt 7 ps 0.6 title "slerp, a tumbling box", \
      "" using 1:2 with linespoints @first pt 7 ps 0.6 title "nlerp, a constant spin"
 set xtics autofreq
 unset logscale

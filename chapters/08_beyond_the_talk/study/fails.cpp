@@ -274,8 +274,8 @@ void fails(const Settings& settings, lab::Findings& out) {
               "and not within ten minutes by the calm half-step");
     const double plate_2 = plate_turns_over(remainder_2), plate_4 = plate_turns_over(remainder_4);
     out.number("plate_2", plate_2, "",
-               "h|omega| at which a plate turns over by ball and remainder 2", 2);
-    out.number("plate_4", plate_4, "", "the same by ball and remainder 4", 2);
+               "h|omega| at which a plate turns over by ball and remainder 2", 3);
+    out.number("plate_4", plate_4, "", "the same by ball and remainder 4", 3);
     out.check("plate", plate_2 > 2 && plate_2 < 2.5 && plate_4 > 2 * plate_2 && plate_4 < 10,
               "a plate spun about its short axis turns over by ball and remainder 2 from h|ω| "
               "between 2 and 2.5 on, by ball and remainder 4 later");

@@ -199,6 +199,18 @@ TEST_CASE("link_sources leaves of what Doxygen guessed in listings what can mean
     CHECK(made_of(link("l.html#p", "step"), tip("l.html#p")) == page("step") + "</figure>");  // there are two
     CHECK(made_of(link("l.html#r", "rate"), tip("l.html#r")) == page("rate") + "</figure>");  // it has one of its own
     CHECK(made_of(link("b_8hpp.html", "b.hpp"), "") == page(link("b_8hpp.html", "b.hpp")) + "</figure>");
+    CHECK(made_of("x." + link("l.html#s", "solve"), "") == page("x.solve") + "</figure>");  // somebody else's member
+    // Code that is no piece of a file: nobody can tell whose `step` it is.
+    const std::string type = "<a class=\"code hl_struct\" href=\"s.html\">S</a>";
+    const auto fragment = [](const std::string& code) { return "<div class=\"fragment\">" + code + "</div><!-- fragment -->"; };
+    const auto whole = [&](const std::string& where, const std::string& code) {
+        course.write("site/" + where, fragment(code));
+        REQUIRE(run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string()).status == 0);
+        return course.read("site/" + where);
+    };
+    const std::string guessed = type + link("l.html#p", "step") + "\n" + tip("l.html#p") + tip("s.html");
+    CHECK(whole("task.html", guessed) == fragment(type + "step\n" + tip("s.html")));
+    CHECK(whole("group__1.html", guessed) == fragment(guessed));
 }
 
 TEST_CASE("link_sources tells those who hear a page read which part is what") {

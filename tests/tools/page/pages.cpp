@@ -462,6 +462,8 @@ TEST_CASE("a formula in a sentence of a task is set, and what is none is not") {
     const auto set = [&](const std::string& sentence) { return page::with_formulas(sentence, names); };
     CHECK(set("only omega h decides.") == "only \\f$\\omega\\,h\\f$ decides.");
     CHECK(set("It is -omega² (x - share), or not.") == "It is \\f$-\\omega^2\\,(x-\\mathit{share})\\f$, or not.");
+    CHECK(page::with_formulas("No more than most_steps, by -g sin x, gravity.", {"most_steps", "g", "x"}) ==
+          "No more than `most_steps`, by \\f$-g\\,\\sin\\,x\\f$, gravity.");
     CHECK(set("with share = (3, 0, v1), h = 0.5") == "with \\f$\\mathit{share}=(3,0,v_{1})\\f$, \\f$h=0.5\\f$");
     CHECK(set("s.x, in m, of s.t") == "`s.x`, in m, of `s.t`");
     CHECK(set("q * v turns v") == "`q * v` turns \\f$v\\f$");
