@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -30,6 +31,9 @@ std::string formatted(double value, int digits) {
         std::snprintf(text, sizeof text, "%.0f", value);
     else
         std::snprintf(text, sizeof text, "%.*g", digits, value);
+    // 360, and not 3.6e+02.
+    if (std::fabs(value) < 1e5 && std::string(text).find("e+") != std::string::npos)
+        std::snprintf(text, sizeof text, "%.0f", std::strtod(text, nullptr));
     return text;
 }
 

@@ -8,7 +8,7 @@
 //
 //   whole      what one step of h gives
 //   halves     what two steps of h/2 give; both in any unit, of any size, or not finite
-//   h          length of the whole step, s (1e-9 to 1e6)
+//   h          length of the whole step, in s (1e-9 to 1e6)
 //   tolerance  how far off the two halves may be together, in the unit of the results (1e-12 to
 //              1e6)
 //   order      of the method (1 to 8)

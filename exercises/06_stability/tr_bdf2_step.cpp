@@ -14,7 +14,7 @@
 //   s        the turret now: time s.t in s, s.x in m from where the spring is relaxed, s.v in m/s
 //   omega    angular frequency of the spring, rad/s (zero, or 1e-3 to 1e6)
 //   zeta     damping ratio, no unit (zero or more)
-//   h        length of the step, s (zero or more; omega h and zeta omega h are at most 1e6)
+//   h        length of the step, in s (zero or more; omega h and zeta omega h are at most 1e6)
 //   returns  the state a time h later, with all its digits: rounded weights will not do
 //
 // Example: tr_bdf2_step({0, 1, 0}, 10, 0.25, 0.1) is {0.1, 0.63761, -6.6344}. Exact are 0.60705

@@ -163,20 +163,18 @@ void many_springs(lab::Findings& out) {
                 lanes_ns);
     std::printf("    and %.3f in lanes with %ld steps a pass\n", several_ns, several);
     out.number("many_lanes", double(lanes), "", "numbers of type float in a pack");
-    out.number("many_steps", double(several), "", "steps a pass over memory, where it is several");
-    out.number("many_springs_ratio", alone_ns / several_ns, "",
-               "a million springs: several steps a pass, times as fast as one by one", 2);
     out.number("many_springs_lanes", alone_ns / lanes_ns, "",
                "a million springs: in lanes, times as fast as one by one", 2);
     const double memory = several_ns / many_steps_ns, memory_once = lanes_ns / one_pass_ns;
+    const std::string pass = "With " + std::to_string(several) + " steps a pass over the memory ";
+    const std::string felt =
+        memory < 1.5 && memory_once > 2 * memory
+            ? "a spring among a million costs about what one among a thousand does, so the memory is hardly felt"
+            : "a step of one among a million took " + times(memory) + " as long as of one among a thousand, and " +
+                  times(memory_once) + " with a single step a pass";
     out.text("many_memory",
-             several_ns > lanes_ns
-                 ? "Something disturbed this run: its times at a million tell nothing of the memory"
-             : memory < 1.5 && memory_once > 2 * memory
-                 ? "With so many steps a pass a spring among a million costs about what one among a thousand does: "
-                   "the memory is hardly felt"
-                 : "In this run a step of one among a million took " + times(memory) + " as long as of one among a thousand, and " +
-                       times(memory_once) + " with a single step a pass",
+             several_ns > lanes_ns ? pass + "something disturbed this run, and its times tell nothing"
+                                   : pass + "they are " + times(alone_ns / several_ns) + " as fast as one by one: " + felt,
              "what the memory costs, in this run");
     out.number("many_springs_passes", lanes_ns / several_ns, "",
                "a million springs: several steps a pass, times as fast as one", 2);
