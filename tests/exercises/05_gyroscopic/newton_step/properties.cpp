@@ -154,6 +154,17 @@ PROPERTY("it is right for any body, tiny or huge, any two spins or none, and any
     }
 }
 
+PROPERTY("from rest it goes to where the tangent is zero, too") {
+    Draw draw;
+    for (int i = 0; i < 30; ++i) {
+        Solved p = draw_solved(draw);
+        p.omega1 = Vector3d(0, 0, 0);
+        const Vector3d guess = draw.real(0.2, 0.5) / p.h * draw_direction(draw), better = p.improved(guess), d = better - guess;
+        const Vector3d rise = (p.residual(guess + d) - p.residual(guess - d)) / 2;
+        REQUIRE(close(p.residual(guess) + rise, Vector3d(0, 0, 0), 0, 4 * near_enough * p.inertia.norm() * guess.norm()));
+    }
+}
+
 // Whoever finds the slope by wide differences, one rad/s or more to either side, needs no slower spins.
 PROPERTY("no moment is too small or too large for it, no spin too fast, and no step too short or too long") {
     Draw draw;

@@ -159,6 +159,18 @@ PROPERTY("it is right wherever the task allows: slow and fast rates, steps of an
     REQUIRE(all);
 }
 
+// Whoever multiplies the squares out takes 1 from nearly 1 here.
+PROPERTY("where a step all but kills the motion, what is left has all its digits") {
+    Draw draw;
+    bool all = true;
+    for (int i = 0; i < 60; ++i) {
+        const double theta = draw.real(0, 0.9), h = draw_step(draw), left = draw.log(1e-5, 1e-2);
+        const Complex z = (std::polar(left, draw.real(-4, 4)) - 1.0) / (1 - theta);
+        all &= close(size(z, theta, h) * std::abs(1.0 - theta * z), left, 1e-9);
+    }
+    REQUIRE(all);
+}
+
 PROPERTY("no rate and no step is too small or too large for it, anywhere on the slider") {
     Draw draw;
     bool all = true;
