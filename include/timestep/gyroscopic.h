@@ -40,8 +40,8 @@
 /// an engine that has it on keeps the calls in a file of its own that is compiled with -fno-fast-math.
 ///
 /// Bit for bit, where neither contracts a product and a sum to one operation, and up to the bounds above, these are the
-/// steps of the library's PassiveGyroscopic, HalfStepJacobian, CalmHalfStep, SymmetricRemainder2 and 4; there stands where
-/// they come from. Two equal moments turn as they do there with SymmetricInertia, by each of the first three.
+/// steps of the library's PassiveGyroscopic, HalfStepJacobian, CalmHalfStep, SymmetricRemainder2 and 4 (the last two with
+/// `omega` in the body's axes); there stands where they come from. Two equal moments turn as they do there with SymmetricInertia, by each of the first three.
 
 // /fp:fast is Microsoft's word for it.
 #if (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(_M_FP_FAST)
@@ -110,8 +110,8 @@ static inline void gyroscopic_calm_half_step_in_world(const gyroscopic_body* bod
 static inline void gyroscopic_ball_and_remainder_2(const gyroscopic_body* body, double q[4], double omega[3], double h);
 /// The same in thirteen parts (Blanes and Moan 2002, S6). Order four.
 static inline void gyroscopic_ball_and_remainder_4(const gyroscopic_body* body, double q[4], double omega[3], double h);
-/// gyroscopic_ball_and_remainder_2() with `omega` in the world's axes. It goes through `q` and back, and takes its
-/// roundoff along.
+/// gyroscopic_ball_and_remainder_2() with `omega` in the world's axes. All of it goes through `q` and back, in `double`, and
+/// comes back rounded.
 static inline void gyroscopic_ball_and_remainder_2_in_world(const gyroscopic_body* body, double q[4], double omega[3],
                                                             double h);
 /// gyroscopic_ball_and_remainder_4() in the same way.
@@ -163,6 +163,13 @@ static inline float gyroscopic_half_step_limitf(const gyroscopic_bodyf* body, co
 #define TIMESTEP_C_ALONE(number) __asm__("" : "+x"(number))
 #else
 #define TIMESTEP_C_ALONE(number) (void)0
+#endif
+
+// C++ has warnings for a cast of C's.
+#if defined(__cplusplus)
+#define TIMESTEP_C_AS(type, x) static_cast<type>(x)
+#else
+#define TIMESTEP_C_AS(type, x) ((type)(x))
 #endif
 
 // Neither zero nor no number?
