@@ -29,7 +29,7 @@
 /// - A moment that is zero, negative or infinite, and an inverse moment of zero, is an axis that is locked; so is one
 ///   that is subnormal, below 1e-38 in `float`. ω about it is zero, or another part of the engine holds it; either way
 ///   there is no gyroscopic torque, and ω stays as it is. A
-///   moment below 1e-12 of the largest is taken for that. Moments that no body has (one larger than the sum of the
+///   moment between that and 1e-12 of the largest is raised to 1e-12 of it. Moments that no body has (one larger than the sum of the
 ///   others) are taken as they are.
 /// - h = 0 and ω = 0 change nothing. Nor does a spin about a principal axis, and no bit of it.
 /// - Where the numbers of a step would overflow, h|ω| beyond a million or two is taken for two millions (sooner for
