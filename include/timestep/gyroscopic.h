@@ -31,7 +31,8 @@
 ///   there is no gyroscopic torque, and ω stays as it is. A
 ///   moment between that and 1e-12 of the largest is raised to 1e-12 of it. Moments that no body has (one larger than the sum of the
 ///   others) are taken as they are.
-/// - h = 0 and ω = 0 change nothing. Nor does a spin about a principal axis, and no bit of it.
+/// - h = 0 and ω = 0 change nothing. Nor does a spin about a principal axis, and no bit of it, but that −0 may become 0.
+/// - ω with a number that is none, or that is infinite, comes back as it was, and so does `q`.
 /// - Where the numbers of a step would overflow, h|ω| beyond a million or two is taken for two millions (sooner for
 ///   moments that no body has; the half step, which means nothing there, may leave ω as it is). Where that is not enough,
 ///   as ω's numbers come to more than 1e25 in `float`, 1e250 in `double`, nothing is done.

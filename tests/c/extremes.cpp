@@ -194,6 +194,37 @@ TEMPLATE_TEST_CASE("in C nothing changes for h = 0, for omega = 0, and about a p
     CHECK(!of<TestType>().idle(&pill, Vec(1, 1, 0).eval().data()));
 }
 
+TEMPLATE_TEST_CASE("in C a spin that is no number or infinite comes back as it was", "[c]", float, double) {
+    using Vec = Vector3<TestType>;
+    const Quaternion<TestType> q = Quaternion<TestType>(1, 2, 3, 4).normalized();
+    const auto stays = [&](const auto& step, const Vec& w) {
+        Vec after = w;
+        Quaternion<TestType> turned = q;
+        step(turned.coeffs().data(), after.data());
+        CHECK(turned.coeffs() == q.coeffs());
+        for (int i = 0; i < 3; ++i) CHECK((after[i] == w[i] || (std::isnan(after[i]) && std::isnan(w[i]))));
+    };
+    for (const TestType none : {std::numeric_limits<TestType>::quiet_NaN(), std::numeric_limits<TestType>::infinity(), -std::numeric_limits<TestType>::infinity()})
+        for (const auto& body : {of<TestType>().from_moments(13, 10, 5), of<TestType>().from_moments(1, 1, TestType(0.3)), of<TestType>().from_moments(1, TestType(0.3), 1),
+                                 of<TestType>().from_moments(TestType(0.3), 1, 1), of<TestType>().from_moments(3, 3, 3), of<TestType>().from_moments(0, 1, 2)})
+            for (int axis = 0; axis < 3; ++axis)
+                for (const Vec& others : {Vec(1, 2, 3), Vec(0, 0, 0)}) {
+                    Vec w = others;
+                    w[axis] = none;
+                    CAPTURE(none, body.kind, body.odd, w);
+                    for (const TestType h : {TestType(1) / 60, TestType(-1), TestType(1e7)}) {
+                        for (int i = 0; i < 3; ++i) {
+                            stays([&](auto*, auto* omega) { of<TestType>().rule[i](&body, omega, h); }, w);
+                            stays([&](auto* orientation, auto* omega) { of<TestType>().rule_in_world[i](&body, orientation, omega, h); }, w);
+                        }
+                        for (int i = 0; i < 2; ++i) {
+                            stays([&](auto* orientation, auto* omega) { of<TestType>().fly[i](&body, orientation, omega, h); }, w);
+                            stays([&](auto* orientation, auto* omega) { of<TestType>().fly_in_world[i](&body, orientation, omega, h); }, w);
+                        }
+                    }
+                }
+}
+
 // Moments in any unit: scaled by a power of two they are the same body. (The scales are the largest and smallest that
 // leave all of them normal numbers, to 1e-38; a millimetre and a milligram come to 1e-12.)
 TEST_CASE("in C a body of any size is the same body, in float", "[c]") {
