@@ -4,7 +4,7 @@
 /// The gyroscopic torque for an engine of any kind: plain functions for C99 and C++, in `float` and `double`. No Eigen,
 /// no exceptions, no templates; nothing is allocated, nothing is kept, and of the standard library there is <math.h>.
 ///
-///     gyroscopic_bodyf body = gyroscopic_from_inverse_momentsf(4.0f, 1.2f, 0.9f);  // once, when the body is loaded
+///     gyroscopic_bodyf body = gyroscopic_from_inverse_momentsf(4.0f, 1.2f, 1.0f);  // once, when the body is loaded
 ///     gyroscopic_calm_half_step_in_worldf(&body, &q.x, &w.x, h / 2);               // in each step, before the contacts; and after
 ///
 /// Names are those of C's mathematics: `gyroscopic_passive` for `double`, `gyroscopic_passivef` for `float`.
