@@ -24,25 +24,26 @@
 ///     gyroscopic_ball_and_remainder_2 what flies: the engine's own turn of the orientation is left out, too
 ///     gyroscopic_ball_and_remainder_4 the same in long steps
 ///
-/// Finite input never gives what is no number:
+/// Finite input gives finite output:
 ///
 /// - A moment that is zero, negative or infinite, and an inverse moment of zero, is an axis that is locked; so is one
 ///   that is subnormal, below 1e-38 in `float`. ω about it is zero, or another part of the engine holds it; either way
-///   there is no gyroscopic torque, and ω stays as it is. A
-///   moment between that and 1e-12 of the largest is raised to 1e-12 of it. Moments that no body has (one larger than the sum of the
-///   others) are taken as they are.
+///   there is no gyroscopic torque, and ω stays as it is. A moment between that and 1e-12 of the largest is raised to
+///   1e-12 of it. Moments that no body has (one larger than the sum of the others) are taken as they are.
 /// - h = 0 and ω = 0 change nothing. Nor does a spin about a principal axis, and no bit of it, but that −0 may become 0.
 /// - ω with a number that is none, or that is infinite, comes back as it was, and so does `q`.
 /// - Where the numbers of a step would overflow, h|ω| beyond a million or two is taken for two millions (sooner for
 ///   moments that no body has; the half step, which means nothing there, may leave ω as it is). Where that is not enough,
-///   as ω's numbers come to more than 1e25 in `float`, 1e250 in `double`, nothing is done.
+///   as ω's numbers come to more than 1e25 in `float`, 1e250 in `double`, nothing is done; and so where they overflow on the way
+///   back to the world.
 ///
 /// All that holds for IEEE arithmetic. -ffast-math takes the infinities and what is no number out of it, and is refused:
 /// an engine that has it on keeps the calls in a file of its own that is compiled with -fno-fast-math.
 ///
 /// Bit for bit, where neither contracts a product and a sum to one operation, and up to the bounds above, these are the
 /// steps of the library's PassiveGyroscopic, HalfStepJacobian, CalmHalfStep, SymmetricRemainder2 and 4 (the last two with
-/// `omega` in the body's axes); there stands where they come from. Two equal moments turn as they do there with SymmetricInertia, by each of the first three.
+/// `omega` in the body's axes); there stands where they come from. Two equal moments turn as they do there with
+/// SymmetricInertia, by each of the first three.
 
 // /fp:fast is Microsoft's word for it.
 #if (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(_M_FP_FAST)
@@ -119,7 +120,8 @@ static inline void gyroscopic_ball_and_remainder_2_in_world(const gyroscopic_bod
 static inline void gyroscopic_ball_and_remainder_4_in_world(const gyroscopic_body* body, double q[4], double omega[3],
                                                             double h);
 
-/// How fast can it get, rad/s? The largest |ω| on the way of a body that nothing touches; `omega` in the body's axes.
+/// How fast can it get, rad/s? The largest |ω| on the way of a body that nothing touches, or the largest number if that is
+/// less; `omega` in the body's axes.
 static inline double gyroscopic_fastest(const gyroscopic_body* body, const double omega[3]);
 /// Up to which h, in s, may gyroscopic_half_step() be taken, in equal steps from here? `omega` in the body's axes. The
 /// largest number where any h will do. (The other rules may be taken for any h.)

@@ -142,10 +142,11 @@ TIMESTEP_C_INLINE TIMESTEP_REAL TIMESTEP_NAME(timestep_scaled)(const TIMESTEP_RE
 // then |ω|² + c_r ω_r², with c_r the circling of r.
 static inline TIMESTEP_REAL TIMESTEP_NAME(gyroscopic_fastest)(const TIMESTEP_BODY* body, const TIMESTEP_REAL omega[3]) {
     const int r = body->middle;
-    TIMESTEP_REAL x, y, z, n[3];
+    TIMESTEP_REAL x, y, z, fastest, n[3];
     const TIMESTEP_REAL size = TIMESTEP_NAME(timestep_scaled)(omega, n);
     x = n[0] * n[0], y = n[1] * n[1], z = n[2] * n[2];
-    return size * TIMESTEP_NAME(sqrt)(x + y + z + body->circling[r] * (n[r] * n[r]));
+    fastest = size * TIMESTEP_NAME(sqrt)(x + y + z + body->circling[r] * (n[r] * n[r]));
+    return fastest > TIMESTEP_LARGEST ? TIMESTEP_LARGEST : fastest;
 }
 
 // The half-step Jacobian keeps the energy over Δ, its determinant for the component about the intermediate axis alone:
