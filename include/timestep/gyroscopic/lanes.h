@@ -2,7 +2,9 @@
 /// \file
 /// What stands behind gyroscopic.h in `float`, where the compiler (of GNU's kind) and the processor have vectors of four
 /// lanes: the short way of rules.h with x, y and z side by side. Each number is made of the same numbers in the same
-/// order as there, so it has the same bits. The fourth lane is nobody's.
+/// order as there, so it has the same bits where both ways are enough, as a test finds for h up to a second and h|ω| up to
+/// a million. For the passive step they ask another product whether they are: in longer steps one may be where the other
+/// is not. The fourth lane is nobody's.
 
 /// \cond
 typedef float timestep_lanes __attribute__((vector_size(16)));
