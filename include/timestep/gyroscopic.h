@@ -34,8 +34,8 @@
 /// - ω with a number that is none, or that is infinite, comes back as it was, and so does `q`.
 /// - Where the numbers of a step would overflow, h|ω| beyond a million or two is taken for two millions (sooner for
 ///   moments that no body has; the half step, which means nothing there, may leave ω as it is). Where that is not enough,
-///   as ω's numbers come to more than 1e25 in `float`, 1e250 in `double`, nothing is done; and so where they overflow on the way
-///   back to the world.
+///   as ω's numbers come to more than 1e25 in `float`, 1e250 in `double`, nothing is done; and so where they overflow
+///   on the way back to the world.
 ///
 /// All that holds for IEEE arithmetic. -ffast-math takes the infinities and what is no number out of it, and is refused:
 /// an engine that has it on keeps the calls in a file of its own that is compiled with -fno-fast-math.
