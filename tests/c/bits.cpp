@@ -44,6 +44,10 @@ Vector3<Real> turned_over(const Quaternion<Real>& q, const Vector3<Real>& v) {
 
 }  // namespace
 
+// As the page In your engine says; some processors of 32 bits pack double closer.
+static_assert(sizeof(gyroscopic_bodyf) == 64);
+static_assert(sizeof(gyroscopic_body) == 96 || alignof(double) != 8);
+
 extern "C" const Callsf callsf_one_by_one;  // compiled without the vectors of lanes.h
 
 TEST_CASE("in C three numbers one by one have the bits that they have in a vector", "[c]") {
