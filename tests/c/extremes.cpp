@@ -6,6 +6,7 @@
 #include <cfenv>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "of.hpp"
@@ -92,11 +93,47 @@ TEMPLATE_TEST_CASE("in C finite input gives finite output", "[c]", float, double
                         finite = finite && after.allFinite() && turned.coeffs().allFinite();
                     }
                     finite = finite && of<TestType>().half_step_limit(&body, w.data()) > 0;
-                    finite = finite && !std::isnan(of<TestType>().fastest(&body, w.data()));
+                    finite = finite && std::isfinite(of<TestType>().fastest(&body, w.data()));
                     INFO("w = " << w.transpose() << ", h = " << h);
                     if (!finite) FAIL("not finite");
                 }
     });
+}
+
+// To the world and back numbers grow by √3 at most.
+TEMPLATE_TEST_CASE("in C the rules give finite output near the largest numbers, too, in the body and in the world", "[c]", float, double) {
+    using Vec = Vector3<TestType>;
+    RandomInertia random(9);
+    std::mt19937 numbers(9);
+    std::normal_distribution<double> normal;
+    int changed = 0;
+    for (int n = 0; n < 20000; ++n) {
+        const auto I = random.inertia<TestType>(10);
+        const TestType across = I.moments.x(), along = std::min(I.moments.y(), 2 * across);
+        Vec w = random.direction<TestType>();
+        w = w / w.cwiseAbs().maxCoeff() * std::numeric_limits<TestType>::max();
+        for (int i = 0; i < 3; ++i)
+            if ((n >> i) % 2) w[i] /= 2;
+        if (n % 3 == 0) w[n % 2] = 1;
+        Quaternion<TestType> q(TestType(normal(numbers)), TestType(normal(numbers)), TestType(normal(numbers)), TestType(normal(numbers)));
+        q.normalize();
+        // So short that ω turns by a few radians at most.
+        const TestType h = TestType(normal(numbers)) / std::numeric_limits<TestType>::max();
+        for (const auto& body : {of<TestType>().from_moments(I.moments.x(), I.moments.y(), I.moments.z()), of<TestType>().from_moments(across, across, along),
+                                 of<TestType>().from_moments(across, along, across), of<TestType>().from_moments(along, across, across)}) {
+            CAPTURE(I.moments, w, q.coeffs(), h, body.kind, body.odd);
+            bool finite = std::isfinite(of<TestType>().fastest(&body, w.data()));
+            for (int i = 0; i < 3; ++i) {
+                Vec after = w, world = w;
+                of<TestType>().rule[i](&body, after.data(), h);
+                of<TestType>().rule_in_world[i](&body, q.coeffs().data(), world.data(), h);
+                finite = finite && after.allFinite() && world.allFinite();
+                changed += after != w || world != w;
+            }
+            if (!finite) FAIL("not finite");
+        }
+    }
+    CHECK(changed > 1000);
 }
 
 // Roundoff: a few ε a part of the step, of which there are 32 at most, and each passive step rounds its energy some ten
@@ -192,6 +229,37 @@ TEMPLATE_TEST_CASE("in C nothing changes for h = 0, for omega = 0, and about a p
     stays(pill, Vec(TestType(0.1), 0, TestType(0.7)), 1);  // any axis across
     CHECK(!of<TestType>().idle(&box, Vec(1, 1, 0).eval().data()));
     CHECK(!of<TestType>().idle(&pill, Vec(1, 1, 0).eval().data()));
+}
+
+TEMPLATE_TEST_CASE("in C a spin that is no number or infinite comes back as it was", "[c]", float, double) {
+    using Vec = Vector3<TestType>;
+    const Quaternion<TestType> q = Quaternion<TestType>(1, 2, 3, 4).normalized();
+    const auto stays = [&](const auto& step, const Vec& w) {
+        Vec after = w;
+        Quaternion<TestType> turned = q;
+        step(turned.coeffs().data(), after.data());
+        CHECK(turned.coeffs() == q.coeffs());
+        for (int i = 0; i < 3; ++i) CHECK((after[i] == w[i] || (std::isnan(after[i]) && std::isnan(w[i]))));
+    };
+    for (const TestType none : {std::numeric_limits<TestType>::quiet_NaN(), std::numeric_limits<TestType>::infinity(), -std::numeric_limits<TestType>::infinity()})
+        for (const auto& body : {of<TestType>().from_moments(13, 10, 5), of<TestType>().from_moments(1, 1, TestType(0.3)), of<TestType>().from_moments(1, TestType(0.3), 1),
+                                 of<TestType>().from_moments(TestType(0.3), 1, 1), of<TestType>().from_moments(3, 3, 3), of<TestType>().from_moments(0, 1, 2)})
+            for (int axis = 0; axis < 3; ++axis)
+                for (const Vec& others : {Vec(1, 2, 3), Vec(0, 0, 0)}) {
+                    Vec w = others;
+                    w[axis] = none;
+                    CAPTURE(none, body.kind, body.odd, w);
+                    for (const TestType h : {TestType(1) / 60, TestType(-1), TestType(1e7)}) {
+                        for (int i = 0; i < 3; ++i) {
+                            stays([&](auto*, auto* omega) { of<TestType>().rule[i](&body, omega, h); }, w);
+                            stays([&](auto* orientation, auto* omega) { of<TestType>().rule_in_world[i](&body, orientation, omega, h); }, w);
+                        }
+                        for (int i = 0; i < 2; ++i) {
+                            stays([&](auto* orientation, auto* omega) { of<TestType>().fly[i](&body, orientation, omega, h); }, w);
+                            stays([&](auto* orientation, auto* omega) { of<TestType>().fly_in_world[i](&body, orientation, omega, h); }, w);
+                        }
+                    }
+                }
 }
 
 // Moments in any unit: scaled by a power of two they are the same body. (The scales are the largest and smallest that

@@ -58,7 +58,7 @@ struct HalfStepJacobian {
     /// [principal]
 
     // The equations are x₂ + θ/2 y₂ = x₁ − θ/2 y₁ and y₂ − θ/2 x₂ = y₁ + θ/2 x₁, a turn by 2 atan(θ/2)
-    // where the true motion turns by θ. The passive step's turn is nearer to that.
+    // where the true motion turns by θ. Up to three radians the passive step's turn is nearer to that.
     /// The same where two moments are equal: never singular, energy and momentum stay.
     template <class Real>
     TIMESTEP_INLINE

@@ -2,7 +2,9 @@
 /// \file
 /// What stands behind gyroscopic.h in `float`, where the compiler (of GNU's kind) and the processor have vectors of four
 /// lanes: the short way of rules.h with x, y and z side by side. Each number is made of the same numbers in the same
-/// order as there, so it has the same bits. The fourth lane is nobody's.
+/// order as there, so it has the same bits where both ways are enough, as a test finds for h up to a second and h|ω| up to
+/// a million. For the passive step they ask another product whether they are: in longer steps one may be where the other
+/// is not. The fourth lane is nobody's.
 
 /// \cond
 typedef float timestep_lanes __attribute__((vector_size(16)));
@@ -48,12 +50,11 @@ TIMESTEP_C_INLINE timestep_lanes timestep_half_step_lanes(const gyroscopic_bodyf
                                                                            TIMESTEP_ALL(r, 2) * TIMESTEP_DIAGONAL(f, e, d)));
 }
 
-// timestep_take_shortf() in lanes: was that enough?
-TIMESTEP_C_INLINE int timestep_take_lanes(int rule, const gyroscopic_bodyf* body, timestep_lanes* omega, float h) {
+// timestep_by_rulef() in lanes: was it possible?
+TIMESTEP_C_INLINE int timestep_take_lanes(int rule, const gyroscopic_bodyf* body, timestep_lanes* omega, float h, float* idle) {
     timestep_lanes w = *omega;
-    float idle = 0, sum;
     if (rule == 0)
-        w = timestep_passive_lanes(body, w, h, &idle);
+        w = timestep_passive_lanes(body, w, h, idle);
     else if (rule == 1)
         w = timestep_half_step_lanes(body, w, h);
     else {
@@ -69,14 +70,19 @@ TIMESTEP_C_INLINE int timestep_take_lanes(int rule, const gyroscopic_bodyf* body
         w = w + (E1 - E2) / (E2 + sqrtf(E1 * E2)) * w;  // no number where E2 is zero
     }
     *omega = w;
-    sum = w[0] + w[1] + w[2];
+    return 1;
+}
+// timestep_goodf() in lanes.
+TIMESTEP_C_INLINE int timestep_good_lanes(int rule, timestep_lanes w, float idle) {
+    float sum = w[0] + w[1] + w[2];
     sum -= sum;
     return rule == 0 ? TIMESTEP_C_NOT_ZERO(idle + sum) : sum == sum;  // no number is no greater, and no less
 }
 
 TIMESTEP_C_INLINE int timestep_take_threef(int rule, const gyroscopic_bodyf* body, float omega[3], float h) {
     timestep_lanes w = timestep_of_three(omega);
-    if (!timestep_take_lanes(rule, body, &w, h)) return 0;
+    float idle = 0;
+    if (!timestep_take_lanes(rule, body, &w, h, &idle) || !timestep_good_lanes(rule, w, idle)) return 0;
     omega[0] = w[0], omega[1] = w[1], omega[2] = w[2];
     return 1;
 }
@@ -85,6 +91,7 @@ TIMESTEP_C_INLINE int timestep_take_three_in_worldf(int rule, const gyroscopic_b
                                                     float omega[3], float h) {
     const timestep_lanes one = {1, 1, 1, 1};
     timestep_lanes q, twice, twice_w, product, diagonal, plus, minus, row0, row1, row2, xy, z, w, before, after;
+    float idle = 0;
     q = timestep_of_four(orientation);
     twice = q + q;
     twice_w = twice * TIMESTEP_ALL(q, 3);
@@ -99,12 +106,13 @@ TIMESTEP_C_INLINE int timestep_take_three_in_worldf(int rule, const gyroscopic_b
     w = timestep_of_three(omega);
     before = row0 * TIMESTEP_ALL(w, 0) + row1 * TIMESTEP_ALL(w, 1) + row2 * TIMESTEP_ALL(w, 2);
     after = before;
-    if (!timestep_take_lanes(rule, body, &after, h)) return 0;
+    if (!timestep_take_lanes(rule, body, &after, h, &idle)) return 0;
     after = after - before;
     xy = TIMESTEP_IN_TURNS(row0, row1), z = __builtin_shufflevector(row0, row1, 2, 6, 3, 7);
     w = w + (TIMESTEP_ALL(after, 0) * __builtin_shufflevector(xy, row2, 0, 1, 4, 7) +
              TIMESTEP_ALL(after, 1) * __builtin_shufflevector(xy, row2, 2, 3, 5, 7) +
              TIMESTEP_ALL(after, 2) * __builtin_shufflevector(z, row2, 0, 1, 6, 7));
+    if (!timestep_good_lanes(rule, w, idle)) return 0;
     omega[0] = w[0], omega[1] = w[1], omega[2] = w[2];
     return 1;
 }

@@ -84,20 +84,28 @@ static inline TIMESTEP_REAL TIMESTEP_NAME(timestep_taming)(const TIMESTEP_BODY* 
     return c;
 }
 
-// Two equal moments: a turn about the odd axis k, in three shears (PassiveGyroscopic). Is the result a number? Then no
-// product on its way was none.
-TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_symmetric)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3], TIMESTEP_REAL h,
-                                                       int i, int j, int k) {
+// Two equal moments: a turn about the odd axis k, in three shears (PassiveGyroscopic).
+TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_shears)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3], TIMESTEP_REAL h,
+                                                     int i, int j, int k) {
     const TIMESTEP_REAL u = h / 2 * body->ratio[i] * w[k];
     const TIMESTEP_REAL p = u * u / 3;
     const TIMESTEP_REAL t = u / (1 - p + p * p);
     const TIMESTEP_REAL s = 2 * t / (1 + t * t);
     const TIMESTEP_REAL x = w[i] - t * w[j];
     const TIMESTEP_REAL y = w[j] + s * x;
-    const TIMESTEP_REAL turned = x - t * y, zero = turned - turned;
-    if (zero != zero) return 0;
-    w[i] = turned;
+    w[i] = x - t * y;
     w[j] = y;
+}
+// Is the result a number? Then no product on its way was none.
+TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_symmetric)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3], TIMESTEP_REAL h,
+                                                       int i, int j, int k) {
+    TIMESTEP_REAL after[3], zero;
+    after[0] = w[0], after[1] = w[1], after[2] = w[2];
+    TIMESTEP_NAME(timestep_shears)(body, after, h, i, j, k);
+    zero = after[i] - after[i];
+    if (zero != zero) return 0;
+    w[i] = after[i];
+    w[j] = after[j];
     return 1;
 }
 TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_turn_about_odd)(const TIMESTEP_BODY* body, TIMESTEP_REAL w[3],
@@ -254,11 +262,11 @@ TIMESTEP_C_APART void TIMESTEP_NAME(timestep_take_odd)(const TIMESTEP_BODY* body
 TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_symmetric_in_world)(const TIMESTEP_BODY* body, const TIMESTEP_REAL q[4],
                                                                 TIMESTEP_REAL omega[3], TIMESTEP_REAL h, int i, int j,
                                                                 int k) {
-    TIMESTEP_REAL R[3][3], before[3], w[3], x, y, X, Y, Z;
+    TIMESTEP_REAL R[3][3], before[3], w[3], x, y, X, Y, Z, sum;
     TIMESTEP_NAME(timestep_matrix)(q, R);
     TIMESTEP_NAME(timestep_in_body)(R, omega, before);
     w[0] = before[0], w[1] = before[1], w[2] = before[2];
-    if (!TIMESTEP_NAME(timestep_symmetric)(body, w, h, i, j, k)) return 0;
+    TIMESTEP_NAME(timestep_shears)(body, w, h, i, j, k);
     x = w[i] - before[i], y = w[j] - before[j];
     X = omega[0] + (R[0][i] * x + R[0][j] * y);
     Y = omega[1] + (R[1][i] * x + R[1][j] * y);
@@ -266,6 +274,9 @@ TIMESTEP_C_INLINE int TIMESTEP_NAME(timestep_symmetric_in_world)(const TIMESTEP_
     TIMESTEP_C_ALONE(X);
     TIMESTEP_C_ALONE(Y);
     TIMESTEP_C_ALONE(Z);
+    sum = X + Y + Z;
+    sum -= sum;
+    if (sum != sum) return 0;
     omega[0] = X, omega[1] = Y, omega[2] = Z;
     return 1;
 }

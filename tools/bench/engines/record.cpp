@@ -363,13 +363,13 @@ void record(const fs::path& folder, const Numbers& numbers) {
                                 {"energy after 10 s", "chain", "ten capsules", "energy left", 2},
                                 {"widest gap, m", "chain", "ten capsules", "widest gap, m", 3}}));
     write(folder / "cost.tsv", of.table(main_rules, {{"ns a body", "cost", "512 boxes", "ns", 0},
-                                                     {"over as it is", "cost", "512 boxes", "of the first", 1}}));
+                                                     {"over the first row", "cost", "512 boxes", "of the first", 1}}));
     write(folder / "others.tsv", of.table(in_halves, {{"box, 30 rad/s: energy", "alone", "box 1 x 2 x 3, 30 rad/s", "energy left", 3},
                                                {"right for, s", "alone", "box 1 x 2 x 3, 30 rad/s", "right for, s", 1},
                                                {"top, 20 rad/s: off by, %", "top", "20 rad/s", "off, %", 0},
                                                {"capsules: restless", "throws", "capsule, 30 rad/s", "restless, of a hundred", 0},
                                                {"most energy", "throws", "capsule, 30 rad/s", "most energy", 2},
-                                               {"over as it is", "cost", "512 boxes", "of the first", 1}}));
+                                               {"time, over the first row above", "cost", "512 boxes", "of the first", 1}}));
 }
 
 }  // namespace engines
