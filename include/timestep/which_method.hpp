@@ -102,10 +102,14 @@ inline const std::vector<Choice>& choices() {
          "ch6_extremes", ""},
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
+        {"callback_symmetric", "a body with two equal moments, a capsule, a wheel, that touches others, and all you can do is change ω before the engine's step",
+         "the engine's own damped rule, **one Newton step**: leave it on",
+         "it damps a wobble. Passive takes nothing of such a body, and the engine's contacts may add energy when ω is changed just before "
+         "them: by passive a thrown capsule got to more than twice its energy in Bullet. (By passive's formula for three moments none gained a percent, "
+         "but spins fade too soon.) The page In your engine has the numbers", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy and takes a little. (The engine's contacts may add energy when ω is changed just before them. "
-         "The step's loss covers that, but not for two equal moments, of which it takes nothing.) "
-         "The price: spins fade too soon", "ch8_contacts", "passive"},
+         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy and takes a little, which covers what "
+         "the engine's contacts may add when ω is changed just before them. The price: spins fade too soon", "ch8_contacts", "passive"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments**, "
          "`SymmetricInertia` by passive or by the calm half-step, between the contacts and the turn; on a joint half of it before the joints, half after",
          "it only turns ω about the axis of the odd moment, which keeps "
@@ -181,7 +185,7 @@ inline const Choice& choose(const BodyQuestion& body) {
     if (least > middle) std::swap(least, middle);
     if (least == most) return choice("ball");
     const bool two_equal = least == middle || middle == most;
-    if (body.contacts && body.callback) return choice("callback");
+    if (body.contacts && body.callback) return choice(two_equal ? "callback_symmetric" : "callback");
     if (body.contacts && two_equal) return choice("symmetric");
     if (body.contacts) return choice("contacts");
     if (two_equal) return choice("symmetric_free");

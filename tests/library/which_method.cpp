@@ -36,7 +36,6 @@ TEST_CASE("every answer has a name of its own, and takes a method that there is"
     }
     for (const char* touches : {"contacts", "symmetric"})
         CHECK(choice(touches).take.find("on a joint half of it before the joints, half after") != std::string::npos);
-    CHECK(choice("callback").why.find("but not for two equal moments") != std::string::npos);
     CHECK_THROWS_AS(choice("nothing"), std::invalid_argument);
 }
 
@@ -128,7 +127,8 @@ TEST_CASE("a body is led to its answer, in whatever order its moments stand", "[
     CHECK(choose(BodyQuestion{.moments = {1, 0.18, 1}, .turn = 9}).name == "symmetric_free");
     CHECK(choose(BodyQuestion{.moments = {1.9, 1, 1}, .turn = 1, .contacts = true}).name == "symmetric");
     CHECK(choose(BodyQuestion{.moments = {1.9, 1, 1.02}, .turn = 1, .contacts = true}).name == "contacts");  // it tumbles
-    CHECK(choose(BodyQuestion{.moments = {1.9, 1, 1}, .turn = 1, .contacts = true, .callback = true}).name == "callback");
+    CHECK(choose(BodyQuestion{.moments = {1.9, 1, 1}, .turn = 1, .contacts = true, .callback = true}).name == "callback_symmetric");
+    CHECK(choose(BodyQuestion{.moments = {1.9, 1, 1.02}, .turn = 1, .contacts = true, .callback = true}).name == "callback");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.1, .contacts = true}).name == "contacts");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.25}).name == "free");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.26}).name == "free_fast");

@@ -95,10 +95,27 @@ test_the_line_of_the_list_that_is_recommended() {
     asks contacts $box --contacts
     asks callback $box --contacts --callback
     asks callback $plank --contacts --callback
+    asks callback_symmetric --inertia 1,1,0.3 --spin 0,0,20 --contacts --callback
     asks many $box --count 1000
     asks free $box --count 999
     asks free_uneven $box --frames 0.01,0.02
     asks ball --inertia 1,1,1 --spin 1,2,3 --contacts
+}
+
+# Of two equal moments the library's passive takes nothing: no callback's answer, and a row of its own.
+test_two_equal_moments() {
+    wheel='--inertia 1,1,0.3 --spin 0,0,20'
+    expect 0 course advise $wheel --contacts --callback
+    tail -n 1 out >last
+    says last 'the engine'"'"'s own damped rule, one Newton step: leave it on'
+    says last 'Passive takes nothing of such a body'
+    is "$(grep -c '^passive  ' out)" 0
+    is "$(grep -c '^passive, three moments  *× 0.646 .* lost$' out)" 1
+    is "$(grep -c '^passive, two equal moments  *× 1  *× 1  *100 %' out)" 1
+    expect 0 course advise $wheel --contacts --json
+    is "$(sed -n '/"recommended"/,$p' out | grep -c '"energy": 0.99999\|"energy": 1.0')" 1
+    expect 0 course advise $box
+    is "$(grep -c '^passive  ' out)" 2
 }
 
 test_people_are_told_one_line_to_take_and_last() {

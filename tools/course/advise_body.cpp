@@ -134,6 +134,13 @@ void print_recommendation(const Answer& answer) {
                  chapter(choice).c_str());
 }
 
+// The library's passive takes a body with two equal moments for what it is; that of any three moments does not.
+bool is_symmetric(const Answer& answer) { return answer.closest.apart == 0 && answer.take.choice.name != "ball"; }
+std::string name_of(const BodyAdvice& advice, const Answer& answer) {
+    const bool passive = advice.method == timestep::passive_gyroscopic.name;
+    return advice.method + (passive && is_symmetric(answer) ? ", three moments" : "");
+}
+
 void print(const Answer& answer) {
     const double h = answer.step;
     std::printf("|ω| = %s rad/s, h = %s s%s: h|ω| = %s. Can a solver add energy, in any direction of the spin?\n\n",
@@ -142,7 +149,7 @@ void print(const Answer& answer) {
     std::printf("%s%s%s%s%s\n", padded("method", 26).c_str(), padded("adds energy?", 26).c_str(),
                 padded("longest step", 17).c_str(), padded("a step costs", 19).c_str(), "cost/s");
     for (const auto& advice : answer.all)
-        std::printf("%s%s%s%s%s\n", padded(advice.method, 26).c_str(), padded(verdict_in_words(advice), 26).c_str(),
+        std::printf("%s%s%s%s%s\n", padded(name_of(advice, answer), 26).c_str(), padded(verdict_in_words(advice), 26).c_str(),
                     padded(longest_in_words(advice.longest_step), 17).c_str(),
                     padded(price_in_words(advice.price), 19).c_str(), often(advice.price.all() / h).c_str());
     std::printf("\nYour throw%s, left alone for %s s:\n\n",
@@ -152,15 +159,16 @@ void print(const Answer& answer) {
                 padded("at most", 14).c_str(), padded("spin left", 12).c_str(), "orientation off in 2 s");
     std::printf("%s%s%s%s%s\n", padded("the true motion", 34).c_str(), padded("× 1", 14).c_str(),
                 padded("× 1", 14).c_str(), padded(number(100 * answer.truth.spin_left, "%.3g") + " %", 12).c_str(), "0");
-    for (const auto& advice : answer.all) print(advice.method, advice.thrown);
+    for (const auto& advice : answer.all) print(name_of(advice, answer), advice.thrown);
     const auto& take = answer.take;
     if (take.choice.name == "ball") print("dropped, turned by h|ω|", answer.taken);
     if (answer.all_but_equal) print("declared equal", answer.declared);
+    if (is_symmetric(answer)) print("passive, two equal moments", answer.declared);
     if (take.substeps > 1 && answer.taken.seconds > answer.seconds / 2)  // more steps than that nobody waits for
         print(take.choice.method + ", " + std::to_string(take.substeps) + " substeps", answer.taken);
     std::printf("\nWhy:\n");
     for (const auto& advice : answer.all)
-        std::printf("  %s%s\n", padded(advice.method, 26).c_str(), advice.reason.c_str());
+        std::printf("  %s%s\n", padded(name_of(advice, answer), 26).c_str(), advice.reason.c_str());
     std::printf("\nOne step can: so much the worst one found adds. Longest step: up to it the verdict is no worse.\n"
                 "Spin left: about the axis of the body it was thrown about. Off: 1 %% is 0.01 rad; lost: more than 0.5.\n");
     print_recommendation(answer);

@@ -56,8 +56,9 @@ BodyAnswer answer_body(const Question& question) {
         if (advice.method == answer.take.choice.method && n <= 1) answer.taken = advice.thrown;
     // Of a ball that is one turn by h|ω|, where Tumble's falls short of it.
     if (answer.take.choice.name == "ball") run(timestep::symmetric_remainder_2);
-    if (answer.all_but_equal)
+    if (answer.closest.near())
         answer.declared = timestep::throw_body(timestep::DeclaredEqual(inertia), inertia, thrown, frames);
+    if (answer.take.choice.name == "symmetric") answer.taken = answer.declared;
     return answer;
 }
 

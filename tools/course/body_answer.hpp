@@ -20,7 +20,7 @@ struct BodyAnswer {
     timestep::Thrown truth;
     timestep::ClosestMoments closest;
     bool all_but_equal;  // two different moments so close that the difference is a nuisance
-    timestep::Thrown declared;  // the throw if they were declared equal
+    timestep::Thrown declared;  // the throw if they were declared equal, or are
     double half_gone;    // see half_gone_by_passive()
     timestep::BodyRecommendation take;
     timestep::Thrown taken;  // the throw by what is recommended
