@@ -236,17 +236,22 @@ struct BodyRecommendation {
     long long substeps = 1;  ///< in so many of them a frame
 };
 
-/// The way down the tree for this body.
+/// The way down the tree for this body. Throws `std::invalid_argument` where the spin is no number above zero, or so fast that
+/// 1e9 substeps of what is fair to a free body would not do: nobody waits for them.
 inline BodyRecommendation recommend(const PrincipalInertia<double>& inertia, double spin, const Frames& frames,
                                     bool contacts = false, long count = 1, bool callback = false) {
     const Vector3<double>& I = inertia.moments;
     const double turn = frames.longest() * spin;
     BodyRecommendation found{choose(BodyQuestion{{I.x(), I.y(), I.z()}, turn, contacts, count, frames.even(), callback}), 1};
+    detail::check_spin(spin, frames.longest());
+    const double most = frames.even() ? fair_turn : fair_uneven_turn;
+    if (turn > 1e9 * most)
+        refuse("spin", spin, ("so slow that a step turns the body by at most " + detail::number(1e9 * most) + " rad, 1e9 substeps of " + detail::number(most)).c_str());
     const double fair = found.choice.name == "free_fast"     ? fair_turn
                         : found.choice.name == "free_uneven" ? fair_uneven_turn
                                                              : turn;
     // 15 rad/s at 60 Hz is a quarter, whatever its last digit.
-    found.substeps = std::llround(std::clamp(std::ceil(turn / fair * (1 - 1e-12)), 1.0, 1e18));
+    found.substeps = std::llround(std::max(std::ceil(turn / fair * (1 - 1e-12)), 1.0));
     return found;
 }
 

@@ -1,5 +1,6 @@
 // N51, I13: the advice on which solver to take for a spinning body, against the solvers' own steps.
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers.hpp>
 
 #include <cmath>
 
@@ -183,7 +184,10 @@ TEST_CASE("a body is sent down the tree to a line of the list", "[library][I13]"
     CHECK(substeps(100, at_60_hz) == 7);
     CHECK(substeps(10, uneven) == 2);
     CHECK(substeps(1e-3, uneven) == 1);
-    CHECK(recommend(box, 1e40, at_60_hz).substeps == 1'000'000'000'000'000'000);
+    CHECK(substeps(1.4999e10, at_60_hz) == 999'933'334);
+    CHECK_THROWS_WITH(recommend(box, 1e40, at_60_hz),
+                      "spin = 1e+40: must be so slow that a step turns the body by at most 2.5e+08 rad, 1e9 substeps of 0.25");
+    CHECK_THROWS_AS(recommend(box, 1e10, Frames(0.01, 0.02)), std::invalid_argument);  // 1e9 of 1/12
 }
 
 // Over throws in any direction and near the middle axis, where errors grow fastest.

@@ -21,6 +21,12 @@ test_bad_input_is_refused_by_its_name_and_rule() {
     refuses 'zeta = -1: must be finite and zero or more' --omega 3 --zeta -1
     refuses 'step = 0: must be finite and greater than zero' --omega 3 --step 0
     refuses 'rate = inf: ' --omega 3 --rate inf
+    refuses "--omega: '1e400' is beyond what a double can hold, 1.8e308" --omega 1e400
+    refuses "--omega: '-1e400' is beyond what a double can hold, 1.8e308" --omega -1e400
+    refuses "--step: '1e-400' is nearer to zero than a double can be" --omega 3 --step 1e-400
+    refuses "--frames: '1e999' is beyond" --omega 3 --frames 0.01,1e999
+    refuses 'step = 1e+300: must be so short that its square' --omega 10 --step 1e300
+    refuses 'step = 1e+200: must be so short that its square' --omega 10 --frames 1,1e200
     refuses 'step = 1e-300: must be so long that omega times it is 1e-12 or more' --omega 1e-300 --step 1e-300
     refuses 'step times spin = 0: ' --inertia 1,2,3 --spin 1e-300,0,0 --step 1e-300
     refuses 'stiffness = 0: ' --stiffness 0 --mass 1

@@ -23,8 +23,14 @@ verdict() { grep -A1 "\"method\": \"$1\"" out | sed -n 's/.*"verdict": "\(.*\)".
 recommended() { sed -n '/"recommended"/,$s/.*"name": "\(.*\)".*/\1/p' out; }
 
 test_bad_input_about_a_body_is_refused_by_its_name_and_rule() {
-    refuses 'count = 0: must be 1 or more' $box --count 0
-    refuses '--count = 1.5' $box --count 1.5
+    refuses 'count = 0: must be a whole number from 1 to 1e9' $box --count 0
+    refuses 'count = 1.5: must be a whole number from 1 to 1e9' $box --count 1.5
+    refuses 'count = 1e+20: must be a whole number from 1 to 1e9' $box --count 99999999999999999999
+    for wish in '' --contacts '--frames 0.01,0.02'; do
+        refuses 'spin = 1e+20: must be so slow that a step turns the body by at most' --inertia 1,2,3 --spin 1e20,2,3 $wish
+    done
+    refuses 'spin = 1e+50: must be so slow that a step' --inertia 1,2,3 --spin 1e50,2,3
+    refuses "--spin: '1e400' is beyond what a double can hold, 1.8e308" --inertia 1,2,3 --spin 1,1e400,3
     refuses "--count: '' is no number" $box --count ''
     refuses 'shortest frame = 0.02: must be at most the longest' $box --frames 0.02,0.01
     refuses 'shortest frame = 0: must be finite and greater than zero' $box --frames 0,0.01
@@ -72,6 +78,8 @@ test_a_spear_is_told_to_be_one() {
     is "$(grep -c '^ball and remainder 4, 2 substeps  *× 1 .* below 0.0001 %$' out)" 1
     expect 0 course advise --inertia 0.7725,0.7725,0.0313 --spin 0,0,20
     silent_on out 'Two moments'
+    expect 0 course advise --inertia 1,2,3 --spin 1e10,2,3
+    silent_on out '- %'
     expect 0 course advise $plank --json
     is "$(grep -c '"half_gone_by_passive": 1.01' out)" 1
     expect 0 course advise $box

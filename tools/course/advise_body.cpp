@@ -106,12 +106,16 @@ std::string off_in_words(const Thrown& thrown) {
     return thrown.off < 1e-6 ? "below 0.0001 %" : number(100 * thrown.off, "%.2g") + " %";
 }
 
+std::string spin_left(const Thrown& thrown) {
+    return std::isfinite(thrown.energy) && !std::isnan(thrown.spin_left) ? number(100 * thrown.spin_left, "%.3g") + " %" : "-";
+}
+
 void print(const std::string& method, const Thrown& thrown) {
     const bool blew_up = std::isinf(thrown.energy);
     std::printf("%s%s%s%s%s\n", padded(method, 34).c_str(),
                 padded(blew_up ? "blew up" : factor(thrown.energy), 14).c_str(),
                 padded(blew_up ? "blew up" : factor(thrown.most_energy), 14).c_str(),
-                padded(blew_up ? "-" : number(100 * thrown.spin_left, "%.3g") + " %", 12).c_str(),
+                padded(spin_left(thrown), 12).c_str(),
                 off_in_words(thrown).c_str());
 }
 
@@ -158,7 +162,7 @@ void print(const Answer& answer) {
     std::printf("%s%s%s%s%s\n", padded("method", 34).c_str(), padded("energy left", 14).c_str(),
                 padded("at most", 14).c_str(), padded("spin left", 12).c_str(), "orientation off in 2 s");
     std::printf("%s%s%s%s%s\n", padded("the true motion", 34).c_str(), padded("× 1", 14).c_str(),
-                padded("× 1", 14).c_str(), padded(number(100 * answer.truth.spin_left, "%.3g") + " %", 12).c_str(), "0");
+                padded("× 1", 14).c_str(), padded(spin_left(answer.truth), 12).c_str(), "0");
     for (const auto& advice : answer.all) print(name_of(advice, answer), advice.thrown);
     const auto& take = answer.take;
     if (take.choice.name == "ball") print("dropped, turned by h|ω|", answer.taken);

@@ -34,6 +34,8 @@ BodyAnswer answer_body(const Question& question) {
     if (question.callback && !question.contacts) refuse("--callback belongs to --contacts");
 
     BodyAnswer answer{};
+    answer.spin = omega.stableNorm(), answer.step = frames.longest(), answer.even = frames.even();
+    answer.take = timestep::recommend(inertia, answer.spin, frames, question.contacts, static_cast<long>(count), question.callback);
     answer.all = timestep::advise_body(inertia, omega, frames);
     answer.spin = omega.stableNorm(), answer.step = frames.longest(), answer.even = frames.even();
     const auto thrown = timestep::as_thrown(omega);
@@ -43,7 +45,6 @@ BodyAnswer answer_body(const Question& question) {
     answer.closest = timestep::closest_moments(inertia);
     answer.all_but_equal = answer.closest.apart > 0 && answer.closest.near();
     if (answer.all_but_equal) answer.half_gone = timestep::half_gone_by_passive(inertia, answer.spin, frames);
-    answer.take = timestep::recommend(inertia, answer.spin, frames, question.contacts, count, question.callback);
 
     const double n = double(answer.take.substeps);
     const Frames shorter(frames.shortest() / n, frames.longest() / n);
