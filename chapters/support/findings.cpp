@@ -169,4 +169,20 @@ void Findings::save(const std::string& folder) const {
     }
 }
 
+// Refuses, as save() would, a folder that cannot be made or written to, and leaves all as it was.
+void try_folder(const std::string& folder) {
+    const std::vector<fs::path> made = make_folder(folder);
+    const auto remove_made = [&] {
+        std::error_code error;
+        for (const auto& path : made) fs::remove(path, error);
+    };
+    try {
+        fs::remove(make_staging(folder));
+    } catch (...) {
+        remove_made();
+        throw;
+    }
+    remove_made();
+}
+
 }  // namespace lab

@@ -12,6 +12,8 @@
 
 namespace lab {
 
+void try_folder(const std::string& folder);  // findings.cpp
+
 const Rule any_number{[](double) { return true; }, "a finite number"};
 const Rule above_zero{[](double v) { return v > 0; }, "finite and greater than zero"};
 const Rule zero_or_more{[](double v) { return v >= 0; }, "finite and zero or more"};
@@ -124,7 +126,8 @@ void Program::print_help() const {
 int Program::run(int argc, char** argv, const std::function<void(Findings&)>& body) {
     try {
         Findings findings;
-        if (parse(argc, argv))
+        if (parse(argc, argv)) {
+            if (!folder_.empty()) try_folder(folder_);  // before anything is computed
             body(findings);
         else
             print_help();
