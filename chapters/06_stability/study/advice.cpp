@@ -145,9 +145,9 @@ void recommended(lab::Findings& out) {
 
 // What the advice is for the spring of the options.
 void your_spring(const Settings& settings, lab::Findings& out) {
-    out.section("Your spring");
     const DampedSpring<double> spring(settings.omega, settings.zeta);
-    const auto all = advise(spring, settings.step);
+    const auto all = advise(spring, settings.step);  // refuses before anything is printed
+    out.section("Your spring");
     auto& table = out.table("your_spring.tsv", {"method", "verdict", "off by", "a second later", "why"});
     std::printf("  omega = %g rad/s, zeta = %g, h = %.4g s, omega h = %.4g\n", settings.omega,
                 settings.zeta, settings.step, settings.omega * settings.step);
