@@ -3,6 +3,7 @@
 #include "body_answer.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "advise.hpp"
 
@@ -29,8 +30,8 @@ BodyAnswer answer_body(const Question& question) {
     for (const double part : question.spin) timestep::finite("spin", part);
     const timestep::Vector3<double> omega(question.spin[0], question.spin[1], question.spin[2]);
     const Frames frames = frames_of(question);
-    const long count = question.count.value_or(1);
-    if (count < 1) timestep::refuse("count", double(count), "1 or more");
+    const double count = question.count.value_or(1);
+    if (!(count >= 1 && count <= 1e9 && count == std::floor(count))) timestep::refuse("count", count, "a whole number from 1 to 1e9");
     if (question.callback && !question.contacts) refuse("--callback belongs to --contacts");
 
     BodyAnswer answer{};

@@ -1,8 +1,11 @@
 #include "command_line.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -33,6 +36,20 @@ struct Asked {
     Grading grading;
 };
 
+// What is wrong with a word where a double is wanted: CLI11's own optional takes '' for no word, and what no double
+// can hold becomes infinity or zero, which nobody has typed.
+std::string no_double(const std::string& word) {
+    if (word.empty()) return "'' is no number";
+    const double value = std::strtod(word.c_str(), nullptr);
+    const auto shown = [&] { return "'" + sanitized_line(word) + "' is "; };
+    if (std::isinf(value) && word.find_first_of("iI") == std::string::npos)
+        return shown() + "beyond what a double can hold, 1.8e308";
+    const std::string digits = word.substr(0, word.find_first_of("eE"));
+    if (value == 0 && std::isdigit(static_cast<unsigned char>(word.back())) && digits.find_first_of("123456789") != std::string::npos)
+        return shown() + "nearer to zero than a double can be";
+    return "";
+}
+
 // What `advise` may be told of springs besides.
 template <class Number>
 void declare_springs(CLI::App& advise, Question& question, const Number& number) {
@@ -51,10 +68,7 @@ void declare_advise(CLI::App& app, Asked& asked) {
     const auto advise = app.add_subcommand("advise", "will it blow up? Every method on your numbers");
     Question& question = asked.question;
     const auto number = [&](const char* flag, auto& value, const char* unit, const char* words) {
-        // CLI11's own optional takes '' for no word.
-        advise->add_option(flag, value, words)->type_name(unit)->check([](const std::string& word) {
-            return word.empty() ? "'' is no number" : "";
-        });
+        advise->add_option(flag, value, words)->type_name(unit)->check(no_double);
     };
     number("--omega", question.omega, "RAD/S", "angular frequency of a spring, or:");
     number("--stiffness", question.stiffness, "N/M", "its stiffness, with --mass");
@@ -62,7 +76,7 @@ void declare_advise(CLI::App& app, Asked& asked) {
     number("--zeta", question.zeta, "RATIO", "damping ratio; none given: no damper; or:");
     number("--damping", question.damping, "N*S/M", "the damper, with --stiffness and --mass");
     const auto three = [&](const char* flag, auto& value, const char* unit, const char* words) {
-        advise->add_option(flag, value, words)->type_name(unit)->delimiter(',')->expected(3);
+        advise->add_option(flag, value, words)->type_name(unit)->delimiter(',')->expected(3)->check(no_double);
     };
     three("--inertia", question.inertia, "A,B,C", "a spinning body's three moments, kg m², with --spin");
     three("--spin", question.spin, "X,Y,Z", "its angular velocity, rad/s");
@@ -71,7 +85,8 @@ void declare_advise(CLI::App& app, Asked& asked) {
     advise->add_option("--frames", question.frames, "or frames of uneven length: the shortest and the longest, s")
         ->type_name("SHORTEST,LONGEST")
         ->delimiter(',')
-        ->expected(2);
+        ->expected(2)
+        ->check(no_double);
     number("--accuracy", question.accuracy, "PERCENT", "how far off a position of the first period may be (1)");
     declare_springs(*advise, question, number);
     // Of a body.

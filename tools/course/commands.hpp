@@ -105,7 +105,7 @@ struct Question {
     std::vector<double> frames;                                   ///< the shortest and the longest, s, where they differ
 
     // Of a body.
-    std::optional<long> count;  ///< of bodies like this one; 1 where not given
+    std::optional<double> count;  ///< of bodies like this one; 1 where not given
     bool contacts = false;      ///< does it touch others?
     bool callback = false;      ///< and can it only be changed before the engine's step?
 
