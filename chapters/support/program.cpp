@@ -129,8 +129,9 @@ int Program::run(int argc, char** argv, const std::function<void(Findings&)>& bo
         if (parse(argc, argv)) {
             if (!folder_.empty()) try_folder(folder_);  // before anything is computed
             body(findings);
-        else
+        } else {
             print_help();
+        }
         // A full disk shows when the buffer is written out.
         if (std::fflush(stdout) != 0 || std::ferror(stdout))
             throw std::runtime_error("standard output: cannot be written");

@@ -38,7 +38,6 @@ BodyAnswer answer_body(const Question& question) {
     answer.spin = omega.stableNorm(), answer.step = frames.longest(), answer.even = frames.even();
     answer.take = timestep::recommend(inertia, answer.spin, frames, question.contacts, static_cast<long>(count), question.callback);
     answer.all = timestep::advise_body(inertia, omega, frames);
-    answer.spin = omega.stableNorm(), answer.step = frames.longest(), answer.even = frames.even();
     const auto thrown = timestep::as_thrown(omega);
     answer.tilted = thrown != omega;
     for (const auto& advice : answer.all) answer.seconds = std::max(answer.seconds, advice.thrown.seconds);
