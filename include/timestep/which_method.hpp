@@ -122,7 +122,7 @@ inline const std::vector<Choice>& choices() {
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
          "it is the exact motion but for rounding, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand that fly, h|ω| at most " + calm + ", a constant step",
-         "the **half-step Jacobian** (Kahan's discretisation) in SIMD lanes; the faster ones by passive",
+         "the **half-step Jacobian** (Kahan's discretisation) in SIMD lanes",
          "several bodies in the time of one; the energy is good, but fast ones soon turn at the wrong time", "ch8_many", "half-step Jacobian"},
         {"energy", "a body that flies, and energy and |L| (L is the angular momentum) must stay before all else", "the **calm half-step**",
          "to roundoff, at any spin and when steps vary; the orientation is rough", "ch8_fails", "calm half-step"},

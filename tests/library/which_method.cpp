@@ -37,6 +37,8 @@ TEST_CASE("every answer has a name of its own, and takes a method that there is"
     for (const char* touches : {"contacts", "symmetric"})
         CHECK(choice(touches).take.find("on a joint half of it before the joints, half after") != std::string::npos);
     CHECK_THROWS_AS(choice("nothing"), std::invalid_argument);
+    CHECK(choice("many").take.find("faster ones") == std::string::npos);  // those have lines of their own
+    CHECK(choice("unseen").take.find("must it be seen, **semi-implicit Euler** in substeps of ωh at most 1") != std::string::npos);
 }
 
 TEST_CASE("a spring is led to its answer", "[library][I13]") {
