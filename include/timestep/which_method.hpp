@@ -116,9 +116,10 @@ inline const std::vector<Choice>& choices() {
          "energy, |L| and the spin", "ch5_passive", "passive"},
         {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn; on a joint half of "
          "it before the joints, half after",
-         "energy and |L| stay from one impulse to the next, at any spin, with any steps; all of it after a joint may send a top "
-         "round at a wrong rate. In an engine whose loop is not yours try halves for every body first, and stay there where no capsule thrown "
-         "at 30 rad/s gains a tenth of its energy, height included. The page In your engine names the place in each engine measured", "ch8_contacts", "calm half-step"},
+         "energy and |L| stay from one impulse to the next, at any spin, with any steps; taken wholly after a joint, it may make a spinning top "
+         "circle too fast or too slow. Is the engine's loop not yours? First take half of it before the contacts and half after, for every body. "
+         "Throw capsules at 30 rad/s. If none gains a tenth of its energy (height included), keep it. If one does, take the place that the page "
+         "In your engine names", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
          "it is the exact motion but for rounding, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand that fly, h|ω| at most " + calm + ", a constant step",

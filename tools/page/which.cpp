@@ -16,7 +16,7 @@ namespace {
 std::string with_formulas(std::string text) {
     text = replace_all(text, "h|ω|", "$h\\lvert\\omega\\rvert$");
     text = replace_all(text, "|L|", "$\\lvert L\\rvert$");
-    text = replace_all(text, "The page In your engine", "The page \\ref in_your_engine");
+    text = replace_all(text, "page In your engine", "page \\ref in_your_engine");
     return replace_all(text, "ωh", "$\\omega h$");
 }
 
