@@ -86,10 +86,10 @@ inline const std::vector<Choice>& choices() {
          "a percent over four periods for four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",
          "its steps follow the slow part, the fast one dies; the first step after a kick may be off by nearly all that the kick does", "ch6_stiff", "BDF2"},
-        {"swing", "ωh at most " + alive + " in a constant step: most of a game (where a frame has up to " + twice + ", take two steps a frame)",
+        {"swing", "ωh at most " + alive + " in a constant step, which is most of a game (with ωh between " + alive + " and " + twice + " at your frame rate, take two steps a frame)",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "one force a step, and no damper, however strong, blows it up; on a spring its energy oscillates and does not drift (on a "
-         "pendulum, let go up to 3.1 rad, up to ωh = " + pendulum + ")", "ch3_energy",
+         "it costs one force a step; no damper, however strong, makes it blow up; on a spring its energy oscillates but does not drift (on a "
+         "pendulum, let go up to 3.1 rad, that held up to ωh = " + pendulum + ")", "ch3_energy",
          "semi-implicit Euler, new damping"},
         {"pull", "a stiff pull to a target, a decay, ωh above " + twice + ": ζ at least 1, or ζωh at least " + ended, "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
