@@ -70,7 +70,7 @@ inline const std::vector<Choice>& choices() {
                              uneven = "1/" + plain(1 / fair_uneven_turn);
     static const std::vector<Choice> all{
         {"positions", "many points that hold one another, forces of the position alone: a rope of points, cloth",
-         "**Verlet** (where you want to read or set a velocity, its twin velocity Verlet)", "by Verlet, when you move a point, its velocity follows by itself",
+         "**Verlet**; where you must read or set a velocity, **velocity Verlet**", "move a point, and its velocity follows",
          "ch4_rope", "Verlet"},
         {"bumps", "things that do little else than bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
          "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
