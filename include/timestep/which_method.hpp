@@ -77,10 +77,10 @@ inline const std::vector<Choice>& choices() {
         {"tether", "a tether: one leash between two things, a spring that only pulls",
          "**implicit Euler**; where it must bounce on, semi-implicit Euler in substeps of ωh at most " + tether,
          "by the first the energy never rises, slack or taut; of the second nothing proves that. The library's `Tether` is another: it pushes when it is short, and there implicit Euler may gain", "ch6_question", "implicit Euler"},
-        {"uneven", "steps of uneven length: chapter 2's game loop, which makes them constant, cannot be had",
+        {"uneven", "steps of uneven length, where chapter 2's game loop cannot be used",
          "**Runge–Kutta 4**, in substeps of ωh and ζωh at most " + alive +
          "; for what is faster or more damped implicit Euler, or implicit midpoint where it must keep its size",
-         "within these limits no mixture of step lengths blows them up on a spring; semi-implicit Euler and Verlet may blow up in "
+         "with ωh and ζωh at most " + alive + " no mixture of step lengths blows it up on a spring; semi-implicit Euler and Verlet may blow up in "
          "a mixture, as chapter 2 shows", "ch6_kicks", "Runge-Kutta 4"},
         {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**, with ωh and ζωh up to " + fine,
          "a percent over four periods for four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
@@ -95,8 +95,9 @@ inline const std::vector<Choice>& choices() {
          "ch6_stiff", "implicit Euler"},
         {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
-        {"unseen", "an oscillation faster than the frame that nobody needs to see", "**BDF2**, restarted after each kick",
-         "the fast part dies, the slow one keeps its size. If kicks come in every frame, BDF2 rings: then implicit Euler. Must it be seen, semi-implicit Euler in substeps of ωh at most " + alive, "ch6_kicks", "BDF2"},
+        {"unseen", "an oscillation faster than the frame that need not keep its size",
+         "**BDF2**, restarted after each kick, where nobody needs to see it; must it be seen, **semi-implicit Euler** in substeps of ωh at most " + alive,
+         "by BDF2 the fast part dies, the slow one keeps its size. If kicks come in every frame, BDF2 rings: then implicit Euler", "ch6_kicks", "BDF2"},
         {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},

@@ -224,6 +224,8 @@ test_one_method_is_recommended() {
     says out 'Recommended at 1/60 s: implicit Euler'
     expect 0 course advise --omega 1000
     says out 'Recommended at 1/60 s: BDF2'
+    joined
+    says joined 'must it be seen, semi-implicit Euler in substeps of ωh at most 1;'
     expect 0 course advise --omega 1000 --keep-size
     says out 'Recommended at 1/60 s: implicit midpoint'
     expect 0 course advise --omega 1000 --frames 0.01,0.02
@@ -268,7 +270,7 @@ test_frames_and_kicks() {
     expect 0 course advise --omega 30 --frames 0.0166667,0.0333333
     joined
     says joined "the limits of semi-implicit Euler, of Verlet's kind and of constant acceleration hold for a constant step"
-    says joined 'where that cannot be, Runge-Kutta 4; within these limits no mixture of step lengths blows them up'
+    says joined 'where that cannot be, Runge-Kutta 4; with ωh and ζωh at most 1 no mixture of step lengths blows it up'
     expect 0 course advise --omega 30 --frames 0.0166667,0.0333333 --keep-size
     joined
     says joined 'where that cannot be, implicit midpoint;'
