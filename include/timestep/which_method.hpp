@@ -86,18 +86,18 @@ inline const std::vector<Choice>& choices() {
          "a percent over four periods for four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",
          "its steps follow the slow part, the fast one dies; the first step after a kick may be off by nearly all that the kick does", "ch6_stiff", "BDF2"},
-        {"swing", "ωh at most " + alive + " in a constant step, which is most of a game (with ωh between " + alive + " and " + twice + " at your frame rate, take two steps a frame)",
+        {"swing", "ωh at most " + alive + " in a constant step: most of a game (between " + alive + " and " + twice + " at your frame rate: two steps a frame)",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "it costs one force a step; no damper, however strong, makes it blow up; on a spring its energy oscillates but does not drift (on a "
-         "pendulum, let go up to 3.1 rad, that held up to ωh = " + pendulum + ")", "ch3_energy",
+         "one force a step; no damper, however strong, makes it blow up; on a spring its energy oscillates but does not drift (on a "
+         "pendulum, let go up to 3.1 rad, that held to ωh = " + pendulum + ")", "ch3_energy",
          "semi-implicit Euler, new damping"},
         {"pull", "a stiff pull to a target, a decay, ωh above " + twice + ": ζ at least 1, or ζωh at least " + ended, "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
         {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
         {"unseen", "an oscillation faster than the frame that need not keep its size",
-         "**BDF2**, restarted after each kick, where nobody needs to see it; must it be seen, **semi-implicit Euler** in substeps of ωh at most " + alive,
-         "by BDF2 the fast part dies, the slow one keeps its size. If kicks come in every frame, BDF2 rings: then implicit Euler", "ch6_kicks", "BDF2"},
+         "**BDF2**, restarted after each kick; must it be seen, **semi-implicit Euler** in substeps of ωh at most " + alive,
+         "by BDF2 the fast part dies, the slow one stays. With kicks in every frame BDF2 rings: then implicit Euler", "ch6_kicks", "BDF2"},
         {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},
@@ -110,7 +110,8 @@ inline const std::vector<Choice>& choices() {
          "but spins fade too soon.) The page In your engine has the numbers", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
          "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy and takes a little, which covers what "
-         "the engine's contacts may add when ω is changed just before them. The price: spins fade too soon", "ch8_contacts", "passive"},
+         "the engine's contacts may add when ω is changed just before them. The price: spins fade too soon. "
+         "Of two equal moments it takes nothing: there leave the engine's own rule on", "ch8_contacts", "passive"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments**, "
          "`SymmetricInertia` by passive or by the calm half-step, between the contacts and the turn; on a joint half of it before the joints, half after",
          "it only turns ω about the axis of the odd moment, which keeps "
