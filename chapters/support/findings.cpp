@@ -169,20 +169,18 @@ void Findings::save(const std::string& folder) const {
     }
 }
 
-// Refuses, as save() would, a folder that cannot be made or written to, and leaves all as it was.
-void try_folder(const std::string& folder) {
-    const std::vector<fs::path> made = make_folder(folder);
-    const auto remove_made = [&] {
-        std::error_code error;
-        for (const auto& path : made) fs::remove(path, error);
-    };
+// Refuses, as save() would, a folder that cannot be made or written to: tries it in the innermost one that is there, with
+// a name that no other run has, and leaves all as it was.
+void try_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::path there = folder;
+    while (!there.empty() && !fs::exists(there, error)) there = there.parent_path();
     try {
-        fs::remove(make_staging(folder));
-    } catch (...) {
-        remove_made();
-        throw;
+        fs::remove(make_staging(there.empty() ? "." : there));
+    } catch (const std::runtime_error&) {
+        if (there == folder) throw;
+        throw std::runtime_error(folder.string() + ": the folder cannot be made");
     }
-    remove_made();
 }
 
 }  // namespace lab

@@ -12,7 +12,7 @@
 
 namespace lab {
 
-void try_folder(const std::string& folder);  // findings.cpp
+void try_folder(const std::filesystem::path& folder);  // findings.cpp
 
 const Rule any_number{[](double) { return true; }, "a finite number"};
 const Rule above_zero{[](double v) { return v > 0; }, "finite and greater than zero"};
