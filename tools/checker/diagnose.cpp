@@ -223,12 +223,16 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
 bool is_case_of(const std::string& exercise, const Truth& truth, const std::string& name, const Call& call) {
     if (name.empty()) return true;
     const Numbers right = truth.answer(call.arguments), roundoff = roundoff_of(truth, call.arguments, right);
-    if (errs_alike(right, call.result, right, roundoff)) return false;  // nothing is wrong there
+    const bool is_wrong = !errs_alike(right, call.result, right, roundoff);
     constexpr std::size_t as_all = 10;  // calls that are wrong were this one
     const Shown one{{as_all, &call}, {}, {as_all, right}, {as_all, roundoff}};
-    for (const Mistake& mistake : mistakes_of(exercise))
-        if (mistake.name == name)
-            return errs_alike(mistake.made.answer(call.arguments), call.result, right, roundoff) || loses_as_many_digits(mistake, truth, one);
+    for (const Mistake& mistake : mistakes_of(exercise)) {
+        if (mistake.name != name) continue;
+        const Numbers made = mistake.made.answer(call.arguments);
+        const bool is_its_own = !call.right && apart(made, call.result) <= 1e-6 * apart(call.result, right);  // a small number beside a large one
+        return is_its_own || (is_wrong && (errs_alike(made, call.result, right, roundoff) || loses_as_many_digits(mistake, truth, one)));
+    }
+    if (!is_wrong) return false;
     if (name.starts_with("slip_")) return is_case_of_slip(exercise, name, one);
     if (name.starts_with("where_") || name.starts_with("is_")) return is_case_of_where(name, truth, call);
     return is_case_of_family(name, truth, one);

@@ -177,12 +177,12 @@ void Session::tell_call() {
     if (!spoken_) return;
     const bool is_wrong = verdict_.kind == Kind::wrong;
     const Call& call = is_wrong && shown_ ? *shown_ : is_wrong && doubted_ ? *doubted_ : last_;
-    // What is named is what the call shows, or nothing is.
-    if (!is_case_of(exercise_, truth_, verdict_.misconception, call)) verdict_.misconception.clear();
+    const bool told = is_wrong && shown_;
+    // What is named is what the wrong call shows, or nothing is.
+    if (told && !is_case_of(exercise_, truth_, verdict_.misconception, call)) verdict_.misconception.clear();
     const Digits given = digits_for(call);
     verdict_.arguments = spoken_->arguments(call.arguments, given);
     if (call.result.empty()) return;
-    const bool told = is_wrong && shown_;
     const Numbers right = truth_.answer ? without_roundoff(truth_, call.arguments) : Numbers();
     // What is wrong is not to look right. (By less than that it is roundoff.)
     const bool differs = is_wrong && within_.relative != many_are_right && call.result.size() == right.size() &&
