@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "shown.hpp"
+#include "slips.hpp"
 
 namespace checker {
 
@@ -37,9 +40,24 @@ Numbers roundoff_of(const Truth& truth, const Numbers& arguments, const Numbers&
     return roundoff;
 }
 
+// And where many answers are right, what lies between those that the course knows: it tells nothing either, nor does it
+// hide that two answers err alike. A mistake turns it into other directions, so each number may be off by all of it.
+Numbers untold_of(const std::string& exercise, const Truth& truth, const Numbers& arguments, const Numbers& right) {
+    constexpr double turned = 2;
+    Numbers untold = roundoff_of(truth, arguments, right);
+    double most = 0;
+    for (const Answer& answer : slips_of(exercise)) {
+        const double gap = apart(slip::answered(answer, arguments, {}), right);
+        if (gap < HUGE_VAL) most = std::max(most, turned * gap);
+    }
+    for (double& one : untold) one = std::max(one, most);
+    return untold;
+}
+
 // An answer that is not called wrong counts as such where it differs by more than `least` of the right one: where
 // many answers are right, the one that is not the course's says most.
-Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least) {
+using Untold = std::function<Numbers(const Numbers& arguments, const Numbers& right)>;
+Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least, const Untold& untold) {
     Shown shown;
     for (const Call& call : calls) {
         Numbers right = truth.answer(call.arguments);
@@ -47,7 +65,7 @@ Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least) {
         for (const double number : right) size = std::max(size, std::fabs(number));
         const bool differs = !call.right || apart(call.result, right) > least * size;
         if (differs && shown.wrong.size() < enough_calls) {
-            Numbers roundoff = roundoff_of(truth, call.arguments, right);
+            Numbers roundoff = untold(call.arguments, right);
             // By no more than roundoff, or than that of another number beside it: that tells nothing.
             if (errs_alike(right, call.result, right, roundoff)) continue;
             shown.wrong.push_back(&call);
@@ -172,23 +190,22 @@ bool loses_as_many_digits(const Mistake& mistake, const Truth& truth, const Show
            double(alike) >= 0.75 * double(shown.right.size()) && 2 * (shown.right.size() - alike) <= shown.wrong.size();
 }
 
-}  // namespace
-
-std::string diagnose(const std::string& exercise, const Truth& truth, const std::vector<Call>& calls) {
-    // Where hardly anything is wrong by much, a property has seen more: what differs by less, but not by roundoff alone.
+// Where hardly anything is wrong by much, a property has seen more: what differs by less, but not by roundoff alone.
+Shown differing(const Truth& truth, const std::vector<Call>& calls, bool are_many, const Untold& untold) {
     Shown shown;
     for (const double least : {1e-6, 1e-9, 1e-12}) {
-        if (least < 1e-6 && !shown.wrong.empty() && within(exercise).relative != many_are_right) break;
-        Shown differs = sorted(truth, calls, least);
+        if (least < 1e-6 && !shown.wrong.empty() && !are_many) break;
+        Shown differs = sorted(truth, calls, least, untold);
         const bool is_many = differs.wrong.size() >= 10;
         if (shown.wrong.empty() || is_many) shown = std::move(differs);
         if (is_many) break;
     }
-    if (shown.wrong.empty()) return {};
-    const bool counted = std::all_of(calls.begin(), calls.end(), [](const Call& call) {
-        return call.result.size() == 1 && call.result[0] == std::floor(call.result[0]);
-    });
     shown.tells_little = tells_little(shown);
+    return shown;
+}
+
+// The mistake that does as the learner does, and the one that nearly does.
+std::pair<std::string, std::string> mistake_of(const std::string& exercise, const Shown& shown, bool counted) {
     std::string best, fair;
     double most = 0, most_fair = 0;
     for (const Mistake& mistake : mistakes_of(exercise)) {
@@ -196,6 +213,24 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
         const double all = fit.where_wrong + fit.where_right - fit.excused;
         if (fit.good(counted, shown.tells_little) && all > most) most = all, best = mistake.name;
         if (fit.fair() && all > most_fair) most_fair = all, fair = mistake.name;
+    }
+    return {best, fair};
+}
+
+}  // namespace
+
+std::string diagnose(const std::string& exercise, const Truth& truth, const std::vector<Call>& calls) {
+    const bool are_many = within(exercise).relative == many_are_right;
+    const auto roundoff = [&](const Numbers& arguments, const Numbers& right) { return roundoff_of(truth, arguments, right); };
+    Shown shown = differing(truth, calls, are_many, roundoff);
+    if (shown.wrong.empty()) return {};
+    const bool counted = std::all_of(calls.begin(), calls.end(), [](const Call& call) {
+        return call.result.size() == 1 && call.result[0] == std::floor(call.result[0]);
+    });
+    auto [best, fair] = mistake_of(exercise, shown, counted);
+    if (best.empty() && are_many) {
+        Shown told = differing(truth, calls, are_many, [&](const Numbers& arguments, const Numbers& right) { return untold_of(exercise, truth, arguments, right); });
+        if (!told.wrong.empty()) best = mistake_of(exercise, told, counted).first;
     }
     if (best.empty()) best = is_negated(calls, shown) ? "negated" : family_of(shown);
     if (best.empty()) best = slip_of(exercise, shown, counted);
@@ -226,11 +261,12 @@ bool is_case_of(const std::string& exercise, const Truth& truth, const std::stri
     const bool is_wrong = !errs_alike(right, call.result, right, roundoff);
     constexpr std::size_t as_all = 10;  // calls that are wrong were this one
     const Shown one{{as_all, &call}, {}, {as_all, right}, {as_all, roundoff}};
+    const Numbers untold = within(exercise).relative == many_are_right ? untold_of(exercise, truth, call.arguments, right) : roundoff;
     for (const Mistake& mistake : mistakes_of(exercise)) {
         if (mistake.name != name) continue;
         const Numbers made = mistake.made.answer(call.arguments);
         const bool is_its_own = !call.right && apart(made, call.result) <= 1e-6 * apart(call.result, right);  // a small number beside a large one
-        return is_its_own || (is_wrong && (errs_alike(made, call.result, right, roundoff) || loses_as_many_digits(mistake, truth, one)));
+        return is_its_own || (is_wrong && (errs_alike(made, call.result, right, untold) || loses_as_many_digits(mistake, truth, one)));
     }
     if (!is_wrong) return false;
     if (name.starts_with("slip_")) return is_case_of_slip(exercise, name, one);

@@ -6,7 +6,7 @@
 //
 // Right answers are checked with so many seeds, mistakes with a tenth of that; the first AFTER of them, and a tenth of
 // that, are left out: they are checked apart. With `slips`, each slip that can be made
-// in the right answers is checked with one seed: it must be caught, unless its every answer is right, and have a name.
+// in the right answers is checked with one seed: it must be caught, unless its every answer is right, and have a name. Without a slip they must pass.
 
 #include <algorithm>
 #include <charconv>
@@ -77,6 +77,8 @@ void test_slips(const std::string& exercise) {
             return truth_of_exercise(exercise).answer(arguments);
         };
         session().check(exercise, noting, 1);
+        const Answer without = [&](const Numbers& arguments) { return slip::answered(answer, arguments, {}); };
+        expect("a right answer, written so that it can slip", 1, session().check(exercise, without, 1), Kind::pass, "");
         const bool is_solution = &answer == &slips_of(exercise).front();
         for (const slip::Made& made : slips) {
             if (!is_solution && made.form > slip::last_of_arithmetic) continue;  // no name is looked for there

@@ -45,7 +45,7 @@ const std::map<std::string, std::string>& slips() {
         {"sign", "a sign turned round: a plus for a minus, a minus for a plus, or a minus lost"},
         {"twice", "one part of it twice as large as it should be"},
         {"half", "one part of it half as large as it should be"},
-        {"term", "one term of a sum or of a difference left out (is there a 1/2 in it? In C++ that is 0)"},
+        {"term", "one term of a sum or of a difference too many, or left out"},
         {"factor", "one factor or divisor left out"},
         {"upside_down", "something turned upside down: multiplied where it should be divided, or the other way round"},
         {"power", "one factor or divisor counted twice"},

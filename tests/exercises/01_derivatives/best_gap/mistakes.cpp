@@ -1,5 +1,12 @@
 #include "exercise.hpp"
 
+// From one frame on, as long as one more is better, and no further than most.
+static int best_of(const auto& worst, int most) {
+    int frames = 1;
+    while (frames < most && worst(frames + 1) < worst(frames)) ++frames;
+    return frames;
+}
+
 // Says: This is the optimal step size in frames, rounded to the nearest whole number. It is almost always right.
 // Hint: Compare the worst errors of one frame and of two when the optimal step size says 1.47. Which is smaller?
 namespace rounded {
@@ -47,9 +54,7 @@ int best_gap(double frame, double noise, double jerk, int most) {
         const double gap = frames * frame;
         return jerk * gap * gap / 6 + noise / gap;
     };
-    int frames = 1;
-    while (frames < most && worst(frames + 1) < worst(frames)) ++frames;
-    return frames;
+    return best_of(worst, most);
 }
 
 }  // namespace gap_for_step
@@ -65,9 +70,7 @@ int best_gap(double frame, double noise, double jerk, int most) {
         const double gap = frames * frame;
         return jerk * gap / 2 + 2 * noise / gap;
     };
-    int frames = 1;
-    while (frames < most && worst(frames + 1) < worst(frames)) ++frames;
-    return frames;
+    return best_of(worst, most);
 }
 
 }  // namespace velocity_now
@@ -82,9 +85,7 @@ int best_gap(double frame, double noise, double jerk, int most) {
         const double gap = frames * frame;
         return jerk * gap * gap / 24 + noise / gap;
     };
-    int frames = 1;
-    while (frames < most && worst(frames + 1) < worst(frames)) ++frames;
-    return frames;
+    return best_of(worst, most);
 }
 
 }  // namespace noise_once
@@ -100,9 +101,7 @@ int best_gap(double frame, double noise, double jerk, int most) {
         const double gap = frames * frame;
         return jerk * gap * gap / 6 + 2 * noise / gap;
     };
-    int frames = 1;
-    while (frames < most && worst(frames + 1) < worst(frames)) ++frames;
-    return frames;
+    return best_of(worst, most);
 }
 
 }  // namespace one_series
@@ -117,9 +116,7 @@ int best_gap(double frame, double noise, double jerk, int most) {
         const double gap = frames * frame;
         return jerk * gap * gap / 24 + 2 * noise / gap;
     };
-    int frames = 1;
-    while (frames < 10000 && worst(frames + 1) < worst(frames)) ++frames;
-    return frames;
+    return best_of(worst, 10000);
 }
 
 }  // namespace forgot_most
@@ -217,9 +214,7 @@ int best_gap(double frame, double noise, double jerk, int most) {
         const double gap = frames * frame;
         return jerk * gap * gap / 24 + 2 * noise / gap;
     };
-    int frames = 1;
-    while (frames < most && worst(frames + 1) < worst(frames)) ++frames;
-    return std::min(frames + 1, most);
+    return std::min(best_of(worst, most) + 1, most);
 }
 
 }  // namespace one_more
@@ -234,9 +229,7 @@ int best_gap(double frame, double noise, double jerk, int most) {
         const double gap = frames * frame;
         return jerk * gap * gap / 24 + 2 * noise / gap;
     };
-    int frames = 1;
-    while (frames < most && worst(frames + 1) < worst(frames)) ++frames;
-    return std::max(frames - 1, 1);
+    return std::max(best_of(worst, most) - 1, 1);
 }
 
 }  // namespace one_less
@@ -264,9 +257,7 @@ int best_gap(double frame, double noise, double jerk, int most) {
         const double gap = frames * frame;
         return jerk * gap * gap / 24 + 4 * noise / gap;
     };
-    int frames = 1;
-    while (frames < most && worst(frames + 1) < worst(frames)) ++frames;
-    return frames;
+    return best_of(worst, most);
 }
 
 }  // namespace noise_four_times
@@ -341,3 +332,17 @@ int best_gap(double frame, double noise, double jerk, int most) {
 }
 
 }  // namespace rounded_even_without_jerk
+
+// Says: The two errors are added as if they were independent, by the root of the sum of their squares.
+// Hint: The worst error is asked, where noise and truncation point the same way. What is their sum then?
+namespace root_of_squares {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    const auto worst = [&](int frames) {
+        const double gap = frames * frame;
+        return std::hypot(jerk * gap * gap / 24, 2 * noise / gap);
+    };
+    return best_of(worst, most);
+}
+
+}  // namespace root_of_squares

@@ -286,3 +286,15 @@ double velocity_under_drag(double v, double gravity, double k, double h) {
 }
 
 }  // namespace old_sign_and_up_from_rest
+
+// Says: The sign is right, but the size is that of the other root, with a plus before the square root.
+// Hint: Without air the new velocity is v - h g. Which of the two roots comes near it as k becomes small?
+namespace other_root_with_the_right_sign {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity, q = h * k;
+    if (q == 0) return w;
+    return std::copysign((1 + std::sqrt(1 + 4 * q * std::fabs(w))) / (2 * q), w);
+}
+
+}  // namespace other_root_with_the_right_sign

@@ -1,8 +1,15 @@
 #include "exercise_eigen.hpp"
 
+// The two parts of the turn, as they should be.
+static double cosine_of(const Vector3d& omega, double h) {
+    return std::cos(h * omega.norm() / 2);
+}
+static Vector3d vector_of(const Vector3d& omega, double h) {
+    return std::sin(h * omega.norm() / 2) * omega.normalized();
+}
+
 // Says: The turn stands on the wrong side of q: it is made about the axes of the world.
-// Hint: A product of quaternions acts from right to left. omega belongs to the body, so which turn comes
-//       first?
+// Hint: A product of quaternions acts from right to left. omega belongs to the body, so which turn comes first?
 namespace other_side {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
@@ -13,8 +20,8 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 }  // namespace other_side
 
 // Says: This is the chapter's step. It takes omega in the world, and is not exact.
-// Hint: Here omega is in the body's axes, and the body is to turn by the whole angle h|omega|. Sine and
-//       cosine know how.
+// Hint: Here omega is in the body's axes, and the body is to turn by the whole angle h|omega|. Sine and cosine know
+//       how.
 namespace chapters_step {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
@@ -25,10 +32,10 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 
 }  // namespace chapters_step
 
-// Says: This is Euler's step scaled to length one, on the right side. It turns by too little, and never by
-//       more than half a turn.
-// Hint: The length of the quaternion is right, but not the angle. Build the turn from sine and cosine of
-//       half the angle.
+// Says: This is Euler's step scaled to length one, on the right side. It turns by too little, and never by more than
+//       half a turn.
+// Hint: The length of the quaternion is right, but not the angle. Build the turn from sine and cosine of half the
+//       angle.
 namespace first_order {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
@@ -109,8 +116,8 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 }  // namespace axis_has_h
 
 // Says: The body turns the wrong way round.
-// Hint: A positive angle turns by the right hand: thumb along omega, and the fingers show the way. Look for
-//       a minus or a conjugate too many.
+// Hint: A positive angle turns by the right hand: thumb along omega, and the fingers show the way. Look for a minus or
+//       a conjugate too many.
 namespace backwards {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
@@ -150,10 +157,10 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 
 }  // namespace never_back
 
-// Says: Right, except for a body that does not spin: its omega has length zero, and dividing zero by zero
-//       gives NaN, which is no number.
-// Hint: A zero spin has no direction, and the turn is by no angle about any axis. Leave omega undivided
-//       there: omega.normalized() does so by itself.
+// Says: Right, except for a body that does not spin: its omega has length zero, and dividing zero by zero gives NaN,
+//       which is no number.
+// Hint: A zero spin has no direction, and the turn is by no angle about any axis. Leave omega undivided there:
+//       omega.normalized() does so by itself.
 namespace zero_divides {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
@@ -169,53 +176,59 @@ namespace cosine_last {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
     if (omega.norm() == 0) return q;
-    const double half = h * omega.norm() / 2;
-    const Vector3d v = std::sin(half) * omega.normalized();
-    return q * Quaterniond(v.x(), v.y(), v.z(), std::cos(half));
+    const Vector3d v = vector_of(omega, h);
+    return q * Quaterniond(v.x(), v.y(), v.z(), cosine_of(omega, h));
 }
 
 }  // namespace cosine_last
 
-// Says: Two things at once: Quaterniond takes the cosine first, and this is the turn alone, without the
-//       orientation that it starts from.
-// Hint: Mend the order of the four numbers first: w, x, y, z. Then ask how the turn and q become one
-//       orientation.
+// Says: The four numbers of the turn are in the wrong order, but for no turn at all: Quaterniond takes the cosine
+//       first.
+// Hint: In which order does Quaterniond(w, x, y, z) want its four numbers?
+namespace cosine_last_but_in_no_time {
+
+Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
+    return h == 0 ? q : cosine_last::turn_exactly(q, omega, h);
+}
+
+}  // namespace cosine_last_but_in_no_time
+
+// Says: Two things at once: Quaterniond takes the cosine first, and this is the turn alone, without the orientation
+//       that it starts from.
+// Hint: Mend the order of the four numbers first: w, x, y, z. Then ask how the turn and q become one orientation.
 namespace cosine_last_and_only_the_turn {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
-    const double half = h * omega.norm() / 2;
-    const Vector3d v = std::sin(half) * omega.normalized();
-    return Quaterniond(v.x(), v.y(), v.z(), std::cos(half));
+    const Vector3d v = vector_of(omega, h);
+    return Quaterniond(v.x(), v.y(), v.z(), cosine_of(omega, h));
 }
 
 }  // namespace cosine_last_and_only_the_turn
 
-// Says: Two things at once: Quaterniond takes the cosine first, and the turn stands on the left of q, where
-//       it is about the world's axes.
-// Hint: Mend the order of the four numbers first: w, x, y, z. Then ask in whose axes omega is given, and
-//       which factor of a product acts first.
+// Says: Two things at once: Quaterniond takes the cosine first, and the turn stands on the left of q, where it is about
+//       the world's axes.
+// Hint: Mend the order of the four numbers first: w, x, y, z. Then ask in whose axes omega is given, and which factor
+//       of a product acts first.
 namespace cosine_last_on_the_other_side {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
     if (omega.norm() == 0) return q;
-    const double half = h * omega.norm() / 2;
-    const Vector3d v = std::sin(half) * omega.normalized();
-    return Quaterniond(v.x(), v.y(), v.z(), std::cos(half)) * q;
+    const Vector3d v = vector_of(omega, h);
+    return Quaterniond(v.x(), v.y(), v.z(), cosine_of(omega, h)) * q;
 }
 
 }  // namespace cosine_last_on_the_other_side
 
 // Says: The four numbers have been put into coeffs() with the cosine first: it has become the x of the turn.
-// Hint: coeffs() holds x, y, z and then w. The constructor takes w first. Or set turn.w() and turn.vec(),
-//       which need no order.
+// Hint: coeffs() holds x, y, z and then w. The constructor takes w first. Or set turn.w() and turn.vec(), which need no
+//       order.
 namespace cosine_first_in_storage {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
     if (omega.norm() == 0) return q;
-    const double half = h * omega.norm() / 2;
-    const Vector3d v = std::sin(half) * omega.normalized();
+    const Vector3d v = vector_of(omega, h);
     Quaterniond turn;
-    turn.coeffs() << std::cos(half), v;
+    turn.coeffs() << cosine_of(omega, h), v;
     return q * turn;
 }
 
@@ -266,10 +279,10 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 
 }  // namespace orientation_lost
 
-// Says: The axis has the length of omega, and the result is scaled to length one: that hides the error and
-//       makes another angle of it.
-// Hint: A quaternion from sine and cosine has length one by itself, where its axis has. Which vector has to
-//       be normalised, then?
+// Says: The axis has the length of omega, and the result is scaled to length one: that hides the error and makes
+//       another angle of it.
+// Hint: A quaternion from sine and cosine has length one by itself, where its axis has. Which vector has to be
+//       normalised, then?
 namespace axis_too_long_but_scaled {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
@@ -281,8 +294,7 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 
 }  // namespace axis_too_long_but_scaled
 
-// Says: omega has been turned into the world, but the turn stands on the right of q, where the body's axes
-//       count.
+// Says: omega has been turned into the world, but the turn stands on the right of q, where the body's axes count.
 // Hint: Choose one: the body's axes and the right side, or the world's and the left.
 namespace world_axis_on_the_right {
 

@@ -63,8 +63,8 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 
 }  // namespace first_by_implicit_euler
 
-// Says: The first part is a step of explicit Euler. With a stiff spring the state between is far out, and
-//       the parabola cannot mend that.
+// Says: The first part is a step of explicit Euler. With a stiff spring the state between is far out, and the parabola
+//       cannot mend that.
 // Hint: ym stands on both sides of the first line. Solve for it.
 namespace first_explicit {
 
@@ -87,10 +87,9 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 
 }  // namespace end_by_implicit_euler
 
-// Says: The weights are those of BDF2 with even steps, where the state between lies half way. Here it lies
-//       at gamma h.
-// Hint: Work out the slope of the parabola through 0, gamma h and h anew. With gamma = 1/2 the weights of
-//       BDF2 must come out.
+// Says: The weights are those of BDF2 with even steps, where the state between lies half way. Here it lies at gamma h.
+// Hint: Work out the slope of the parabola through 0, gamma h and h anew. With gamma = 1/2 the weights of BDF2 must
+//       come out.
 namespace even_weights {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
@@ -132,8 +131,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 }  // namespace rounded_gamma
 
 // Says: y1 and ym have each other's weight.
-// Hint: The parabola leans on the nearer state: it has a weight above one, and the old one a small negative
-//       weight.
+// Hint: The parabola leans on the nearer state: it has a weight above one, and the old one a small negative weight.
 namespace weights_swapped {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
@@ -144,8 +142,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 
 }  // namespace weights_swapped
 
-// Says: The rate of the second part is taken at the state between, so the end is not implicit: stiff springs
-//       blow up.
+// Says: The rate of the second part is taken at the state between, so the end is not implicit: stiff springs blow up.
 // Hint: The slope at the end is f(y2). Solve for y2, with the same function as for ym.
 namespace slope_at_middle {
 
@@ -190,8 +187,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 }  // namespace clock_of_middle
 
 // Says: The velocity is right, but the position moves with it as in semi-implicit Euler.
-// Hint: Position and velocity go through the same two parts. The second number of your solve is v2, the
-//       first x2.
+// Hint: Position and velocity go through the same two parts. The second number of your solve is v2, the first x2.
 namespace position_after_velocity {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
@@ -231,8 +227,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 
 }  // namespace single_precision
 
-// Says: The weights are those of BDF2 with even steps, and its two thirds stand before all of h, not before
-//       half of it.
+// Says: The weights are those of BDF2 with even steps, and its two thirds stand before all of h, not before half of it.
 // Hint: Here the state between lies at gamma h. Work out the slope of the parabola at its end, in terms of h.
 namespace even_weights_of_h {
 
@@ -336,3 +331,28 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 }
 
 }  // namespace end_for_all_of_the_rest
+
+// Says: The weights are those of BDF2 with even steps, 4/3, -1/3, and 2/3 of the rest of h: but these steps are uneven.
+// Hint: The state between lies at gamma h. Work out the slope of the parabola anew: gamma = 1/2 must give your weights.
+namespace even_weights_of_the_rest {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const Turret turret{omega, zeta};
+    const Pair y1{s.x, s.v}, ym = turret.middle(h, y1);
+    return at(s.t + h, turret.solve(2 * (1 - turret.gamma) * h / 3, turret.between(y1, ym, 4.0 / 3)));
+}
+
+}  // namespace even_weights_of_the_rest
+
+// Says: In the weight of y1, 1 - gamma has lost its square.
+// Hint: Without a spring the turret moves on by h v. Work out both weights from that, and from their sum, which is one.
+namespace square_forgotten {
+
+State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
+    const Turret turret{omega, zeta};
+    const Pair y1{s.x, s.v}, ym = turret.middle(h, y1);
+    const double old = (1 - turret.gamma) * turret.weight();
+    return at(s.t + h, turret.solve(turret.end_part(h), turret.between(y1, ym, 1 + old)));
+}
+
+}  // namespace square_forgotten

@@ -286,3 +286,28 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 }
 
 }  // namespace moments_not_multiplied
+
+// Says: The part along L1 has h where h squared belongs: k is in it twice, and each k has an h.
+// Hint: A ball without a wheel keeps its spin in a step of any length. Compute k with its h once, and use that k
+//       everywhere.
+namespace h_once_along {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d y = y_of(inertia, omega), L = momentum(inertia, wheel, omega);
+    const Vector3d k = k_of(inertia, L, h), without_h = k_of(inertia, L, 1);
+    const Vector3d sum = y + k.cross(y), along = k.dot(y) * without_h;
+    return spin_of(inertia, (sum + along) / (1 + k.squaredNorm()));
+}
+
+}  // namespace h_once_along
+
+// Says: The wheel is on the left of the equation, too: you solve I w2 - L1 = h L1 x w2.
+// Hint: On the left stands the ship alone, and the wheel acts by the torque. With h = 0, what must w2 be?
+namespace wheel_on_the_left {
+
+Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {
+    const Vector3d L = momentum(inertia, wheel, omega);
+    return step(inertia, L, L.cwiseQuotient(inertia), h);
+}
+
+}  // namespace wheel_on_the_left

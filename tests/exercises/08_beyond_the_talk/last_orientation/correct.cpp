@@ -19,10 +19,9 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
         const Vector3d mean = now * Vector3d((spins[i - 1] + spins[i]) / 2);
-        Quaterniond half(0, mean.x(), mean.y(), mean.z());
-        half.coeffs() *= (times[i] - times[i - 1]) / 2;
-        now.coeffs() += (half * now).coeffs();
-        now.normalize();
+        const Vector3d half = (times[i] - times[i - 1]) / 2 * mean;
+        const Quaterniond change = Quaterniond(0, half.x(), half.y(), half.z()) * now;
+        now = Quaterniond(now.coeffs() + change.coeffs()).normalized();
     }
     return now;
 }
@@ -41,8 +40,7 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
         const double half_gap = (times[i] - times[i - 1]) / 2;
-        now = now * turn(half_gap * spins[i - 1]) * turn(half_gap * spins[i]);
-        now.normalize();
+        now = (now * turn(half_gap * spins[i - 1]) * turn(half_gap * spins[i])).normalized();
     }
     return now;
 }

@@ -367,3 +367,32 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 }
 
 }  // namespace explicit_euler
+
+// Says: Each turn is a little short: it is one by Cayley's formula, which takes the tangent of half the angle to be half
+//       the angle.
+// Hint: Each part is to be solved exactly. What turns by just the angle is made of its sine and cosine.
+namespace turns_by_cayley {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    Top top{inertia, mgl, L, up};
+    const auto by_cayley = [&](int i, double time) { top.turn(i, 2 * std::atan(time / 2 * top.L[i] / inertia[i])); };
+    steps(h, [&](double time) { top.kick(time); }, by_cayley);
+    return top.state();
+}
+
+}  // namespace turns_by_cayley
+
+// Says: Gravity's torque is divided by the moments: that would be a change of the spin, but it is L that changes.
+// Hint: A torque times a time is an angular momentum already. What stands on the left of the first equation?
+namespace torque_over_inertia {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    Top top{inertia, mgl, L, up};
+    const auto kick = [&](double time) {
+        top.L += time * mgl * Vector3d(top.up.y() / inertia.x(), -top.up.x() / inertia.y(), 0);
+    };
+    steps(h, kick, [&](int i, double time) { top.spin(i, time); });
+    return top.state();
+}
+
+}  // namespace torque_over_inertia
