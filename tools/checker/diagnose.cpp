@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "shown.hpp"
@@ -22,6 +21,8 @@ double apart(const Numbers& a, const Numbers& b) {
 }
 
 namespace {
+
+double largest(const Numbers& each) { return each.empty() ? 0 : *std::max_element(each.begin(), each.end()); }
 
 // What roundoff of the arguments makes of each number of the right answer; of a count nothing.
 Numbers roundoff_of(const Truth& truth, const Numbers& arguments, const Numbers& right) {
@@ -56,8 +57,8 @@ Numbers untold_of(const std::string& exercise, const Truth& truth, const Numbers
 
 // An answer that is not called wrong counts as such where it differs by more than `least` of the right one: where
 // many answers are right, the one that is not the course's says most.
-using Untold = std::function<Numbers(const Numbers& arguments, const Numbers& right)>;
-Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least, const Untold& untold) {
+// `many`: the exercise whose right answers are many, where what lies between them is to tell nothing.
+Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least, const std::string& many) {
     Shown shown;
     for (const Call& call : calls) {
         Numbers right = truth.answer(call.arguments);
@@ -65,7 +66,7 @@ Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least, c
         for (const double number : right) size = std::max(size, std::fabs(number));
         const bool differs = !call.right || apart(call.result, right) > least * size;
         if (differs && shown.wrong.size() < enough_calls) {
-            Numbers roundoff = untold(call.arguments, right);
+            Numbers roundoff = many.empty() ? roundoff_of(truth, call.arguments, right) : untold_of(many, truth, call.arguments, right);
             // By no more than roundoff, or than that of another number beside it: that tells nothing.
             if (errs_alike(right, call.result, right, roundoff)) continue;
             shown.wrong.push_back(&call);
@@ -73,6 +74,7 @@ Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least, c
             shown.roundoff.push_back(std::move(roundoff));
         } else if (!differs && shown.right.size() < enough_calls) {
             shown.right.push_back(&call);
+            if (!many.empty()) shown.beside.push_back(largest(untold_of(many, truth, call.arguments, right)));
         }
     }
     return shown;
@@ -117,12 +119,14 @@ Fit fit_of(const Mistake& mistake, const Shown& shown) {
         if (6 * missed > double(shown.wrong.size() + 6) || (asked > 50 && 4 * missed > 3 * asked)) return {};  // too many
     }
     const bool has_numbers = std::all_of(shown.wrong.begin(), shown.wrong.end(), [](const Call* call) { return is_finite(call->result); });
-    for (const Call* call : shown.right) {
+    for (std::size_t i = 0; i < shown.right.size(); ++i) {
+        const Call* call = shown.right[i];
+        const double beside = shown.beside.empty() ? 0 : shown.beside[i];
         const Numbers answer = mistake.made.answer(call->arguments);
         double size = 0;
         for (const double number : call->result) size = std::max(size, std::fabs(number));
         const bool is_excused = has_numbers && !is_finite(answer);
-        fit.where_right += is_excused || apart(call->result, answer) <= 1e-9 * size;
+        fit.where_right += is_excused || apart(call->result, answer) <= 1e-9 * size + beside;
         fit.excused += is_excused;
     }
     fit.is_denied = 2 * (double(shown.right.size()) - fit.where_right) > double(shown.wrong.size());
@@ -165,7 +169,6 @@ bool loses_as_many_digits(const Mistake& mistake, const Truth& truth, const Show
     for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
         const Call& call = *shown.wrong[i];
         double lost = 0, lost_nearer = 0, least = HUGE_VAL;
-        const auto largest = [](const Numbers& each) { return each.empty() ? 0 : *std::max_element(each.begin(), each.end()); };
         for (unsigned variation = 1; variation <= 8; ++variation) {
             const double one = largest(lost_by(mistake.made, truth, call.arguments, variation));
             lost = std::max(lost, one);
@@ -191,11 +194,11 @@ bool loses_as_many_digits(const Mistake& mistake, const Truth& truth, const Show
 }
 
 // Where hardly anything is wrong by much, a property has seen more: what differs by less, but not by roundoff alone.
-Shown differing(const Truth& truth, const std::vector<Call>& calls, bool are_many, const Untold& untold) {
+Shown differing(const Truth& truth, const std::vector<Call>& calls, bool are_many, const std::string& many = {}) {
     Shown shown;
     for (const double least : {1e-6, 1e-9, 1e-12}) {
         if (least < 1e-6 && !shown.wrong.empty() && !are_many) break;
-        Shown differs = sorted(truth, calls, least, untold);
+        Shown differs = sorted(truth, calls, least, many);
         const bool is_many = differs.wrong.size() >= 10;
         if (shown.wrong.empty() || is_many) shown = std::move(differs);
         if (is_many) break;
@@ -221,15 +224,14 @@ std::pair<std::string, std::string> mistake_of(const std::string& exercise, cons
 
 std::string diagnose(const std::string& exercise, const Truth& truth, const std::vector<Call>& calls) {
     const bool are_many = within(exercise).relative == many_are_right;
-    const auto roundoff = [&](const Numbers& arguments, const Numbers& right) { return roundoff_of(truth, arguments, right); };
-    Shown shown = differing(truth, calls, are_many, roundoff);
+    Shown shown = differing(truth, calls, are_many);
     if (shown.wrong.empty()) return {};
     const bool counted = std::all_of(calls.begin(), calls.end(), [](const Call& call) {
         return call.result.size() == 1 && call.result[0] == std::floor(call.result[0]);
     });
     auto [best, fair] = mistake_of(exercise, shown, counted);
     if (best.empty() && are_many) {
-        Shown told = differing(truth, calls, are_many, [&](const Numbers& arguments, const Numbers& right) { return untold_of(exercise, truth, arguments, right); });
+        const Shown told = differing(truth, calls, are_many, exercise);
         if (!told.wrong.empty()) best = mistake_of(exercise, told, counted).first;
     }
     if (best.empty()) best = is_negated(calls, shown) ? "negated" : family_of(shown);

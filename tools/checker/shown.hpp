@@ -13,6 +13,7 @@ struct Shown {
     std::vector<const Call*> wrong, right;
     std::vector<Numbers> truth;  ///< of each of the wrong ones
     std::vector<Numbers> roundoff;  ///< what that of the arguments makes of each number of these
+    std::vector<double> beside{};  ///< of each of the right ones: so far from it another may be that is as right; none where one alone is
     bool tells_little = false;   ///< what is wrong is mostly a zero, or a number that was given: many mistakes end there
 };
 

@@ -296,3 +296,17 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
 }
 
 }  // namespace mean_speed_about_old_axis
+
+// Says: The replay is turned from time zero on, and by Cayley's formula, for which that may be a long gap.
+// Hint: At the first frame the body is turned by q already. Which gap is the first one, and between which two frames?
+namespace clock_from_zero_by_cayley {
+
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
+    times.insert(times.begin(), 0), spins.insert(spins.begin(), spins.front());
+    return through(q, times.size(), [&](std::size_t i) {
+        const Vector3d half = gap_of(times, i) / 4 * sum_of(spins, i);
+        return scaled(2 * std::atan(half.norm()), half.normalized());
+    });
+}
+
+}  // namespace clock_from_zero_by_cayley
