@@ -179,3 +179,38 @@ std::array<double, 2> soft_constraint(double mass, double omega, double zeta, do
 }
 
 }  // namespace rigid_without_damper
+
+// Says: gamma is right, but the 1 of the velocity is still in the divisor of beta: that is the share of one step of
+//       implicit Euler.
+// Hint: The solver divides by 1 + gamma m itself. Multiply by it before you read beta off.
+namespace beta_not_normalised {
+
+std::array<double, 2> soft_constraint(double mass, double omega, double zeta, double h) {
+    const double k = mass * omega * omega, c = 2 * mass * zeta * omega, rate = c + h * k;
+    return {1 / (h * rate), h * h * k / (mass + h * rate)};
+}
+
+}  // namespace beta_not_normalised
+
+// Says: beta is right, but the 1 of the velocity is still in the divisor of gamma.
+// Hint: What is left of the velocity in a step is gamma m / (1 + gamma m). Solve that for gamma.
+namespace gamma_not_normalised {
+
+std::array<double, 2> soft_constraint(double mass, double omega, double zeta, double h) {
+    const double k = mass * omega * omega, c = 2 * mass * zeta * omega, rate = c + h * k;
+    return {1 / (mass + h * rate), h * k / rate};
+}
+
+}  // namespace gamma_not_normalised
+
+// Says: In gamma the damper brakes with the velocity at the beginning of the step. In implicit Euler it is the one at
+//       the end.
+// Hint: All of J, the damper's share, too, comes from v2. Where in your equation does v1 still stand?
+namespace damper_at_the_old_velocity {
+
+std::array<double, 2> soft_constraint(double mass, double omega, double zeta, double h) {
+    const double k = mass * omega * omega, c = 2 * mass * zeta * omega, rate = c + h * k;
+    return {(1 - h * c / mass) / (h * rate), h * k / rate};
+}
+
+}  // namespace damper_at_the_old_velocity

@@ -269,3 +269,13 @@ double amplification(double re, double im, double theta, double h) {
 }
 
 }  // namespace nearly_half_way
+
+// Says: Only the rate at y1 is in it: the divisor, which is what the rate at y2 does, is missing.
+// Hint: y2 stands on both sides of the equation. Bring it to one, and see what stands before it.
+namespace divisor_left_out {
+
+double amplification(double re, double im, double theta, double h) {
+    return std::abs(1.0 + (1 - theta) * h * std::complex<double>(re, im));
+}
+
+}  // namespace divisor_left_out
