@@ -112,11 +112,10 @@ namespace forgot_most {
 
 int best_gap(double frame, double noise, double jerk, int most) {
     if (jerk == 0) return most;
-    const auto worst = [&](int frames) {
-        const double gap = frames * frame;
-        return jerk * gap * gap / 24 + 2 * noise / gap;
-    };
-    return best_of(worst, 10000);
+    const double ideal = 2 * std::cbrt(3 * noise / jerk) / frame;
+    const int below = static_cast<int>(std::clamp(ideal, 1.0, 1e9));
+    const double cube = ideal * ideal * ideal, half_way = (below + 0.5) * below * (below + 1.0);
+    return cube > half_way ? below + 1 : below;
 }
 
 }  // namespace forgot_most
