@@ -39,7 +39,8 @@ std::vector<Region> regions(std::size_t leading, bool has_list) {
 }
 
 // Is one of the numbers above all those with which nearly all of the answers are right, or below? "where_above_2_1.5": the
-// least with which it is wrong is 1.5.
+// least with which it is wrong is 1.5. Where all the others are zero, or
+// next to nothing beside those with which it is wrong: "where_nonzero_2".
 std::string beyond(const Truth& truth, const Shown& shown) {
     if (shown.wrong.size() < many || shown.right.size() < many) return {};
     std::string where;
@@ -51,8 +52,16 @@ std::string beyond(const Truth& truth, const Shown& shown) {
             const auto right_beyond = std::size_t(std::count_if(shown.right.begin(), shown.right.end(), is_beyond));
             if (20 * right_beyond > shown.wrong.size() || shown.right.size() - right_beyond < many) continue;
             if (!where.empty()) return {};  // which of the two?
+            Numbers sizes;
+            for (const Call* call : shown.wrong) sizes.push_back(std::fabs(call->arguments[i]));
+            std::nth_element(sizes.begin(), sizes.begin() + long(sizes.size() / 2), sizes.end());
+            const double nothing = std::min(limit, 1e-5 * sizes[sizes.size() / 2]);
+            const auto is_zero = [&](const Call* call) { return is_beyond(call) || std::fabs(call->arguments[i]) <= nothing; };
             char text[48];
-            std::snprintf(text, sizeof text, "where_%s_%zu_%.3g", above ? "above" : "below", i, above ? limit : -limit);
+            if (limit > 0 && std::all_of(shown.right.begin(), shown.right.end(), is_zero))
+                std::snprintf(text, sizeof text, "where_nonzero_%zu", i);
+            else
+                std::snprintf(text, sizeof text, "where_%s_%zu_%.3g", above ? "above" : "below", i, above ? limit : -limit);
             where = text;
         }
     return where;
@@ -121,6 +130,7 @@ bool is_case_of_where(const std::string& name, const Truth& truth, const Call& c
     for (const Region& region : regions(truth.leading, truth.has_list))
         if (region.name == where) return region.holds(call.arguments);
     std::size_t number = 0;
+    if (std::sscanf(where.c_str(), "where_nonzero_%zu", &number) == 1) return call.arguments[number] != 0;
     double limit = 0;
     char least[24] = "";
     const bool above = std::sscanf(where.c_str(), "where_above_%zu_%lf", &number, &limit) == 2;

@@ -123,6 +123,10 @@ std::string of_where(const std::string& name, const std::string& declaration) {
         if (behind == std::string::npos || number >= names.size()) return {};
         const std::string how = name.substr(6, behind - 6);
         where = "only where " + names[number] + " is " + how;
+        if (how == "nonzero") {
+            where = "wherever " + names[number] + " is not zero, or nearly so";
+            if (is == std::string::npos) return "Of all that was tried, your answer is wrong " + where + ". Where does " + names[number] + " come in?";
+        }
         if (how == "above" || how == "below") {
             const auto limit = name.find('_', behind + 1);
             if (limit == std::string::npos) return {};

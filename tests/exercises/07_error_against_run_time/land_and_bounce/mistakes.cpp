@@ -211,6 +211,17 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 
 }  // namespace thrown_as_dropped
 
+// Says: The speed of the impact is right, but not its moment: it is that of a ball that is let go at rest.
+// Hint: On its way gravity changes the velocity by g a second, from that of the beginning to that of the impact.
+namespace moment_of_a_drop {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double fall = std::sqrt(2 * s.x / g);
+    return h < fall ? fly(s, g, h) : rest_of_step(s.t + h, g, e, h - fall, e * impact_of(s, g));
+}
+
+}  // namespace moment_of_a_drop
+
 // Says: In the height g t^2 has lost its one half.
 // Hint: Constant acceleration moves a body by half of it times t^2.
 namespace half_forgotten {
