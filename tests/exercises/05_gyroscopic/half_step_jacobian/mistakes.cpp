@@ -38,8 +38,7 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace full_jacobian
 
-// Says: This is the spin in the middle of the step: the torque of the beginning acts for half of the time
-//       only.
+// Says: This is the spin in the middle of the step: the torque of the beginning acts for half of the time only.
 // Hint: The two ends have one half each. The torque of the beginning stands in both.
 namespace half_step {
 
@@ -49,8 +48,7 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace half_step
 
-// Says: The half stands at the wrong place: the torque on the right is halved, and the Jacobian is the
-//       talk's.
+// Says: The half stands at the wrong place: the torque on the right is halved, and the Jacobian is the talk's.
 // Hint: Write the mean of T and T - G d. How much of T is in it, and how much of G d?
 namespace half_torque {
 
@@ -60,8 +58,8 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace half_torque
 
-// Says: In omega x I omega you have let only the omega in front change; I omega is that of the beginning.
-//       The energy stays, but a step back does not undo it.
+// Says: In omega x I omega you have let only the omega in front change; I omega is that of the beginning. The energy
+//       stays, but a step back does not undo it.
 // Hint: The product rule has two terms. Here the one where the momentum changes is missing.
 namespace old_momentum {
 
@@ -71,8 +69,7 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace old_momentum
 
-// Says: In omega x I omega you have let only the momentum change; the omega in front is that of the
-//       beginning.
+// Says: In omega x I omega you have let only the momentum change; the omega in front is that of the beginning.
 // Hint: The product rule has two terms. The one with skew(I omega) is missing.
 namespace old_spin {
 
@@ -83,8 +80,8 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 }  // namespace old_spin
 
 // Says: The Jacobian has both terms of the product rule, but added.
-// Hint: Where the change stands on the left of the cross product, it has to be swapped to the right. What
-//       does that do to the sign?
+// Hint: Where the change stands on the left of the cross product, it has to be swapped to the right. What does that do
+//       to the sign?
 namespace sum_of_terms {
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
@@ -94,8 +91,7 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 }  // namespace sum_of_terms
 
 // Says: The torque of the end is linearised with the wrong sign: it rises where it should fall.
-// Hint: The torque is minus omega x I omega, and the Jacobian stands on the left side. Count the minus signs
-//       once more.
+// Hint: The torque is minus omega x I omega, and the Jacobian stands on the left side. Count the minus signs once more.
 namespace jacobian_sign {
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
@@ -105,8 +101,7 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 }  // namespace jacobian_sign
 
 // Says: Torque and Jacobian are right, but the change goes the wrong way.
-// Hint: The gyroscopic torque is -omega x I omega. If the residual is + h omega x I omega, the change is
-//       taken away.
+// Hint: The gyroscopic torque is -omega x I omega. If the residual is + h omega x I omega, the change is taken away.
 namespace subtracted {
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
@@ -125,8 +120,8 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace explicit_euler
 
-// Says: You have taken the torque of the end at the spin that explicit Euler leads to. This has order two,
-//       but it is explicit: a step back does not undo it.
+// Says: You have taken the torque of the end at the spin that explicit Euler leads to. This has order two, but it is
+//       explicit: a step back does not undo it.
 // Hint: Let the change that you look for stand in the linearised torque, and solve for it.
 namespace heun {
 
@@ -149,10 +144,10 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace two_half_steps
 
-// Says: This is the implicit midpoint rule, solved to the last digit. It is a good method, but it needs
-//       several solves a step.
-// Hint: The torque of the end is wanted as it is linearised about omega. That is one iteration of Newton-Raphson
-//       from omega, and no more.
+// Says: This is the implicit midpoint rule, solved to the last digit. It is a good method, but it needs several solves
+//       a step.
+// Hint: The torque of the end is wanted as it is linearised about omega. That is one iteration of Newton-Raphson from
+//       omega, and no more.
 namespace midpoint_to_the_end {
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
@@ -167,8 +162,8 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace midpoint_to_the_end
 
-// Says: You have taken the true torque of the end and solved to the last digit. This is the trapezoidal
-//       rule, at several solves a step.
+// Says: You have taken the true torque of the end and solved to the last digit. This is the trapezoidal rule, at
+//       several solves a step.
 // Hint: Stop after one iteration: the torque linearised about omega is what the task asks for.
 namespace mean_to_the_end {
 
@@ -185,8 +180,8 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace mean_to_the_end
 
-// Says: The method is right, but only to a few digits: numbers have gone through float, or the slope comes
-//       from narrow differences.
+// Says: The method is right, but only to a few digits: numbers have gone through float, or the slope comes from narrow
+//       differences.
 // Hint: Use double throughout, and the product rule for the slope.
 namespace few_digits {
 
@@ -208,10 +203,10 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace few_digits
 
-// Says: You have foretold the torque of the end from its rate of change in time, which is explicit: nothing
-//       is solved, and a step back does not undo it.
-// Hint: Linearise in the spin: the torque of the end is that at omega plus a matrix times the change of the
-//       spin, which you do not know yet. Solve for it.
+// Says: You have foretold the torque of the end from its rate of change in time, which is explicit: nothing is solved,
+//       and a step back does not undo it.
+// Hint: Linearise in the spin: the torque of the end is that at omega plus a matrix times the change of the spin, which
+//       you do not know yet. Solve for it.
 namespace taylor {
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
@@ -244,8 +239,7 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace identity_in_the_matrix
 
-// Says: This is the mean of a step of explicit Euler and one of the talk's: two results are averaged, not two
-//       torques.
+// Says: This is the mean of a step of explicit Euler and one of the talk's: two results are averaged, not two torques.
 // Hint: Write the mean of the two torques into one equation for the change d, and solve that once.
 namespace mean_of_two_steps {
 
@@ -277,10 +271,9 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace jacobian_without_h
 
-// Says: The equations are right, but llt() or ldlt() looks at one triangle of the matrix only, and takes it
-//       for symmetric.
-// Hint: The product of a skew matrix and a diagonal one is not symmetric. Which decomposition is for any
-//       square matrix?
+// Says: The equations are right, but llt() or ldlt() looks at one triangle of the matrix only, and takes it for
+//       symmetric.
+// Hint: The product of a skew matrix and a diagonal one is not symmetric. Which decomposition is for any square matrix?
 namespace symmetric_solver {
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
@@ -292,10 +285,9 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace symmetric_solver
 
-// Says: This takes the torque in the middle of the step, at a spin that explicit Euler leads to: of order
-//       two, but nothing is solved, and energy drifts.
-// Hint: The mean of the torques at both ends is asked for, and the one of the end depends on what you look
-//       for.
+// Says: This takes the torque in the middle of the step, at a spin that explicit Euler leads to: of order two, but
+//       nothing is solved, and energy drifts.
+// Hint: The mean of the torques at both ends is asked for, and the one of the end depends on what you look for.
 namespace explicit_midpoint {
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
@@ -340,3 +332,14 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 }
 
 }  // namespace nearly_equal_moments
+
+// Says: Half a step of explicit Euler is followed by half a step of the talk's: torque and slope are those half-way.
+// Hint: The method solves once, for the whole step, and takes torque and slope at the spin of the beginning.
+namespace two_halves_of_two_methods {
+
+Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
+    const Vector3d middle = omega + h / 2 * slope_at(inertia, omega);
+    return middle + change(inertia, middle, h / 2, h / 2 * torque_at(inertia, middle));
+}
+
+}  // namespace two_halves_of_two_methods

@@ -1,11 +1,10 @@
 #include "exercise_eigen.hpp"
 
-// The two parts of the turn, as they should be.
-static double cosine_of(const Vector3d& omega, double h) {
-    return std::cos(h * omega.norm() / 2);
-}
-static Vector3d vector_of(const Vector3d& omega, double h) {
-    return std::sin(h * omega.norm() / 2) * omega.normalized();
+// The turn, but for the order of its numbers: w stands behind x, y and z.
+static Quaterniond cosine_behind(const Vector3d& omega, double h) {
+    const double half = h * omega.norm() / 2;
+    const Vector3d v = std::sin(half) * omega.normalized();
+    return Quaterniond(v.x(), v.y(), v.z(), std::cos(half));
 }
 
 // Says: The turn stands on the wrong side of q: it is made about the axes of the world.
@@ -176,8 +175,7 @@ namespace cosine_last {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
     if (omega.norm() == 0) return q;
-    const Vector3d v = vector_of(omega, h);
-    return q * Quaterniond(v.x(), v.y(), v.z(), cosine_of(omega, h));
+    return q * cosine_behind(omega, h);
 }
 
 }  // namespace cosine_last
@@ -199,8 +197,7 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 namespace cosine_last_and_only_the_turn {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
-    const Vector3d v = vector_of(omega, h);
-    return Quaterniond(v.x(), v.y(), v.z(), cosine_of(omega, h));
+    return cosine_behind(omega, h);
 }
 
 }  // namespace cosine_last_and_only_the_turn
@@ -213,8 +210,7 @@ namespace cosine_last_on_the_other_side {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
     if (omega.norm() == 0) return q;
-    const Vector3d v = vector_of(omega, h);
-    return Quaterniond(v.x(), v.y(), v.z(), cosine_of(omega, h)) * q;
+    return cosine_behind(omega, h) * q;
 }
 
 }  // namespace cosine_last_on_the_other_side
@@ -226,9 +222,9 @@ namespace cosine_first_in_storage {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
     if (omega.norm() == 0) return q;
-    const Vector3d v = vector_of(omega, h);
+    const double half = h * omega.norm() / 2;
     Quaterniond turn;
-    turn.coeffs() << cosine_of(omega, h), v;
+    turn.coeffs() << std::cos(half), std::sin(half) * omega.normalized();
     return q * turn;
 }
 
@@ -286,10 +282,7 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 namespace axis_too_long_but_scaled {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
-    if (omega.norm() == 0) return q;
-    const double half = h * omega.norm() / 2;
-    const Vector3d v = std::sin(half) * omega;
-    return (q * Quaterniond(std::cos(half), v.x(), v.y(), v.z())).normalized();
+    return axis_too_long::turn_exactly(q, omega, h).normalized();
 }
 
 }  // namespace axis_too_long_but_scaled

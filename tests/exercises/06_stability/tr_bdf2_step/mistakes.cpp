@@ -26,6 +26,7 @@ struct Turret {
     double end_part(double h) const { return (1 - gamma) / (2 - gamma) * h; }
     Pair end(double h, const Pair& y1, const Pair& ym) const { return solve(end_part(h), between(y1, ym, weight())); }
     Pair step(double h, const Pair& y1) const { return end(h, y1, middle(h, y1)); }
+    Pair by(double h, const Pair& y1, double part, double w) const { return solve(part, between(y1, middle(h, y1), w)); }
 };
 
 static State<double> at(double t, const Pair& y) {
@@ -93,9 +94,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace even_weights {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const Turret turret{omega, zeta};
-    const Pair y1{s.x, s.v}, ym = turret.middle(h, y1);
-    return at(s.t + h, turret.solve(h / 3, turret.between(y1, ym, 4.0 / 3)));
+    return at(s.t + h, Turret{omega, zeta}.by(h, {s.x, s.v}, h / 3, 4.0 / 3));
 }
 
 }  // namespace even_weights
@@ -136,8 +135,7 @@ namespace weights_swapped {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
     const Turret turret{omega, zeta};
-    const Pair y1{s.x, s.v}, ym = turret.middle(h, y1);
-    return at(s.t + h, turret.solve(turret.end_part(h), turret.between(y1, ym, 1 - turret.weight())));
+    return at(s.t + h, turret.by(h, {s.x, s.v}, turret.end_part(h), 1 - turret.weight()));
 }
 
 }  // namespace weights_swapped
@@ -232,9 +230,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
 namespace even_weights_of_h {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
-    const Turret turret{omega, zeta};
-    const Pair y1{s.x, s.v}, ym = turret.middle(h, y1);
-    return at(s.t + h, turret.solve(2 * h / 3, turret.between(y1, ym, 4.0 / 3)));
+    return at(s.t + h, Turret{omega, zeta}.by(h, {s.x, s.v}, 2 * h / 3, 4.0 / 3));
 }
 
 }  // namespace even_weights_of_h
@@ -326,8 +322,7 @@ namespace end_for_all_of_the_rest {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
     const Turret turret{omega, zeta};
-    const Pair y1{s.x, s.v}, ym = turret.middle(h, y1);
-    return at(s.t + h, turret.solve((1 - turret.gamma) * h, turret.between(y1, ym, turret.weight())));
+    return at(s.t + h, turret.by(h, {s.x, s.v}, (1 - turret.gamma) * h, turret.weight()));
 }
 
 }  // namespace end_for_all_of_the_rest
@@ -338,8 +333,7 @@ namespace even_weights_of_the_rest {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
     const Turret turret{omega, zeta};
-    const Pair y1{s.x, s.v}, ym = turret.middle(h, y1);
-    return at(s.t + h, turret.solve(2 * (1 - turret.gamma) * h / 3, turret.between(y1, ym, 4.0 / 3)));
+    return at(s.t + h, turret.by(h, {s.x, s.v}, 2 * (1 - turret.gamma) * h / 3, 4.0 / 3));
 }
 
 }  // namespace even_weights_of_the_rest
@@ -350,9 +344,7 @@ namespace square_forgotten {
 
 State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h) {
     const Turret turret{omega, zeta};
-    const Pair y1{s.x, s.v}, ym = turret.middle(h, y1);
-    const double old = (1 - turret.gamma) * turret.weight();
-    return at(s.t + h, turret.solve(turret.end_part(h), turret.between(y1, ym, 1 + old)));
+    return at(s.t + h, turret.by(h, {s.x, s.v}, turret.end_part(h), 1 + (1 - turret.gamma) * turret.weight()));
 }
 
 }  // namespace square_forgotten
