@@ -5,7 +5,7 @@ set(generated "${PROJECT_BINARY_DIR}/exercises/generated")
 set(checker "${PROJECT_SOURCE_DIR}/tools/checker")
 set(course "${PROJECT_SOURCE_DIR}/tools/course")
 
-add_library(checks_here OBJECT EXCLUDE_FROM_ALL ${checker}/here.cpp ${checker}/diagnose.cpp ${checker}/keyed.cpp ${checker}/known.cpp
+add_library(checks_here OBJECT EXCLUDE_FROM_ALL ${checker}/here.cpp ${checker}/diagnose.cpp ${checker}/families.cpp ${checker}/keyed.cpp ${checker}/known.cpp
   ${checker}/property.cpp ${checker}/property_eigen.cpp ${checker}/reporter.cpp ${checker}/session.cpp ${checker}/sides.cpp ${checker}/simplest.cpp ${checker}/truth.cpp ${checker}/where.cpp
   ${checker}/slips/slip.cpp ${checker}/slips/slipped.cpp ${checker}/learner/solve_linear.cpp
   ${course}/exercises.cpp ${course}/files.cpp ${course}/json_of.cpp ${course}/misconception.cpp ${course}/nearest.cpp
