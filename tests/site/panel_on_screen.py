@@ -42,11 +42,11 @@ def says_what_it_took(page, faults):
     for number, end in (repr(2 * slider["most"] + 1), slider["most"]), ("-1000000", slider["least"]):
         taken = enter(number)
         words = page.run("return written(arguments[1])", end)
-        faults.unless(taken == end and said().endswith(words + " taken."), f"typed {number} it takes {taken} and says '{said()}'")
+        faults.unless(taken == end and words + " taken." in said(), f"typed {number} it takes {taken} and says '{said()}'")
     taken = enter(repr(slider["most"]))
-    faults.unless(taken == slider["most"] and said() == "", f"typed {slider['most']} it takes {taken} and says '{said()}'")
+    faults.unless(taken == slider["most"] and "taken." not in said(), f"typed {slider['most']} it takes {taken} and says '{said()}'")
     page.open(f"{slider['name']}=-1000000")
-    faults.unless(page.wait(lambda: said().endswith(" taken."), 40), f"with -1000000 in its link it says '{said()}'")
+    faults.unless(page.wait(lambda: " taken." in said(), 40), f"with -1000000 in its link it says '{said()}'")
 
 
 def seen_together(page, faults):
