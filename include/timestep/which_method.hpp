@@ -109,8 +109,8 @@ inline const std::vector<Choice>& choices() {
          "them: by passive a thrown capsule got to more than twice its energy in Bullet. (By passive's formula for three moments none gained a percent, "
          "but spins fade too soon.) The page In your engine has the numbers", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy and takes a little, which covers what "
-         "the engine's contacts may add when ω is changed just before them. The price: spins fade too soon. "
+         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy and takes a little, which in our throws covered what "
+         "the engine's contacts add when ω is changed just before them. The price: spins fade too soon. "
          "Of two equal moments it takes nothing: there leave the engine's own rule on", "ch8_contacts", "passive"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments**, "
          "`SymmetricInertia` by passive or by the calm half-step, between the contacts and the turn; on a joint half of it before the joints, half after",

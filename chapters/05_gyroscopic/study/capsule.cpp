@@ -130,7 +130,7 @@ void uneven_capsule(const Settings& settings, lab::Findings& out) {
         const V omega = passive_gyroscopic.step(pill, V(1, 0, theta / pill.wobble), 1.0);
         return std::atan2(omega.y(), omega.x());
     };
-    bool falls = true;
+    bool falls = true;  // with p = θ²/12 the tangent θ/2 / (1 − p + p²) is largest at p = (1 + √13)/6: θ = 3.03
     for (const double theta : {3.1, 3.5, 4.0, 6.0, 10.0, 30.0, 100.0})
         falls = falls && turned(1.01 * theta) < turned(theta) && turned(theta) > 0;
     out.number("symmetric_turn_2", 100 * (1 - turned(2) / 2), "%", "by which passive turns ω too little, two equal moments, at two radians", 2);
