@@ -52,6 +52,26 @@ test_is_told_where_an_answer_is_wrong() {
     says out 'only where s.x is negative'
 }
 
+test_is_told_of_whole_numbers_that_are_divided() {
+    returns() {
+        printf 'double velocity_now(double x0, double x1, double x2, double h) {\nreturn %s;\n}\n' "$1" >answer.cpp
+        expect 1 course check velocity_now --file answer.cpp
+    }
+    for value in '(x1 - x0) * (1/2)' 'h + 1 / 2' '/* 3/4
+        */ 1// 5/6
+        /2'; do
+        returns "$value"
+        says out 'divides whole numbers: in C++ 1 / 2 is 0.'
+        says out '1.0 / 2'
+    done
+    says out 'Line 3 divides'
+    for value in '4 / 2' 'h + 1.0 / 2' '1 / 2.0' 'h * 1 / 2' '1 / h' 'x1 / 2' '2 / 1e3' 'h // 1/2'; do
+        returns "$value
+        "
+        silent_on out 'whole numbers'
+    done
+}
+
 # As the problem matcher of .vscode/tasks.json reads it: where the line N of the file is marked.
 marks() {
     sed -n 's/.*"regexp": "\(.*\)",/\1/p' "$source/.vscode/tasks.json" >pattern

@@ -1,15 +1,14 @@
 # The exercises on Windows, by mingw's g++: `check_NAME` links the learner's file with the hidden tests, and runs both in
 # one process.
+include(checking)
 include(exercise)
 set(generated "${PROJECT_BINARY_DIR}/exercises/generated")
 set(checker "${PROJECT_SOURCE_DIR}/tools/checker")
 set(course "${PROJECT_SOURCE_DIR}/tools/course")
 
-add_library(checks_here OBJECT EXCLUDE_FROM_ALL ${checker}/here.cpp ${checker}/diagnose.cpp ${checker}/families.cpp ${checker}/keyed.cpp ${checker}/known.cpp
-  ${checker}/property.cpp ${checker}/property_eigen.cpp ${checker}/reporter.cpp ${checker}/session.cpp ${checker}/sides.cpp ${checker}/simplest.cpp ${checker}/truth.cpp ${checker}/where.cpp
-  ${checker}/slips/slip.cpp ${checker}/slips/slipped.cpp ${checker}/learner/solve_linear.cpp
+add_library(checks_here OBJECT EXCLUDE_FROM_ALL ${TIMESTEP_JUDGE} ${checker}/here.cpp ${checker}/reporter.cpp
   ${course}/exercises.cpp ${course}/files.cpp ${course}/json_of.cpp ${course}/misconception.cpp ${course}/nearest.cpp
-  ${course}/places.cpp ${course}/tell.cpp ${course}/terminal.cpp)
+  ${course}/places.cpp ${course}/seen_in_answer.cpp ${course}/tell.cpp ${course}/terminal.cpp)
 target_link_libraries(checks_here PUBLIC timestep Catch2::Catch2 PRIVATE nlohmann_json::nlohmann_json timestep_warnings)
 target_include_directories(checks_here PUBLIC ${checker} ${checker}/learner ${checker}/slips "${generated}" PRIVATE ${course})
 target_compile_definitions(checks_here PUBLIC CATCH_CONFIG_DISABLE_STRINGIFICATION PRIVATE

@@ -6,6 +6,11 @@
 include(CheckCXXCompilerFlag)
 include(CheckCXXSourceCompiles)
 
+# What judges an answer, in a process beside it or (on Windows) in the answer's own.
+set(TIMESTEP_JUDGE diagnose families keyed known property property_eigen session sides simplest truth where
+  slips/slip slips/slipped learner/solve_linear)
+list(TRANSFORM TIMESTEP_JUDGE REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/tools/checker/\\1.cpp")
+
 function(timestep_check_learners told)
   set(generated "${PROJECT_BINARY_DIR}/exercises/generated")
   set(learner "${PROJECT_SOURCE_DIR}/tools/checker/learner")

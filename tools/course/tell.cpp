@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "misconception.hpp"
+#include "seen_in_answer.hpp"
 #include "terminal.hpp"
 
 namespace course {
@@ -94,27 +95,6 @@ std::string when(const Exercise& exercise, const Verdict& verdict) {
                                      : "in the call " + call(exercise, verdict);
 }
 
-// Is a value kept by `auto`: of what is no lambda, and no list of names?
-bool keeps_by_auto(const std::string& code) {
-    const std::string blanks = " \t\n";
-    for (auto at = code.find("auto"); at != std::string::npos; at = code.find("auto", at + 1)) {
-        const auto end = code.find_first_of("=;({[", at + 4);  // of the name, or of what has none
-        if (end == std::string::npos || code[end] != '=') continue;
-        const auto value = code.find_first_not_of(blanks, end + 1);
-        if (value != std::string::npos && code[value] != '[') return true;
-    }
-    return false;
-}
-
-// What crashes, or is wrong for no known reason, where an expression of Eigen's may have been kept by `auto`.
-std::string of_auto(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
-    if (!exercise.eigen || verdict.watched || !verdict.misconception.empty() ||
-        !keeps_by_auto(contents(file)))
-        return {};
-    return "\n" + wrapped("With auto you may keep a sum or a product of Eigen's that is not worked out yet, and refers to "
-                          "what is gone by then. ./course check " + exercise.name + " --sanitize looks for that.", 2);
-}
-
 std::string wrong(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
     std::string text = "  This must hold, and does not:\n" + wrapped(verdict.property, 6) + "\n";
     if (!verdict.right.empty())
@@ -128,7 +108,7 @@ std::string wrong(const Exercise& exercise, const Verdict& verdict, const fs::pa
     const std::string mistake = told_of(exercise, verdict.misconception);
     text += !mistake.empty() ? mistake
                              : wrapped("This is none of the usual mistakes. Work the property out by hand for the numbers above.", 2);
-    return text + of_auto(exercise, verdict, file);
+    return text + seen_in_answer(exercise, verdict, file);
 }
 
 std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
@@ -141,14 +121,14 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
                                        "must be a finite number.",
                                    2);
         const std::string mistake = told_of(exercise, verdict.misconception);
-        return mistake.empty() ? text + of_auto(exercise, verdict, file) : text + "\n" + mistake;
+        return text + (mistake.empty() ? mistake : "\n" + mistake) + seen_in_answer(exercise, verdict, file);
     }
     if (kind == "crash") {
         std::string text = wrapped(verdict.detail + ", " + when(exercise, verdict), 2);
         if (verdict.line > 0)
             text += "  Line " + std::to_string(verdict.line) + ":  " + line_of(file, verdict.line) +
                     "\n";
-        return text + of_auto(exercise, verdict, file);
+        return text + seen_in_answer(exercise, verdict, file);
     }
     if (kind == "too_slow" && verdict.detail == too_much_work_for_the_tests)
         return wrapped("The hidden tests have worked for a minute on what your function returned, and were not done. "
