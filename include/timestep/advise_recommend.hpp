@@ -221,7 +221,7 @@ Recommendation at_sight(const Choice& choice, const SpringScene& scene, double h
 TIMESTEP_WHERE_CALLED
 Recommendation recommend(const SpringScene& scene, double h, const Wish& wish, const std::vector<Advice>& all) {
     const DampedSpring<double>& spring = scene.fastest;
-    const SpringQuestion question{spring.omega * h, spring.zeta, !scene.varying(), wish.precise, wish.keeps_size, scene.only_pulls};
+    const SpringQuestion question{spring.omega * h, spring.zeta, !scene.varying(), wish.precise, wish.keeps_size, scene.only_pulls, scene.is_net};
     const Choice& choice = choose(question);
     Recommendation made = wish.precise      ? detail::precisely(choice, scene, h, wish.accuracy, all)
                           : scene.only_pulls ? detail::of_tether(choice, scene, h, wish.keeps_size)
@@ -231,11 +231,16 @@ Recommendation recommend(const SpringScene& scene, double h, const Wish& wish, c
         if (made.substeps == 0 || made.method.empty()) return Advice{};
         return detail::in_substeps(made.method, scene, h, made.substeps, wish.accuracy);
     };
+    if (made.choice->name == "net") made.take = "**semi-implicit Euler**";
+    if (made.choice->name == "net" && (made.substeps == 0 || made.substeps > net_substeps)) {
+        const std::string many = made.substeps ? std::to_string(made.substeps) : "more than a million";
+        made = {made.choice, 1, implicit_euler.name, "**implicit Euler**, and factorise", "semi-implicit Euler would want " + many + " substeps"};
+    }
     Advice at = off();
     const Advice* safe = detail::find(all, implicit_euler.name);
     const Advice* method = detail::find(all, made.method);
     const bool sight = !wish.precise && !wish.keeps_size && !scene.only_pulls && !scene.varying();
-    if (sight && method && !at.right && safe->right && (made.substeps == 0 || safe->cost <= method->cost * double(made.substeps))) {
+    if (sight && method && !at.right && safe->right && !scene.is_net && (made.substeps == 0 || safe->cost <= method->cost * double(made.substeps))) {
         const Choice& pull = timestep::choice("pull");
         made = {&pull, 1, pull.method, pull.take, pull.why};
         at = off();

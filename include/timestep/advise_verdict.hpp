@@ -45,6 +45,7 @@ struct SpringScene {
     DampedSpring<double> fastest;  ///< the fastest oscillation is this one at most
     DampedSpring<double> least;    ///< and this one at least
     bool only_pulls = false;       ///< a tether: it lets go when it is slack
+    bool is_net = false;           ///< many springs, between many masses
     bool kicks = false;            ///< do impulses come between the steps?
     double shortest_frame = 0;     ///< s; 0: every step is as long as the last
     double longest_frame = 0;      ///< s

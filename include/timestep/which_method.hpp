@@ -34,6 +34,9 @@ inline constexpr double fair_turn = 0.25;
 inline constexpr double fair_uneven_turn = 1.0 / 12;
 /// Up to this h|ω| the half-step Jacobian is calm, as long as neither step nor spin is changed from outside.
 inline constexpr double calm_turn = 0.5;
+/// Up to so many substeps a frame an explicit step is taken for a net before a factorisation: chapter 6 measures where the
+/// two cost the same, which was at about twice as many.
+inline constexpr long net_substeps = 100;
 /// Two moments that differ by no more than this share: by passive a spin about the third axis fades within seconds.
 inline constexpr double nearly_equal = 0.05;
 /// From so many bodies on it pays to step them in lanes.
@@ -69,8 +72,8 @@ inline const std::vector<Choice>& choices() {
                              pendulum = plain(pendulum_turn), tether = plain(tether_turn), ended = plain(ended_swing),
                              uneven = "1/" + plain(1 / fair_uneven_turn);
     static const std::vector<Choice> all{
-        {"positions", "many points that hold one another, forces of the position alone: a rope of points, cloth",
-         "**Verlet**; where you must read or set a velocity, **velocity Verlet**", "move a point, and its velocity follows",
+        {"positions", "many points whose links are put right after each step (a rope, a cloth), and forces of the position alone",
+         "**Verlet**", "move a point, and its velocity follows; set one by moving the position before",
          "ch4_rope", "Verlet"},
         {"bumps", "things that do little else than bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
          "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
@@ -86,17 +89,21 @@ inline const std::vector<Choice>& choices() {
          "a percent over four periods for four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",
          "its steps follow the slow part, the fast one dies; the first step after a kick may be off by nearly all that the kick does", "ch6_stiff", "BDF2"},
-        {"swing", "ωh at most " + alive + " in a constant step: most of a game (between " + alive + " and " + twice + " at your frame rate: two steps a frame)",
+        {"swing", "ωh at most " + alive + " in a constant step, as in most of a game (between " + alive + " and " + twice + " at your frame rate: take two steps a frame)",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "one force a step; no damper, however strong, makes it blow up; on a spring its energy oscillates but does not drift (on a "
-         "pendulum, let go up to 3.1 rad, that held to ωh = " + pendulum + ")", "ch3_energy",
+         "one force a step; no damper, however strong, makes it blow up (solve several at one mass together); its energy oscillates "
+         "but does not drift, on a spring, and on a pendulum at ωh = " + pendulum + " (tried up to 3.1 rad)", "ch3_energy",
          "semi-implicit Euler, new damping"},
-        {"pull", "a stiff pull to a target, a decay, ωh above " + twice + ": ζ at least 1, or ζωh at least " + ended, "**implicit Euler**", "the decay dies, as it should",
+        {"net", "many stiff springs between many masses, a net, a cloth, ωh above " + twice,
+         "**semi-implicit Euler**, in substeps of ωh below 2; where these are too many, **implicit Euler**, and factorise",
+         "a substep costs a force for each spring, a factorisation as much as many of them: chapter 6 has measured how many. Hard dampers want shorter substeps",
+         "ch6_cloth", "semi-implicit Euler"},
+        {"pull", "ωh above " + twice + ", and ζ at least 1 or ζωh at least " + ended + ": a stiff pull to a target, a decay", "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
         {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
         {"unseen", "an oscillation faster than the frame that need not keep its size",
-         "**BDF2**, restarted after each kick; must it be seen, **semi-implicit Euler** in substeps of ωh at most " + alive,
+         "**BDF2**, restarted after each kick; if the oscillation must be seen, **semi-implicit Euler** in substeps of ωh at most " + alive,
          "by BDF2 the fast part dies, the slow one stays. With kicks in every frame BDF2 rings: then implicit Euler", "ch6_kicks", "BDF2"},
         {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
@@ -104,29 +111,29 @@ inline const std::vector<Choice>& choices() {
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
         {"callback_symmetric", "a body with two equal moments, a capsule, a wheel, that touches others, and all you can do is change ω before the engine's step",
-         "the engine's own damped rule, **one Newton step**: leave it on",
-         "it damps a wobble. Passive takes nothing of such a body, and the engine's contacts may add energy when ω is changed just before "
-         "them: by passive a thrown capsule got to more than twice its energy in Bullet. (By passive's formula for three moments none gained a percent, "
-         "but spins fade too soon.) The page In your engine has the numbers", "ch8_contacts", "one Newton step"},
+         "the engine's own **one Newton step**, where it has that (Bullet, Box3D): leave it on; where it has none (Unity, Godot), **passive** by its formula for three moments",
+         "both damp, and so hide what the engine's contacts add when ω is changed just before them. The price: spins fade too soon, and by the second one about "
+         "the length tips over. For two equal moments passive takes nothing: by it a thrown capsule got to more than twice its energy in Bullet. For what mostly flies it "
+         "is the better one. The page In your engine has the numbers", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy and takes a little, which in our throws covered what "
-         "the engine's contacts add when ω is changed just before them. The price: spins fade too soon. "
-         "Of two equal moments it takes nothing: there leave the engine's own rule on", "ch8_contacts", "passive"},
+         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy itself, and loses some; in our throws that covered what contacts added. Spins fade too soon. "
+         "A body with two equal moments loses nothing by it: there leave the engine's own rule on, if that damps", "ch8_contacts", "passive"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments**, "
-         "`SymmetricInertia` by passive or by the calm half-step, between the contacts and the turn; on a joint half of it before the joints, half after",
+         "`SymmetricInertia` by passive or by the calm half-step: half of it before contacts and joints, half between them and the turn; then throw a capsule, as below",
          "it only turns ω about the axis of the odd moment, which keeps "
          "energy, |L| and the spin", "ch5_passive", "passive"},
-        {"contacts", "a body that touches others", "the **calm half-step**, between the contacts and the turn; on a joint half of "
-         "it before the joints, half after",
-         "energy and |L| stay from one impulse to the next, at any spin, with any steps; taken wholly after a joint, it may make a spinning top "
-         "circle too fast or too slow. Is the engine's loop not yours? First take half of it before the contacts and half after, for every body. "
-         "Throw capsules at 30 rad/s. If none gains a tenth of its energy (height included), keep it. If one does, take the place that the page "
-         "In your engine names", "ch8_contacts", "calm half-step"},
+        {"contacts", "a body that touches others", "the **calm half-step**: half of it before contacts and joints, half between them and the turn",
+         "energy and |L| stay from one impulse to the next, at any spin, with any steps. Then throw capsules at 30 rad/s onto a plane: if one gains a tenth of its "
+         "energy (height included), give a body without joints the whole step after the contacts, as in Box3D. (After a joint the whole step may make a spinning "
+         "top circle too fast or too slow, on the ground it may, too.) The page In your engine has what we measured in four engines", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
          "it is the exact motion but for rounding, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand that fly, h|ω| at most " + calm + ", a constant step",
          "the **half-step Jacobian** (Kahan's discretisation) in SIMD lanes",
          "several bodies in the time of one; the energy is good, but fast ones soon turn at the wrong time", "ch8_many", "half-step Jacobian"},
+        {"many_fast", "bodies by the thousand that fly faster, a constant step",
+         "**passive** in SIMD lanes; must their energy stay, the **calm half-step**, one by one",
+         "by passive spins fade; a pack of lanes takes one step for all its bodies, so keep the fast ones in packs of their own", "ch8_many", "passive"},
         {"energy", "a body that flies, and energy and |L| (L is the angular momentum) must stay before all else", "the **calm half-step**",
          "to roundoff, at any spin and when steps vary; the orientation is rough", "ch8_fails", "calm half-step"},
         {"free_uneven", "a body that flies freely, in frames of uneven length",
@@ -157,6 +164,7 @@ struct SpringQuestion {
     bool precise = false;     ///< is an error of a percent too much?
     bool keeps_size = false;  ///< must an oscillation faster than the frame be kept?
     bool only_pulls = false;  ///< is it a tether, which goes slack?
+    bool is_net = false;      ///< are there many springs, between many masses?
 };
 
 /// The way down the tree for a spring. A step of an implicit method costs a force and a solve, as much as two of
@@ -166,6 +174,7 @@ inline const Choice& choose(const SpringQuestion& spring) {
     if (!spring.even) return choice("uneven");
     if (spring.precise) return choice(spring.zeta < stiff_decay ? "smooth" : "smooth_pull");
     if (spring.turn <= 2 * alive_turn) return choice("swing");
+    if (spring.is_net) return choice("net");
     if (spring.zeta >= 1 || spring.zeta * spring.turn >= ended_swing) return choice("pull");
     return choice(spring.keeps_size ? "keeps_size" : "unseen");
 }
@@ -192,7 +201,7 @@ inline const Choice& choose(const BodyQuestion& body) {
     if (body.contacts && two_equal) return choice("symmetric");
     if (body.contacts) return choice("contacts");
     if (two_equal) return choice("symmetric_free");
-    if (body.count >= many_bodies && body.even && body.turn <= calm_turn) return choice("many");
+    if (body.count >= many_bodies && body.even) return choice(body.turn <= calm_turn ? "many" : "many_fast");
     if (!body.even) return choice("free_uneven");
     return choice(body.turn <= fair_turn ? "free" : "free_fast");
 }

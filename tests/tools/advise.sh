@@ -196,7 +196,11 @@ test_the_one_that_is_right_is_recommended() {
     expect 0 course advise --omega 1e6 --zeta 0.01
     says out 'Recommended at 1/60 s: implicit Euler'
     expect 0 course advise --kind cloth --stiffness 1e9 --mass 0.001 --damping 5
-    says out 'Recommended at 1/60 s: implicit Euler'
+    joined
+    says joined 'Recommended at 1/60 s: implicit Euler, and factorise; semi-implicit Euler would want '
+    expect 0 course advise --kind cloth --springs 8 --stiffness 10000 --mass 0.00139 --rate 60
+    joined
+    says joined ': semi-implicit Euler, in 90 substeps; a substep costs a force for each spring'
 }
 
 test_a_tether_gets_an_answer_of_its_own() {
@@ -225,7 +229,7 @@ test_one_method_is_recommended() {
     expect 0 course advise --omega 1000
     says out 'Recommended at 1/60 s: BDF2'
     joined
-    says joined 'must it be seen, semi-implicit Euler in substeps of ωh at most 1;'
+    says joined 'must be seen, semi-implicit Euler in substeps of ωh at most 1;'
     expect 0 course advise --omega 1000 --keep-size
     says out 'Recommended at 1/60 s: implicit midpoint'
     expect 0 course advise --omega 1000 --frames 0.01,0.02

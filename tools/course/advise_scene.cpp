@@ -80,6 +80,7 @@ timestep::SpringScene scene_of(const Question& question) {
     check_words(question);
     timestep::SpringScene scene = springs_of(question);
     scene.only_pulls = question.kind == "tether";
+    scene.is_net = question.kind == "chain" || question.kind == "cloth";
     scene.kicks = question.kicks;
     if (!question.frames.empty()) {
         scene.shortest_frame = timestep::positive("shortest frame", question.frames.front());

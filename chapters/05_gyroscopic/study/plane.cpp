@@ -78,7 +78,7 @@ std::string said(const Outcome& o) {
     if (o.rest >= 0) return "at rest after " + seconds(o.rest);
     char text[64];
     std::snprintf(text, sizeof text, o.spin < 1 ? "%.2g rad/s%s" : "%.0f rad/s%s", o.spin,
-                  o.upright > 60  ? ", standing"
+                  o.upright > 60  ? ", on its end"
                   : o.upright < 5 ? ", rolling"
                                   : "");
     return text;

@@ -21,14 +21,15 @@ using namespace timestep;
 namespace {
 
 constexpr double frame = 1.0 / 60;
+constexpr double point = 1;  // kg, of the rope
 
-// A rope of points of 1 kg that hangs from a hook, and carries a load. How much too long is it at rest? One
+// A rope of points that hangs from a hook, and carries a load. How much too long is it at rest? One
 // place a point will do, as it hangs straight. Each move shrinks by 10/s, and is zero at rest.
 double too_long(int steps, int sweeps, double load) {
     const int links = 10;
     const double length = 0.1, h = frame / steps, keep = std::exp(-10 * h);
     std::array<double, links + 1> x, before, w;  // depth, that of the step before, one over the mass
-    for (int i = 0; i <= links; ++i) x[i] = before[i] = i * length, w[i] = i == 0 ? 0 : i == links ? 1 / load : 1;
+    for (int i = 0; i <= links; ++i) x[i] = before[i] = i * length, w[i] = i == 0 ? 0 : 1 / (i == links ? load : point);
     for (int n = 0; n < 3600 * steps; ++n) {
         for (int i = 1; i <= links; ++i) {
             const double next = x[i] + keep * (x[i] - before[i]) + h * h * 9.81;
@@ -57,6 +58,7 @@ void substeps(lab::Findings& out) {
         std::printf("  a load of %g kg, %2d sweeps a frame: %8.4g %% too long in one step, %8.4g %% in %d substeps\n", load, n,
                     100 * iterations, 100 * steps, n);
     }
+    out.number("sub_mass", point, "kg", "a point of the rope");
     out.number("sub_load", load, "kg", "the load on the rope");
     out.number("sub_sweeps", 32, "", "sweeps a frame");
     out.number("sub_iterations", 100 * iterations, "%", "too long with so many iterations in one step", 2);

@@ -46,7 +46,7 @@ TEST_CASE("answers to which method stand in a chapter as a table, one alone as a
     CHECK_THAT(course.fill_paragraph("{{which bumps}}"),
                ContainsSubstring("Take " + bumps.take + ", for " + bumps.have + ". Why: " + bumps.why + " ("));
     CHECK_THAT(course.fill_paragraph("{{which free}}"), ContainsSubstring("\\f$h\\lvert\\omega\\rvert\\f$"));
-    CHECK_THAT(course.fill_paragraph("{{which contacts}}"), ContainsSubstring("the page \\ref in_your_engine names"));
+    CHECK_THAT(course.fill_paragraph("{{which contacts}}"), ContainsSubstring("page \\ref in_your_engine has"));
     CHECK_THAT(course.paragraph_error("{{which}}"), ContainsSubstring("takes names of answers"));
     CHECK_THAT(course.paragraph_error("{{which pull push}}"), ContainsSubstring("no answer \"push\""));
     CHECK_THAT(course.paragraph_error("Take {{which pull}}."), ContainsSubstring("on a line of its own"));
