@@ -124,6 +124,7 @@ PROPERTY("it is right wherever the task allows: the least and the largest times 
         Run b{draw.log(1e-12, 1e6), draw.log(1e-15, 100)};
         for (double* const number : {&b[0], &b[1]})  // nearly those of A, or the same
             if (i % 4 == 0) *number = a[number == &b[1]] * (i % 8 == 0 ? 1 : 1 + draw.sign() * draw.log(1e-12, 1e-2));
+        if (i % 4 == 1) b[i % 8 == 1] = a[i % 8 == 1];  // one of them the same, not the other
         // Not so far that the error, or how often one has to halve to find it, is beyond a double.
         const double far = std::log(a[0] / b[0]) + std::log(a[1]) / p - std::log(b[1]) / q;
         if (std::fabs(far) / (1.0 / p - 1.0 / q) > 440) continue;
