@@ -30,7 +30,7 @@ test_it_holds_nothing_of_the_tests_and_the_solutions() {
     checkout=$folder/teacher
     expect 0 make_kit kit
     "$leaks" "$source" kit || fail 'a leak'
-    found=$(cd kit && find . -name 'mistakes.cpp' -o -name 'correct.cpp' -o -name 'properties*' \
+    found=$(cd kit && find . -name 'mistakes*.cpp' -o -name 'correct.cpp' -o -name 'properties*' \
         -o -name tests -o -name solutions -o -name '.git' -o -name '.ci' -o -name .progress -o -name self_test)
     is "$found" ''
     is "$(find kit/exercises -type f | xargs grep -L 'return not_started;')" ''

@@ -77,6 +77,10 @@ must_fail("a mistake without a hint" "above namespace middle a line // Hint: mus
 edit(mistakes.cpp "// Hint: Velocity is asked at the newest frame, the last argument of the three."
      "// Hint: It has order one. The frame before holds what is missing: how fast the slope itself changes.")
 must_fail("two mistakes with one hint" "what middle Hint is said of another mistake")
+file(WRITE "${fixture}/${room}/mistakes_more.cpp" "// Says: Another.\nnamespace another {\n")
+must_fail("a mistake of a second file without a hint" "${room}/mistakes_more.cpp: above namespace another a line // Hint: must stand")
+file(WRITE "${fixture}/${room}/mistakes_more.cpp" "// Says: Another.\n// Hint: Velocity is asked at the newest frame, the last argument of the three.\nnamespace another {\n")
+must_fail("two files with one hint" "what another Hint is said of another mistake")
 
 file(READ "${ROOT}/${room}/about.json" about)
 foreach(key number title level practises declaration eigen hints learned)

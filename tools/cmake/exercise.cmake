@@ -5,7 +5,8 @@
 #     about.json       title, declaration, hints
 #     properties.cpp   the hidden tests
 #     correct.cpp      two answers or more that are right and written differently, each in a namespace of its own
-#     mistakes.cpp     four or more that are wrong, the same; above each in comments what it says and a hint
+#     mistakes.cpp     four or more that are wrong, the same; above each in comments what it says and a hint.
+#                      Many may stand in several files: mistakes_KIND.cpp, read after it
 # One that lacks any of them is a configure error; but for the learner's own, since nothing that a
 # learner does to exercises/ may break the build: a test looks for those (tests/exercises/files.cmake).
 
@@ -23,41 +24,43 @@ function(timestep_words json where result)
   set(${result} "${words}" PARENT_SCOPE)
 endfunction()
 
-# Sets `names` to the namespaces in a file of answers, and where `words` is the name of a list, that to what is said
+# Sets `names` to the namespaces in files of answers, and where `words` is the name of a list, that to what is said
 # above each: its `// Says: …` and `// Hint: …`, one after the other, as JSON's strings.
-function(timestep_answers_in file names words)
-  file(READ "${PROJECT_SOURCE_DIR}/${file}" text)
-  foreach(character "[;]=<1>" "[[]=<2>" "[]]=<3>")  # CMake's lists know these as their own
-    string(REGEX MATCH "^(.+)=(<.>)$" both "${character}")
-    string(REGEX REPLACE "${CMAKE_MATCH_1}" "${CMAKE_MATCH_2}" text "${text}")
-  endforeach()
-  string(REPLACE "\n" ";" lines "${text}")
+function(timestep_answers_in files names words)
   set(found "")
   set(all "")
-  set(kind "")
-  set(Says "")
-  set(Hint "")
-  foreach(line IN LISTS lines)
-    if(line MATCHES "^// (Says|Hint): (.+)$")
-      set(kind ${CMAKE_MATCH_1})
-      set(${kind} "${CMAKE_MATCH_2}")
-    elseif(kind AND line MATCHES "^//       (.+)$")
-      string(APPEND ${kind} " ${CMAKE_MATCH_1}")
-    elseif(line MATCHES "^namespace ([A-Za-z][A-Za-z0-9_]*) {$")
-      list(APPEND found ${CMAKE_MATCH_1})
-      foreach(key Says Hint)
-        if(words AND ${key} STREQUAL "")
-          message(FATAL_ERROR "${file}: above namespace ${CMAKE_MATCH_1} a line // ${key}: must stand")
-        elseif(words AND "${${key}}" IN_LIST all)
-          message(FATAL_ERROR "${file}: what ${CMAKE_MATCH_1} ${key} is said of another mistake, too")
-        endif()
-        list(APPEND all "${${key}}")
-        set(${key} "")
-      endforeach()
-      set(kind "")
-    else()
-      set(kind "")
-    endif()
+  foreach(file IN LISTS files)
+    file(READ "${PROJECT_SOURCE_DIR}/${file}" text)
+    foreach(character "[;]=<1>" "[[]=<2>" "[]]=<3>")  # CMake's lists know these as their own
+      string(REGEX MATCH "^(.+)=(<.>)$" both "${character}")
+      string(REGEX REPLACE "${CMAKE_MATCH_1}" "${CMAKE_MATCH_2}" text "${text}")
+    endforeach()
+    string(REPLACE "\n" ";" lines "${text}")
+    set(kind "")
+    set(Says "")
+    set(Hint "")
+    foreach(line IN LISTS lines)
+      if(line MATCHES "^// (Says|Hint): (.+)$")
+        set(kind ${CMAKE_MATCH_1})
+        set(${kind} "${CMAKE_MATCH_2}")
+      elseif(kind AND line MATCHES "^//       (.+)$")
+        string(APPEND ${kind} " ${CMAKE_MATCH_1}")
+      elseif(line MATCHES "^namespace ([A-Za-z][A-Za-z0-9_]*) {$")
+        list(APPEND found ${CMAKE_MATCH_1})
+        foreach(key Says Hint)
+          if(words AND ${key} STREQUAL "")
+            message(FATAL_ERROR "${file}: above namespace ${CMAKE_MATCH_1} a line // ${key}: must stand")
+          elseif(words AND "${${key}}" IN_LIST all)
+            message(FATAL_ERROR "${file}: what ${CMAKE_MATCH_1} ${key} is said of another mistake, too")
+          endif()
+          list(APPEND all "${${key}}")
+          set(${key} "")
+        endforeach()
+        set(kind "")
+      else()
+        set(kind "")
+      endif()
+    endforeach()
   endforeach()
   set(${names} ${found} PARENT_SCOPE)
   if(words)
@@ -117,7 +120,9 @@ function(timestep_read_exercise chapter name generated)
   if(count LESS 2)
     message(FATAL_ERROR "${room}/correct.cpp: needs two answers, written differently, each in a namespace of its own")
   endif()
-  timestep_answers_in("${room}/mistakes.cpp" mistakes words)
+  file(GLOB kinds CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/${room}/mistakes_*.cpp")
+  list(PREPEND kinds ${room}/mistakes.cpp)
+  timestep_answers_in("${kinds}" mistakes words)
   list(LENGTH mistakes count)
   if(count LESS 4)
     message(FATAL_ERROR "${room}/mistakes.cpp: needs four mistakes, each in a namespace of its own")
@@ -137,8 +142,12 @@ function(timestep_read_exercise chapter name generated)
     string(REPLACE "${from}" "${to}" told "${told}")
   endforeach()
   file(CONFIGURE OUTPUT "${generated}/${name}_mistakes.json" CONTENT "@told@" @ONLY)
-  foreach(file correct mistakes)
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${room}/${file}.cpp")
+  set(included "")
+  foreach(file IN LISTS kinds)
+    string(APPEND included "#include \"${PROJECT_SOURCE_DIR}/${file}\"\n")
+  endforeach()
+  foreach(file ${room}/correct.cpp ${kinds})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${file}")
   endforeach()
 
   # The file as the learner gets it.
@@ -203,8 +212,7 @@ int main(int count, char** words) {
 
 namespace {
 namespace mistakes {
-#include \"@source@/@room@/mistakes.cpp\"
-}
+@included@}
 namespace solution {
 #include \"@source@/@solution@\"
 }

@@ -124,28 +124,6 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 
 }  // namespace waits_at_second
 
-// Says: The ball ends the step on the ground, with the speed of its bounce: the rest of the step is lost.
-// Hint: It landed before the end. For how long does it rise already?
-namespace rest_of_step_lost {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    return landed(s, g, h, [&](double impact, double) {
-        return State<double>{s.t + h, 0, e * impact};
-    });
-}
-
-}  // namespace rest_of_step_lost
-
-// Says: After the bounce the ball flies for a whole step, and not only for what is left of this one.
-// Hint: Subtract the time until the bounce.
-namespace whole_step_again {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    return landed(s, g, h, [&](double impact, double) { return fly({s.t, 0, e * impact}, g, h); });
-}
-
-}  // namespace whole_step_again
-
 // Says: After the bounce the ball rises in a straight line, at one speed, for the rest of the step: gravity
 //       is forgotten.
 // Hint: From the bounce on it is a throw like any other.
@@ -254,185 +232,6 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 
 }  // namespace falls_up
 
-// Says: The restitution is taken as the share of the energy that is kept. It is the share of the speed.
-// Hint: Multiply the speed by e. What happens to the energy then?
-namespace energy_share {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    return all_bounces(s, g, h, [&](double impact, double) { return std::sqrt(e) * impact; },
-                       [&](double v, double left) { return is_over(v, g, std::sqrt(e), left); });
-}
-
-}  // namespace energy_share
-
-// Says: The speed after a bounce is e^2 of the speed before. The energy is; the speed has one e.
-// Hint: The height it comes back to is e^2 of what it was. Is it in your answer?
-namespace e_squared {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    return all_bounces(s, g, h, [&](double impact, double) { return e * e * impact; },
-                       [&](double v, double left) { return is_over(v, g, e * e, left); });
-}
-
-}  // namespace e_squared
-
-// Says: Every bounce is one that loses nothing: e is not used.
-// Hint: With which speed does the ball leave the ground?
-namespace loses_nothing {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    return all_bounces(s, g, h, [&](double impact, double) { return impact; },
-                       [&](double v, double left) { return v == 0; });
-}
-
-}  // namespace loses_nothing
-
-// Says: After a certain number of bounces in a step the ball is left lying, even if it would still jump.
-// Hint: A bound on the number is wise, but it must let all through that the task allows. When does a ball with this
-//       e really lie still?
-namespace ten_bounces {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    int bounces = 0;
-    return all_bounces(s, g, h, [&](double impact, double) { return e * impact; },
-                       [&](double, double) { return ++bounces > 10; });
-}
-
-}  // namespace ten_bounces
-
-// Says: After many bounces you give up, and let the ball fall for what is left of the step: through the
-//       ground.
-// Hint: A ball that bounces without end in a finite time lies still after it.
-namespace falls_at_last {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    int bounces = 0;
-    State<double> last{s.t + h, 0, 0};
-    const State<double> end = all_bounces(s, g, h, [&](double impact, double) { return e * impact; },
-                                          [&](double v, double left) {
-                                              last = fly({s.t + h - left, 0, v}, g, left);
-                                              return ++bounces > 1500;
-                                          });
-    return bounces > 1500 ? last : end;
-}
-
-}  // namespace falls_at_last
-
-// Says: Slow bounces are left out, as some engines do to calm their piles. Here they count.
-// Hint: You see a ball of 0.5 m/s rise by a centimetre. The sum of a series says when it is over.
-namespace slow_bounces_left_out {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    return all_bounces(s, g, h, [&](double impact, double) { return e * impact; },
-                       [&](double v, double left) { return v < 1 || is_over(v, g, e, left); });
-}
-
-}  // namespace slow_bounces_left_out
-
-// Says: Bounces of less than a tenth of a millimetre per second are left out. Only those below a millionth of a metre
-//       per second need not be right.
-// Hint: Let the time decide, and no speed: the sum of all bounces to come is known.
-namespace slowest_bounces_left_out {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    return all_bounces(s, g, h, [&](double impact, double) { return e * impact; },
-                       [&](double v, double left) { return v < 1e-4 || is_over(v, g, e, left); });
-}
-
-}  // namespace slowest_bounces_left_out
-
-// Says: The ball is put to rest when half of the time of its bounces would still be to come: a bounce takes
-//       as long up as down.
-// Hint: How long does a throw with speed v take until it is down again?
-namespace rests_too_early {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    return all_bounces(s, g, h, [&](double impact, double) { return e * impact; },
-                       [&](double v, double left) { return is_over(v / 2, g, e, left); });
-}
-
-}  // namespace rests_too_early
-
-// Says: The next bounce is left out of your sum: a ball whose later bounces fit into the rest of the step is
-//       put to rest, though the next one is not over.
-// Hint: The series begins with 1, the bounce that has just begun.
-namespace rests_a_bounce_early {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    return all_bounces(s, g, h, [&](double impact, double) { return e * impact; },
-                       [&](double v, double left) { return is_over(v * e, g, e, left); });
-}
-
-}  // namespace rests_a_bounce_early
-
-// Says: A ball that begins the step on the ground, at rest or moving down, falls through it.
-// Hint: It is at the impact already: the time until then is zero. Does your comparison leave that out?
-namespace sinks {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    if (s.x <= 0 && s.v <= 0) return fly(s, g, h);
-    return all_bounces(s, g, h, [&](double impact, double) { return e * impact; },
-                       [&](double v, double left) { return is_over(v, g, e, left); });
-}
-
-}  // namespace sinks
-
-// Says: The clock is only moved on by what was left of the step after the last bounce.
-// Hint: A step ends at s.t + h, whatever happens within it.
-namespace clock_of_the_rest {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    const double end = s.t + h;
-    double left = h;
-    for (int bounces = 0; bounces < 5000; ++bounces) {
-        const double impact = std::sqrt(s.v * s.v + 2 * g * s.x);
-        const double fall = (s.v + impact) / g;
-        if (fall > left)
-            return {s.t + left, s.x + s.v * left - g * left * left / 2, s.v - g * left};
-        left -= fall;
-        s.x = 0;
-        s.v = e * impact;
-        if (2 * s.v / g <= (1 - e) * left) return {end, 0, 0};
-    }
-    return {end, 0, 0};
-}
-
-}  // namespace clock_of_the_rest
-
-// Says: The clock is not moved on.
-// Hint: The state after the step is that of the time s.t + h.
-namespace clock_stands {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    State<double> end = all_bounces(s, g, h, [&](double impact, double) { return e * impact; },
-                                    [&](double v, double left) { return is_over(v, g, e, left); });
-    end.t = s.t;
-    return end;
-}
-
-}  // namespace clock_stands
-
-// Says: The answer is right to seven digits only: somewhere it goes through float.
-// Hint: Stay with double. Long steps and many bounces make the loss visible.
-namespace single_precision {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    const float gravity = float(g);
-    float left = float(h), x = float(s.x), v = float(s.v);
-    for (int bounces = 0; bounces < 2000; ++bounces) {
-        const float impact = std::sqrt(v * v + 2 * gravity * x);
-        const float fall = (v + impact) / gravity;
-        if (fall > left)
-            return {s.t + h, x + v * left - gravity * left * left / 2, v - gravity * left};
-        left -= fall;
-        x = 0;
-        v = float(e) * impact;
-    }
-    return {s.t + h, 0, 0};
-}
-
-}  // namespace single_precision
-
 // Says: The ball stops where it lands: it does not bounce at all.
 // Hint: It leaves the ground with e times the speed that it came with.
 namespace stops_where_it_lands {
@@ -444,31 +243,6 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 
 }  // namespace stops_where_it_lands
 
-// Says: After the landing the whole step begins anew. The fall has used up a part of it.
-// Hint: How much time is left when the ball has landed? Only that much is for the bounces.
-namespace whole_step_after_landing {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    const double impact = impact_of(s, g), fall = (s.v + impact) / g;
-    return h < fall ? fly(s, g, h) : rest_of_step(s.t + h, g, e, h, e * impact);
-}
-
-}  // namespace whole_step_after_landing
-
-// Says: Only the first bounce loses speed. All later ones throw the ball as high as the first.
-// Hint: Each bounce multiplies the speed by e once more.
-namespace later_bounces_lose_nothing {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    const double impact = impact_of(s, g), fall = (s.v + impact) / g, up = e * impact;
-    if (h < fall) return fly(s, g, h);
-    if (up == 0) return {s.t + h, 0, 0};
-    const double left = std::fmod(h - fall, 2 * up / g);
-    return {s.t + h, up * left - g * left * left / 2, up - g * left};
-}
-
-}  // namespace later_bounces_lose_nothing
-
 // Says: In the time of the fall the velocity has the wrong sign: a ball that was thrown up lands sooner.
 // Hint: A ball that rises first takes longer. Check the root that you chose with a throw from the ground.
 namespace fall_with_wrong_sign {
@@ -479,17 +253,6 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 }
 
 }  // namespace fall_with_wrong_sign
-
-// Says: A bounce takes the time to its top. The ball also comes down again.
-// Hint: It lands as fast as it left. By how much has its velocity changed, at g a second?
-namespace way_up_only {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    const double impact = impact_of(s, g), fall = (s.v + impact) / g;
-    return h < fall ? fly(s, g, h) : rest_of_step(s.t + h, g, e, h - fall, e * impact, 1);
-}
-
-}  // namespace way_up_only
 
 // Says: The half before g t^2 is missing everywhere: in the height, in the time until the ball lands, and in the
 //       time of a bounce.
@@ -506,64 +269,6 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 }
 
 }  // namespace half_forgotten_everywhere
-
-// Says: A ball that begins the step on the ground and moves down is put to rest. It bounces at once.
-// Hint: Only a ball with velocity 0 lies on the ground. One that moves down has just come.
-namespace down_on_the_ground_rests {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    if (s.x <= 0 && s.v <= 0) return {s.t + h, 0, 0};
-    return all_bounces(s, g, h, [&](double impact, double) { return e * impact; },
-                       [&](double v, double left) { return is_over(v, g, e, left); });
-}
-
-}  // namespace down_on_the_ground_rests
-
-// Says: Every step ends like that of the example.
-// Hint: Begin with a ball that does not land: where is it after h?
-namespace example {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    return {1.5, 1.25, 0};
-}
-
-}  // namespace example
-
-// Says: Where the ball comes to rest, the clock stops: the step ends at its last bounce.
-// Hint: A ball at rest has time pass, too: the step ends at t + h, whatever happens in it.
-namespace clock_stops_at_rest {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    double t = s.t, left = h;
-    for (;;) {
-        if (s.x == 0 && std::fabs(s.v) < 1e-9) return {t, 0, 0};
-        const double impact = impact_of(s, g), fall = (s.v + impact) / g;
-        if (fall > left) return {t + left, fly(s, g, left).x, s.v - g * left};
-        left -= fall, t += fall;
-        s = {t, 0, e * impact};
-    }
-}
-
-}  // namespace clock_stops_at_rest
-
-// Says: After the last bounce the ball flies for the whole step, and not only for what is left of it.
-// Hint: You count down the time that is left. Which time belongs into the last flight?
-namespace whole_step_at_last {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    double x = s.x, v = s.v, left = h;
-    for (;;) {
-        const double landing = std::sqrt(v * v + 2 * g * x), until = (v + landing) / g;
-        if (landing == 0 || (e < 1 && landing < 1e-8)) return {s.t + h, 0.0, 0.0};
-        if (left < until) break;
-        left -= until;
-        v = e * landing;
-        x = 0;
-    }
-    return {s.t + h, x + v * h - g * h * h / 2, v - g * h};
-}
-
-}  // namespace whole_step_at_last
 
 // Says: The landing speed is that of a ball let go at this height: the velocity that it had is forgotten.
 // Hint: A ball thrown down lands faster than one that is let go. Add both energies.
@@ -583,22 +288,3 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 }
 
 }  // namespace height_alone
-
-// Says: Height and velocity are right, but the time has gone on only by what was left after the last bounce.
-// Hint: The state is that at the end of the step. Which time is that?
-namespace time_of_the_rest {
-
-State<double> land_and_bounce(State<double> s, double g, double e, double h) {
-    double x = s.x, v = s.v, left = h;
-    for (;;) {
-        const double landing = std::sqrt(v * v + 2 * g * x), until = (v + landing) / g;
-        if (landing == 0 || (e < 1 && landing < 1e-8)) return {s.t + left, 0.0, 0.0};
-        if (left < until) break;
-        left -= until;
-        v = e * landing;
-        x = 0;
-    }
-    return {s.t + left, x + v * left - g * left * left / 2, v - g * left};
-}
-
-}  // namespace time_of_the_rest
