@@ -208,3 +208,28 @@ double acceleration_uneven(double x0, double x1, double x2, double h0, double h1
 }
 
 }  // namespace short_interval_is_none
+
+// Says: The two Taylor series are added as for even frames. Then the velocity remains in the sum, times the
+//       difference of the two steps, and a constant velocity has an acceleration.
+// Hint: The term with the velocity is h1 v in one series and −h0 v in the other. With what must you multiply
+//       the series before you add them?
+namespace series_added {
+
+double acceleration_uneven(double x0, double x1, double x2, double h0, double h1) {
+    const double ahead = x2 - x1, back = x0 - x1;
+    return 2 * (ahead + back) / (h0 * h0 + h1 * h1);
+}
+
+}  // namespace series_added
+
+// Says: The slope of the whole chord, from the first position to the last, is taken for the velocity at the one
+//       between. With uneven frames it belongs to the middle of the whole time, which is another moment.
+// Hint: To which moment does each chord's slope belong? Mark both, and divide by what lies between.
+namespace chord_for_the_middle {
+
+double acceleration_uneven(double x0, double x1, double x2, double h0, double h1) {
+    const double whole = (x2 - x0) / (h0 + h1), newest = (x2 - x1) / h1;
+    return 2 * (newest - whole) / h1;
+}
+
+}  // namespace chord_for_the_middle

@@ -22,10 +22,11 @@ double best_acceleration_step(double noise, double snap) {
 
 }  // namespace noise_over_h
 
-// Says: The root is the right one, but the order of the formula still stands under it, as in the chapter,
-//       where the noise is divided by h.
-// Hint: Take the slope of both parts anew: each falls or rises with a square, so each brings a factor of
-//       two. What becomes of them?
+// Says: The root is the right one, but under it stands half of what belongs there: the noise is counted twice
+//       where it must be four times, or the order of the formula is left in, as in the chapter, where the noise is
+//       divided by h.
+// Hint: At the worst, how far off together are three positions with the weights 1, −2 and 1? And take the slope
+//       of both parts anew: each falls or rises with a square, so each brings a factor of two.
 namespace chapters_factor {
 
 double best_acceleration_step(double noise, double snap) {
@@ -165,3 +166,15 @@ double best_acceleration_step(double noise, double snap) {
 }
 
 }  // namespace twelve_below
+
+// Says: The truncation is taken to grow with the fourth power of the step. The series has that power, but then
+//       it is divided by h squared.
+// Hint: Write out the formula, with its divisor, and put the series in. Which power of h is left before the
+//       snap?
+namespace not_over_h_squared {
+
+double best_acceleration_step(double noise, double snap) {
+    return std::pow(24 * noise / snap, 1.0 / 6);
+}
+
+}  // namespace not_over_h_squared

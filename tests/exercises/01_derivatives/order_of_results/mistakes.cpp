@@ -220,3 +220,15 @@ double order_of_results(double coarse, double middle, double fine) {
 }
 
 }  // namespace results_for_differences
+
+// Says: Each difference is divided by a result. Then the order hangs on where zero is: add the same to all
+//       three, and another comes out.
+// Hint: The error is a difference of results. In their quotient the unit is gone already.
+namespace relative_differences {
+
+double order_of_results(double coarse, double middle, double fine) {
+    const double before = (coarse - middle) / coarse, after = (middle - fine) / middle;
+    return std::log2(std::fabs(before / after));
+}
+
+}  // namespace relative_differences

@@ -205,3 +205,27 @@ double velocity_now(double x0, double x1, double x2, double h) {
 }
 
 }  // namespace acceleration_over_h_once
+
+// Says: The two backward slopes are mixed with 4/3 and −1/3. That is for errors that fall with h squared; those
+//       of backward slopes fall with h.
+// Hint: The slope over two steps has twice the error of that over one. How much of each makes the errors
+//       cancel, and adds to one?
+namespace central_weights {
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return (4 * (x2 - x1) / h - (x2 - x0) / (2 * h)) / 3;
+}
+
+}  // namespace central_weights
+
+// Says: A mean of the two slopes, the newest with more weight, lies between them. The velocity now lies beyond
+//       the newest one.
+// Hint: The slopes belong to the middles of their intervals. Go on along the line through the two, to the end
+//       of the last.
+namespace weighted_mean {
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return ((x1 - x0) + 2 * (x2 - x1)) / (3 * h);
+}
+
+}  // namespace weighted_mean

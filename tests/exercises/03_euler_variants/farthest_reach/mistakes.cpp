@@ -200,3 +200,14 @@ double farthest_reach(double x, double v, double omega, double h) {
 }
 
 }  // namespace divisor_above
+
+// Says: The energy stands under the root, but its divisor does not.
+// Hint: The square of the reach is a quotient. Take the root of all of it.
+namespace divisor_without_root {
+
+double farthest_reach(double x, double v, double omega, double h) {
+    const double wh = omega * h;
+    return std::sqrt(x * x - h * x * v + v * v / (omega * omega)) / (1 - wh * wh / 4);
+}
+
+}  // namespace divisor_without_root

@@ -200,3 +200,15 @@ double implicit_half_life(double omega, double h) {
 }
 
 }  // namespace logarithm_squared
+
+// Says: The amplitude is taken to fall along a line: each step takes off as much as the first. It takes off the
+//       same share of what is left.
+// Hint: After n steps the amplitude is a power, share to the n. For which n is that a half?
+namespace along_a_line {
+
+double implicit_half_life(double omega, double h) {
+    const double kept = 1 / std::hypot(1, omega * h);
+    return h / (2 * (1 - kept));
+}
+
+}  // namespace along_a_line

@@ -301,3 +301,16 @@ std::array<double, 2> bounce_without_velocity(double before, double now, double 
 }
 
 }  // namespace asks_for_zero
+
+// Says: The velocity is turned round where the ball is, below the floor. The new pair has the right speed, but
+//       the ball starts from where it has sunk to.
+// Hint: At the floor itself the ball turns round. Where would it be now, had it done so there?
+namespace turned_below {
+
+std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
+    if (now >= floor) return {before, now};
+    const double last = now - before;
+    return {now, now - e * last};
+}
+
+}  // namespace turned_below

@@ -115,3 +115,13 @@ double position_before(double x, double v, double a, double h) {
 }
 
 }  // namespace short_step_is_none
+
+// Says: This is the position half a step ago.
+// Hint: Leapfrog keeps velocities half a step off. Verlet wants the position a whole step ago.
+namespace half_a_step_back {
+
+double position_before(double x, double v, double a, double h) {
+    return x - h / 2 * v + h * h / 8 * a;
+}
+
+}  // namespace half_a_step_back

@@ -267,3 +267,15 @@ bool is_a_body(const Vector3d& inertia) {
 }
 
 }  // namespace needle_refused
+
+// Says: You ask whether the largest moment equals the sum of the other two. That holds for flat plates alone;
+//       of a body it is at most that.
+// Hint: A cube is a body, too. What of its moments?
+namespace plates_only {
+
+bool is_a_body(const Vector3d& inertia) {
+    const double largest = inertia.maxCoeff();
+    return inertia.minCoeff() > 0 && std::fabs(inertia.sum() - 2 * largest) <= 1e-9 * largest;
+}
+
+}  // namespace plates_only
