@@ -8,10 +8,11 @@ set autoscale xfix
 set xtics format ""
 set ylabel "energy / that at the start" offset 0.8
 set key bottom left reverse Left samplen 2
-if (narrow) { set key samplen 1 }
+if (narrow) { set key samplen 1; set yrange [0.5:*] }  # room for the key
 plot "one_token.dat" index 0 using 1:(1) with lines @exact title "exact", \
      "" index 0 using 1:2 with lines @implicit_gyroscopic title "one Newton step", \
      "" index 1 using 1:2 with lines @half_step_jacobian title "half-step Jacobian"
+set autoscale y
 set xtics format "%g"
 set xlabel "time t (s)"
 set ylabel "ω, intermediate axis (rad/s)" offset 0.8
