@@ -91,7 +91,7 @@ inline const std::vector<Choice>& choices() {
          "its steps follow the slow part, the fast one dies; the first step after a kick may be off by nearly all that the kick does", "ch6_stiff", "BDF2"},
         {"swing", "ωh at most " + alive + " in a constant step, as in most of a game (between " + alive + " and " + twice + " at your frame rate: take two steps a frame)",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "one force a step; no damper, however strong, makes it blow up (solve several at one mass together); its energy oscillates "
+         "one force a step; no damper, however strong, makes it blow up (several at one mass: in one equation); its energy oscillates "
          "but does not drift, on a spring, and on a pendulum at ωh = " + pendulum + " (tried up to 3.1 rad)", "ch3_energy",
          "semi-implicit Euler, new damping"},
         {"net", "many stiff springs between many masses, a net, a cloth, ωh above " + twice,
@@ -112,16 +112,16 @@ inline const std::vector<Choice>& choices() {
          "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
         {"callback_symmetric", "a body with two equal moments, a capsule, a wheel, that touches others, and all you can do is change ω before the engine's step",
          "the engine's own **one Newton step**, where it has that (Bullet, Box3D): leave it on; where it has none (Unity, Godot), **passive** by its formula for three moments",
-         "both damp, and so hide what the engine's contacts add when ω is changed just before them. The price: spins fade too soon, and by the second one about "
-         "the length tips over. For two equal moments passive takes nothing: by it a thrown capsule got to more than twice its energy in Bullet. For what mostly flies it "
-         "is the better one. The page In your engine has the numbers", "ch8_contacts", "one Newton step"},
+         "both damp, and so hide what the engine's contacts add when ω is changed just before them. The price: spins fade too soon, and by passive a spin about "
+         "the length tips over. Passive's other formula, for two equal moments (`SymmetricInertia`), loses nothing and hides nothing: a thrown capsule got to more than twice its "
+         "energy in Bullet. For what mostly flies take that one. The page In your engine has the numbers", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
          "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy itself, and loses some; in our throws that covered what contacts added. Spins fade too soon. "
-         "A body with two equal moments loses nothing by it: there leave the engine's own rule on, if that damps", "ch8_contacts", "passive"},
+         "Two equal moments have a line of their own", "ch8_contacts", "passive"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments**, "
-         "`SymmetricInertia` by passive or by the calm half-step: half of it before contacts and joints, half between them and the turn; then throw a capsule, as below",
+         "`SymmetricInertia` by passive or by the calm half-step: half of it before contacts and joints, half between them and the turn; then throw capsules at 30 rad/s onto a plane",
          "it only turns ω about the axis of the odd moment, which keeps "
-         "energy, |L| and the spin", "ch5_passive", "passive"},
+         "energy, |L| and the spin. If a capsule gains a tenth of its energy (height included), give a body without joints the whole step after the contacts", "ch5_passive", "passive"},
         {"contacts", "a body that touches others", "the **calm half-step**: half of it before contacts and joints, half between them and the turn",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps. Then throw capsules at 30 rad/s onto a plane: if one gains a tenth of its "
          "energy (height included), give a body without joints the whole step after the contacts, as in Box3D. (After a joint the whole step may make a spinning "
