@@ -65,6 +65,11 @@ test_is_told_of_whole_numbers_that_are_divided() {
         says out '1.0 / 2'
     done
     says out 'Line 3 divides'
+    silent_on out 'none of the usual'
+    printf 'double zeta_from_swings(double first, double later, int swings) { return 1 / swings; }\n' >answer.cpp
+    add_chapter 02_first_order_form
+    expect 1 course check zeta_from_swings --file answer.cpp
+    says out 'in C++ 1 / swings has lost what'
     for value in '4 / 2' 'h + 1.0 / 2' '1 / 2.0' 'h * 1 / 2' '1 / h' 'x1 / 2' '2 / 1e3' 'h // 1/2'; do
         returns "$value
         "

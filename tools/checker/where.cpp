@@ -13,7 +13,6 @@ namespace checker {
 namespace {
 
 constexpr std::size_t few = 6;      // calls could be so by chance
-constexpr std::size_t fewest = 3;   // which all err in one way
 constexpr std::size_t many = 20;    // tell where a limit is
 constexpr std::size_t most_numbers = 12;
 
@@ -98,11 +97,10 @@ std::string always(const Shown& shown) {
 }  // namespace
 
 std::string where_wrong(const Truth& truth, const std::vector<Call>& calls, const Shown& shown) {
-    if (shown.wrong.size() < fewest || shown.right.size() < few) return {};
+    if (shown.wrong.size() < few || shown.right.size() < few) return {};
     std::string where;
     bool two = false;
     for (const Region& region : regions(truth.leading, truth.has_list)) {
-        if (shown.wrong.size() < few) break;
         const auto inside = [&](const Call* call) { return region.holds(call->arguments); };
         if (!std::all_of(shown.wrong.begin(), shown.wrong.end(), inside)) continue;
         const auto right_inside = std::size_t(std::count_if(shown.right.begin(), shown.right.end(), inside));

@@ -33,9 +33,18 @@ struct Quotient {
     std::string above, below;
 };
 
-// The first of two whole numbers that leaves a rest: "1 / 2", but not that of "x * 1 / 2", which divides x.
-std::optional<Quotient> quotient_of_whole_numbers(const std::string& code) {
+// The first quotient of whole numbers that leaves a rest, or may leave one: "1 / 2", but not that of "x * 1 / 2", which
+// divides x; and "1 / n" where n is one that the exercise gives, and no other variable.
+std::optional<Quotient> quotient_of_whole_numbers(const std::string& code, const std::string& declaration) {
     constexpr std::size_t most_digits = 9;
+    const auto is_number = [](const std::string& text) {
+        return !text.empty() && text.size() <= most_digits && std::all_of(text.begin(), text.end(), is_digit);
+    };
+    const auto is_given = [&](const std::string& text) {
+        const auto place = declaration.find("int " + text);
+        return !text.empty() && place != std::string::npos && !is_of_word(declaration[place + 4 + text.size()]) &&
+               code.find("double " + text) == std::string::npos;
+    };
     const auto size = code.size();
     for (auto at = code.find('/'); at != std::string::npos; at = code.find('/', at + 1)) {
         auto end = at, next = at + 1;
@@ -46,14 +55,13 @@ std::optional<Quotient> quotient_of_whole_numbers(const std::string& code) {
         auto last = next;
         while (last < size && is_of_word(code[last])) ++last;
         const std::string above = code.substr(begin, end - begin), below = code.substr(next, last - next);
-        const auto is_whole = [](const std::string& text) {
-            return !text.empty() && text.size() <= most_digits && std::all_of(text.begin(), text.end(), is_digit);
-        };
-        if (!is_whole(above) || !is_whole(below)) continue;
+        if (!(is_number(above) || is_given(above)) || !(is_number(below) || is_given(below)) || below == "1") continue;
+        const bool are_numbers = is_number(above) && is_number(below);
         auto behind = begin;
         while (behind > 0 && is_blank(code[behind - 1])) --behind;
         const char before = behind > 0 ? code[behind - 1] : ' ';
-        if (before == '*' || before == '/' || before == '%' || std::stol(below) == 0 || std::stol(above) % std::stol(below) == 0) continue;
+        if (before == '*' || before == '/' || before == '%') continue;
+        if (are_numbers && (std::stol(below) == 0 || std::stol(above) % std::stol(below) == 0)) continue;
         return Quotient{1 + std::count(code.begin(), code.begin() + static_cast<long>(begin), '\n'), above, below};
     }
     return {};
@@ -76,10 +84,13 @@ bool keeps_by_auto(const std::string& code) {
 std::string seen_in_answer(const Exercise& exercise, const Verdict& verdict, const std::filesystem::path& file) {
     const std::string code = without_comments(contents(file));
     std::string text;
-    if (const auto found = quotient_of_whole_numbers(code))
-        text += "\n" + wrapped("Line " + std::to_string(found->line) + " divides whole numbers: in C++ " + found->above + " / " + found->below +
-                               " is " + std::to_string(std::stol(found->above) / std::stol(found->below)) + ". What you may want is " +
-                               found->above + ".0 / " + found->below + ".", 2);
+    if (const auto found = quotient_of_whole_numbers(code, exercise.declaration)) {
+        const bool is_number = is_digit(found->above[0]);
+        const std::string is = is_number && is_digit(found->below[0]) ? "is " + std::to_string(std::stol(found->above) / std::stol(found->below))
+                                                                      : "has lost what is behind the point";
+        text += "\n" + wrapped("Line " + std::to_string(found->line) + " divides whole numbers: in C++ " + found->above + " / " + found->below + " " + is +
+                               ". What you may want is " + (is_number ? found->above + ".0" : "double(" + found->above + ")") + " / " + found->below + ".", 2);
+    }
     // What crashes, or is wrong for no known reason, where an expression of Eigen's may have been kept.
     if (exercise.eigen && !verdict.watched && verdict.misconception.empty() && keeps_by_auto(code))
         text += "\n" + wrapped("With auto you may keep a sum or a product of Eigen's that is not worked out yet, and refers to "

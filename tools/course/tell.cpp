@@ -106,9 +106,10 @@ std::string wrong(const Exercise& exercise, const Verdict& verdict, const fs::pa
                 wrapped(call(exercise, verdict) + ", which returned " + verdict.result, 6) + "\n";
     if (!verdict.detail.empty()) text += wrapped(verdict.detail, 2) + "\n";
     const std::string mistake = told_of(exercise, verdict.misconception);
-    text += !mistake.empty() ? mistake
-                             : wrapped("This is none of the usual mistakes. Work the property out by hand for the numbers above.", 2);
-    return text + seen_in_answer(exercise, verdict, file);
+    const std::string seen = seen_in_answer(exercise, verdict, file);
+    if (!mistake.empty()) return text + mistake + seen;
+    if (!seen.empty()) return text + seen.substr(1);  // a blank line is there
+    return text + wrapped("This is none of the usual mistakes. Work the property out by hand for the numbers above.", 2);
 }
 
 std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {

@@ -200,3 +200,26 @@ double longest_parabola_step(double omega, double zeta) {
 }
 
 }  // namespace semi_implicit_but_for_zero
+
+// Says: Only the determinant is asked: between −1 and 1. With strong damping a real eigenvalue passes −1 while
+//       the product of the two is still small.
+// Hint: The product of −1.5 and 0.1 is small, too. What must hold of the sum beside it, that is of the trace?
+namespace determinant_only {
+
+double longest_parabola_step(double omega, double zeta) {
+    const double wide = 4 * zeta;
+    return (zeta < 1 ? wide : std::min(wide, 2 * (zeta - std::sqrt(zeta * zeta - 1)))) / omega;
+}
+
+}  // namespace determinant_only
+
+// Says: The limit is too short by 2π: omega is taken for a number of periods a second. It is one of radians.
+// Hint: A period has 2π radians. What is the unit of omega, by the task?
+namespace omega_in_hertz {
+
+double longest_parabola_step(double omega, double zeta) {
+    const double limit = zeta < 0.5 ? 4 * zeta : 1 / zeta;
+    return limit / (2 * 3.141592653589793 * omega);
+}
+
+}  // namespace omega_in_hertz

@@ -298,3 +298,14 @@ double velocity_under_drag(double v, double gravity, double k, double h) {
 }
 
 }  // namespace other_root_with_the_right_sign
+
+// Says: You return the speed. One who falls has a velocity below zero.
+// Hint: The drag asks for the size of the velocity; the answer has its sign, too.
+namespace speed_for_velocity {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double free = std::fabs(v - h * gravity);
+    return 2 * free / (1 + std::sqrt(1 + 4 * h * k * free));
+}
+
+}  // namespace speed_for_velocity

@@ -288,3 +288,36 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 }
 
 }  // namespace height_alone
+
+// Says: The landings are right, but the last flight is a step of semi-implicit Euler: the half before g t^2 is
+//       missing in its height.
+// Hint: Until it lands the ball is on a parabola, and so it is at the end of the step. Where is it after the
+//       time that is left?
+namespace last_flight_semi_implicit {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t + h;
+    if (s.x == 0 && s.v < 0) s.v *= -e;
+    for (; s.x > 0 || s.v > 1e-9;) {
+        const double impact = impact_of(s, g), fall = (s.v + impact) / g;
+        if (fall > h) return {end, std::max(0.0, s.x + h * (s.v - g * h)), s.v - g * h};
+        h -= fall;
+        s = {end, 0, e * impact};
+    }
+    return {end, 0, 0};
+}
+
+}  // namespace last_flight_semi_implicit
+
+// Says: The landing is that of a ball that is let go at rest from this height, its moment and its speed: the
+//       velocity that it had is forgotten.
+// Hint: A ball that is thrown down lands sooner and faster. Put v into the height and into the energy.
+namespace falls_from_rest {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    if (s.x == 0) return s.v < 0 ? rest_of_step(s.t + h, g, e, h, -e * s.v) : rest_of_step(s.t + h, g, e, h, s.v);
+    const double fall = std::sqrt(2 * s.x / g);
+    return fall > h ? fly(s, g, h) : rest_of_step(s.t + h, g, e, h - fall, e * g * fall);
+}
+
+}  // namespace falls_from_rest

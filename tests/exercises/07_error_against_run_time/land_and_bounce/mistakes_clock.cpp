@@ -153,3 +153,20 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 }
 
 }  // namespace time_of_the_rest
+
+// Says: The clock is that of the last landing: what is left of the step after it is not added.
+// Hint: Whatever happened in the step, it ends at t + h.
+namespace clock_of_the_last_landing {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    double up = s.x == 0 && s.v < 0 ? -e * s.v : s.v;
+    while (s.x > 0 || up > 1e-9) {
+        const double impact = std::sqrt(up * up + 2 * g * s.x), fall = (up + impact) / g;
+        if (fall > h) return {s.t, s.x + up * h - g * h * h / 2, up - g * h};
+        s = {s.t + fall, 0, 0};
+        h -= fall, up = e * impact;
+    }
+    return {s.t, 0, 0};
+}
+
+}  // namespace clock_of_the_last_landing

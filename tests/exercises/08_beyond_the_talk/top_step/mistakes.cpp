@@ -274,3 +274,20 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 }
 
 }  // namespace torque_over_inertia
+
+// Says: L turns back, as it should, but up turns forwards. Both are at rest in the world, but for gravity, and
+//       turn alike.
+// Hint: The two equations have the same x omega. Take a spin about z: which way does up go, seen from the top?
+namespace up_forwards {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    Top top{inertia, mgl, L, up};
+    steps(h, [&](double time) { top.kick(time); },
+          [&](int i, double time) {
+              const double angle = time * top.L[i] / inertia[i];
+              top.L = Top::back(i, angle, top.L), top.up = Top::back(i, -angle, top.up);
+          });
+    return top.state();
+}
+
+}  // namespace up_forwards

@@ -121,3 +121,14 @@ std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vecto
 }
 
 }  // namespace gravity_innermost
+
+// Says: The spins come as x, y, z and again as x, y, z. The way back must be the way there in a mirror: z, y,
+//       x.
+// Hint: Read the step from its end. Is it the same as from its beginning?
+namespace twice_one_way {
+
+std::array<Vector3d, 2> top_step(Vector3d inertia, double mgl, Vector3d L, Vector3d up, double h) {
+    return in_order({inertia, mgl, L, up}, h, {{3, 0.5}, {0, 0.5}, {1, 0.5}, {2, 0.5}, {0, 0.5}, {1, 0.5}, {2, 0.5}, {3, 0.5}});
+}
+
+}  // namespace twice_one_way
