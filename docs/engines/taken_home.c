@@ -7,6 +7,7 @@ void after_loading(Body* b) {
     b->gyroscopic = gyroscopic_from_inverse_momentsf(inverse[0], inverse[1], inverse[2]);
 }
 
+/* Each line for all bodies, before the next one. */
 void step(Body* b, float h) {
     gyroscopic_calm_half_step_in_worldf(&b->gyroscopic, b->q, b->omega, h / 2);
     solve_contacts_and_joints(b, h);

@@ -116,7 +116,7 @@ inline const std::vector<Choice>& choices() {
          "the length tips over. Passive's other formula, for two equal moments (`SymmetricInertia`), loses nothing and hides nothing: a thrown capsule got to more than twice its "
          "energy in Bullet. For what mostly flies take that one. The page In your engine has the numbers", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy itself, and loses some; in our throws that covered what contacts added. Spins fade too soon. "
+         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy itself, and loses some; in our throws that covered what contacts added. Spins fade too soon, and one about the length tips over. "
          "Two equal moments have a line of their own", "ch8_contacts", "passive"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments**, "
          "`SymmetricInertia` by passive or by the calm half-step: half of it before contacts and joints, half between them and the turn; then throw capsules at 30 rad/s onto a plane",
@@ -124,8 +124,8 @@ inline const std::vector<Choice>& choices() {
          "energy, |L| and the spin. If a capsule gains a tenth of its energy (height included), give a body without joints the whole step after the contacts", "ch5_passive", "passive"},
         {"contacts", "a body that touches others", "the **calm half-step**: half of it before contacts and joints, half between them and the turn",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps. Then throw capsules at 30 rad/s onto a plane: if one gains a tenth of its "
-         "energy (height included), give a body without joints the whole step after the contacts, as in Box3D. (After a joint the whole step may make a spinning "
-         "top circle too fast or too slow, on the ground it may, too.) The page In your engine has what we measured in four engines", "ch8_contacts", "calm half-step"},
+         "energy (height included), give a body without joints the whole step after the contacts, as in Box3D. (The whole step after a joint may make a spinning "
+         "top circle too fast or too slow, and one on the ground, too.) The page In your engine has what we measured in four engines", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
          "it is the exact motion but for rounding, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand that fly, h|ω| at most " + calm + ", a constant step",
