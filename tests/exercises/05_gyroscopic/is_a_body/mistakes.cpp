@@ -92,8 +92,8 @@ bool is_a_body(const Vector3d& inertia) {
 
 }  // namespace fixed_slack
 
-// Says: A moment that is too large by a small part, below a millionth, gets through: half of the digits are lost. Is
-//       this float, or a tolerance that is too wide?
+// Says: A moment that is too large by a small part, below a millionth, gets through. Is this float, which has half
+//       of the digits, or a tolerance that is too wide?
 // Hint: Look for float, or a number with an f at its end, and for a tolerance: a billionth of the largest moment is
 //       the most.
 namespace single_precision {

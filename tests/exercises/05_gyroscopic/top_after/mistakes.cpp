@@ -157,8 +157,7 @@ Vector3d top_after(double across, double along, const Vector3d& omega, double t)
 
 // Says: The part across turns by twice the angle. Has a quaternion been made with the whole angle, or is there a 2
 //       too many in the rate?
-// Hint: A quaternion holds the cosine and the sine of half the angle. You can also do without one, and without any
-//       2.
+// Hint: A quaternion holds the cosine and the sine of half the angle. You can do without one, and without a 2.
 namespace double_angle {
 
 Vector3d top_after(double across, double along, const Vector3d& omega, double t) {

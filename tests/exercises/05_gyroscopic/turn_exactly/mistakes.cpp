@@ -9,7 +9,8 @@ static Quaterniond cosine_behind(const Vector3d& omega, double h) {
 
 // Says: The turn is made about the axes of the world. Does it stand on the wrong side of q, or has omega been
 //       brought into the body, where it is already?
-// Hint: A product of quaternions acts from right to left. omega belongs to the body, so which turn comes first?
+// Hint: omega is about the body's own axes as it stands. A product of quaternions acts from right to left, so which
+//       turn comes first?
 namespace other_side {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {

@@ -12,7 +12,7 @@ double amplification(double re, double im, double theta, double h) {
 }  // namespace slider_reversed
 
 // Says: This is the square of the size: std::norm, or the sum of the squares of both parts without its root.
-// Hint: How long is the number 3 + 4i? std::abs is the function for the size.
+// Hint: How large is 3 + 4i? std::abs is the function for the size.
 namespace squared {
 
 double amplification(double re, double im, double theta, double h) {

@@ -2,7 +2,7 @@
 
 // Says: It is one step too few, so nearly every step is too long: rounded down, or a loop that ends one too early?
 // Hint: Say the frame holds 3.2 of the longest steps: do three do? Conversion to int drops what stands behind the
-//       point.
+//       point; a loop goes on until omega h is small enough.
 namespace rounded_down {
 
 int substeps(double mass, int springs, double stiffness, double frame, double share) {
