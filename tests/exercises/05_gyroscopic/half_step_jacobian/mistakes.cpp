@@ -149,10 +149,10 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace two_half_steps
 
-// Says: This is the implicit midpoint rule, solved to the last digit. It is a good method, but it needs several solves
-//       a step.
-// Hint: The torque of the end is wanted as it is linearised about omega. That is one iteration of Newton-Raphson from
-//       omega, and no more.
+// Says: This is the implicit midpoint rule, found to the last digit. It is a good method, but it needs several
+//       rounds a step.
+// Hint: The torque of the end is wanted as it is linearised about omega. That is one iteration of Newton-Raphson
+//       from omega, and no more.
 namespace midpoint_to_the_end {
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
@@ -167,9 +167,9 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace midpoint_to_the_end
 
-// Says: You have taken the true torque of the end and solved to the last digit. This is the trapezoidal rule, at
-//       several solves a step.
-// Hint: Stop after one iteration: the torque linearised about omega is what the task asks for.
+// Says: You have taken the true torque of the end, and found the spin to the last digit. This is the trapezoidal
+//       rule, at several rounds a step.
+// Hint: One solve is enough: the torque linearised about omega is what the task asks for.
 namespace mean_to_the_end {
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {

@@ -196,7 +196,7 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 }  // namespace few_digits
 
 // Says: You iterate until the root is found. Asked is one iteration, from the guess that is given.
-// Hint: Take your loop away and leave what is inside it.
+// Hint: Take your loop away. What is left must be one iteration of Newton-Raphson, from the guess.
 namespace to_the_root {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {

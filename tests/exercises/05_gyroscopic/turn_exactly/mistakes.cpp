@@ -33,8 +33,8 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 
 }  // namespace chapters_step
 
-// Says: This is Euler's step scaled to length one, on the right side. It turns by too little, and never by more than
-//       half a turn.
+// Says: This is Euler's step scaled to length one, on the right side, or q times Quaterniond(1, h omega/2) so
+//       scaled, which is the same. It turns by too little, and never by more than half a turn.
 // Hint: The length of the quaternion is right, but not the angle. Build the turn from sine and cosine of half the
 //       angle.
 namespace first_order {
