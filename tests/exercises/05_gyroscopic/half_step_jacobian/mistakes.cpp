@@ -38,7 +38,8 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace full_jacobian
 
-// Says: This is the spin in the middle of the step: the torque of the beginning acts for half of the time only.
+// Says: This is the spin in the middle of the step: the change is half as large as it should be. Does the torque act
+//       for h/2 only, or is the change of half a step never doubled?
 // Hint: The two ends have one half each. The torque of the beginning stands in both.
 namespace half_step {
 
@@ -48,7 +49,8 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace half_step
 
-// Says: The half stands at the wrong place: the torque on the right is halved, and the Jacobian is the talk's.
+// Says: Your change is half of that of the talk's solver. Is the torque on the right halved where the Jacobian
+//       should be, or are the old spin and the talk's new one averaged?
 // Hint: Write the mean of T and T - G d. How much of T is in it, and how much of G d?
 namespace half_torque {
 
@@ -91,7 +93,8 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 }  // namespace sum_of_terms
 
 // Says: The torque of the end is linearised with the wrong sign: it rises where it should fall.
-// Hint: The torque is minus omega x I omega, and the Jacobian stands on the left side. Count the minus signs once more.
+// Hint: The torque is minus omega x I omega, and the Jacobian stands on the left side. Count the minus signs once
+//       more, those in the skew matrix, too: does it make omega x d of d?
 namespace jacobian_sign {
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
@@ -100,8 +103,10 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace jacobian_sign
 
-// Says: Torque and Jacobian are right, but the change goes the wrong way.
-// Hint: The gyroscopic torque is -omega x I omega. If the residual is + h omega x I omega, the change is taken away.
+// Says: The Jacobian is right, but the change goes the wrong way: is it taken away from omega, or has the torque on
+//       the right side the wrong sign?
+// Hint: With the torque -omega x I omega on the right the change is added. With the residual + h omega x I omega it
+//       is taken away.
 namespace subtracted {
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
@@ -144,10 +149,10 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace two_half_steps
 
-// Says: This is the implicit midpoint rule, solved to the last digit. It is a good method, but it needs several solves
-//       a step.
-// Hint: The torque of the end is wanted as it is linearised about omega. That is one iteration of Newton-Raphson from
-//       omega, and no more.
+// Says: This is the implicit midpoint rule, found to the last digit. It is a good method, but it needs several
+//       rounds a step.
+// Hint: The torque of the end is wanted as it is linearised about omega. That is one iteration of Newton-Raphson
+//       from omega, and no more.
 namespace midpoint_to_the_end {
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
@@ -162,9 +167,9 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace midpoint_to_the_end
 
-// Says: You have taken the true torque of the end and solved to the last digit. This is the trapezoidal rule, at
-//       several solves a step.
-// Hint: Stop after one iteration: the torque linearised about omega is what the task asks for.
+// Says: You have taken the true torque of the end, and found the spin to the last digit. This is the trapezoidal
+//       rule, at several rounds a step.
+// Hint: One solve is enough: the torque linearised about omega is what the task asks for.
 namespace mean_to_the_end {
 
 Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, double h) {
@@ -203,8 +208,8 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 }  // namespace few_digits
 
-// Says: You have foretold the torque of the end from its rate of change in time, which is explicit: nothing is solved,
-//       and a step back does not undo it.
+// Says: You have foretold the torque of the end, from its rate of change in time or with the change that explicit
+//       Euler makes: nothing is solved, and a step back does not undo it.
 // Hint: Linearise in the spin: the torque of the end is that at omega plus a matrix times the change of the spin, which
 //       you do not know yet. Solve for it.
 namespace taylor {

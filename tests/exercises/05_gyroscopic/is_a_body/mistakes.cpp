@@ -92,9 +92,10 @@ bool is_a_body(const Vector3d& inertia) {
 
 }  // namespace fixed_slack
 
-// Says: The moments have lost half of their digits: this is float, and a moment that is a bit too large gets
-//       through.
-// Hint: Look for float, or a number with an f at its end, in what you wrote.
+// Says: A moment that is too large by a small part, below a millionth, gets through. Is this float, which has half
+//       of the digits, or a tolerance that is too wide?
+// Hint: Look for float, or a number with an f at its end, and for a tolerance: a billionth of the largest moment is
+//       the most.
 namespace single_precision {
 
 bool is_a_body(const Vector3d& inertia) {
@@ -171,8 +172,8 @@ bool is_a_body(const Vector3d& inertia) {
 
 }  // namespace all_but_the_last
 
-// Says: A moment is compared with the mean of the other two, not with their sum: plates and staffs are turned
-//       away.
+// Says: Only three equal moments get through: plates and staffs are turned away. Is a moment compared with the mean
+//       of the other two and not with their sum, or with a third of all three?
 // Hint: Add the two sums in the task: y² + z² and z² + x². What do they have beside the third?
 namespace mean_of_the_others {
 
@@ -194,7 +195,7 @@ bool is_a_body(const Vector3d& inertia) {
 
 }  // namespace product_of_the_others
 
-// Says: A moment may be a few per cent too large, or a little of a per cent, and gets through.
+// Says: A moment that is a little too large, by some per cent or by a part of one, gets through.
 // Hint: No mass can make it so. If you want a tolerance for rounding, a billionth of the largest moment is plenty.
 namespace some_slack {
 
@@ -227,7 +228,8 @@ bool is_a_body(const Vector3d& inertia) {
 
 }  // namespace all_but_the_middle
 
-// Says: Nothing gets through, not even a ball: your comparisons cannot all hold at once.
+// Says: Nothing gets through, not even a ball: one of your comparisons fails for every body, or they cannot all hold
+//       at once.
 // Hint: Try the moments of a ball, (1, 1, 1), in each of them. Which one fails, and should it?
 namespace nothing_is {
 

@@ -45,8 +45,8 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 }  // namespace sum_of_terms
 
 // Says: The residual is right, but the torque's part of the Jacobian has the wrong sign.
-// Hint: f has + h omega2 x (I omega2), so its slope has a plus there as well. Take the derivative of f, not
-//       of the torque -omega x I omega.
+// Hint: f has + h omega2 x (I omega2), so its slope has a plus there as well. Take the derivative of f, not of the
+//       torque -omega x I omega. And does your skew matrix of a make a x b of b?
 namespace jacobian_sign {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {
@@ -196,7 +196,7 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
 }  // namespace few_digits
 
 // Says: You iterate until the root is found. Asked is one iteration, from the guess that is given.
-// Hint: Take your loop away and leave what is inside it.
+// Hint: Take your loop away. What is left must be one iteration of Newton-Raphson, from the guess.
 namespace to_the_root {
 
 Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, double h) {

@@ -1,7 +1,8 @@
 #include "exercise_eigen.hpp"
 
 // Says: The part across turns the wrong way round, for some t at least.
-// Hint: Is a t below zero taken as it is? Take omega = (1, 0, 1) and a flat body. Which sign has the rate of omega.y() in Euler's equations?
+// Hint: Is a t below zero taken as it is? Take omega = (1, 0, 1) and a flat body. Which sign has the rate of
+//       omega.y() in Euler's equations?
 namespace turns_backwards {
 
 Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
@@ -154,8 +155,9 @@ Vector3d top_after(double across, double along, const Vector3d& omega, double t)
 
 }  // namespace never_earlier
 
-// Says: Everything turns by twice the angle: a quaternion has been made with the whole angle.
-// Hint: A quaternion holds the cosine and the sine of half the angle. You can also do without one.
+// Says: The part across turns by twice the angle. Has a quaternion been made with the whole angle, or is there a 2
+//       too many in the rate?
+// Hint: A quaternion holds the cosine and the sine of half the angle. You can do without one, and without a 2.
 namespace double_angle {
 
 Vector3d top_after(double across, double along, const Vector3d& omega, double t) {

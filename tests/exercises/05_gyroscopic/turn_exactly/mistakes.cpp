@@ -7,8 +7,10 @@ static Quaterniond cosine_behind(const Vector3d& omega, double h) {
     return Quaterniond(v.x(), v.y(), v.z(), std::cos(half));
 }
 
-// Says: The turn stands on the wrong side of q: it is made about the axes of the world.
-// Hint: A product of quaternions acts from right to left. omega belongs to the body, so which turn comes first?
+// Says: The turn is made about the axes of the world. Does it stand on the wrong side of q, or has omega been
+//       brought into the body, where it is already?
+// Hint: omega is about the body's own axes as it stands. A product of quaternions acts from right to left, so which
+//       turn comes first?
 namespace other_side {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
@@ -31,8 +33,8 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 
 }  // namespace chapters_step
 
-// Says: This is Euler's step scaled to length one, on the right side. It turns by too little, and never by more than
-//       half a turn.
+// Says: This is Euler's step scaled to length one, on the right side, or q times Quaterniond(1, h omega/2) so
+//       scaled, which is the same. It turns by too little, and never by more than half a turn.
 // Hint: The length of the quaternion is right, but not the angle. Build the turn from sine and cosine of half the
 //       angle.
 namespace first_order {
@@ -70,7 +72,8 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 }  // namespace whole_angle
 
 // Says: The body turns half as far as it should: the angle has been halved once too often.
-// Hint: AngleAxisd wants the angle by which the body turns. It does the halving itself.
+// Hint: A quaternion has half of the angle in it, halved once. AngleAxisd wants the whole one: it does the halving
+//       itself.
 namespace halved_twice {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {
@@ -147,7 +150,7 @@ Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) 
 }  // namespace only_the_turn
 
 // Says: For a negative h the body turns forwards: the angle has lost its sign.
-// Hint: A norm is never negative. Take h out of it.
+// Hint: A norm is never negative, and neither is what std::fabs returns. Keep h out of both.
 namespace never_back {
 
 Quaterniond turn_exactly(const Quaterniond& q, const Vector3d& omega, double h) {

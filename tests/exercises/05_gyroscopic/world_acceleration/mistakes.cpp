@@ -32,8 +32,8 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 }  // namespace gyroscopic_missing
 
 // Says: The gyroscopic torque has the wrong sign: the angular momentum of a free body does not stay.
-// Hint: In Euler's equations omega x L stands on the left, beside the acceleration. What happens to it on
-//       the way to the other side?
+// Hint: In Euler's equations omega x L stands on the left, beside the acceleration. What happens to it on the way to
+//       the other side? And which of the two stands first in your cross product?
 namespace gyroscopic_sign {
 
 Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {

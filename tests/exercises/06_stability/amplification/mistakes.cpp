@@ -11,8 +11,8 @@ double amplification(double re, double im, double theta, double h) {
 
 }  // namespace slider_reversed
 
-// Says: This is the square of the size.
-// Hint: std::norm of a complex number is its size squared. There is another function for the size.
+// Says: This is the square of the size: std::norm, or the sum of the squares of both parts without its root.
+// Hint: How large is 3 + 4i? std::abs is the function for the size.
 namespace squared {
 
 double amplification(double re, double im, double theta, double h) {

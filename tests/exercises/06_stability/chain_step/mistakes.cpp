@@ -277,7 +277,8 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 
 }  // namespace explicit_euler
 
-// Says: This is the trapezoid rule: it takes the mean of the old and the new forces and velocities.
+// Says: This is the trapezoid rule, or implicit midpoint, which is the same here: it takes the mean of the old and
+//       the new forces and velocities.
 // Hint: Implicit Euler has no old force, and no old velocity beside v1 itself. A stiff chain must not swing on.
 namespace trapezoid {
 

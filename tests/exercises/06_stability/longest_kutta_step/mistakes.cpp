@@ -264,8 +264,8 @@ double longest_kutta_step(double omega, double zeta) {
 }
 }  // namespace scan_of_thousandths
 
-// Says: Near, but your search stops too early: after twenty halvings the interval is still three millionths of 1 /
-//       omega wide, and a hard damper's limit may be only some forty times that.
+// Says: Near, but your search stops too early: after some twenty halvings the interval is still some millionths of 1
+//       / omega wide, and a hard damper's limit may be only some forty times that.
 // Hint: Each halving gives one more binary digit. Sixty cost nothing.
 namespace few_halvings {
 double longest_kutta_step(double omega, double zeta) {
@@ -299,7 +299,8 @@ double longest_kutta_step(double omega, double zeta) {
 }
 }  // namespace semi_implicit_euler
 
-// Says: The third power in R has the factor 1/12: the third look is taken at y1 + h k2, or with half of it.
+// Says: The third power in R has the factor 1/12. Is the third look taken at y1 + h k2, or is there a half too many
+//       before z³?
 // Hint: k3 has 2 k2 - k1 in it. Which factor has z³ there, before the sixth?
 namespace half_the_cube {
 double longest_kutta_step(double omega, double zeta) {
@@ -335,7 +336,8 @@ double longest_kutta_step(double omega, double zeta) {
 }
 }  // namespace example
 
-// Says: k3 lacks its minus k1: then R ends with z³/3, and the limit is that of another method.
+// Says: The limit is that of another method, as if k3 lacked its minus k1: R then has 2/3 z² in it, where z²/2
+//       belongs.
 // Hint: k3 is the rate after a whole step of 2 k2 - k1. Put z and z + z²/2 in for k1 and k2.
 namespace first_look_forgotten {
 

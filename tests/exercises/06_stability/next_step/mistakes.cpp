@@ -163,8 +163,8 @@ double next_step(double whole, double halves, double h, double tolerance, int or
 
 }  // namespace margin_after_limits
 
-// Says: Results that are not numbers make the step five times as long: std::min(5.0, NaN) is 5, since every comparison
-//       with NaN is false.
+// Says: Results that are not numbers make the step five times as long. Every comparison with NaN is false: so
+//       std::min(5.0, NaN) is 5, and !(error > 0) is true.
 // Hint: An input was NaN here, and the task tells what to return then. Ask std::isfinite before you compare anything.
 namespace not_a_number_grows {
 
@@ -176,7 +176,8 @@ double next_step(double whole, double halves, double h, double tolerance, int or
 
 }  // namespace not_a_number_grows
 
-// Says: Results that are not numbers make a step that is not a number: std::clamp hands NaN through.
+// Says: Results that are not numbers make a step that is not a number: std::clamp hands NaN through, and so do
+//       comparisons, which are all false.
 // Hint: An input was NaN here, and the task tells what to return then. std::isfinite tells such results from numbers.
 namespace not_a_number_stays {
 

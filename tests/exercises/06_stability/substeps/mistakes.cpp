@@ -1,8 +1,8 @@
 #include "exercise.hpp"
 
-// Says: The count is rounded down, so nearly every step is too long.
-// Hint: Conversion to int drops what stands behind the point. Say the frame holds 3.2 of the longest steps:
-//       do three do?
+// Says: It is one step too few, so nearly every step is too long: rounded down, or a loop that ends one too early?
+// Hint: Say the frame holds 3.2 of the longest steps: do three do? Conversion to int drops what stands behind the
+//       point; a loop goes on until omega h is small enough.
 namespace rounded_down {
 
 int substeps(double mass, int springs, double stiffness, double frame, double share) {
@@ -23,8 +23,10 @@ int substeps(double mass, int springs, double stiffness, double frame, double sh
 
 }  // namespace rounded
 
-// Says: This is one step more than needed, in every frame.
-// Hint: You round up already. What is the extra one for?
+// Says: This is one step more than needed, in every frame: one that is added to a count rounded up already, or a
+//       loop that ends one too late?
+// Hint: Say the frame holds 3.2 of the longest steps: how many does your code make of it, and which is the first
+//       that will do?
 namespace one_too_many {
 
 int substeps(double mass, int springs, double stiffness, double frame, double share) {

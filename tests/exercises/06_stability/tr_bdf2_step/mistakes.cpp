@@ -33,7 +33,7 @@ static State<double> at(double t, const Pair& y) {
     return {t, y[0], y[1]};
 }
 
-// Says: This is the trapezoid rule for the whole step: it rings as implicit midpoint does.
+// Says: This is the trapezoid rule for the whole step, or implicit midpoint, which is the same here: it rings.
 // Hint: Only a part of gamma h goes by the trapezoid rule. Then comes the parabola.
 namespace trapezoid_only {
 

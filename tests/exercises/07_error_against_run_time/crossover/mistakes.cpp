@@ -1,7 +1,7 @@
 #include "exercise.hpp"
 
-// Says: A division of whole numbers: 1 / p is zero but for order one, and p * q / (q - p) is cut to a whole
-//       number.
+// Says: A division of whole numbers: p * q / (q - p) is cut to a whole number, or there is a 1 / p, which is zero
+//       but for order one.
 // Hint: Write 1.0 for one of the numbers.
 namespace whole_number_division {
 
@@ -340,7 +340,7 @@ std::array<double, 2> crossover(std::array<double, 2> a, int p, std::array<doubl
 
 }  // namespace seconds_exchanged
 
-// Says: Both lines are drawn with the order of A.
+// Says: Where B's line lies is reckoned with the order of A, and how steep it is with its own.
 // Hint: The error of the run of B falls with its own order: four times the time, and what becomes of it?
 namespace one_order_for_both {
 

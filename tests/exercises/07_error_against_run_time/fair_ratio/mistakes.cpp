@@ -1,6 +1,6 @@
 #include "exercise.hpp"
 
-// Says: You compare the means. A single long disturbance is enough to spoil one.
+// Says: You compare the means, or the sums, whose ratio is the same. One long disturbance is enough to spoil it.
 // Hint: Disturbances only make times longer, and so a mean, too. Which of the times is the least spoilt?
 namespace mean {
 
@@ -187,9 +187,9 @@ double fair_ratio(const std::vector<std::array<double, 3>>& rounds) {
 
 }  // namespace mean_of_the_loop
 
-// Says: The first round is thrown away, for warming up. It may be the only quiet one, or the only one there
-//       is; and a slow first round does no harm here.
-// Hint: If you take the fastest, slow rounds need not be thrown away.
+// Says: The first round does not count: it is thrown away, for warming up, or a loop begins at 1. It may be the only
+//       quiet one, or the only one there is.
+// Hint: If you take the fastest, slow rounds need not be thrown away. And in C++ the first round has the place 0.
 namespace first_left_out {
 
 double fair_ratio(const std::vector<std::array<double, 3>>& rounds) {

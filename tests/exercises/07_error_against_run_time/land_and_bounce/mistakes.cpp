@@ -177,8 +177,7 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 
 }  // namespace straight_to_the_ground
 
-// Says: The moment of the impact is that of a ball that is dropped: the velocity at the beginning is not in
-//       it.
+// Says: The ball lands when, and as fast as, one that is let go at rest: the velocity at the beginning is not in it.
 // Hint: Solve s.x + s.v t - g t^2 / 2 = 0 for t, with the middle term.
 namespace thrown_as_dropped {
 

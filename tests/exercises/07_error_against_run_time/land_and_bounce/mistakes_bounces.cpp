@@ -11,8 +11,9 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 
 }  // namespace energy_share
 
-// Says: The speed after a bounce is e^2 of the speed before. The energy is; the speed has one e.
-// Hint: The height it comes back to is e^2 of what it was. Is it in your answer?
+// Says: The speed after a bounce is e^2 of the speed before, where it has one e. Is that the share of the energy, or
+//       does e come in twice?
+// Hint: The height it comes back to is e^2 of what it was. What do you get for a ball that is dropped?
 namespace e_squared {
 
 State<double> land_and_bounce(State<double> s, double g, double e, double h) {

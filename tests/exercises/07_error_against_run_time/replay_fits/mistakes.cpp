@@ -10,8 +10,9 @@ static bool all_marks(const std::vector<double>& x, const std::vector<double>& e
     return true;
 }
 
-// Says: Only the last mark is looked at. A flight may go astray and still come down where it should.
-// Hint: "At every mark" needs a loop.
+// Says: Only the last mark decides. A flight may go astray and still come down where it should. Is there no loop, or
+//       does each round of it forget what the one before has found?
+// Hint: Let the mark in the middle be bad, and the last one good. Which answer must come out, and which does?
 namespace final_only {
 
 bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
@@ -269,8 +270,9 @@ bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, 
 
 }  // namespace forgiving
 
-// Says: Every replay is turned down, as in the example.
-// Hint: Begin with a loop over the marks, and the error at each.
+// Says: Every replay is turned down, even a perfect one.
+// Hint: Take the heights of the example with an accuracy of 0.1, where the answer is yes. Where does yours become
+//       no: at a mark, or behind the last?
 namespace example {
 
 bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, double accuracy) {
@@ -307,7 +309,7 @@ bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, 
 
 }  // namespace whole_share
 
-// Says: Only the first mark is looked at: your loop returns in its first round, whatever it finds.
+// Says: Only the first mark is looked at. Does your loop return in its first round, whatever it finds?
 // Hint: A bad mark may end the loop at once. When do you know that all of them are good?
 namespace first_only {
 

@@ -66,8 +66,9 @@ std::vector<int> worth_having(const std::vector<Point>& points) {
 
 }  // namespace worse_in_one
 
-// Says: Nobody is worth having: each setting is compared with itself too, and takes no more time than itself.
-// Hint: To beat somebody one must be truly better in something.
+// Says: Nobody is worth having: your list is always empty. Is each setting compared with itself, too, which takes no
+//       more time than itself?
+// Hint: Take a list of a single setting: who throws it out? To beat somebody one must be truly better in something.
 namespace beaten_by_itself {
 
 std::vector<int> worth_having(const std::vector<Point>& points) {

@@ -86,7 +86,8 @@ std::vector<int> worth_having(const std::vector<Point>& points) {
 
 }  // namespace unstable_twins
 
-// Says: The numbers are places in a list that you have sorted yourself, without what is not finite. The caller has another list.
+// Says: The numbers are places in a list that you have sorted yourself, without what is not finite. The caller has
+//       another list.
 // Hint: Sort the places, not the settings: then each of them still says where it stood.
 namespace places_when_sorted {
 

@@ -72,7 +72,8 @@ Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double 
 }  // namespace explicit_euler
 
 // Says: The torque acts the wrong way round: as w2 x L1.
-// Hint: A cross product changes its sign when its two vectors change places.
+// Hint: A cross product changes its sign when its two vectors change places. Look at both: the equation, and k x y
+//       where you have solved it.
 namespace other_way {
 
 Vector3d flywheel_step(Vector3d inertia, Vector3d wheel, Vector3d omega, double h) {

@@ -236,8 +236,8 @@ Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vect
 
 }  // namespace single_precision
 
-// Says: The turns of all gaps are added up as vectors, and the body is turned once by their sum. But turns about different
-//       axes cannot be added.
+// Says: The turns of all gaps are added up as vectors, and the body is turned once by their sum. But turns about
+//       different axes cannot be added.
 // Hint: A quarter turn about x and then one about y is no turn about the diagonal. Turn the body in every gap.
 namespace sum_of_turns {
 

@@ -53,9 +53,10 @@ std::array<std::vector<int>, 2> sort_by_kind(const std::vector<int>& kinds, int 
 
 }  // namespace unstable
 
-// Says: begins tells where each group ends: the numbers have moved on while the groups were filled.
-// Hint: The place where the next body goes, and the place where the group begins, are the same only before
-//       the first body.
+// Says: begins tells where each group ends. Have its numbers moved on while the groups were filled, or is each group
+//       in its own sum?
+// Hint: Where does kind 0 begin, however many bodies are of it? Look at your begins[0] before the groups are filled,
+//       and after.
 namespace begins_moved {
 
 std::array<std::vector<int>, 2> sort_by_kind(const std::vector<int>& kinds, int count) {
@@ -279,8 +280,8 @@ std::array<std::vector<int>, 2> sort_by_kind(const std::vector<int>& kinds, int 
 }  // namespace empty_begin_at_zero
 
 // Says: begins has one number too many: there is a group of a kind that does not exist.
-// Hint: The kinds are 0 to count - 1, and begins has one number more than there are kinds. How often does your loop
-//       run, with < or with <=?
+// Hint: The kinds are 0 to count - 1, and begins has one number more than there are kinds. Is the list made too
+//       long, or does a loop run with <= where < belongs?
 namespace one_begin_too_many {
 
 std::array<std::vector<int>, 2> sort_by_kind(const std::vector<int>& kinds, int count) {
