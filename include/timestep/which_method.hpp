@@ -79,7 +79,7 @@ inline const std::vector<Choice>& choices() {
          "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
         {"tether", "a tether: one leash between two things, a spring that only pulls",
          "**implicit Euler**; where it must bounce on, semi-implicit Euler in substeps of ωh at most " + tether,
-         "by the first the energy never rises, slack or taut; of the second nothing proves that. The library's `Tether` is another: it pushes when it is short, and there implicit Euler may gain", "ch6_question", "implicit Euler"},
+         "by implicit Euler the energy never rises, slack or taut; of the substeps nothing proves that. The library's `Tether` is a different thing: it pushes when it is short, and there implicit Euler may gain", "ch6_question", "implicit Euler"},
         {"uneven", "steps of uneven length, where chapter 2's game loop cannot be used",
          "**Runge–Kutta 4**, in substeps of ωh and ζωh at most " + alive +
          "; for what is faster or more damped implicit Euler, or implicit midpoint where it must keep its size",
@@ -91,7 +91,7 @@ inline const std::vector<Choice>& choices() {
          "its steps follow the slow part, the fast one dies; the first step after a kick may be off by nearly all that the kick does", "ch6_stiff", "BDF2"},
         {"swing", "ωh at most " + alive + " in a constant step, as in most of a game (between " + alive + " and " + twice + " at your frame rate: take two steps a frame)",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "one force a step; no damper, however strong, makes it blow up (several at one mass: in one equation); its energy oscillates "
+         "one force a step; no damper, however strong, makes it blow up (several at one mass: solve them together); its energy oscillates "
          "but does not drift, on a spring, and on a pendulum at ωh = " + pendulum + " (tried up to 3.1 rad)", "ch3_energy",
          "semi-implicit Euler, new damping"},
         {"net", "many stiff springs between many masses, a net, a cloth, ωh above " + twice,
@@ -119,12 +119,12 @@ inline const std::vector<Choice>& choices() {
          "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy itself, and loses some; in our throws that covered what contacts added. Spins fade too soon, and one about the length tips over. "
          "Two equal moments have a line of their own", "ch8_contacts", "passive"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments**, "
-         "`SymmetricInertia` by passive or by the calm half-step: half of it before contacts and joints, half between them and the turn; then throw capsules at 30 rad/s onto a plane",
+         "`SymmetricInertia` by passive or by the calm half-step: half of it before contacts and joints, half between them and the turn",
          "it only turns ω about the axis of the odd moment, which keeps "
-         "energy, |L| and the spin. If a capsule gains a tenth of its energy (height included), give a body without joints the whole step after the contacts", "ch5_passive", "passive"},
-        {"contacts", "a body that touches others", "the **calm half-step**: half of it before contacts and joints, half between them and the turn",
+         "energy, |L| and the spin. Then throw capsules at 30 rad/s onto a plane: if one gains a tenth of its energy (height included; in Box3D it does), give a body without joints the whole step after the contacts", "ch5_passive", "passive"},
+        {"contacts", "a body that touches others", "the **calm half-step**, called twice with h/2: before contacts and joints, and between them and the turn",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps. Then throw capsules at 30 rad/s onto a plane: if one gains a tenth of its "
-         "energy (height included), give a body without joints the whole step after the contacts, as in Box3D. (The whole step after a joint may make a spinning "
+         "energy (height included; in Box3D it does), give a body without joints the whole step after the contacts. (The whole step after a joint may make a spinning "
          "top circle too fast or too slow, and one on the ground, too.) The page In your engine has what we measured in four engines", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
          "it is the exact motion but for rounding, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},

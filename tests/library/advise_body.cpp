@@ -195,7 +195,7 @@ TEST_CASE("in free flight the recommended line is right, and hardly any other of
           "[library][I13]") {
     for (const auto& line : questions::recommended(250, 7, 10)) {
         CAPTURE(line.name, line.asked, line.worst, line.beaten);
-        if (line.name == "many") continue;  // that is for its price in lanes
+        if (line.name.starts_with("many")) continue;  // those are for their price in lanes
         CHECK(line.asked > 10);
         CHECK(line.worst < 1e-3);
         CHECK(line.beaten_visibly == 0);
