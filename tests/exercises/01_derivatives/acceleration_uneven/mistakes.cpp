@@ -24,10 +24,10 @@ double acceleration_uneven(double x0, double x1, double x2, double h0, double h1
 
 }  // namespace product_of_steps
 
-// Says: The change of velocity is divided by the time from the first position to the last, so the
-//       acceleration is half of what it should be.
-// Hint: A chord's slope is the velocity in the middle of its interval. From the one middle to the other is
-//       not the whole time.
+// Says: The acceleration is half of what it should be: is the change of velocity divided by the time from the
+//       first position to the last, or has the half of a Taylor series stayed behind?
+// Hint: Two velocities that each belong to the middle of their interval: from the one middle to the other is not
+//       the whole time. Test it with the example, x = t².
 namespace whole_time {
 
 double acceleration_uneven(double x0, double x1, double x2, double h0, double h1) {
@@ -47,7 +47,8 @@ double acceleration_uneven(double x0, double x1, double x2, double h0, double h1
 
 }  // namespace newest_step
 
-// Says: The older velocity minus the newer one: the acceleration has the wrong sign.
+// Says: The acceleration has the wrong sign: is the newer velocity taken off the older one, or does each of the
+//       two count its way backwards in time?
 // Hint: A body that gets faster in the positive direction has a positive acceleration.
 namespace older_minus_newer {
 
@@ -57,9 +58,9 @@ double acceleration_uneven(double x0, double x1, double x2, double h0, double h1
 
 }  // namespace older_minus_newer
 
-// Says: The two intervals are interchanged: each change of position is divided by the time of the other.
-// Hint: h0 is the time from x0 to x1. Draw the three positions over time, and write each interval where it
-//       belongs.
+// Says: The two intervals are interchanged: each change of position goes with the time of the other.
+// Hint: Let a body move at a constant velocity, with intervals of 1 and 2. What does each of your two terms give,
+//       and what must it give?
 namespace intervals_swapped {
 
 double acceleration_uneven(double x0, double x1, double x2, double h0, double h1) {

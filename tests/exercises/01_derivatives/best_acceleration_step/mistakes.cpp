@@ -47,10 +47,10 @@ double best_acceleration_step(double noise, double snap) {
 
 }  // namespace middle_once
 
-// Says: The error term comes from one of the two series: a 24th of the snap. Both series hold it, and they
-//       are added.
-// Hint: In the sum of the series ahead and the series back the odd powers cancel. What happens to the fourth
-//       power?
+// Says: The root is the right one, but under it stands twice what belongs there: is the error term that of one
+//       series, a 24th of the snap, or has one of the two parts lost its factor two in the slope?
+// Hint: Both series hold the fourth power, and they are added: what stands before the snap then? And take the
+//       slope of each part anew.
 namespace one_series {
 
 double best_acceleration_step(double noise, double snap) {
@@ -91,8 +91,8 @@ double best_acceleration_step(double noise, double snap) {
 
 }  // namespace upside_down
 
-// Says: The weights 1, −2 and 1 are not added by their sizes: the worst noise in the sum is taken to be that
-//       of one position.
+// Says: The root is the right one, but under it stands a quarter of what belongs there: most likely the noise is
+//       that of one position, where the weights 1, −2 and 1 must be added by their sizes.
 // Hint: Each position may be off to its own side. Choose the three signs so that the sum of the noise is as
 //       large as it can be.
 namespace noise_cancels {

@@ -75,9 +75,10 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 }  // namespace velocity_now
 
-// Says: The noise counts half of what it should. There are two positions, each with noise.
-// Hint: At the worst the one position is off to the left and the other to the right. By how much does their
-//       difference err?
+// Says: Beside the truncation error, the noise has half of its weight: is it that of one position alone, is it
+//       divided by twice the gap, or is only one of the two factors of the half gap halved?
+// Hint: At the worst, by how much does the difference of the two positions err, and by which time is it divided?
+//       Then put half a gap into jerk h²/6, with brackets.
 namespace noise_once {
 
 int best_gap(double frame, double noise, double jerk, int most) {
@@ -131,9 +132,9 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 }  // namespace neighbours
 
-// Says: Frames as far apart as can be, whatever the jerk. That makes the noise small and the truncation
-//       error large.
-// Hint: The truncation error grows with the square of the gap. From where on does it cost more than the
+// Says: Frames as far apart as can be, whatever the jerk, as if there were no truncation error. If yours has one,
+//       is it zero by a 1 / 6 or 1 / 24? In C++ these are 0.
+// Hint: The truncation error grows with the square of the gap. Print it: from where on does it cost more than the
 //       noise gains?
 namespace farthest {
 
@@ -204,8 +205,10 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 }  // namespace largest
 
-// Says: This is one frame more than the best: it counts the positions from the first to the last.
-// Hint: Three positions in a row are two frames apart. What is asked is the difference of their numbers.
+// Says: This is one frame more than the best: does a loop go on one too far, or are the positions counted, the
+//       first one too?
+// Hint: Three positions in a row are two frames apart. And compare the worst error of your answer with that of one
+//       frame less.
 namespace one_more {
 
 int best_gap(double frame, double noise, double jerk, int most) {
@@ -218,9 +221,9 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 }  // namespace one_more
 
-// Says: The loop stops one frame before the best: this gap is one too short.
-// Hint: What does the number hold when the loop sees that the error rises? Follow it by hand for an optimum
-//       of two.
+// Says: It is one frame too few: does a loop end one too early, or is the best rounded down, or one taken off it?
+// Hint: Compare the worst error of your answer with that of one frame more. How does your code see that, where the
+//       best gap is two?
 namespace one_less {
 
 int best_gap(double frame, double noise, double jerk, int most) {
@@ -246,9 +249,9 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 }  // namespace seconds
 
-// Says: The noise is counted twice for each of the two positions.
-// Hint: A position is off by the noise once, to one side. Add up both positions, and divide by the whole
-//       gap.
+// Says: Beside the truncation error, the noise has twice its weight: is it counted twice for each position, or is
+//       the difference divided by half the gap, where it has to be the whole?
+// Hint: Write down both errors for a gap of one second: which factors have noise and jerk then?
 namespace noise_four_times {
 
 int best_gap(double frame, double noise, double jerk, int most) {
@@ -303,7 +306,8 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 }  // namespace one_without_jerk
 
-// Says: The larger of the two errors is made as small as can be, not their sum.
+// Says: Here the larger of the two errors is as small as can be, which is where the two are about equal. Their sum
+//       is smallest elsewhere.
 // Hint: At the worst both errors point the same way: what do you do with them then?
 namespace larger_for_sum {
 

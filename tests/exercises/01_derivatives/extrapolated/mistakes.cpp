@@ -191,7 +191,7 @@ double extrapolated(double coarse, double fine, double ratio, int order) {
 }  // namespace whole_ratio
 
 // Says: The power of the ratio is one too low.
-// Hint: An error of order one shrinks by the ratio itself. How often does your loop multiply for that?
+// Hint: An error of order one shrinks by the ratio itself. What do you have in its place for order one?
 namespace power_one_less {
 
 double extrapolated(double coarse, double fine, double ratio, int order) {

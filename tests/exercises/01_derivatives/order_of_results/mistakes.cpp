@@ -45,9 +45,10 @@ double order_of_results(double coarse, double middle, double fine) {
 
 }  // namespace natural_logarithm
 
-// Says: The ratio stands upside down, so the order comes out negative, as if the error grew with a smaller
-//       step.
-// Hint: The differences shrink from the coarse end to the fine end. The larger one belongs on top.
+// Says: The order has the wrong sign, as if the error grew with a smaller step: does the ratio stand upside down,
+//       or is there a minus too many, as in the logarithm of 1/2?
+// Hint: With order one the first difference is twice the second. Follow these two numbers through your formula:
+//       where does the minus come in?
 namespace upside_down {
 
 double order_of_results(double coarse, double middle, double fine) {
@@ -78,10 +79,10 @@ double order_of_results(double coarse, double middle, double fine) {
 
 }  // namespace quarter_of_step
 
-// Says: Right for errors that shrink with the step. Where they grow, the order is below zero, and you take
-//       its size.
-// Hint: The ratio of the two differences is above zero already, so its logarithm needs no help. Its sign
-//       says something.
+// Says: Right for errors that shrink with the step. Where they grow, the order is below zero, and yours has lost
+//       its sign: is its size taken, or the larger difference always divided by the smaller?
+// Hint: The ratio of the first difference to the second is above zero already, and has a logarithm. Its sign says
+//       something.
 namespace without_sign {
 
 double order_of_results(double coarse, double middle, double fine) {
@@ -112,8 +113,8 @@ double order_of_results(double coarse, double middle, double fine) {
 
 }  // namespace decimal_logarithm
 
-// Says: The whole way from coarse to fine is compared with its first part. That ratio never gets far from
-//       one.
+// Says: The whole way from coarse to fine is compared with its first part. For an order above zero, that ratio
+//       stays between one and two.
 // Hint: Leave the sum out: compare the first difference with the second.
 namespace whole_over_first {
 
@@ -123,9 +124,9 @@ double order_of_results(double coarse, double middle, double fine) {
 
 }  // namespace whole_over_first
 
-// Says: The two differences are taken in opposite directions, so their ratio is negative and has no
-//       logarithm.
-// Hint: Middle lies between the other two. Go from coarse to fine in both differences.
+// Says: The logarithm is asked of a negative number, and there is none: are the two differences taken in opposite
+//       directions, or has their ratio a minus too many?
+// Hint: Middle lies between the other two. Which signs have the two differences if each goes from coarse to fine?
 namespace opposite_directions {
 
 double order_of_results(double coarse, double middle, double fine) {

@@ -1,6 +1,7 @@
 #include "exercise.hpp"
 
-// Says: This is the backward difference of the last two frames: the velocity of half a step ago.
+// Says: This is the backward difference of the last two frames: the velocity of half a step ago. If there is a
+//       correction, is it zero by a 1 / 2? In C++ that is 0: write 0.5.
 // Hint: It has order one. The frame before holds what is missing: how fast the slope itself changes.
 namespace two_frames {
 
@@ -10,7 +11,8 @@ double velocity_now(double x0, double x1, double x2, double h) {
 
 }  // namespace two_frames
 
-// Says: This is the central difference: the velocity at the middle frame, one step ago.
+// Says: This is the central difference: the velocity at the middle frame, one step ago. So is the mean of the two
+//       slopes, and the newer slope with its correction subtracted.
 // Hint: Velocity is asked at the newest frame, the last argument of the three.
 namespace middle {
 
@@ -31,7 +33,8 @@ double velocity_now(double x0, double x1, double x2, double h) {
 }  // namespace forgot_h
 
 // Says: This is the velocity at the oldest frame: the formula looks the wrong way.
-// Hint: Reverse the roles of x0 and x2. Running time backwards changes the sign of a velocity, too.
+// Hint: Running time backwards interchanges x0 and x2, and changes the sign of a velocity, too. Or do you go on
+//       from the older slope, where the newer one lies next to now?
 namespace oldest_frame {
 
 double velocity_now(double x0, double x1, double x2, double h) {
@@ -51,7 +54,8 @@ double velocity_now(double x0, double x1, double x2, double h) {
 
 }  // namespace half_too_much
 
-// Says: The weights are right, but / 2 * h divides by two and then multiplies by the step.
+// Says: The weights are right, but the result is multiplied by the step: / 2 * h, for one, divides by two and then
+//       multiplies.
 // Hint: C++ reads / and * from left to right. Put brackets round what is to stand below the line.
 namespace missing_brackets {
 
@@ -127,10 +131,10 @@ double velocity_now(double x0, double x1, double x2, double h) {
 
 }  // namespace acceleration
 
-// Says: The way of two frames is divided by the time of one: this is twice the velocity of the middle
-//       frame.
-// Hint: From x0 to x2 two steps go by. And even when you divide by both, the slope belongs to the middle of
-//       that time.
+// Says: This is twice the velocity of the middle frame: the way of two frames divided by the time of one, or the
+//       sum of the two slopes.
+// Hint: At a constant velocity of one metre per second, what comes out? And even half of it belongs to the middle
+//       frame, not to now.
 namespace two_steps_as_one {
 
 double velocity_now(double x0, double x1, double x2, double h) {
@@ -195,8 +199,9 @@ double velocity_now(double x0, double x1, double x2, double h) {
 
 }  // namespace middle_weighs_three
 
-// Says: The acceleration in your correction is divided by h only once: it is a change of velocity already.
-// Hint: A second difference is divided by h squared. Check the unit of what you add.
+// Says: What you add to the newer slope is in metres, no velocity yet: an h is missing below it. Is an
+//       acceleration divided by h only once, or multiplied by h squared?
+// Hint: Check the units of your correction. A change of velocity is an acceleration times a time.
 namespace acceleration_over_h_once {
 
 double velocity_now(double x0, double x1, double x2, double h) {

@@ -43,7 +43,8 @@ std::array<double, 2> pendulum_rates(const State<double>& s, double g, double le
 
 }  // namespace air_pushes
 
-// Says: The drag is taken of the angular velocity, as if radians per second were metres per second.
+// Says: The drag lacks a length: is it taken of the angular velocity, as if radians per second were metres per
+//       second, or divided by the length once too often?
 // Hint: The coefficient belongs to the speed u of the lamp through the air. Write u by the length and v, and
 //       count how many lengths remain.
 namespace drag_of_the_angle {

@@ -10,7 +10,7 @@ static std::vector<int> each_frame(const std::vector<double>& frames, const std:
     return steps;
 }
 
-// Says: Each frame is divided by the step for itself: the remainders are forgotten.
+// Says: Each frame counts its steps for itself: the part of a step that remains is forgotten.
 // Hint: Frames shorter than a step would never take one. What must a frame hand on to the next?
 namespace no_remainder {
 
@@ -41,8 +41,8 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 
 }  // namespace late_when_exact
 
-// Says: A step comes when it is nearly owed in full: the comparison has a tolerance, and the simulation gets
-//       ahead of the clock by it.
+// Says: A step comes when it is nearly owed in full: there is a tolerance, in a comparison or before a rounding,
+//       and the simulation gets ahead of the clock by it.
 // Hint: Compare what is owed with the step, without any slack. A step that lacks a billionth of a second
 //       comes with the next frame.
 namespace with_a_tolerance {
@@ -77,7 +77,8 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 
 }  // namespace single_precision
 
-// Says: A frame takes one step at most: an if stands where a loop should.
+// Says: A frame takes one step at most, however many it owes: does an if stand where a loop should, or does the
+//       loop end after its first round?
 // Hint: A slow frame owes several steps, and pays all of them at once, up to the cap.
 namespace one_at_most {
 
@@ -139,8 +140,10 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 
 }  // namespace lost_when_exact
 
-// Says: Every frame takes one step at least, owed or not: the loop looks only after the first.
-// Hint: A do loop takes a step before it asks. What is owed may not fall below zero.
+// Says: Every frame takes one step at least, owed or not: by a do loop that looks only after the first, or by a
+//       limit from below?
+// Hint: A frame that is shorter than a step may take none, and what is owed may not fall below zero. What does
+//       yours do with it?
 namespace at_least_one {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {

@@ -1,6 +1,6 @@
 // At the cap.
 
-// Says: Nothing limits the steps of a frame: this loop can spiral to death.
+// Says: Nothing limits the steps of a frame: this game can spiral to death.
 // Hint: After a hitch the frame may take most_steps and no more.
 namespace no_cap {
 

@@ -10,9 +10,10 @@ std::array<double, 2> suspension(double mass, double sag, double zeta, double g)
 
 }  // namespace whole_car
 
-// Says: The spring is that of one wheel, but its damper is worked out as if one wheel carried the whole car.
-// Hint: In the definition of zeta, k, c and m must belong to the same body: either all of them to the car or
-//       all to a quarter of it.
+// Says: The spring is that of one wheel, but its damper is twice as strong as it should be: is the mass still that
+//       of the whole car, or is there a factor two too many?
+// Hint: In zeta = c / (2 root of k m), k, c and m must belong to the same body: all of them to the car, or all to
+//       a quarter of it. Put your c back into it.
 namespace mass_of_the_whole_car {
 
 std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
@@ -74,8 +75,8 @@ std::array<double, 2> suspension(double mass, double sag, double zeta, double g)
 
 }  // namespace always_critical
 
-// Says: The damping is worked out with g over the sag, which is the square of omega.
-// Hint: Stiffness goes with the square of omega, damping with omega itself.
+// Says: The damping is 2 zeta k: the stiffness, which goes with omega squared, stands where a root belongs.
+// Hint: Stiffness goes with the square of omega, damping with omega itself. What is the unit of yours?
 namespace omega_not_rooted {
 
 std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
@@ -106,8 +107,10 @@ std::array<double, 2> suspension(double mass, double sag, double zeta, double g)
 
 }  // namespace shared_out_twice
 
-// Says: The spring is that of one wheel, but its damper has been divided by the four wheels twice.
-// Hint: When k and m belong to one wheel already, so does c. Is there anything left to share out?
+// Says: The spring is that of one wheel, but its damper is a quarter of what it should be: has it been divided by
+//       the four wheels twice, or by a 2 that should multiply?
+// Hint: Put your c back into zeta = c / (2 root of k m), with the k and m of one wheel. Which zeta does your car
+//       get?
 namespace damper_shared_twice {
 
 std::array<double, 2> suspension(double mass, double sag, double zeta, double g) {
@@ -169,7 +172,8 @@ std::array<double, 2> suspension(double mass, double sag, double zeta, double g)
 
 }  // namespace four_above
 
-// Says: The stiffness is multiplied by the four wheels, and the damper follows it.
+// Says: The stiffness is multiplied by the four wheels, where each carries a quarter, and the damper is that of
+//       the whole car.
 // Hint: Divide the weight by four before you divide it by the sag.
 namespace four_times_stiff {
 

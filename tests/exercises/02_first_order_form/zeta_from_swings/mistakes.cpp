@@ -34,8 +34,10 @@ double zeta_from_swings(double first, double later, int swings) {
 
 }  // namespace ratio_shared_out
 
-// Says: An oscillation is counted as half a turn, pi.
-// Hint: From a peak to the next one on the same side the phase goes all the way round.
+// Says: The ratio comes out as if a full period were half a turn: pi stands where 2 pi belongs, or the logarithm
+//       is doubled, as by the squares of the heights.
+// Hint: From a peak to the next one on the same side the phase goes all the way round. And a video shows heights,
+//       not energies.
 namespace half_swings {
 
 double zeta_from_swings(double first, double later, int swings) {
@@ -56,8 +58,10 @@ double zeta_from_swings(double first, double later, int swings) {
 
 }  // namespace base_ten
 
-// Says: The peaks are swapped: an oscillation that shrinks gets a negative damping.
-// Hint: Damping takes away from the oscillation. Which peak must stand above in the fraction?
+// Says: An oscillation that shrinks gets a negative damping: are the two peaks swapped, or is there a minus too
+//       many?
+// Hint: Damping takes away from the oscillation: the first peak is the larger one. Which sign has the logarithm of
+//       your fraction?
 namespace upside_down {
 
 double zeta_from_swings(double first, double later, int swings) {
@@ -67,8 +71,10 @@ double zeta_from_swings(double first, double later, int swings) {
 
 }  // namespace upside_down
 
-// Says: The heights are treated as energies: the logarithm is halved.
-// Hint: Energies go with the square of the height. A video shows heights.
+// Says: The logarithm has half of its weight: is it halved, as if the heights were energies, or is a full period
+//       counted as two turns?
+// Hint: Energies go with the square of the height; a video shows heights. And from one peak to the next on the
+//       same side, how far does the phase go?
 namespace energy {
 
 double zeta_from_swings(double first, double later, int swings) {

@@ -300,7 +300,8 @@ State<double> camera_step(State<double> state, double target, double omega, doub
 
 }  // namespace spring_from_old_velocity
 
-// Says: The new position is right, and the velocity is the way over the step: in a step of zero that is 0/0.
+// Says: Right, except in a step of zero: there something is divided by h, such as the way by the step, and that is
+//       0/0.
 // Hint: A frame of zero must change nothing. Solve for the velocity, and nothing is divided by h.
 namespace way_over_step {
 

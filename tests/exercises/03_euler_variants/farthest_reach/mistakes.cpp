@@ -10,8 +10,8 @@ double farthest_reach(double x, double v, double omega, double h) {
 
 }  // namespace true_motion
 
-// Says: This is where the ellipse crosses v = 0. But it leans over, and reaches farther with some velocity
-//       left.
+// Says: This is where the ellipse crosses v = 0. But it leans over, and reaches farther with some velocity left.
+//       If you do divide by something, is there a 1 / 4? In C++ that is 0.
 // Hint: The modified energy at the farthest point has a term with x v. Which v is that point's?
 namespace at_rest {
 

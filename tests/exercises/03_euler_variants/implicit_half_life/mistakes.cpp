@@ -1,8 +1,9 @@
 #include "exercise.hpp"
 
-// Says: This takes the determinant for the factor of the amplitude: 1/(1 + omega² h²) is what a step does to
-//       an area.
-// Hint: An area shrinks in two directions at once. What is left for each of them?
+// Says: This is half of the time: 1/(1 + omega² h²), the determinant, is what a step does to an area and to the
+//       energy, not to the amplitude.
+// Hint: An area shrinks in two directions at once, and the energy goes with the square of the amplitude. What is
+//       left for the amplitude itself?
 namespace determinant {
 
 double implicit_half_life(double omega, double h) {
@@ -108,10 +109,9 @@ double implicit_half_life(double omega, double h) {
 
 }  // namespace not_squared
 
-// Says: The root of omega² h² has been taken by itself: log1p(omega h) is the logarithm of 1 + omega h, not
-//       that of the root of the sum.
-// Hint: A root of a sum is not the sum of the roots. Take half of the logarithm, and leave the square as it
-//       is.
+// Says: The amplitude is divided by 1 + omega h in each step, which is so for a decay. In an oscillation it is the
+//       root of 1 + omega² h², and a root of a sum is not the sum of the roots.
+// Hint: The size of 1 - i omega h is asked: the long side of a triangle whose short sides are 1 and omega h.
 namespace root_without_the_one {
 
 double implicit_half_life(double omega, double h) {
@@ -154,7 +154,8 @@ double implicit_half_life(double omega, double h) {
 
 }  // namespace no_omega
 
-// Says: One half itself stands where its logarithm belongs.
+// Says: The logarithm of two is missing: does one half itself stand in its place, or is this the time constant of
+//       the energy, or of an area?
 // Hint: Factors multiply, so it is their logarithms that are shared out among the steps. What is the
 //       logarithm of two?
 namespace half_for_its_logarithm {
@@ -178,8 +179,7 @@ double implicit_half_life(double omega, double h) {
 
 }  // namespace twice_the_time
 
-// Says: The logarithm of a step is multiplied by the rate and not by the step: seconds are missing or come
-//       twice.
+// Says: The number of steps is divided by h, where it has to be multiplied: this has the unit 1/s.
 // Hint: First find a number of steps. Then multiply it by the seconds that one of them takes.
 namespace no_h {
 

@@ -90,8 +90,9 @@ double before_new_step(double before, double now, double a, double h_old, double
 
 }  // namespace next_position
 
-// Says: The velocity now is right, but you follow it back along a straight line: the path is bent.
-// Hint: The force acts on the way back, too. Which term with h_new squared is missing?
+// Says: The velocity now is right, but you follow it back along a straight line: the path is bent. If a term for
+//       that is there, is it zero by a 1 / 2? In C++ that is 0.
+// Hint: The force acts on the way back, too. What does it add with h_new squared?
 namespace straight_back {
 
 double before_new_step(double before, double now, double a, double h_old, double h_new) {

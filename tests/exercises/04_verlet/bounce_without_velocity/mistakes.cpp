@@ -235,7 +235,7 @@ std::array<double, 2> bounce_without_velocity(double before, double now, double 
 
 }  // namespace on_the_floor_too
 
-// Says: The speed shrinks by the square of e, as the energy does.
+// Says: The speed shrinks by the square of e: as the energy does, or because e comes in twice.
 // Hint: The task says what e is a ratio of. With e = 0.5, is half of the speed left, or a quarter?
 namespace squared {
 

@@ -1,6 +1,6 @@
 #include "exercise.hpp"
 
-// Says: The displacement is shortened by gamma h, the first term of the exponential: two short steps keep
+// Says: The displacement is shortened by gamma h, the drag at the velocity of the last step: two short steps keep
 //       another part of it than a long one, and a strong drag turns the motion round.
 // Hint: Compare two steps of h with one of 2h. Which function of h gives the same, multiplied by itself, as
 //       for the double?

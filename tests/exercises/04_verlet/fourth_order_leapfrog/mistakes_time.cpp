@@ -1,6 +1,6 @@
 // The time, where angle and rate are right or tell it.
 
-// Says: Angle and rate are right, but the time has gone on by the last part only.
+// Says: Angle and rate are right, but the time has gone on by one part only, p h.
 // Hint: The three parts together are one step: what is the time at its end?
 namespace time_of_last_part {
 

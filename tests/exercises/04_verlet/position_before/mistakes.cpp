@@ -83,8 +83,8 @@ double position_before(double x, double v, double a, double h) {
 
 }  // namespace both_reversed
 
-// Says: You go back with the velocity that the point will have a step later, as if the force had already
-//       acted.
+// Says: The force has the wrong sign and twice its size, as if you went back with the velocity that the point will
+//       have a step later.
 // Hint: On the way to now the velocity was still on its way to v. Was it larger than v where the force pushes
 //       along it, or smaller?
 namespace velocity_after {
