@@ -103,9 +103,9 @@ double best_acceleration_step(double noise, double snap) {
 
 }  // namespace noise_cancels
 
-// Says: The exponent 1 / 4 is 0 in C++, where whole numbers divide into whole numbers: every step comes out
-//       as 1.
-// Hint: Write 1.0 / 4 or 0.25. Or take the square root twice.
+// Says: Every step comes out as 1. Is there an exponent 1 / 4? In C++ that is 0, where whole numbers divide into
+//       whole numbers. Or does a search never leave its first step?
+// Hint: Write 1.0 / 4 or 0.25, or take the square root twice. If you search, print where each round has got to.
 namespace whole_number_exponent {
 
 double best_acceleration_step(double noise, double snap) {

@@ -121,9 +121,10 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 }  // namespace forgot_most
 
-// Says: Two neighbouring frames, whatever the noise: the jagged line with which the chapter begins. An error in
-//       which the noise is not divided by the time says that, too.
-// Hint: Divide twice the noise by one frame, then by ten. Weigh that against what the jerk costs.
+// Says: Two neighbouring frames, whatever the noise: the jagged line with which the chapter begins. Is the noise
+//       not divided by the time, does a loop end at its first step, or is this a number of seconds?
+// Hint: Divide twice the noise by the time of one frame, then of ten. Weigh that against what the jerk costs, and
+//       see what your code makes of it.
 namespace neighbours {
 
 int best_gap(double frame, double noise, double jerk, int most) {
@@ -132,8 +133,8 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 }  // namespace neighbours
 
-// Says: Frames as far apart as can be, whatever the jerk, as if there were no truncation error. If yours has one,
-//       is it zero by a 1 / 6 or 1 / 24? In C++ these are 0.
+// Says: Frames as far apart as can be, whatever the jerk. Does a loop go on where the error rises, or is the
+//       truncation error missing, or zero, as by a 1 / 6 in C++?
 // Hint: The truncation error grows with the square of the gap. Print it: from where on does it cost more than the
 //       noise gains?
 namespace farthest {
@@ -249,9 +250,10 @@ int best_gap(double frame, double noise, double jerk, int most) {
 
 }  // namespace seconds
 
-// Says: Beside the truncation error, the noise has twice its weight: is it counted twice for each position, or is
-//       the difference divided by half the gap, where it has to be the whole?
-// Hint: Write down both errors for a gap of one second: which factors have noise and jerk then?
+// Says: Beside the truncation error, the noise has twice its weight: is it counted twice for each position, or
+//       divided by half the gap? Or are the two errors made equal, where their sum must be smallest?
+// Hint: Write down both errors for a gap of one second: which factors have noise and jerk then? And for which gap
+//       is the slope of their sum zero?
 namespace noise_four_times {
 
 int best_gap(double frame, double noise, double jerk, int most) {

@@ -48,9 +48,10 @@ double extrapolated(double coarse, double fine, double ratio, int order) {
 
 }  // namespace away
 
-// Says: Coarse and fine are interchanged: the answer goes on beyond the coarse result, away from the exact
-//       value.
-// Hint: The result that you trust more is the one with the smaller step. Start from it.
+// Says: The answer goes on beyond the coarse result, away from the exact value: are coarse and fine interchanged,
+//       or does the power of the ratio stand upside down?
+// Hint: How many times as large as the fine error is the coarse one? Is that number above one in your formula, and
+//       do you start from the better result?
 namespace swapped {
 
 double extrapolated(double coarse, double fine, double ratio, int order) {

@@ -124,8 +124,8 @@ double order_of_results(double coarse, double middle, double fine) {
 
 }  // namespace whole_over_first
 
-// Says: The logarithm is asked of a negative number, and there is none: are the two differences taken in opposite
-//       directions, or has their ratio a minus too many?
+// Says: No number comes out, as of the logarithm of something negative: are the two differences taken in opposite
+//       directions? Or is one of them zero, or a minus too many?
 // Hint: Middle lies between the other two. Which signs have the two differences if each goes from coarse to fine?
 namespace opposite_directions {
 

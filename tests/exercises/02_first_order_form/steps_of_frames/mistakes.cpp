@@ -226,8 +226,10 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 
 }  // namespace ahead_of_the_clock
 
-// Says: The game begins with a whole step owed: the first steps come too early.
-// Hint: How much is owed before the first frame?
+// Says: The simulation is a step ahead from the first: does the game begin with a whole step owed, or is a step
+//       taken where the clock has only reached its beginning?
+// Hint: How much is owed before the first frame? And which end of a step must the clock have passed, when it is
+//       taken?
 namespace owed_at_the_start {
 
 std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {

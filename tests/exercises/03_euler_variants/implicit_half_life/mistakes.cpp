@@ -13,7 +13,7 @@ double implicit_half_life(double omega, double h) {
 }  // namespace determinant
 
 // Says: This is the time after which the amplitude is 1/e of what it was, the time constant.
-// Hint: You are asked for a half: which logarithm is missing?
+// Hint: You are asked for a half. Is the logarithm of two in your formula, and to the same base as the other one?
 namespace time_constant {
 
 double implicit_half_life(double omega, double h) {

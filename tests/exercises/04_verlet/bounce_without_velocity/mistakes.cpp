@@ -151,8 +151,8 @@ std::array<double, 2> bounce_without_velocity(double before, double now, double 
 
 }  // namespace floor_not_added
 
-// Says: "before" is not let below the floor: the two heights tell only the part of the new velocity that the
-//       ball has already used to rise.
+// Says: "before" is put on the floor, or not let below it: the two heights tell only the part of the new velocity
+//       that the ball has already used to rise.
 // Hint: No ball was ever at the new "before". It stands for a velocity, and may lie anywhere.
 namespace before_clamped {
 

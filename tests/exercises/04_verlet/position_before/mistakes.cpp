@@ -10,8 +10,8 @@ double position_before(double x, double v, double a, double h) {
 
 }  // namespace position_after
 
-// Says: The velocity is followed back, but the force of that step is left out: the whole run falls to order
-//       one. Or is there a 1/2? In C++ that is 0: write 0.5.
+// Says: The velocity is followed back, but the force of that step is left out, or has cancelled: the whole run
+//       falls to order one. Or is there a 1/2? In C++ that is 0: write 0.5.
 // Hint: The velocity given is that of now. One step before, it was another, and the way between was flown
 //       with neither of the two.
 namespace no_acceleration {
