@@ -243,8 +243,8 @@ Vector3d leash_force(const Vector3d& x, const Vector3d& v, double k, double c, d
 
 }  // namespace across
 
-// Says: Nothing pushes, but nobody asks whether the leash is slack: one that is shorter than at rest pulls
-//       as soon as it gets longer fast enough.
+// Says: Nothing pushes, but a slack leash is not left alone: one that is shorter than at rest pulls as soon as it
+//       gets longer fast enough.
 // Hint: The damper of a slack leash has nothing to pull with. Compare the distance with the rest length
 //       before anything else.
 namespace no_slack_test {
