@@ -177,12 +177,13 @@ double log(int site, double x) {
     const int slip = chosen(site, {Form::function, Form::function, Form::function});
     return slip == 1 ? x : slip == 2 ? std::log10(x) : slip == 3 ? std::log2(x) : out(std::log(x));
 }
+// The other of the two leaves out a 1.
 double log1p(int site, double x) {
-    const int slip = chosen(site, {Form::function, Form::function});
+    const int slip = chosen(site, {Form::function, Form::term});
     return slip == 1 ? x : slip == 2 ? std::log(x) : out(std::log1p(x));
 }
 double expm1(int site, double x) {
-    const int slip = chosen(site, {Form::function, Form::function});
+    const int slip = chosen(site, {Form::function, Form::term});
     return slip == 1 ? x : slip == 2 ? std::exp(x) : out(std::expm1(x));
 }
 double exp2(int site, double x) {
