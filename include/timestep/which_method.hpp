@@ -113,11 +113,14 @@ inline const std::vector<Choice>& choices() {
         {"callback_symmetric", "a body with two equal moments, a capsule, a wheel, that touches others, and all you can do is change ω before the engine's step",
          "the engine's own **one Newton step**, where it has that (Bullet, Box3D): leave it on; where it has none (Unity, Godot), **passive** by its formula for three moments",
          "both damp, and so hide what the engine's contacts add when ω is changed just before them. The price: spins fade too soon, and by passive a spin about "
-         "the length tips over. Passive's other formula, for two equal moments (`SymmetricInertia`), loses nothing and hides nothing: a thrown capsule got to more than twice its "
-         "energy in Bullet. For what mostly flies take that one. The page In your engine has the numbers", "ch8_contacts", "one Newton step"},
+         "the length tips over. Passive's other formula, for two equal moments (`SymmetricInertia`), loses nothing and hides nothing: in Bullet a thrown capsule multiplied "
+         "its energy. For what mostly flies take that one. The page In your engine has the numbers", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
          "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy itself, and loses some; in our throws that covered what contacts added. Spins fade too soon, and one about the length tips over. "
          "Two equal moments have a line of their own", "ch8_contacts", "passive"},
+        {"callback_free", "a body that touches nothing, and all you can do is change ω before the engine's step",
+         "the **calm half-step**, whole", "there is nothing to hide, and it keeps energy and |L|, at any spin, with any steps; the engine's turn makes the orientation rough",
+         "ch8_fails", "calm half-step"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments**, "
          "`SymmetricInertia` by passive or by the calm half-step: half of it before contacts and joints, half between them and the turn",
          "it only turns ω about the axis of the odd moment, which keeps "
@@ -186,7 +189,7 @@ struct BodyQuestion {
     bool contacts = false;          ///< does it touch others?
     long count = 1;                 ///< how many of them there are
     bool even = true;               ///< is the step constant?
-    bool callback = false;          ///< touching others, can only ω be changed, and only before the engine's step?
+    bool callback = false;          ///< can only ω be changed, and only before the engine's step?
 };
 
 /// The way down the tree for a body that turns.
@@ -197,7 +200,8 @@ inline const Choice& choose(const BodyQuestion& body) {
     if (least > middle) std::swap(least, middle);
     if (least == most) return choice("ball");
     const bool two_equal = least == middle || middle == most;
-    if (body.contacts && body.callback) return choice(two_equal ? "callback_symmetric" : "callback");
+    if (body.callback && !body.contacts) return choice("callback_free");
+    if (body.callback) return choice(two_equal ? "callback_symmetric" : "callback");
     if (body.contacts && two_equal) return choice("symmetric");
     if (body.contacts) return choice("contacts");
     if (two_equal) return choice("symmetric_free");

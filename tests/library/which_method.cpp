@@ -146,6 +146,8 @@ TEST_CASE("a body is led to its answer, in whatever order its moments stand", "[
     CHECK(choose(BodyQuestion{.moments = {1.9, 1, 1.02}, .turn = 1, .contacts = true}).name == "contacts");  // it tumbles
     CHECK(choose(BodyQuestion{.moments = {1.9, 1, 1}, .turn = 1, .contacts = true, .callback = true}).name == "callback_symmetric");
     CHECK(choose(BodyQuestion{.moments = {1.9, 1, 1.02}, .turn = 1, .contacts = true, .callback = true}).name == "callback");
+    CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 1, .callback = true}).name == "callback_free");
+    CHECK(choose(BodyQuestion{.moments = {2, 2, 2}, .turn = 1, .callback = true}).name == "ball");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.1, .contacts = true}).name == "contacts");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.25}).name == "free");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.26}).name == "free_fast");

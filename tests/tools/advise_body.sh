@@ -41,7 +41,6 @@ test_bad_input_about_a_body_is_refused_by_its_name_and_rule() {
     refuses 'belong to a spinning body' --omega 3 --count 3
     refuses 'belong to a spinning body' --omega 3 --contacts
     refuses 'belong to a spinning body' --omega 3 --callback
-    refuses '--callback belongs to --contacts' $box --callback
     refuses '--inertia and --spin belong together' --inertia 1,2,3 --contacts
 }
 
@@ -104,6 +103,7 @@ test_the_line_of_the_list_that_is_recommended() {
     asks contacts $box --contacts
     asks callback $box --contacts --callback
     asks callback $plank --contacts --callback
+    asks callback_free $plank --callback
     asks callback_symmetric --inertia 1,1,0.3 --spin 0,0,20 --contacts --callback
     asks many $box --count 1000
     asks free $box --count 999

@@ -32,7 +32,6 @@ BodyAnswer answer_body(const Question& question) {
     const Frames frames = frames_of(question);
     const double count = question.count.value_or(1);
     if (!(count >= 1 && count <= 1e9 && count == std::floor(count))) timestep::refuse("count", count, "a whole number from 1 to 1e9");
-    if (question.callback && !question.contacts) refuse("--callback belongs to --contacts");
 
     BodyAnswer answer{};
     answer.spin = omega.stableNorm(), answer.step = frames.longest(), answer.even = frames.even();

@@ -92,7 +92,7 @@ void declare_advise(CLI::App& app, Asked& asked) {
     // Of a body.
     number("--count", question.count, "NUMBER", "so many bodies like this one (1)");
     advise->add_flag("--contacts", question.contacts, "it touches others");
-    advise->add_flag("--callback", question.callback, "and all you can change is its spin, before the engine's step");
+    advise->add_flag("--callback", question.callback, "all you can change is its spin, before the engine's step");
     advise->add_flag("--json", asked.json, "as JSON, for programs");
 }
 
