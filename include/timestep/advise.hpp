@@ -41,6 +41,18 @@ struct Advice {
     bool right = false;            ///< is that one stable and as near as wanted, and nothing rings?
 };
 
+/// Stable, and yet it keeps four times the energy that it should, twice the amplitude, while a hundredth of the start is
+/// there to be seen.
+inline bool lingers(const Advice& advice) { return advice.energy_ratio > 4 && advice.growth_per_second >= 0.01; }
+
+/// The verdict in words, and beside "stable" what is alarming all the same: stable is not right.
+inline std::string told_verdict(const Advice& advice) {
+    if (advice.verdict != Verdict::stable) return words(advice.verdict);
+    if (advice.ringing < 0) return "stable, rings";
+    if (advice.position_error > 0.5) return "stable, far off";
+    return lingers(advice) ? "stable, lingers" : "stable";
+}
+
 /// \cond
 namespace detail {
 

@@ -96,14 +96,14 @@ inline const std::vector<Choice>& choices() {
          "semi-implicit Euler, new damping"},
         {"net", "many stiff springs between many masses, a net, a cloth, ωh above " + twice,
          "**semi-implicit Euler**, in substeps of ωh below 2; where these are too many, **implicit Euler**, and factorise",
-         "a substep costs a force for each spring, a factorisation as much as many of them: chapter 6 has measured how many. Hard dampers want shorter substeps",
+         "a substep costs a force for each spring, a factorisation as much as many of them: how many, the section on cloth has measured. Hard dampers want shorter substeps",
          "ch6_cloth", "semi-implicit Euler"},
         {"pull", "ωh above " + twice + ", and ζ at least 1 or ζωh at least " + ended + ": a stiff pull to a target, a decay", "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
         {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
         {"unseen", "an oscillation faster than the frame that need not keep its size",
-         "**BDF2**, restarted after each kick; if the oscillation must be seen, **semi-implicit Euler** in substeps of ωh at most " + alive,
+         "**BDF2**, restarted after each kick (or, where it must be seen, **semi-implicit Euler** in substeps of ωh at most " + alive + ")",
          "by BDF2 the fast part dies, the slow one stays. With kicks in every frame BDF2 rings: then implicit Euler", "ch6_kicks", "BDF2"},
         {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
@@ -127,8 +127,8 @@ inline const std::vector<Choice>& choices() {
          "energy, |L| and the spin. Then throw capsules at 30 rad/s onto a plane: if one gains a tenth of its energy (height included; in Box3D it does), give a body without joints the whole step after the contacts", "ch5_passive", "passive"},
         {"contacts", "a body that touches others", "the **calm half-step**, called twice with h/2: before contacts and joints, and between them and the turn",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps. Then throw capsules at 30 rad/s onto a plane: if one gains a tenth of its "
-         "energy (height included; in Box3D it does), give a body without joints the whole step after the contacts. (The whole step after a joint may make a spinning "
-         "top circle too fast or too slow, and one on the ground, too.) The page In your engine has what we measured in four engines", "ch8_contacts", "calm half-step"},
+         "energy (height included; in Box3D it does), give a body without joints the whole step after the contacts. (By the whole step after joints and contacts a spinning "
+         "top may circle too fast or too slow.) The page In your engine has what we measured in four engines", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
          "it is the exact motion but for rounding, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand that fly, h|ω| at most " + calm + ", a constant step",
@@ -145,7 +145,7 @@ inline const std::vector<Choice>& choices() {
          "when steps vary a splitting adds up its errors, and a body thrown about its intermediate axis may be lost", "ch8_cost",
          "Runge-Kutta 4"},
         {"free", "a body that flies freely, h|ω| at most " + fair + ", a constant step", "**ball and remainder 4**, a splitting into a spherical top and a remainder",
-         "|L| stays, the energy is bounded, and the body points where it should, unless its motion ends all but on the intermediate axis", "ch8_work", "ball and remainder 4"},
+         "|L| stays, the energy is bounded, and the body points where it should, unless it comes to spin nearly about its intermediate axis", "ch8_work", "ball and remainder 4"},
         {"free_fast", "a body that flies freely, h|ω| above " + fair + ", a constant step", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
          "what is safe at long steps is not accurate there", "ch8_safe", "ball and remainder 4"},
     };

@@ -36,18 +36,6 @@ Json as_json(const Advice& advice) {
             {"reason", advice.reason}};
 }
 
-// Stable is not right. One that keeps four times the energy, twice the amplitude, is seen to, while there is a
-// hundredth of the start to be seen.
-bool lingers(const Advice& advice) { return advice.energy_ratio > 4 && advice.growth_per_second >= 0.01; }
-
-// The verdict, and beside "stable" what is alarming all the same.
-std::string verdict_of(const Advice& advice) {
-    if (advice.verdict != timestep::Verdict::stable) return words(advice.verdict);
-    if (advice.ringing < 0) return "stable, rings";
-    if (advice.position_error > 0.5) return "stable, far off";
-    return lingers(advice) ? "stable, lingers" : "stable";
-}
-
 // How far from its place, as a share of the start.
 std::string off(double error) {
     if (std::isnan(error)) return "-";
@@ -179,7 +167,7 @@ void print(const std::vector<Advice>& all, const timestep::SpringScene& scene, c
                 padded("off by", 11).c_str(), padded("amplitude/s", 15).c_str(), padded("energy/s", 15).c_str(),
                 "cost/s");
     for (const auto& advice : all)
-        std::printf("%s%s%s%s%s%s\n", padded(advice.method, 33).c_str(), padded(verdict_of(advice), 18).c_str(),
+        std::printf("%s%s%s%s%s%s\n", padded(advice.method, 33).c_str(), padded(told_verdict(advice), 18).c_str(),
                     padded(off(advice.position_error), 11).c_str(),
                     padded(factor(advice.growth_per_second), 15).c_str(),
                     padded(factor(advice.energy_ratio, "%.2g"), 15).c_str(), often(advice.cost).c_str());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <optional>
 
 #include "files.hpp"
@@ -29,7 +30,7 @@ std::string without_comments(std::string code) {
 }
 
 struct Quotient {
-    long line;
+    std::ptrdiff_t line;
     std::string above, below;
 };
 
@@ -62,7 +63,7 @@ std::optional<Quotient> quotient_of_whole_numbers(const std::string& code, const
         const char before = behind > 0 ? code[behind - 1] : ' ';
         if (before == '*' || before == '/' || before == '%') continue;
         if (are_numbers && (std::stol(below) == 0 || std::stol(above) % std::stol(below) == 0)) continue;
-        return Quotient{1 + std::count(code.begin(), code.begin() + static_cast<long>(begin), '\n'), above, below};
+        return Quotient{1 + std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(begin), '\n'), above, below};
     }
     return {};
 }

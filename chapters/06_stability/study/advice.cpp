@@ -110,10 +110,11 @@ Tally total_of(const std::vector<Tally>& tallies) {
     return total;
 }
 
-// A share in percent, two digits.
+// A share in percent, two digits, as the command has it.
 std::string percent(double share) {
+    const double digit = std::pow(10, std::floor(std::log10(100 * share)) - 1);
     char text[32];
-    std::snprintf(text, sizeof text, share < 0.995 ? "%.2g %%" : "%.0f %%", 100 * share);
+    std::snprintf(text, sizeof text, share < 0.995 ? "%.2g %%" : "%.0f %%", share < 0.995 ? 100 * share : digit * std::round(100 * share / digit));
     return text;
 }
 
@@ -158,7 +159,7 @@ void your_spring(const Settings& settings, lab::Findings& out) {
     for (const Advice& advice : all) {
         const bool told = std::isfinite(advice.growth_per_second);
         const std::string growth = told ? times(advice.growth_per_second) : "–";
-        const std::string verdict = advice.ringing < 0 ? "stable, rings" : words(advice.verdict);
+        const std::string verdict = told_verdict(advice);
         // Of a limit that is the root of a long equation the number is enough.
         const std::string off = told ? percent(advice.position_error) : "–";
         table.row({advice.method, verdict, off, growth, advice.reason.substr(0, advice.reason.find(", the "))});

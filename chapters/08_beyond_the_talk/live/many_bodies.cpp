@@ -187,7 +187,8 @@ private:
             living += 1, sum += left(i), lost += look_of(i) == slower, won += look_of(i) == faster;
         }
         prices[static_cast<std::size_t>(solver)].holds.holds(living >= size());
-        mean = living > 0 ? 100 * sum / living : 0;
+        if (living > 0) mean = 100 * sum / living;
+        else mean.not_yet();
         slowed = 100.0 * lost / size(), sped = 100.0 * won / size(), gone = static_cast<double>(size() - living);
         double off = 0;
         for (std::size_t i = 0; i < followed(); ++i) off += astray(i);
