@@ -116,7 +116,7 @@ inline const std::vector<Choice>& choices() {
          "the length tips over. Passive's other formula, for two equal moments (`SymmetricInertia`), loses nothing and hides nothing: in Bullet a thrown capsule multiplied "
          "its energy. For what mostly flies take that one. The page In your engine has the numbers", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy itself, and loses some; in our throws that covered what contacts added. Spins fade too soon, and one about the length tips over. "
+         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy itself, and loses some; in our throws that covered what contacts added. Spins fade, and one about the length tips over. "
          "Two equal moments have a line of their own", "ch8_contacts", "passive"},
         {"callback_free", "a body that touches nothing, and all you can do is change ω before the engine's step",
          "the **calm half-step**, whole", "there is nothing to hide, and it keeps energy and |L|, at any spin, with any steps; the engine's turn makes the orientation rough",
