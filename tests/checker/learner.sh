@@ -70,6 +70,14 @@ test_is_told_of_whole_numbers_that_are_divided() {
     add_chapter 02_first_order_form
     expect 1 course check zeta_from_swings --file answer.cpp
     says out 'in C++ 1 / swings has lost what'
+    for value in 'later / swings' 'swings / 2' '1 / (first - swings)'; do
+        printf 'double zeta_from_swings(double first, double later, int swings) { return %s; }\n' "$value" >answer.cpp
+        expect 1 course check zeta_from_swings --file answer.cpp
+        silent_on out 'whole numbers'
+    done
+    printf 'double zeta_from_swings(double first, double later, int swings) { return 1 / (swings + 1); }\n' >answer.cpp
+    expect 1 course check zeta_from_swings --file answer.cpp
+    says out 'in C++ 1 / (swings + 1) has lost what'
     for value in '4 / 2' 'h + 1.0 / 2' '1 / 2.0' 'h * 1 / 2' '1 / h' 'x1 / 2' '2 / 1e3' 'h // 1/2'; do
         returns "$value
         "

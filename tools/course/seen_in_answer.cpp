@@ -35,7 +35,8 @@ struct Quotient {
 };
 
 // The first quotient of whole numbers that leaves a rest, or may leave one: "1 / 2", but not that of "x * 1 / 2", which
-// divides x; and "1 / n" where n is one that the exercise gives, and no other variable.
+// divides x; and "1 / n" and "1 / (n - m)" where n and m are given by the exercise, and no other variables. What "n / 2"
+// is meant to be nobody knows.
 std::optional<Quotient> quotient_of_whole_numbers(const std::string& code, const std::string& declaration) {
     constexpr std::size_t most_digits = 9;
     const auto is_number = [](const std::string& text) {
@@ -46,6 +47,17 @@ std::optional<Quotient> quotient_of_whole_numbers(const std::string& code, const
         return !text.empty() && place != std::string::npos && !is_of_word(declaration[place + 4 + text.size()]) &&
                code.find("double " + text) == std::string::npos;
     };
+    // Of what stands in brackets: is every word of it whole?
+    const auto is_whole = [&](const std::string& text) {
+        std::string word;
+        bool all = true;
+        for (const char c : text + ' ') {
+            if (is_of_word(c)) word += c;
+            else if (!word.empty()) all = all && (is_number(word) || is_given(word)), word.clear();
+            all = all && (is_of_word(c) || is_blank(c) || c == '+' || c == '-' || c == '*' || c == '(' || c == ')');
+        }
+        return all;
+    };
     const auto size = code.size();
     for (auto at = code.find('/'); at != std::string::npos; at = code.find('/', at + 1)) {
         auto end = at, next = at + 1;
@@ -55,14 +67,14 @@ std::optional<Quotient> quotient_of_whole_numbers(const std::string& code, const
         while (next < size && is_blank(code[next])) ++next;
         auto last = next;
         while (last < size && is_of_word(code[last])) ++last;
+        if (next < size && code[next] == '(') last = std::min(code.find(')', next), size - 1) + 1;
         const std::string above = code.substr(begin, end - begin), below = code.substr(next, last - next);
-        if (!(is_number(above) || is_given(above)) || !(is_number(below) || is_given(below)) || below == "1") continue;
-        const bool are_numbers = is_number(above) && is_number(below);
+        if (!is_number(above) || below.empty() || !is_whole(below) || below == "1") continue;
         auto behind = begin;
         while (behind > 0 && is_blank(code[behind - 1])) --behind;
         const char before = behind > 0 ? code[behind - 1] : ' ';
         if (before == '*' || before == '/' || before == '%') continue;
-        if (are_numbers && (std::stol(below) == 0 || std::stol(above) % std::stol(below) == 0)) continue;
+        if (is_number(below) && (std::stol(below) == 0 || std::stol(above) % std::stol(below) == 0)) continue;
         return Quotient{1 + std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(begin), '\n'), above, below};
     }
     return {};
@@ -86,11 +98,10 @@ std::string seen_in_answer(const Exercise& exercise, const Verdict& verdict, con
     const std::string code = without_comments(contents(file));
     std::string text;
     if (const auto found = quotient_of_whole_numbers(code, exercise.declaration)) {
-        const bool is_number = is_digit(found->above[0]);
-        const std::string is = is_number && is_digit(found->below[0]) ? "is " + std::to_string(std::stol(found->above) / std::stol(found->below))
-                                                                      : "has lost what is behind the point";
+        const std::string is = is_digit(found->below[0]) ? "is " + std::to_string(std::stol(found->above) / std::stol(found->below))
+                                                         : "has lost what is behind the point";
         text += "\n" + wrapped("Line " + std::to_string(found->line) + " divides whole numbers: in C++ " + found->above + " / " + found->below + " " + is +
-                               ". What you may want is " + (is_number ? found->above + ".0" : "double(" + found->above + ")") + " / " + found->below + ".", 2);
+                               ". What you may want is " + found->above + ".0 / " + found->below + ".", 2);
     }
     // What crashes, or is wrong for no known reason, where an expression of Eigen's may have been kept.
     if (exercise.eigen && !verdict.watched && verdict.misconception.empty() && keeps_by_auto(code))
