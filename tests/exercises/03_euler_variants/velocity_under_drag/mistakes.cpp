@@ -309,3 +309,15 @@ double velocity_under_drag(double v, double gravity, double k, double h) {
 }
 
 }  // namespace speed_for_velocity
+
+// Says: The quadratic is that of falling, whichever way the character flies: on the way up the drag pushes
+//       instead of braking.
+// Hint: Drag is against the velocity. Which sign has k v |v| for a v above zero, and for one below?
+namespace drag_of_falling {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double free = v - gravity * h;
+    return 2 * free / (1 + std::sqrt(1 - 4 * k * h * free));
+}
+
+}  // namespace drag_of_falling

@@ -279,3 +279,15 @@ double amplification(double re, double im, double theta, double h) {
 }
 
 }  // namespace divisor_left_out
+
+// Says: In the size of a complex number the square of the imaginary part is taken off, where it should be
+//       added.
+// Hint: The size is the length of an arrow with two legs. What does Pythagoras say?
+namespace squares_subtracted {
+
+double amplification(double re, double im, double theta, double h) {
+    const std::complex<double> z(h * re, h * im), above = 1.0 + (1 - theta) * z, below = 1.0 - theta * z;
+    return std::sqrt(std::fabs((above * above).real() / (below * below).real()));
+}
+
+}  // namespace squares_subtracted

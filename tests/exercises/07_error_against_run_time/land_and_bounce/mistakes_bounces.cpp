@@ -160,3 +160,15 @@ State<double> land_and_bounce(State<double> s, double g, double e, double h) {
 }
 
 }  // namespace down_on_the_ground_rests
+
+// Says: Whatever begins the step on the ground is taken to lie there. It may be on its way up, or come down.
+// Hint: At height zero there are three cases: v above zero, below zero, and zero.
+namespace ground_is_rest {
+
+State<double> land_and_bounce(State<double> s, double g, double e, double h) {
+    const double end = s.t + h;
+    if (s.x == 0) return {end, 0, 0};
+    return landed(s, g, h, [&](double impact, double fall) { return rest_of_step(end, g, e, h - fall, e * impact); });
+}
+
+}  // namespace ground_is_rest
