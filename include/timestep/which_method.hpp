@@ -35,7 +35,7 @@ inline constexpr double fair_uneven_turn = 1.0 / 12;
 /// Up to this h|ω| the half-step Jacobian is calm, as long as neither step nor spin is changed from outside.
 inline constexpr double calm_turn = 0.5;
 /// Up to so many substeps a frame an explicit step is taken for a net before a factorisation: chapter 6 measures where the
-/// two cost the same, which was at about twice as many.
+/// two cost the same, which was at about as many for a small cloth, and at more for larger ones.
 inline constexpr long net_substeps = 100;
 /// Two moments that differ by no more than this share: by passive a spin about the third axis fades within seconds.
 inline constexpr double nearly_equal = 0.05;
@@ -84,14 +84,14 @@ inline const std::vector<Choice>& choices() {
          "**Runge–Kutta 4**, in substeps of ωh and ζωh at most " + alive +
          "; for what is faster or more damped implicit Euler, or implicit midpoint where it must keep its size",
          "with ωh and ζωh at most " + alive + " no mixture of step lengths blows it up on a spring; semi-implicit Euler and Verlet may blow up in "
-         "a mixture, as chapter 2 shows", "ch6_kicks", "Runge-Kutta 4"},
+         "a mixture: chapter 2's panel shows it for the first", "ch6_kicks", "Runge-Kutta 4"},
         {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**, with ωh and ζωh up to " + fine,
          "a percent over four periods for four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",
          "its steps follow the slow part, the fast one dies; the first step after a kick may be off by nearly all that the kick does", "ch6_stiff", "BDF2"},
         {"swing", "ωh at most " + alive + " in a constant step, as in most of a game (between " + alive + " and " + twice + " at your frame rate: take two steps a frame)",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "one force a step; no damper, however strong, makes it blow up (several at one mass: solve them together); its energy oscillates "
+         "one force a step; no damper, however strong, makes it blow up (several dampers at one mass: solve them together); its energy oscillates "
          "but does not drift, on a spring, and on a pendulum at ωh = " + pendulum + " (tried up to 3.1 rad)", "ch3_energy",
          "semi-implicit Euler, new damping"},
         {"net", "many stiff springs between many masses, a net, a cloth, ωh above " + twice,

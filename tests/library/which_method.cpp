@@ -69,7 +69,7 @@ TEST_CASE("hard dampers at one mass hold when they are solved together, and blow
     }
     CHECK(std::fabs(together) < 1e-6);
     CHECK(std::fabs(each_alone) > 1e5);
-    CHECK(choice("swing").why.find("several at one mass: solve them together") != std::string::npos);
+    CHECK(choice("swing").why.find("several dampers at one mass: solve them together") != std::string::npos);
 }
 
 TEST_CASE("BDF2 follows a hard damped spring that is let go, and misses the first step after a kick", "[library][I13]") {
