@@ -220,9 +220,11 @@ void price(lab::Findings& out) {
     const auto rough_wins = [](const Fallen* c) {
         return c->rough < std::min(c->many, c->factors);
     };
-    const auto first = std::find_if(stiff.begin(), stiff.end(), rough_wins) - stiff.begin();
+    auto from = stiff.end();  // and so on for all that are stiffer
+    while (from != stiff.begin() && rough_wins(*(from - 1))) --from;
+    const auto first = from - stiff.begin();
     out.text("cloth_rough_from", first < 5 ? names[first] + std::string(" N/m") : "beyond 10⁶ N/m",
-             "the softest of these cloths for which gradients to one percent are the cheapest");
+             "the softest of these cloths from which on gradients to one percent are the cheapest");
     out.number("cloth_usual_steps", double(usual.substeps), "",
                "explicit steps a frame, 24 x 24, 1e4 N/m");
     out.number("cloth_usual_ratio", usual.factors / usual.many, "",
