@@ -110,8 +110,8 @@ function(timestep_doxyfile name site pages figures tests strict make)
     "-DLINK_SOURCES=$<TARGET_FILE:link_sources>" "-DLIBRARY_PAGES=$<TARGET_FILE:library_pages>" "-DLIBRARY=${library}" "-DLUNR=${LUNR}" "-DSEARCH_INDEX=$<TARGET_FILE:search_index>" "-DUNLINKED=${unlinked}" PARENT_SCOPE)
 endfunction()
 
-# Which chapters and exercises there are: pages name them all, and a new one changes this file.
-file(GLOB rooms CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/chapters/*/about.json" "${PROJECT_SOURCE_DIR}/tests/exercises/*/*/about.json")
+# Which chapters, second pages and exercises there are: pages name them all, and a new one changes this file.
+file(GLOB rooms CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/chapters/*/about.json" "${PROJECT_SOURCE_DIR}/chapters/*/more.md" "${PROJECT_SOURCE_DIR}/tests/exercises/*/*/about.json")
 list(JOIN rooms "\n" rooms)
 set(list_of_rooms "${PROJECT_BINARY_DIR}/docs/rooms.txt")
 file(CONFIGURE OUTPUT "${list_of_rooms}" CONTENT "${rooms}\n" @ONLY)
@@ -128,28 +128,44 @@ function(timestep_runs_named_in page result)
   set(${result} ${named} PARENT_SCOPE)
 endfunction()
 
-# The page of the chapter in chapters/${chapter}, filled from its run and from those that it names.
+# The page of the chapter in chapters/${chapter}, and its second one where there is a more.md, each filled from the chapter's
+# run and from those that it names. The numbers of its figures make each depend on the other's source (DEPFILE).
 function(timestep_page chapter)
-  set(input "${PROJECT_SOURCE_DIR}/chapters/${chapter}/chapter.md")
-  set(output "${site}/pages/${chapter}.md")
-  set(index "${site}/index/${chapter}.tsv")
-  timestep_runs_named_in("${input}" named)
-  list(TRANSFORM named REPLACE "(.+)" "${PROJECT_BINARY_DIR}/chapters/\\1/run/done" OUTPUT_VARIABLE runs)
   get_property(live GLOBAL PROPERTY TIMESTEP_LIVE_${chapter})
-  add_custom_command(
-    OUTPUT "${output}" "${index}"
-    COMMAND ${fill} --figures "${site}/figures" --chapter ${chapter} --input "${input}"
-            --output "${output}" --index "${index}" --depfile "${output}.d"
-    DEPENDS page "${input}" "${list_of_rooms}" ${runs} "${PROJECT_BINARY_DIR}/chapters/${chapter}/run/done" ${live}
-    DEPFILE "${output}.d" COMMENT "Filling the page of ${chapter}" VERBATIM)
-  add_custom_target(page_${chapter} DEPENDS "${output}")
-  foreach(run IN LISTS named ITEMS ${chapter})
+  set(runs_of_pages ${chapter})
+  set(outputs "")
+  foreach(page chapter more)
+    set(input "${PROJECT_SOURCE_DIR}/chapters/${chapter}/${page}.md")
+    if(page STREQUAL "chapter")
+      set(name "${chapter}")
+    elseif(EXISTS "${input}")
+      set(name "${chapter}_more")
+    else()  # nor is one left from when there was
+      file(REMOVE "${site}/pages/${chapter}_more.md" "${site}/index/${chapter}_more.tsv"
+        "${site}/growing/pages/${chapter}_more.md" "${site}/growing/index/${chapter}_more.tsv")
+      continue()
+    endif()
+    set(output "${site}/pages/${name}.md")
+    set(index "${site}/index/${name}.tsv")
+    timestep_runs_named_in("${input}" named)
+    list(TRANSFORM named REPLACE "(.+)" "${PROJECT_BINARY_DIR}/chapters/\\1/run/done" OUTPUT_VARIABLE runs)
+    add_custom_command(
+      OUTPUT "${output}" "${index}"
+      COMMAND ${fill} --figures "${site}/figures" --chapter ${chapter} --input "${input}"
+              --output "${output}" --index "${index}" --depfile "${output}.d"
+      DEPENDS page "${input}" "${list_of_rooms}" ${runs} "${PROJECT_BINARY_DIR}/chapters/${chapter}/run/done" ${live}
+      DEPFILE "${output}.d" COMMENT "Filling the page of ${name}" VERBATIM)
+    list(APPEND runs_of_pages ${named})
+    list(APPEND outputs "${output}")
+    set_property(GLOBAL APPEND PROPERTY TIMESTEP_INDEXES "${index}")
+  endforeach()
+  add_custom_target(page_${chapter} DEPENDS ${outputs})
+  foreach(run IN LISTS runs_of_pages)
     string(REGEX REPLACE "^[0-9]+_" "" run "${run}")
     add_dependencies(page_${chapter} run_${run})
   endforeach()
-  set_property(GLOBAL APPEND PROPERTY TIMESTEP_PAGES "${output}")
+  set_property(GLOBAL APPEND PROPERTY TIMESTEP_PAGES ${outputs})
   set_property(GLOBAL APPEND PROPERTY TIMESTEP_PAGE_TARGETS page_${chapter})
-  set_property(GLOBAL APPEND PROPERTY TIMESTEP_INDEXES "${index}")
 endfunction()
 
 # ---- The growing site ------------------------------------------------------------------------------

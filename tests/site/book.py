@@ -33,7 +33,7 @@ def faults(file):
     book = Book()
     book.feed(file.read_text(encoding="utf-8"))
     written = {page.stem for page in (file.parent / "html").glob("*.html")
-               if re.fullmatch(r"chapter_\d+|exercises(_\d+)?|which_method|glossary|methods|rigid_methods|in_your_engine|talks|promises|teaching", page.stem)}
+               if re.fullmatch(r"(chapter|more)_\d+|exercises(_\d+)?|which_method|glossary|methods|rigid_methods|in_your_engine|talks|promises|teaching", page.stem)}
     found = [f"{page} is in the book {count} times" for page, count in Counter(book.pages).items() if count != 1]
     found += [f"{page} is not in the book" for page in sorted(written - set(book.pages))]
     found += [f"{one} stands {count} times" for one, count in Counter(book.ids).items() if count != 1]

@@ -1,6 +1,6 @@
 // Nothing that a page uses can go missing unnoticed: for every chapter, each number, check, figure,
-// table, heading of the run and snippet that its page uses is taken away in a copy, one at a time,
-// and the page tool must refuse the page.
+// table, heading of the run and snippet that its page (or its second one, more.md) uses is taken
+// away in a copy, one at a time, and the page tool must refuse the page.
 //
 //     deletions PAGE_TOOL ROOT RUNS CHAPTER
 //
@@ -50,7 +50,12 @@ public:
     Copy(const Copy&) = delete;
     Copy& operator=(const Copy&) = delete;
 
-    fs::path source() const { return folder_ / "chapters" / chapter_ / "chapter.md"; }
+    fs::path source() const { return folder_ / "chapters" / chapter_ / page_; }
+    /// The chapter's page that is to be filled: chapter.md or more.md. Is it there?
+    bool turn_to(const std::string& page) {
+        page_ = page;
+        return fs::exists(source());
+    }
     fs::path root() const { return folder_; }
     /// A file of the run that `reference` names (`file`, or `NN_name/file`).
     fs::path run(const std::string& chapter, const std::string& file) const {
@@ -72,7 +77,7 @@ public:
     std::string words() const { return page::read_file(folder_ / "words"); }
 
 private:
-    std::string tool_, chapter_;
+    std::string tool_, chapter_, page_ = "chapter.md";
     fs::path folder_;
 };
 
@@ -253,16 +258,23 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
-        const Copy copy{argv[1], argv[2], argv[3], argv[4]};
-        if (copy.fill() != 0) {
-            std::cerr << "the page is wrong as it is: " << copy.words();
-            return 1;
+        Copy copy{argv[1], argv[2], argv[3], argv[4]};
+        bool all = true;
+        for (const char* page : {"chapter.md", "more.md"}) {
+            if (!copy.turn_to(page)) {
+                continue;
+            }
+            if (copy.fill() != 0) {
+                std::cerr << page << " is wrong as it is: " << copy.words();
+                return 1;
+            }
+            Deletions deletions{copy};
+            try_pieces(copy, deletions, page::read_file(copy.source()));
+            std::cout << copy.chapter() << "/" << page << ": " << deletions.count()
+                      << " deletions, " << deletions.passed() << " unnoticed\n";
+            all = all && deletions.passed() == 0 && deletions.count() > 0;
         }
-        Deletions deletions{copy};
-        try_pieces(copy, deletions, page::read_file(copy.source()));
-        std::cout << copy.chapter() << ": " << deletions.count() << " deletions, "
-                  << deletions.passed() << " unnoticed\n";
-        return deletions.passed() == 0 && deletions.count() > 0 ? 0 : 1;
+        return all ? 0 : 1;
     } catch (const std::exception& wrong) {
         std::cerr << wrong.what() << "\n";
         return 1;

@@ -3,7 +3,8 @@
 #   figures.gp  its picture       about.json  title, question, claims, figures
 #   study/      what measures the rest: study.cpp and more, with a figures.gp of its own
 # and the test tests/chapters/NN_name.cpp. One that lacks any of them is a configure error. A study may have
-# a folder does_not_compile: what the compiler says of the sources there, the page can show.
+# a folder does_not_compile: what the compiler says of the sources there, the page can show. What goes deeper may have a
+# second page, more.md.
 
 find_program(GNUPLOT gnuplot)
 

@@ -17,8 +17,10 @@ using timestep::BodyAdvice;
 using timestep::Thrown;
 using Answer = BodyAnswer;
 
-// The way the section is named: ch8_work is of chapter 8.
-std::string chapter(const timestep::Choice& choice) { return "chapter " + choice.where.substr(2, choice.where.find('_') - 2); }
+// The way the section is named: ch8_work and more8_work are of chapter 8.
+std::string chapter(const timestep::Choice& choice) {
+    return "chapter " + choice.where.substr(choice.where.find('_') - 1, 1);
+}
 
 std::string equal_moments(const Answer& answer) {
     std::string words;

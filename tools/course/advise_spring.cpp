@@ -127,7 +127,8 @@ void print_recommended(const timestep::Recommendation& answer, const Step& asked
     words += ": " + take;
     if (answer.substeps > 1) words += ", in " + number(double(answer.substeps)) + " substeps";
     if (answer.substeps == 0) words += ", though no million substeps would do";
-    words += "; " + answer.why + " (chapter " + answer.choice->where.substr(2, 1) + ").";
+    words += "; " + answer.why + " (chapter " +
+             answer.choice->where.substr(answer.choice->where.find('_') - 1, 1) + ").";
     if (!std::isnan(answer.position_error)) {
         words += " Off by " + off(answer.position_error) + " " + span(scene);
         if (scene.only_pulls) words += " if it is taut";

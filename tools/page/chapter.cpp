@@ -33,12 +33,16 @@ bool is_chapter(const std::string& folder) {
 
 }  // namespace
 
-std::string Chapter::id() const {
-    return "chapter_" + folder.substr(0, 2);
+std::string Chapter::id(bool more) const {
+    return (more ? "more_" : "chapter_") + folder.substr(0, 2);
 }
 
-std::string Chapter::section_prefix() const {
-    return "ch" + std::to_string(number) + "_";
+std::string Chapter::section_prefix(bool more) const {
+    return (more ? "more" : "ch") + std::to_string(number) + "_";
+}
+
+std::string Chapter::source(bool more) const {
+    return "chapters/" + folder + (more ? "/more.md" : "/chapter.md");
 }
 
 std::string Chapter::heading() const {
@@ -78,6 +82,7 @@ std::vector<Chapter> load_chapters(const std::filesystem::path& root) {
         chapter.builds_on = list(about, "builds_on");
         chapter.claims = list(about, "claims");
         chapter.figures = list(about, "figures");
+        chapter.has_more = std::filesystem::exists(root / chapter.source(true));
         for (const std::string& row : chapter.claims) {
             if (!is_row(row)) {
                 throw Error{file, 1, "\"" + row + "\" is no claim (N or I and two digits)"};

@@ -14,11 +14,16 @@ struct Chapter {
     std::string question;  ///< in a game programmer's words
     std::string picture;  ///< one of the figures: what its program draws
     std::vector<std::string> builds_on, claims, figures;
+    bool has_more;  ///< is there a second page, more.md?
 
-    /// The page's id and the stem of its file: `chapter_03`.
-    std::string id() const;
-    /// What every section id begins with: `ch3_`.
-    std::string section_prefix() const;
+    // Of its second page each of these with `more`.
+    /// The page's id and the stem of its file: `chapter_03`, `more_03`.
+    std::string id(bool more = false) const;
+    /// What every section id begins with: `ch3_`, `more3_`.
+    std::string section_prefix(bool more = false) const;
+    /// What the page is made from: `chapters/03_euler_variants/chapter.md`, `…/more.md`.
+    std::string source(bool more = false) const;
+
     /// `3 · Three ways to take a step`
     std::string heading() const;
     /// Its program's source: `chapters/03_euler_variants/euler_variants.cpp`.

@@ -76,9 +76,12 @@ std::string chapter_header(Context& context, const std::string& source) {
 }
 
 std::string chapter_footer(const Context& context) {
-    const Chapter* before = nullptr;
+    const Chapter* before = context.is_more() ? context.chapter() : nullptr;
     const Chapter* after = nullptr;
     for (const Chapter& chapter : context.chapters()) {
+        if (context.is_more()) {
+            break;  // the way back will do
+        }
         if (chapter.number < context.chapter()->number) {
             before = &chapter;
         } else if (chapter.number > context.chapter()->number && after == nullptr) {

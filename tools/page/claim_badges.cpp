@@ -20,7 +20,7 @@ std::string rows_markdown(Context& context, const Directive& directive, const He
             throw std::out_of_range{"\"" + row + "\" is none of this chapter's claims"};
         }
         context.index.push_back(
-            {row, "section", chapter->id() + ".html", heading.id, heading.title});
+            {row, "section", context.page() + ".html", heading.id, heading.title});
         badges += " <a class=\"row\" href=\"talks.html#row_" + row + "\">" + row + "</a>";
     }
     return "\n<div class=\"claims\">In the talks:" + badges + "</div>\n";

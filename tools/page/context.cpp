@@ -14,10 +14,11 @@ Context::Context(std::filesystem::path root, std::filesystem::path runs)
     }
 }
 
-void Context::set_chapter(const std::string& folder) {
+void Context::set_chapter(const std::string& folder, const std::filesystem::path& input) {
     for (const Chapter& chapter : chapters_) {
         if (chapter.folder == folder) {
             chapter_ = &chapter;
+            more_ = input.filename() == "more.md";
             return;
         }
     }

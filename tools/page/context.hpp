@@ -16,6 +16,12 @@ struct IndexEntry {
     std::string row, kind, page, anchor, title;  ///< kind: "section" or "figure"
 };
 
+/// A figure in the order in which a page's or a chapter's are numbered.
+struct Numbered {
+    std::string figure;  ///< `chapter/file`
+    std::string page;    ///< the id of the chapter's page that shows it; empty on any other page
+};
+
 /// What the talks show in one claim, in our words.
 struct TalkRow {
     std::string talk, text, erratum;  ///< the erratum is empty when there is none
@@ -31,9 +37,14 @@ public:
     const std::filesystem::path& runs() const { return runs_; }
     const std::vector<Chapter>& chapters() const { return chapters_; }
 
-    /// Makes this page the chapter's. Throws std::out_of_range when there is no such folder.
-    void set_chapter(const std::string& folder);
+    /// Makes this page the chapter's, its second one where it is made from a file more.md. Throws
+    /// std::out_of_range when there is no such folder.
+    void set_chapter(const std::string& folder, const std::filesystem::path& input = "chapter.md");
     const Chapter* chapter() const { return chapter_; }
+    bool is_more() const { return more_; }
+    /// The id of the chapter's page that this is: `chapter_03`, `more_03`; nothing where it is
+    /// none.
+    std::string page() const { return chapter_ == nullptr ? "" : chapter_->id(more_); }
 
     /// The run that `reference` names: that before the slash, or this chapter's without one.
     /// `name` becomes what follows the slash. Throws std::out_of_range when there is no such run.
@@ -43,7 +54,7 @@ public:
 
     std::vector<IndexEntry> index;                         ///< rows taught and drawn here
     std::map<std::string, std::filesystem::path> figures;  ///< shown here: `chapter/file`, drawn at
-    std::vector<std::string> order;                        ///< the page's figures, `chapter/file`, as they are numbered
+    std::vector<Numbered> order;  ///< the figures of the page, of both of a chapter's
     std::set<std::string> anchors;                         ///< ids of those figures
     std::set<std::filesystem::path> inputs;                ///< files read besides the runs'
     std::map<std::string, std::string> pages;              ///< what goes on pages beside this one: file, Markdown
@@ -55,6 +66,7 @@ private:
     std::filesystem::path root_, runs_;
     std::vector<Chapter> chapters_;
     const Chapter* chapter_ = nullptr;
+    bool more_ = false;
     std::map<std::string, RunData> data_;
 };
 

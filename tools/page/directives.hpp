@@ -39,8 +39,12 @@ std::string figure_markdown(Context& context, const Directive& directive,
 std::string see_markdown(Context& context, const Directive& directive);
 /// The id of a figure on its page.
 std::string figure_anchor(const std::filesystem::path& drawn);
-/// The figures of a page's source, `chapter/file`, as they follow each other. `folder` is the chapter's, or nothing.
-std::vector<std::string> figures_of(std::string_view source, const std::string& file, const std::string& folder);
+/// The figures of a page's source as they follow each other. `folder` and `page` are the chapter's,
+/// or nothing.
+std::vector<Numbered> figures_of(std::string_view source, const std::string& file,
+                                 const std::string& folder, const std::string& page);
+/// The figures of a chapter: those of its page, then those of its second one.
+std::vector<Numbered> figures_of(Context& context, const Chapter& chapter);
 /// The picture `drawn` as HTML, `folder/file` below the site's figures; on phones the narrow one, where there is one.
 std::string picture_html(Context& context, const std::string& folder, const std::filesystem::path& drawn, const std::string& words);
 /// `{{live panel: caption}}`, `{{live 03_chapter/panel: caption}}`; `caption` is the filled caption.
@@ -73,7 +77,8 @@ std::string exercises_markdown(Context& context);
 /// `{{talks}}`: every row that a chapter claims, with its section, figures and tests.
 std::string talks_markdown(Context& context);
 
-/// What stands above and below a chapter: its heading and facts, the way to its neighbours.
+/// What stands above and below a chapter: its heading and facts, the way to its neighbours (from
+/// its second page back to it).
 std::string chapter_header(Context& context, const std::string& source);
 std::string chapter_footer(const Context& context);
 

@@ -54,11 +54,18 @@ std::string figure_name(const std::filesystem::path& drawn, bool moves) {
     return says_so ? stem.substr(0, stem.size() - 5) : stem;
 }
 
-/// "Figure 3.2" in a chapter, "Figure 2" elsewhere; nothing where `order` has no such figure.
-std::string label(const Chapter* chapter, const std::vector<std::string>& order, const std::string& figure) {
-    const auto found = std::find(order.begin(), order.end(), figure);
+using Order = std::vector<Numbered>;
+
+/// "Figure 3.2" in a chapter, "Figure 2" elsewhere.
+std::string label(const Chapter* chapter, const Order& order, Order::const_iterator found) {
     const std::string number = std::to_string(found - order.begin() + 1);
-    return found == order.end() ? "" : "Figure\u00a0" + (chapter == nullptr ? number : std::to_string(chapter->number) + "." + number);
+    return "Figure\u00a0" +
+           (chapter == nullptr ? number : std::to_string(chapter->number) + "." + number);
+}
+
+Order::const_iterator find(const Order& order, const std::string& figure) {
+    return std::find_if(order.begin(), order.end(),
+                        [&](const Numbered& each) { return each.figure == figure; });
 }
 
 }  // namespace
@@ -68,13 +75,29 @@ std::string figure_anchor(const std::filesystem::path& drawn) {
     return "fig-" + figure_name(drawn, moves) + (moves ? "-film" : "");
 }
 
-std::vector<std::string> figures_of(std::string_view source, const std::string& file, const std::string& folder) {
-    std::vector<std::string> order;
+std::vector<Numbered> figures_of(std::string_view source, const std::string& file,
+                                 const std::string& folder, const std::string& page) {
+    Order order;
     for (const Piece& piece : scan(source, file)) {
         if (piece.kind == Piece::Kind::directive && piece.text.starts_with("figure ")) {
             const std::vector<std::string> words = split_words(piece.text.substr(0, piece.text.find(':')));
             const std::string& shown = words.size() > 1 ? words[1] : words[0];
-            order.push_back(shown.find('/') == std::string::npos ? folder + "/" + shown : shown);
+            order.push_back(
+                {shown.find('/') == std::string::npos ? folder + "/" + shown : shown, page});
+        }
+    }
+    return order;
+}
+
+std::vector<Numbered> figures_of(Context& context, const Chapter& chapter) {
+    Order order;
+    for (const bool more : {false, true}) {
+        if (!more || chapter.has_more) {
+            const std::string file = chapter.source(more);
+            context.inputs.insert(context.root() / file);
+            const Order shown = figures_of(read_file(context.root() / file), file, chapter.folder,
+                                           chapter.id(more));
+            order.insert(order.end(), shown.begin(), shown.end());
         }
     }
     return order;
@@ -88,19 +111,23 @@ std::string see_markdown(Context& context, const Directive& directive) {
     const std::string& reference = directive.arguments.front();
     context.run_of(reference, file);
     const std::string& folder = context.folder_of(reference);
-    std::string page, words = label(context.chapter(), context.order, folder + "/" + file);
+    const auto link = [&](const Chapter* chapter, const Order& order) {
+        const auto found = find(order, folder + "/" + file);
+        return found == order.end()
+                   ? std::string{}
+                   : "<a href=\"" + (found->page == context.page() ? "" : found->page + ".html") +
+                         "#" + figure_anchor(file) + "\">" + label(chapter, order, found) + "</a>";
+    };
+    std::string html = link(context.chapter(), context.order);
     for (const Chapter& chapter : context.chapters()) {
-        if (words.empty() && chapter.folder == folder) {  // on another page than this
-            const std::filesystem::path source = context.root() / "chapters" / folder / "chapter.md";
-            context.inputs.insert(source);
-            words = label(&chapter, figures_of(read_file(source), source.string(), folder), folder + "/" + file);
-            page = chapter.id() + ".html";
+        if (html.empty() && chapter.folder == folder) {  // another chapter's
+            html = link(&chapter, figures_of(context, chapter));
         }
     }
-    if (words.empty()) {
+    if (html.empty()) {
         throw std::out_of_range{reference + " is no figure of this page nor of its chapter's"};
     }
-    return "<a href=\"" + page + "#" + figure_anchor(file) + "\">" + words + "</a>";
+    return html;
 }
 
 std::string figure_markdown(Context& context, const Directive& directive,
@@ -116,6 +143,12 @@ std::string figure_markdown(Context& context, const Directive& directive,
         if (chapter.folder == folder &&
             std::count(chapter.figures.begin(), chapter.figures.end(), file) == 0) {
             throw std::out_of_range{file + " is not among the figures in " + chapter.about()};
+        }
+    }
+    for (const Numbered& each : context.order) {
+        if (each.figure == folder + "/" + file && each.page != context.page()) {
+            throw std::out_of_range{file + " stands on the page " + each.page +
+                                    ", too: a figure stands on one of a chapter's two"};
         }
     }
     const std::filesystem::path drawn = run.figure(file);
@@ -135,16 +168,18 @@ std::string figure_markdown(Context& context, const Directive& directive,
             std::count(chapter->claims.begin(), chapter->claims.end(), row) == 0) {
             throw std::out_of_range{"\"" + row + "\" is none of this chapter's claims"};
         }
-        context.index.push_back({row, "figure", chapter->id() + ".html", anchor,
+        context.index.push_back({row, "figure", context.page() + ".html", anchor,
                                  replace_all(name, "_", " ") + (moves ? ", film" : "")});
     }
 
     const std::string picture = picture_html(context, folder, drawn, escape_html(first_sentence(caption)));
     return "\n\\htmlonly[block]<figure id=\"" + anchor + "\" class=\"" +
            (moves ? "picture animation" : "picture") +
-           "\" style=\"--width:" + std::to_string(image_size(drawn).width) + "px\"><a class=\"card\" href=\"figures/" + folder + "/" +
-           file + "\">" + picture + "</a><figcaption>\\endhtmlonly\n<span class=\"figure-number\">" +
-           label(context.chapter(), context.order, folder + "/" + file) + ".</span> " + std::string{trim(caption)} +
+           "\" style=\"--width:" + std::to_string(image_size(drawn).width) +
+           "px\"><a class=\"card\" href=\"figures/" + folder + "/" + file + "\">" + picture +
+           "</a><figcaption>\\endhtmlonly\n<span class=\"figure-number\">" +
+           label(context.chapter(), context.order, find(context.order, folder + "/" + file)) +
+           ".</span> " + std::string{trim(caption)} +
            "\n\\htmlonly[block]</figcaption></figure>\\endhtmlonly\n";
 }
 

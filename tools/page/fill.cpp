@@ -151,7 +151,8 @@ private:
         return {};
     }
 
-    /// A chapter's title comes from about.json, with the header.
+    /// A chapter's title comes from about.json, with the header; its second page has one of its
+    /// own.
     std::string fill_heading(const Piece& piece) {
         if (piece.text.find_first_of("$") != std::string::npos ||
             piece.text.find("{{") != std::string::npos) {
@@ -161,7 +162,8 @@ private:
         }
         heading_ = parse_heading(piece.text);
         below_heading_ = true;
-        return heading_.level == 1 && context_.chapter() != nullptr ? "" : piece.text;
+        const bool title = heading_.level == 1 && context_.chapter() != nullptr;
+        return !title ? piece.text : context_.is_more() ? piece.text + "\n\n[TOC]\n" : "";
     }
 
     std::string fill_formula(const Piece& piece) {
@@ -272,7 +274,7 @@ private:
 
     /// Takes the next part of the program, or the whole of it.
     std::string fill_program(const Directive& directive) {
-        if (!directive.arguments.empty() || context_.chapter() == nullptr) {
+        if (!directive.arguments.empty() || program_.empty()) {
             throw std::invalid_argument{"{{program: its first words}} or {{program}} stands on a chapter's page"};
         }
         if (directive.text.empty()) {
@@ -303,26 +305,6 @@ private:
     bool asked_ = false;
 };
 
-/// A chapter shows all its figures and teaches all its rows.
-void check_complete(const Context& context) {
-    const Chapter& chapter = *context.chapter();
-    for (const std::string& figure : chapter.figures) {
-        if (context.figures.count(chapter.folder + "/" + figure) == 0) {
-            throw Error{chapter.about(), 1, "the page does not show " + figure};
-        }
-    }
-    for (const std::string& row : chapter.claims) {
-        const auto teaches = [&](const IndexEntry& entry) {
-            return entry.row == row && entry.kind == "section";
-        };
-        if (std::none_of(context.index.begin(), context.index.end(), teaches)) {
-            throw Error{
-                chapter.about(), 1,
-                row + " is claimed, but no section of the page teaches it ({{claims " + row + "}})"};
-        }
-    }
-}
-
 /// Says of a draft that it is one, below the page's title.
 std::string with_notice(std::string page) {
     const std::size_t title_end = page.find('\n') + 1;
@@ -352,19 +334,23 @@ Directive parse_directive(const std::string& inner) {
 
 std::string fill(Context& context, std::string_view source, const std::string& file) {
     const std::vector<Piece> pieces = scan(source, file);
-    context.order = figures_of(source, file, context.chapter() == nullptr ? "" : context.chapter()->folder);
+    context.order = context.chapter() == nullptr ? figures_of(source, file, "", "")
+                                                 : figures_of(context, *context.chapter());
     Filler filler{context, file};
     std::string page;
     if (context.chapter() == nullptr) {
         page = filler.fill(pieces);
+    } else if (context.is_more()) {
+        check_more(pieces, *context.chapter(), file);
+        page = filler.fill(pieces) + chapter_footer(context);
     } else {
         check_skeleton(pieces, *context.chapter(), file);
         filler.cut_program(pieces);
-        const std::string body = filler.fill(pieces);
-        if (context.gaps == 0) {
-            check_complete(context);
-        }
-        page = chapter_header(context, std::string{source}) + body + chapter_footer(context);
+        page = filler.fill(pieces);
+        page = chapter_header(context, std::string{source}) + page + chapter_footer(context);
+    }
+    if (context.chapter() != nullptr && context.gaps == 0) {
+        check_complete(context);
     }
     filler.check_answered(pieces.empty() ? 1 : pieces.back().line);
     return context.gaps > 0 ? with_notice(page) : page;

@@ -100,10 +100,10 @@ void make_page(Options& options) {
     page::Context context{options["--source"], options["--runs"]};
     context.indexes = options["--indexes"];
     context.draft = options["--draft"] == "yes";
-    if (!options["--chapter"].empty()) {
-        context.set_chapter(options["--chapter"]);
-    }
     const fs::path input{options["--input"]};
+    if (!options["--chapter"].empty()) {
+        context.set_chapter(options["--chapter"], input);
+    }
     const std::string shown = fs::proximate(input, options["--source"]).generic_string();
     const std::string content = page::fill(context, page::read_file(input), shown);
 

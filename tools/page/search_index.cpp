@@ -67,7 +67,7 @@ std::string between(const std::string& text, const std::string& open, const std:
 
 /// Is that one of the pages that we have written?
 bool has_words(const std::string& name) {
-    static const std::set<std::string> pages{"chapter_", "index", "which_method", "exercises", "exercises_", "teaching", "promises", "methods", "rigid_methods", "in_your_engine"};
+    static const std::set<std::string> pages{"chapter_", "more_", "index", "which_method", "exercises", "exercises_", "teaching", "promises", "methods", "rigid_methods", "in_your_engine"};
     if (!name.ends_with(".html")) return false;
     const std::string stem = name.substr(0, name.size() - 5);
     const std::size_t number = stem.find_last_not_of("0123456789") + 1;
