@@ -79,7 +79,7 @@ inline const std::vector<Choice>& choices() {
          "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
         {"tether", "a tether: one leash between two things, a spring that only pulls",
          "**implicit Euler**; where it must bounce on, semi-implicit Euler in substeps of ωh at most " + tether,
-         "by implicit Euler the energy never rises, slack or taut; of the substeps nothing proves that. The library's `Tether` is a different thing: it pushes when it is short, and there implicit Euler may gain", "ch6_question", "implicit Euler"},
+         "by implicit Euler the energy never rises, slack or taut; of the substeps nothing proves that. The library's `Tether` is a different thing: it pushes when it is short, and there implicit Euler may gain", "more6_verdicts", "implicit Euler"},
         {"uneven", "steps of uneven length, where chapter 2's game loop cannot be used",
          "**Runge–Kutta 4**, in substeps of ωh and ζωh at most " + alive +
          "; for what is faster or more damped implicit Euler, or implicit midpoint where it must keep its size",
@@ -116,7 +116,7 @@ inline const std::vector<Choice>& choices() {
          "the length tips over. Passive's other formula, for two equal moments (`SymmetricInertia`), loses nothing and hides nothing: in Bullet a thrown capsule multiplied "
          "its energy. For what mostly flies take that one. The page In your engine has the numbers", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy itself, and loses some; in our throws that covered what contacts added. Spins fade, and one about the length tips over. "
+         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy itself, and loses some: in our throws more than the contacts added. Spins fade, and one about the length tips over. "
          "Two equal moments have a line of their own", "ch8_contacts", "passive"},
         {"callback_free", "a body that touches nothing, and all you can do is change ω before the engine's step",
          "the **calm half-step**, whole", "there is nothing to hide, and it keeps energy and |L|, at any spin, with any steps; the engine's turn makes the orientation rough",
@@ -124,11 +124,10 @@ inline const std::vector<Choice>& choices() {
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments**, "
          "`SymmetricInertia` by passive or by the calm half-step: half of it before contacts and joints, half between them and the turn",
          "it only turns ω about the axis of the odd moment, which keeps "
-         "energy, |L| and the spin. Then throw capsules at 30 rad/s onto a plane: if one gains a tenth of its energy (height included; in Box3D it does), give a body without joints the whole step after the contacts", "ch5_passive", "passive"},
+         "energy, |L| and the spin. The contacts may still add some (in Box3D they do): the page In your engine has a test of that for your engine, and the cure", "ch5_passive", "passive"},
         {"contacts", "a body that touches others", "the **calm half-step**, called twice with h/2: before contacts and joints, and between them and the turn",
-         "energy and |L| stay from one impulse to the next, at any spin, with any steps. Then throw capsules at 30 rad/s onto a plane: if one gains a tenth of its "
-         "energy (height included; in Box3D it does), give a body without joints the whole step after the contacts. (By the whole step after joints and contacts a spinning "
-         "top may circle too fast or too slow.) The page In your engine has what we measured in four engines", "ch8_contacts", "calm half-step"},
+         "energy and |L| stay from one impulse to the next, at any spin, with any steps. The contacts may still add some (in Box3D they do): "
+         "the page In your engine has a test of that for your engine, and the cure", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
          "it is the exact motion but for rounding, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand that fly, h|ω| at most " + calm + ", a constant step",

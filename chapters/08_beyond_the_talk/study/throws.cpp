@@ -266,6 +266,14 @@ void throws(const Settings&, lab::Findings& out) {
     out.check("take_half_step", half,
               "10 rad/s at 60 Hz, every throw of four bodies: the half-step Jacobian with the mean "
               "is off by less than 10 %");
+    bool talk = true;
+    for (const char* id : {"box", "needle", "ruler"})
+        talk = talk && of("implicit", id).lost > 80 && of("passive", id).lost > 80;
+    out.check("take_talk", talk,
+              "10 rad/s at 60 Hz: one Newton step and passive lose more than four in five throws of "
+              "box, needle and ruler");
+    out.check("half_step_30", of("half_step", "box_30").lost > 99.95 && of("half_step", "ruler_30").lost > 99.95,
+              "30 rad/s at 60 Hz: the half-step Jacobian loses every throw of box and ruler");
     out.check("take_cayley", of("cayley", "ruler").lost > 50 && of("strang", "ruler").lost > 20,
               "10 rad/s at 60 Hz: Cayley loses most throws of the ruler, Strang over 20 %");
     bool no_nearer = true;  // though it keeps energy and momentum
