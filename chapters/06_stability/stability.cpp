@@ -18,8 +18,8 @@ using namespace timestep;
 
 // Play with these.
 const int steps = 10000;     // so long we watch
-const double least = 0.01;   // damping ratio: of no damping to speak of,
-const double most = 10;      // up to a lot
+const double least = 0.01;   // damping ratio: from next to none
+const double most = 10;      // to a lot
 
 const double omega = 100;    // rad/s: whichever it is, only omega h counts
 

@@ -79,7 +79,7 @@ inline const std::vector<Choice>& choices() {
          "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
         {"tether", "a tether: one leash between two things, a spring that only pulls",
          "**implicit Euler**; where it must bounce on, semi-implicit Euler in substeps of ωh at most " + tether,
-         "by implicit Euler the energy never rises, slack or taut; of the substeps nothing proves that. The library's `Tether` is a different thing: it pushes when it is short, and there implicit Euler may gain", "more6_verdicts", "implicit Euler"},
+         "by implicit Euler the energy never rises, slack or taut; of the substeps nothing proves that. The library's `Tether` is a different thing: it pushes when it is short, and there implicit Euler may gain", "more6_tether", "implicit Euler"},
         {"uneven", "steps of uneven length, where chapter 2's game loop cannot be used",
          "**Runge–Kutta 4**, in substeps of ωh and ζωh at most " + alive +
          "; for what is faster or more damped implicit Euler, or implicit midpoint where it must keep its size",
@@ -92,13 +92,13 @@ inline const std::vector<Choice>& choices() {
         {"swing", "ωh at most " + alive + " in a constant step, as in most of a game (between " + alive + " and " + twice + " at your frame rate: take two steps a frame)",
          "**semi-implicit Euler**, with the damping at the new velocity",
          "one force a step; no damper, however strong, makes it blow up (several dampers at one mass: solve them together); its energy oscillates "
-         "but does not drift, on a spring, and on a pendulum at ωh = " + pendulum + " (tried up to 3.1 rad)", "ch3_energy",
+         "but does not drift, on a spring, and on a pendulum at ωh = " + pendulum + " (swings of up to 3.1 rad were tried)", "ch3_energy",
          "semi-implicit Euler, new damping"},
         {"net", "many stiff springs between many masses, a net, a cloth, ωh above " + twice,
          "**semi-implicit Euler**, in substeps of ωh below 2; where these are too many, **implicit Euler**, and factorise",
          "a substep costs a force for each spring, a factorisation as much as many of them: how many, the section on cloth has measured. Hard dampers want shorter substeps",
          "ch6_cloth", "semi-implicit Euler"},
-        {"pull", "ωh above " + twice + ", and ζ at least 1 or ζωh at least " + ended + ": a stiff pull to a target, a decay", "**implicit Euler**", "the decay dies, as it should",
+        {"pull", "ωh above " + twice + " and ζωh at least " + ended + ": a stiff pull to a target, a decay", "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
         {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
@@ -112,12 +112,11 @@ inline const std::vector<Choice>& choices() {
          "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
         {"callback_symmetric", "a body with two equal moments, a capsule, a wheel, that touches others, and all you can do is change ω before the engine's step",
          "the engine's own **one Newton step**, where it has that (Bullet, Box3D): leave it on; where it has none (Unity, Godot), **passive** by its formula for three moments",
-         "both damp, and so hide what the engine's contacts add when ω is changed just before them. The price: spins fade too soon, and by passive a spin about "
-         "the length tips over. Passive's other formula, for two equal moments (`SymmetricInertia`), loses nothing and hides nothing: in Bullet a thrown capsule multiplied "
-         "its energy. For what mostly flies take that one. The page In your engine has the numbers", "ch8_contacts", "one Newton step"},
+         "both lose energy, and so hide what the engine's contacts add when ω is changed just before them. Spins fade too soon, and by passive one about "
+         "the length tips over. (Passive's formula for two equal moments, `SymmetricInertia`, loses nothing, so it hides nothing: take it for what mostly flies)", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
          "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy itself, and loses some: in our throws more than the contacts added. Spins fade, and one about the length tips over. "
-         "Two equal moments have a line of their own", "ch8_contacts", "passive"},
+         "Not for two equal moments: these have a line of their own", "ch8_contacts", "passive"},
         {"callback_free", "a body that touches nothing, and all you can do is change ω before the engine's step",
          "the **calm half-step**, whole", "there is nothing to hide, and it keeps energy and |L|, at any spin, with any steps; the engine's turn makes the orientation rough",
          "ch8_fails", "calm half-step"},

@@ -31,7 +31,7 @@ plot "kick.tsv" using 1:2 with lines @exact title "exact, and all three once tol
 # The longest step of a plank on one spring.
 call figure "effective_mass.svg" 640 420 500
 set autoscale
-set xlabel "the spring's distance from the centre (m)\n " offset 0,0.4
+set xlabel "how far along the plank the spring holds it (m)\n " offset 0,0.4
 set ylabel "longest stable step (ms)"
 set xrange [0:1]
 set yrange [0:70]

@@ -1,4 +1,4 @@
-// Ten thousand bodies that tumble at 60 Hz, and a film of some of them.
+// Ten thousand bodies that tumble at 60 Hz.
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,6 @@
 #include <timestep/gyroscopic/half_step_jacobian.hpp>
 #include <timestep/rigid/many_bodies.hpp>
 
-#include "film.hpp"
 #include "sections.hpp"
 #include "timing.hpp"
 
@@ -105,54 +104,8 @@ void ten_thousand(lab::Findings& out) {
               "and their energy is off by less than 1 %");
 }
 
-// Boxes, needles, plates and balls in rows, the last row first.
-void some(lab::Findings& out) {
-    constexpr int rows = 5, columns = 8, pictures = 80, steps = 3;
-    ManyBodies<float, UniformInertia, SymmetricInertia, PrincipalInertia> bodies;
-    std::mt19937 random(4);
-    std::uniform_real_distribution<float> spin(-1, 1);
-    const auto plank = box(1.0f, 0.45f, 0.8f, 1.2f), plate = box(1.0f, 1.05f, 0.75f, 0.1f);
-    const auto needle = staff(1.0f, 1.35f, 0.12f);
-    const auto ball = sphere(1.0f, 0.4f);
-    for (int i = 0; i < rows * columns / 4; ++i) {
-        const auto small = [&] { return 0.15f * spin(random); };
-        const Quaternion<float> q = any_orientation(random);
-        const float turn = 5 + 1.5f * spin(random);
-        // About the middle axis: these turn over.
-        bodies.add(plank, q, Vector3<float>(q * Vector3<float>(small(), turn, small())));
-        bodies.add(plate, q, Vector3<float>(q * Vector3<float>(turn, small(), small())));
-        bodies.add(needle, q, Vector3<float>(q * Vector3<float>(2, 1, 4 * turn)));
-        bodies.add(ball, q, Vector3<float>(small(), turn, turn));
-    }
-    const auto plank_faces = film::box(0.45, 0.8, 1.2, 0),
-               plate_faces = film::box(1.05, 0.75, 0.1, 1);
-    const auto needle_faces = film::box(0.12, 0.12, 1.35, 2), ball_faces = film::ball(0.4, 3);
-    film::Film pictures_of(out, "tumbling.tsv");
-    for (int picture = 0; picture < pictures; ++picture) {
-        for (int row = rows - 1; row >= 0; --row) {
-            for (int column = 0; column < columns; ++column) {
-                const int kind = (row + column) % 4;
-                const auto i = std::size_t((row * columns + column) / 4);
-                const film::V place((column - (columns - 1) / 2.0) * 1.5, row * 1.9, 0);
-                const auto draw = [&](const auto& faces, const RigidState<float>& s) {
-                    pictures_of.body(faces, s.q.cast<double>(), place);
-                };
-                if (kind == 0) draw(plank_faces, bodies.state<PrincipalInertia>(2 * i));
-                if (kind == 1) draw(plate_faces, bodies.state<PrincipalInertia>(2 * i + 1));
-                if (kind == 2) draw(needle_faces, bodies.state<SymmetricInertia>(i));
-                if (kind == 3) draw(ball_faces, bodies.state<UniformInertia>(i));
-            }
-            pictures_of.row_ends();
-        }
-        for (int n = 0; n < steps; ++n) bodies.step(half_step_jacobian, h);
-    }
-    out.number("demo_drawn", rows * columns, "", "bodies in the film");
-    out.number("demo_seconds", pictures * steps / 60.0, "s", "length of the film");
-}
-
 }  // namespace
 
 void demo(const Settings&, lab::Findings& out) {
     ten_thousand(out);
-    some(out);
 }

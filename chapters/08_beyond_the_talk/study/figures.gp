@@ -166,4 +166,3 @@ eval "plot ".keys."NaN with lines lc rgb '#b8b8b8' lw 1.5 title 'the appendix'"
 unset multiplot
 
 load folder."../../chapters/08_beyond_the_talk/study/many.gp"
-load folder."../../chapters/08_beyond_the_talk/study/tumbling.gp"

@@ -81,7 +81,7 @@ void minute(const Settings& settings, lab::Findings& out) {
             if (k == "strang" || k == "remainder_2" || k == "remainder_4")
                 out.check(name("_keeps"), off_L < roundoff,
                           method.name + of + " keeps |L| to roundoff");
-            if (k == "remainder_4" && id != "fast")
+            if (k == "remainder_4")
                 out.check(name("_energy"), off_E < 1e-4,
                           method.name + of + " keeps its energy to a ten-thousandth");
         }

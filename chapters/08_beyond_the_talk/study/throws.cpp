@@ -235,6 +235,9 @@ void throws(const Settings&, lab::Findings& out) {
     out.number("ruler_rate", std::sqrt(r.x() * r.z()), "",
                "the rate at which a ruler leaves its intermediate axis, over |omega|", 2);
     out.number("half_worst", 100 * half_worst, "%", "worst error of the half-step Jacobian", 2);
+    double calm_worst = 0;
+    for (const char* id : {"near", "box", "needle", "ruler"}) calm_worst = std::max(calm_worst, of("calm", id).worst);
+    out.number("calm_worst", 100 * calm_worst, "%", "of the calm half-step", 2);
     out.number("rk4_worst", 100 * rk4_worst, "%", "worst error of Runge-Kutta 4", 2);
     out.number("rk4_ruler_30", 100 * of("runge_kutta_4", "ruler_30").worst, "%",
                "that of the ruler at 30 rad/s", 2);
