@@ -13,10 +13,11 @@ struct Account {
 };
 
 /// [adaptive]
-// Each step is taken twice, whole and in two halves. Their difference d is the
-// error, of size h². Over what is allowed, relative·|y| + absolute, and summed
-// over the unknowns, it must be one at most, or the step is refused. The next
-// one is as long as that fits. What is kept is the halves minus d, of order two.
+// Each step is taken twice, whole and in two halves. The whole one errs twice as
+// much, so their difference d is the error of the halves, of size h². Each
+// unknown's is divided by what is allowed, relative·|y| + absolute. If the sum is
+// more than one, the step is refused. The next one is as long as that fits. Kept
+// is the halves minus d: chapter 1's Richardson extrapolation, of order two.
 template <class System, class Y, class Observe>
 timestep::FirstOrder<Y> run_adaptive(const System& f,
                                      timestep::FirstOrder<Y> state, double end,

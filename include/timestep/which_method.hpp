@@ -25,6 +25,8 @@ inline constexpr double tether_turn = 0.125;
 inline constexpr double stiff_decay = 2;
 /// Up to this ωh and ζωh Runge–Kutta 4 is right to one percent of the amplitude for four periods, ζ up to stiff_decay.
 inline constexpr double fine_turn = 0.45;
+/// Up to this ωh, over ζ, BDF2 is right to one percent of where a spring of ζ from stiff_decay on is let go.
+inline constexpr double fine_pull = 0.2;
 /// From this ζωh on a damper ends an oscillation within a frame or so: it is a decay.
 inline constexpr double ended_swing = 2;
 /// Up to this h|ω|, in radians a step, ball and remainder 4 points where it should: chapter 8 has thrown
@@ -87,12 +89,12 @@ inline const std::vector<Choice>& choices() {
          "a mixture: chapter 2's panel shows it for the first", "ch6_kicks", "Runge-Kutta 4"},
         {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**, with ωh and ζωh up to " + fine,
          "a percent over four periods for four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
-        {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick",
+        {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick (an impulse), in substeps of ωh at most " + plain(fine_pull) + " ζ",
          "its steps follow the slow part, the fast one dies; the first step after a kick may be off by nearly all that the kick does", "ch6_stiff", "BDF2"},
         {"swing", "ωh at most " + alive + " in a constant step, as in most of a game (between " + alive + " and " + twice + " at your frame rate: take two steps a frame)",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "one force a step; no damper, however strong, makes it blow up (several dampers at one mass: solve them together); its energy oscillates "
-         "but does not drift, on a spring, and on a pendulum at ωh = " + pendulum + " (swings of up to 3.1 rad were tried)", "ch3_energy",
+         "one force a step; no damper, however strong, makes it blow up (several dampers at one mass: one after another); its energy oscillates "
+         "but does not drift, on a spring, and on a pendulum at ωh = " + pendulum + " (swings up to 3.1 rad)", "ch3_energy",
          "semi-implicit Euler, new damping"},
         {"net", "many stiff springs between many masses, a net, a cloth, ωh above " + twice,
          "**semi-implicit Euler**, in substeps of ωh below 2; where these are too many, **implicit Euler**, and factorise",
@@ -103,7 +105,7 @@ inline const std::vector<Choice>& choices() {
         {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
         {"unseen", "an oscillation faster than the frame that need not keep its size",
-         "**BDF2**, restarted after each kick (or, where it must be seen, **semi-implicit Euler** in substeps of ωh at most " + alive + ")",
+         "**BDF2**, restarted after each impulse (or, where it must be seen, **semi-implicit Euler** in substeps of ωh at most " + alive + ")",
          "by BDF2 the fast part dies, the slow one stays. With kicks in every frame BDF2 rings: then implicit Euler", "ch6_kicks", "BDF2"},
         {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
@@ -111,19 +113,19 @@ inline const std::vector<Choice>& choices() {
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
         {"callback_symmetric", "a body with two equal moments, a capsule, a wheel, that touches others, and all you can do is change ω before the engine's step",
-         "the engine's own **one Newton step**, where it has that (Bullet, Box3D): leave it on; where it has none (Unity, Godot), **passive** by its formula for three moments",
-         "both lose energy, and so hide what the engine's contacts add when ω is changed just before them. Spins fade too soon, and by passive one about "
+         "the engine's own **one Newton step**, where it has that (Bullet, Box3D): leave it on; where it has none (Unity, Godot), **passive** by its formula for three moments (`PrincipalInertia`)",
+         "both lose energy, and so hide what the engine's contacts add when ω is changed just before them. Spins fade too soon, and with passive a spin about "
          "the length tips over. (Passive's formula for two equal moments, `SymmetricInertia`, loses nothing, so it hides nothing: take it for what mostly flies)", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in the Open Dynamics Engine, ODE)", "it adds no energy itself, and loses some: in our throws more than the contacts added. Spins fade, and one about the length tips over. "
-         "Not for two equal moments: these have a line of their own", "ch8_contacts", "passive"},
+         "the **passive step** (linearly implicit, as in ODE), the engine's own rule off", "it adds no energy itself, and loses some: in our throws more than the contacts added. Spins fade, and one about the length tips over. "
+         "Not for two equal moments: see their line", "ch8_contacts", "passive"},
         {"callback_free", "a body that touches nothing, and all you can do is change ω before the engine's step",
          "the **calm half-step**, whole", "there is nothing to hide, and it keeps energy and |L|, at any spin, with any steps; the engine's turn makes the orientation rough",
          "ch8_fails", "calm half-step"},
-        {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments**, "
-         "`SymmetricInertia` by passive or by the calm half-step: half of it before contacts and joints, half between them and the turn",
-         "it only turns ω about the axis of the odd moment, which keeps "
-         "energy, |L| and the spin. The contacts may still add some (in Box3D they do): the page In your engine has a test of that for your engine, and the cure", "ch5_passive", "passive"},
+        {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments** (`SymmetricInertia`: passive and the "
+         "calm half-step are one there), called twice with h/2: before contacts and joints, and between them and the turn",
+         "it only turns ω about the axis of the moment that differs, which keeps "
+         "energy, |L| and the spin about that axis. The contacts may still add some (in Box3D they do): the page In your engine has a test of that for your engine, and the cure", "ch5_passive", "passive"},
         {"contacts", "a body that touches others", "the **calm half-step**, called twice with h/2: before contacts and joints, and between them and the turn",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps. The contacts may still add some (in Box3D they do): "
          "the page In your engine has a test of that for your engine, and the cure", "ch8_contacts", "calm half-step"},
@@ -143,7 +145,7 @@ inline const std::vector<Choice>& choices() {
          "when steps vary a splitting adds up its errors, and a body thrown about its intermediate axis may be lost", "ch8_cost",
          "Runge-Kutta 4"},
         {"free", "a body that flies freely, h|ω| at most " + fair + ", a constant step", "**ball and remainder 4**, a splitting into a spherical top and a remainder",
-         "|L| stays, the energy is bounded, and the body points where it should, unless it comes to spin nearly about its intermediate axis", "ch8_work", "ball and remainder 4"},
+         "|L| stays, the energy is bounded, and the body points where it should, also when it turns over. (Only a throw after which it would stay on its intermediate axis may be lost: a touch decides that)", "ch8_work", "ball and remainder 4"},
         {"free_fast", "a body that flies freely, h|ω| above " + fair + ", a constant step", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
          "what is safe at long steps is not accurate there", "ch8_safe", "ball and remainder 4"},
     };

@@ -117,7 +117,7 @@ test_two_equal_moments() {
     expect 0 course advise $wheel --contacts --callback
     tail -n 1 out >last
     says last 'the engine'"'"'s own one Newton step, where it has that (Bullet, Box3D): leave it on'
-    says last 's other formula, for two equal moments'
+    says last 's formula for two equal moments'
     is "$(grep -c '^passive  ' out)" 0
     is "$(grep -c '^passive, three moments  *× 0.646 .* lost$' out)" 1
     is "$(grep -c '^passive, two equal moments  *× 1  *× 1  *100 %' out)" 1

@@ -126,7 +126,7 @@ public:
         // Beside it, or below it, where it truly is.
         p.narrow ? p.window(-1.2, 1.2, -1.5, 1.4, true, 0, 0.5, 0, 0.39) : p.window(-1.2, 1.2, -1.5, 1.4, true, 0.6, 1, 0.5, 1);
         if (alive(shown)) draw_large(p, orientation(shown), name(look_of(shown)));
-        else p.ink("ink"), p.text(-1.15, 0, "all blew up: Restart");
+        else p.ink("ink"), p.text(-1.15, 0, "these blew up: Restart");
         p.ink("ink"), p.text(-1.15, 1.2, !alive(shown) ? "" : "the worst of them");
         p.ink(name(slower)), p.text(-1.15, -1.2, "blue: lost 10 %");
         p.ink(name(faster)), p.text(-1.15, -1.45, "orange: gained 10 %");
