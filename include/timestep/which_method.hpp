@@ -100,12 +100,12 @@ inline const std::vector<Choice>& choices() {
          "**semi-implicit Euler**, in substeps of ωh below 2; where these are too many, **implicit Euler**, and factorise",
          "a substep costs a force for each spring, a factorisation as much as many of them: how many, the section on cloth has measured. Hard dampers want shorter substeps",
          "ch6_cloth", "semi-implicit Euler"},
-        {"pull", "ωh above " + twice + " and ζωh at least " + ended + ": a stiff pull to a target, a decay", "**implicit Euler**", "the decay dies, as it should",
+        {"pull", "ωh above " + twice + " and ζωh at least " + ended + ": a stiff pull to a target; or a decay, h|λ| above " + ended, "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
         {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
         {"unseen", "an oscillation faster than the frame that need not keep its size",
-         "**BDF2**, restarted after each impulse (or, where it must be seen, **semi-implicit Euler** in substeps of ωh at most " + alive + ")",
+         "**BDF2**, which remembers two states: restart it after each impulse. Or, where it must be seen, **semi-implicit Euler** in substeps of ωh at most " + alive,
          "by BDF2 the fast part dies, the slow one stays. With kicks in every frame BDF2 rings: then implicit Euler", "ch6_kicks", "BDF2"},
         {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
@@ -117,17 +117,17 @@ inline const std::vector<Choice>& choices() {
          "both lose energy, and so hide what the engine's contacts add when ω is changed just before them. Spins fade too soon, and with passive a spin about "
          "the length tips over. (Passive's formula for two equal moments, `SymmetricInertia`, loses nothing, so it hides nothing: take it for what mostly flies)", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in ODE), the engine's own rule off", "it adds no energy itself, and loses some: in our throws more than the contacts added. Spins fade, and one about the length tips over. "
-         "Not for two equal moments: see their line", "ch8_contacts", "passive"},
+         "the **passive step** (linearly implicit, as in ODE), the engine's own rule off", "it adds no energy, and loses some: in our throws more than the contacts added. Spins fade; one about the length tips over. "
+         "Not for two equal moments: these have their own row", "ch8_contacts", "passive"},
         {"callback_free", "a body that touches nothing, and all you can do is change ω before the engine's step",
          "the **calm half-step**, whole", "there is nothing to hide, and it keeps energy and |L|, at any spin, with any steps; the engine's turn makes the orientation rough",
          "ch8_fails", "calm half-step"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments** (`SymmetricInertia`: passive and the "
          "calm half-step are one there), called twice with h/2: before contacts and joints, and between them and the turn",
          "it only turns ω about the axis of the moment that differs, which keeps "
-         "energy, |L| and the spin about that axis. The contacts may still add some (in Box3D they do): the page In your engine has a test of that for your engine, and the cure", "ch5_passive", "passive"},
+         "energy, |L| and the spin about that axis. The contacts may still add energy (in Box3D they do): the page In your engine has a test of that for your engine, and the cure", "ch5_passive", "passive"},
         {"contacts", "a body that touches others", "the **calm half-step**, called twice with h/2: before contacts and joints, and between them and the turn",
-         "energy and |L| stay from one impulse to the next, at any spin, with any steps. The contacts may still add some (in Box3D they do): "
+         "energy and |L| stay from one impulse to the next, at any spin, with any steps. The contacts may still add energy (in Box3D they do): "
          "the page In your engine has a test of that for your engine, and the cure", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
          "it is the exact motion but for rounding, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
@@ -145,7 +145,7 @@ inline const std::vector<Choice>& choices() {
          "when steps vary a splitting adds up its errors, and a body thrown about its intermediate axis may be lost", "ch8_cost",
          "Runge-Kutta 4"},
         {"free", "a body that flies freely, h|ω| at most " + fair + ", a constant step", "**ball and remainder 4**, a splitting into a spherical top and a remainder",
-         "|L| stays, the energy is bounded, and the body points where it should, also when it turns over. (Only a throw after which it would stay on its intermediate axis may be lost: a touch decides that)", "ch8_work", "ball and remainder 4"},
+         "|L| stays, the energy is bounded, and the body points where it should, also when it turns over. (No step gets one kind of throw right: one after which the body would come to spin about its intermediate axis and stay. There a rounding decides)", "ch8_work", "ball and remainder 4"},
         {"free_fast", "a body that flies freely, h|ω| above " + fair + ", a constant step", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
          "what is safe at long steps is not accurate there", "ch8_safe", "ball and remainder 4"},
     };

@@ -127,7 +127,7 @@ public:
         p.narrow ? p.window(-1.2, 1.2, -1.5, 1.4, true, 0, 0.5, 0, 0.39) : p.window(-1.2, 1.2, -1.5, 1.4, true, 0.6, 1, 0.5, 1);
         if (alive(shown)) draw_large(p, orientation(shown), name(look_of(shown)));
         else p.ink("ink"), p.text(-1.15, 0, "these blew up: Restart");
-        p.ink("ink"), p.text(-1.15, 1.2, !alive(shown) ? "" : "the worst of them");
+        p.ink("ink"), p.text(-1.15, 1.2, !alive(shown) ? "" : "energy farthest off");
         p.ink(name(slower)), p.text(-1.15, -1.2, "blue: lost 10 %");
         p.ink(name(faster)), p.text(-1.15, -1.45, "orange: gained 10 %");
         p.narrow ? p.window(-1.2, 1.2, -1.5, 1.4, true, 0.5, 1, 0, 0.39) : p.window(-1.2, 1.2, -1.5, 1.4, true, 0.6, 1, 0, 0.5);
@@ -245,7 +245,7 @@ private:
     live::LogSlider count{this, "count", "boxes", 16, most, 2500};
     live::Slider spin{this, "spin", "fastest spin", 1, 60, 0.5, 15, "rad/s"};
     live::Readout angle{this, "a step turns", "rad at most, at the start"};
-    live::Readout frame{this, "all of them", "ms a frame, at best"};
+    live::Readout frame{this, "stepping all boxes", "ms a frame, at best"};
     live::Readout mean{this, "mean energy", "% of the start"};
     live::Readout slowed{this, "have lost a tenth", "% of all"}, sped{this, "have gained a tenth", "% of all"};
     live::Readout gone{this, "have blown up", "of them"};

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <timestep/gyroscopic/calm_half_step.hpp>
 #include <timestep/rigid/shapes.hpp>
+#include <timestep/rigid/tumble.hpp>
 
 #include "methods.hpp"
 #include "timing.hpp"
@@ -11,6 +13,15 @@
 namespace {
 
 volatile double sink;  // a run whose end nobody needs would not be computed
+
+// As around contacts: one half of the step, and the other.
+struct CalmTwice {
+    static constexpr const char* name = "calm half-step, twice";
+    static constexpr int order = timestep::CalmHalfStep::order;
+    Vector step(const Body& inertia, const Vector& omega, double h) const {
+        return timestep::calm_half_step.step(inertia, timestep::calm_half_step.step(inertia, omega, h / 2), h / 2);
+    }
+};
 
 }  // namespace
 
@@ -25,6 +36,10 @@ const std::map<std::string, double>& step_times() {
         std::map<std::string, Steps> takes;
         for (const auto* list : {&methods(), &others()})
             for (const Method& rule : *list) takes[rule.key] = rule.made(I);
+        takes["calm_twice"] = [I](Spin s, double h, long n) {
+            for (; n > 0; --n) s = timestep::tumble<CalmTwice>.step(I, s, h);
+            return s;
+        };
         for (int round = 0; round < 100; ++round)
             for (const auto& [key, take] : takes) {
                 const double seconds = lab::seconds_of([&, &run = take] {

@@ -122,7 +122,7 @@ void work(const Settings&, lab::Findings& out) {
     };
     const std::string magnus = "magnus_taylor_4";
     for (const Method& method : methods()) cost(method.key, method.key);
-    cost(magnus, "magnus"), cost("implicit_midpoint", "midpoint");
+    cost("calm_twice", "calm_twice"), cost(magnus, "magnus"), cost("implicit_midpoint", "midpoint");
     out.number("rk4_price", ns.at("remainder_4") / ns.at("runge_kutta_4"), "",
                "time of a step of ball and remainder 4 over that of Runge-Kutta 4", 2);
     out.number("magnus_price", 100 * ns.at(magnus) / ns.at("remainder_2"), "%",
