@@ -100,7 +100,7 @@ inline const std::vector<Choice>& choices() {
          "**semi-implicit Euler**, in substeps of ωh below 2; where these are too many, **implicit Euler**, and factorise",
          "a substep costs a force for each spring, a factorisation as much as many of them: how many, the section on cloth has measured. Hard dampers want shorter substeps",
          "ch6_cloth", "semi-implicit Euler"},
-        {"pull", "ωh above " + twice + " and ζωh at least " + ended + ": a stiff pull to a target; or a decay, h|λ| above " + ended, "**implicit Euler**", "the decay dies, as it should",
+        {"pull", "ωh above " + twice + " and ζωh at least " + ended + ": a stiff pull to a target; or a decay at the rate r (c/m for a damper alone), hr above " + ended, "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
         {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
@@ -123,10 +123,10 @@ inline const std::vector<Choice>& choices() {
          "the **calm half-step**, whole", "there is nothing to hide, and it keeps energy and |L|, at any spin, with any steps; the engine's turn makes the orientation rough",
          "ch8_fails", "calm half-step"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments** (`SymmetricInertia`: passive and the "
-         "calm half-step are one there), called twice with h/2: before contacts and joints, and between them and the turn",
+         "calm half-step are one there), called twice with h/2: before contacts and joints, and after them, before the engine turns the body",
          "it only turns ω about the axis of the moment that differs, which keeps "
          "energy, |L| and the spin about that axis. The contacts may still add energy (in Box3D they do): the page In your engine has a test of that for your engine, and the cure", "ch5_passive", "passive"},
-        {"contacts", "a body that touches others", "the **calm half-step**, called twice with h/2: before contacts and joints, and between them and the turn",
+        {"contacts", "a body that touches others", "the **calm half-step**, called twice with h/2: before contacts and joints, and after them, before the engine turns the body",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps. The contacts may still add energy (in Box3D they do): "
          "the page In your engine has a test of that for your engine, and the cure", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
@@ -145,7 +145,7 @@ inline const std::vector<Choice>& choices() {
          "when steps vary a splitting adds up its errors, and a body thrown about its intermediate axis may be lost", "ch8_cost",
          "Runge-Kutta 4"},
         {"free", "a body that flies freely, h|ω| at most " + fair + ", a constant step", "**ball and remainder 4**, a splitting into a spherical top and a remainder",
-         "|L| stays, the energy is bounded, and the body points where it should, also when it turns over. (No step gets one kind of throw right: one after which the body would come to spin about its intermediate axis and stay. There a rounding decides)", "ch8_work", "ball and remainder 4"},
+         "|L| stays, the energy is bounded, and the body points where it should, also when it turns over. (One kind of throw no method gets right: a throw after which the body would end up spinning about its intermediate axis, for ever. There a rounding decides)", "ch8_work", "ball and remainder 4"},
         {"free_fast", "a body that flies freely, h|ω| above " + fair + ", a constant step", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
          "what is safe at long steps is not accurate there", "ch8_safe", "ball and remainder 4"},
     };

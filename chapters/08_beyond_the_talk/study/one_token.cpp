@@ -39,8 +39,8 @@ void one_token(const Settings& settings, lab::Findings& out) {
         }
         const double E = kinetic_energy(brick, s.omega) / E0;
         const double rms = std::sqrt(squares / double(steps));
-        std::printf("  %-18s  energy x %.3f, omega off by %.2g %% (at most %.2g %%)\n",
-                    method.name.c_str(), E, 100 * rms, 100 * worst);
+        std::printf("  %-18s  energy x %.3f, on the way x %.4f to %.4f; omega off by %.2g %% (at most %.2g %%)\n",
+                    method.name.c_str(), E, least, most, 100 * rms, 100 * worst);
         out.number("token_" + k + "_energy", E, "", "energy at the end over that at the start");
         out.number("token_" + k + "_error", 100 * rms, "%", "RMS error of omega over the spin", 2);
         if (k == "implicit") worst_of_talk = worst, lost_by_talk = 1 - E;

@@ -13,6 +13,7 @@
 
 #include "context.hpp"
 #include "fill.hpp"
+#include "text.hpp"
 
 using Catch::Matchers::ContainsSubstring;
 
@@ -55,6 +56,21 @@ TEST_CASE("answers to which method stand in a chapter as a table, one alone as a
     const std::string list = page::fill(context, "{{which jumps bumps}}\n", "list.md");
     CHECK_THAT(list, ContainsSubstring("\n2. T" + bumps.have.substr(1) + "?<br>→ " + bumps.take));
     CHECK_THAT(list, ContainsSubstring("<details class=\"why\"><summary>why</summary>\\endhtmlonly " + bumps.why));
+}
+
+// A bar in a cell would end the table.
+TEST_CASE("a row of the answers has two cells") {
+    const Course course;
+    std::string names;
+    for (const timestep::Choice& each : timestep::choices()) names += " " + each.name;
+    int rows = 0;
+    for (const std::string& line : page::split_lines(course.fill_paragraph("{{which" + names + "}}"))) {
+        if (!line.starts_with("| ")) continue;
+        CAPTURE(line);
+        CHECK(std::count(line.begin(), line.end(), '|') == 3);
+        ++rows;
+    }
+    CHECK(rows == 1 + int(timestep::choices().size()));
 }
 
 // The order of the list is that in which timestep::choose() asks.
