@@ -106,7 +106,7 @@ inline const std::vector<Choice>& choices() {
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
         {"unseen", "an oscillation faster than the frame that need not keep its size",
          "**BDF2**, which remembers two states: restart it after each impulse. Or, where it must be seen, **semi-implicit Euler** in substeps of ωh at most " + alive,
-         "by BDF2 the fast part dies, the slow one stays. With kicks in every frame BDF2 rings: then implicit Euler", "ch6_kicks", "BDF2"},
+         "BDF2 lets the fast part die and keeps the slow one. With kicks in every frame it rings: then implicit Euler", "ch6_kicks", "BDF2"},
         {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},
@@ -117,7 +117,7 @@ inline const std::vector<Choice>& choices() {
          "both lose energy, and so hide what the engine's contacts add when ω is changed just before them. Spins fade too soon, and with passive a spin about "
          "the length tips over. (Passive's formula for two equal moments, `SymmetricInertia`, loses nothing, so it hides nothing: take it for what mostly flies)", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in ODE), the engine's own rule off", "it adds no energy, and loses some: in our throws more than the contacts added. Spins fade; one about the length tips over. "
+         "the **passive step** (linearly implicit, as in ODE), the engine's own gyroscopic step off", "it adds no energy, and loses some: in our throws more than the contacts added. Spins fade; one about the length tips over. "
          "Not for two equal moments: these have their own row", "ch8_contacts", "passive"},
         {"callback_free", "a body that touches nothing, and all you can do is change ω before the engine's step",
          "the **calm half-step**, whole", "there is nothing to hide, and it keeps energy and |L|, at any spin, with any steps; the engine's turn makes the orientation rough",
