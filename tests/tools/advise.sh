@@ -229,7 +229,7 @@ test_one_method_is_recommended() {
     expect 0 course advise --omega 1000
     says out 'Recommended at 1/60 s: BDF2'
     joined
-    says joined 'must be seen, semi-implicit Euler in substeps of ωh at most 1)'
+    says joined 'must be seen, semi-implicit Euler in substeps of ωh at most 1'
     expect 0 course advise --omega 1000 --keep-size
     says out 'Recommended at 1/60 s: implicit midpoint'
     expect 0 course advise --omega 1000 --frames 0.01,0.02
