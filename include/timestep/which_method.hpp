@@ -146,7 +146,7 @@ inline const std::vector<Choice>& choices() {
          "when steps vary a splitting adds up its errors, and a body thrown about its intermediate axis may be lost", "ch8_cost",
          "Runge-Kutta 4"},
         {"free", "a body that flies freely, h|ω| at most " + fair + ", a constant step", "**ball and remainder 4**, a splitting into a spherical top and a remainder",
-         "|L| stays, the energy is bounded, and the body points where it should, also when it turns over. (One kind of throw no method gets right: a throw after which the body would end up spinning about its intermediate axis, for ever. There a rounding decides)", "ch8_work", "ball and remainder 4"},
+         "|L| stays, the energy is bounded, and the body points where it should, also when it turns over. (It may lose a throw after which the body would end up spinning about its intermediate axis: the smallest error decides its side)", "ch8_work", "ball and remainder 4"},
         {"free_fast", "a body that flies freely, h|ω| above " + fair + ", a constant step", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
          "what is safe at long steps is not accurate there", "ch8_safe", "ball and remainder 4"},
     };

@@ -280,8 +280,6 @@ void many_bodies(lab::Findings& out) {
     out.number("many_alone_ns", alone_ns, "ns", "a step of a box among ten thousand, one by one", 2);
     out.number("many_box_ns", lanes_ns, "ns", "a step of a box among ten thousand, in lanes", 2);
     out.number("many_ball_ns", balls_ns, "ns", "a step of a ball among ten thousand, in lanes", 2);
-    out.number("many_ms", 1000 * std::round(1e3 / lanes_ns), "",
-               "boxes that a millisecond has room for");
     const double start_boxes = 100 * std::round(start_ns / lanes_ns / 100);
     out.number("many_threads_start", start_boxes, "",
                "boxes that are stepped in lanes while the threads start, at best");
