@@ -1,5 +1,5 @@
-// Films: the frames of a GIF on a canvas, with a button, a place in time, and a speed. Where there are no scripts the
-// GIF itself plays, or its first frame stands for those who asked for less motion.
+// Films: the frames of a GIF on a canvas, with a button, a place in time, and a speed. Where there are no scripts its
+// first frame stands.
 "use strict";
 
 // Where the frames of a GIF begin and end, and how long each is shown. A frame may hold only what has changed.
@@ -32,7 +32,7 @@ class Film {
     }
 
     async start() {
-        this.frames = framesOf(await bytesOf(this.image.getAttribute("src")));
+        this.frames = framesOf(await bytesOf(this.image.getAttribute("src").replace(".still", "")));
         this.canvas = document.createElement("canvas");
         this.canvas.width = 2 * this.image.width, this.canvas.height = 2 * this.image.height;
         this.canvas.setAttribute("role", "img");

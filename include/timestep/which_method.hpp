@@ -75,7 +75,7 @@ inline const std::vector<Choice>& choices() {
                              uneven = "1/" + plain(1 / fair_uneven_turn);
     static const std::vector<Choice> all{
         {"positions", "many points whose links are put right after each step (a rope, a cloth), and forces of the position alone",
-         "**Verlet**", "move a point, and its velocity follows; set one by moving the position before",
+         "**Verlet**", "move a point, and its velocity follows; to set a velocity, move the position before",
          "ch4_rope", "Verlet"},
         {"bumps", "things that do little else than bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
          "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
@@ -91,16 +91,15 @@ inline const std::vector<Choice>& choices() {
          "a percent over four periods for four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick (an impulse), in substeps of ωh at most " + plain(fine_pull) + " ζ",
          "its steps follow the slow part, the fast one dies; the first step after a kick may be off by nearly all that the kick does", "ch6_stiff", "BDF2"},
-        {"swing", "ωh at most " + alive + " in a constant step, as in most of a game (between " + alive + " and " + twice + " at your frame rate: take two steps a frame)",
+        {"swing", "ωh at most " + alive + ", for a pendulum that swings far " + pendulum + ", in a constant step, as in most of a game (up to twice that at your frame rate: take two steps a frame)",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "one force a step; no damper, however strong, makes it blow up (several dampers at one mass: one after another); its energy oscillates "
-         "but does not drift, on a spring, and on a pendulum at ωh = " + pendulum + " (swings up to 3.1 rad)", "ch3_energy",
+         "one force a step; no damper, however strong, makes it blow up (several dampers at one mass: one after another); its energy oscillates, but does not drift", "ch3_energy",
          "semi-implicit Euler, new damping"},
         {"net", "many stiff springs between many masses, a net, a cloth, ωh above " + twice,
          "**semi-implicit Euler**, in substeps of ωh below 2; where these are too many, **implicit Euler**, and factorise",
-         "a substep costs a force for each spring, a factorisation as much as many of them: how many, the section on cloth has measured. Hard dampers want shorter substeps",
+         "a substep costs a force for each spring. To factorise, solving the equations of the step by elimination, costs as much as many substeps: how many, the section on cloth has measured. Hard dampers want shorter substeps",
          "ch6_cloth", "semi-implicit Euler"},
-        {"pull", "ωh above " + twice + " and ζωh at least " + ended + ": a stiff pull to a target; or a decay at the rate r (c/m for a damper alone), hr above " + ended, "**implicit Euler**", "the decay dies, as it should",
+        {"pull", "a stiff pull to a target: ωh above " + twice + ", ζωh at least " + ended + ". Or a decay, whose rate times h is above " + ended + " (a damper alone decays at the rate c/m)", "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
         {"keeps_size", "an oscillation faster than the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
          "the energy of an undamped oscillation stays; of a decay it makes ringing", "ch6_stiff", "implicit midpoint"},
@@ -114,23 +113,23 @@ inline const std::vector<Choice>& choices() {
         {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
         {"callback_symmetric", "a body with two equal moments, a capsule, a wheel, that touches others, and all you can do is change ω before the engine's step",
-         "the engine's own **one Newton step**, where it has that (Bullet, Box3D): leave it on (in Bullet a light body, such as a bottle, has none: see the page In your engine); where it has none (Unity, Godot), **passive** by its formula for three moments (`PrincipalInertia`)",
-         "both lose energy, and so hide what the engine's contacts add when ω is changed just before them. Spins fade too soon, and with passive a spin about "
+         "in Bullet and Box3D leave the engine's own **one Newton step** on (in Bullet a light body, such as a bottle, has none: see the page In your engine); in Unity and Godot, which have none, **passive** by its formula for three moments (`PrincipalInertia`)",
+         "both lose energy, and here that is wanted: it hides what the engine's contacts add. The price: spins fade too soon, and with passive a spin about "
          "the length tips over. (Passive's formula for two equal moments, `SymmetricInertia`, loses nothing, so it hides nothing: take it for what mostly flies)", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
          "the **passive step** (linearly implicit, as in ODE), the engine's own gyroscopic step off", "it adds no energy, and loses some: in our throws more than the contacts added. Spins fade; one about the length tips over. "
-         "Not for two equal moments: these have their own row", "ch8_contacts", "passive"},
+         "Not for two equal moments: these have a row of their own in chapter 8", "ch8_contacts", "passive"},
         {"callback_free", "a body that touches nothing, and all you can do is change ω before the engine's step",
          "the **calm half-step**, whole", "there is nothing to hide, and it keeps energy and |L|, at any spin, with any steps; the engine's turn makes the orientation rough",
          "ch8_fails", "calm half-step"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments** (`SymmetricInertia`: passive and the "
          "calm half-step are one there), called twice with h/2: before contacts and joints, and after them, before the engine turns the body",
          "it only turns ω about the axis of the moment that differs, which keeps "
-         "energy, |L| and the spin about that axis. The contacts may still add energy (in Box3D they do): the page In your engine has a test of that for your engine, and the cure", "ch5_passive", "passive"},
+         "energy, |L| and the spin about that axis. The contacts may still add energy (in Box3D and Jolt they do): the page In your engine has a test of that for your engine, and the cure", "ch5_passive", "passive"},
         {"contacts", "a body that touches others", "the **calm half-step**, called twice with h/2: before contacts and joints, and after them, before the engine turns the body",
-         "energy and |L| stay from one impulse to the next, at any spin, with any steps. The contacts may still add energy (in Box3D they do): "
+         "energy and |L| stay from one impulse to the next, at any spin, with any steps. The contacts may still add energy (in Box3D and Jolt they do): "
          "the page In your engine has a test of that for your engine, and the cure", "ch8_contacts", "calm half-step"},
-        {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting into a spherical top and a remainder",
+        {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting of order 2 into a spherical top and a remainder",
          "it is the exact motion but for rounding, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many", "bodies by the thousand that fly, h|ω| at most " + calm + ", a constant step",
          "the **half-step Jacobian** (Kahan's discretisation) in SIMD lanes",
@@ -145,8 +144,8 @@ inline const std::vector<Choice>& choices() {
          "by " + uneven + " of a radian at most",
          "when steps vary a splitting adds up its errors, and a body thrown about its intermediate axis may be lost", "ch8_cost",
          "Runge-Kutta 4"},
-        {"free", "a body that flies freely, h|ω| at most " + fair + ", a constant step", "**ball and remainder 4**, a splitting into a spherical top and a remainder",
-         "|L| stays, the energy is bounded, and the body points where it should, also when it turns over. (It may lose a throw after which the body would end up spinning about its intermediate axis: the smallest error decides its side)", "ch8_work", "ball and remainder 4"},
+        {"free", "a body that flies freely, h|ω| at most " + fair + ", a constant step", "**ball and remainder 4**, a splitting of order 4 into a spherical top and a remainder",
+         "|L| stays, the energy is bounded, and the body points where it should, also when it turns over. (It may lose a throw that leads back to the intermediate axis: there a touch decides to which side it goes)", "ch8_work", "ball and remainder 4"},
         {"free_fast", "a body that flies freely, h|ω| above " + fair + ", a constant step", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
          "what is safe at long steps is not accurate there", "ch8_safe", "ball and remainder 4"},
     };

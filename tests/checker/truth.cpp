@@ -2,6 +2,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "numbers_eigen.hpp"
@@ -23,6 +24,8 @@ double a_little_off(double x0, double x1, double h) { return (x1 - x0) / h * (1 
 double off_by_a_fifth(double x0, double x1, double h) { return (x1 - x0) / h * 1.2; }
 double logarithm(double x) { return std::log1p(x); }
 double one_too_many(double x) { return std::log(1 + x); }
+double arrives(double, double goal) { return goal; }
+double by_change(double start, double goal) { return start + (goal - start); }
 double sine(double angle) { return std::sin(angle); }
 double forgets_h(double x0, double x1, double) { return x1 - x0; }
 int whole(double share) { return static_cast<int>(std::floor(share)); }
@@ -73,6 +76,20 @@ TEST_CASE("a way that loses digits, and is right all the same, allows as many to
         CHECK(allowed(x, 2 * std::log(std::sqrt(1 + x))));
         CHECK_FALSE(allowed(x, std::log1p(x) * (1 + 4e-12) + 1e-14));
     }
+}
+
+// What remains is the roundoff of the start, now and then none at all: where all that are tried are so lucky, one that is
+// not would be wrong.
+TEST_CASE("another way is right, also where those beside it lose nothing by luck") {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> goal(-5, 5), size(5, 7);
+    int refused = 0;
+    for (int i = 0; i < 1000000; ++i) {
+        const Numbers arguments{-std::pow(10, size(random)), goal(random)};
+        refused += !is_right(function_of(&arrives), arguments, answer_of(&by_change)(arguments), {1e-10, function_of(&by_change)},
+                             SpokenOf<double(double, double)>::spoken);
+    }
+    CHECK(refused == 0);
 }
 
 TEST_CASE("where roundoff decides on a whole number, either is right, and nowhere else") {

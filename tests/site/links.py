@@ -15,9 +15,8 @@ import re
 import sys
 import urllib.parse
 
-# Bytes, with what belongs to none; and so many for each that is added. (A page that is opened from its file can read
-# scripts alone, so a film stands there twice: as a GIF, and as a script.)
-CHAPTERS, A_CHAPTER = 8, 5_500_000
+# Bytes, with what belongs to none; and so many for each that is added.
+CHAPTERS, A_CHAPTER = 8, 4_700_000
 HIDDEN = ("tests/exercises/", "solutions/")  # folders whose sources no page may show
 
 

@@ -11,7 +11,9 @@ namespace {
 
 constexpr unsigned variations = 6;
 
-// One of them may be lucky, and a third way to write an answer loses some digits more.
+// Another way to write an answer: one of these may be lucky and lose nothing, hardly all of them. A third way loses some
+// digits more.
+constexpr unsigned variations_beside = 16;
 constexpr double some_ways = 8;
 
 // Its digits are lost to other roundings in each variation: so far the arguments must lie apart.
@@ -49,15 +51,18 @@ bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found
     for (unsigned variation = 1; variation <= variations; ++variation) {
         const Numbers near = truth.nudged(arguments, variation, few_units);
         if (near.size() != right.size()) return true;
-        const Numbers lost = within.beside.nudged ? lost_within(apart_enough, within.beside, truth, arguments, variation) : Numbers(right.size());
         for (std::size_t i = 0; i < right.size(); ++i) {
-            if (i < lost.size() && std::isfinite(lost[i])) allowed[i] = std::max(allowed[i], some_ways * lost[i]);
             const double apart = std::fabs(near[i] - right[i]);
             const bool counted = near[i] == std::floor(near[i]) && right[i] == std::floor(right[i]);  // one or the other
             allowed[i] = std::max(allowed[i], !std::isfinite(apart) ? HUGE_VAL : counted ? apart : scale * apart);
         }
     }
     if (found.size() != right.size()) return false;
+    for (unsigned variation = 1; within.beside.nudged && variation <= variations_beside; ++variation) {
+        const Numbers lost = lost_within(apart_enough, within.beside, truth, arguments, variation);
+        for (std::size_t i = 0; i < std::min(lost.size(), right.size()); ++i)
+            if (std::isfinite(lost[i])) allowed[i] = std::max(allowed[i], some_ways * lost[i]);
+    }
     double largest = 0;
     for (const double number : right) largest = std::max(largest, std::fabs(number));
     for (std::size_t i = 0; i < right.size(); ++i)

@@ -70,8 +70,12 @@ Function function_of(R (*function)(Args...)) {
                 std::tuple<std::decay_t<Args>...> arguments{Wire<std::decay_t<Args>>::take(reader)...};
                 std::uint64_t state = variation;
                 const auto next = [&state, most] {  // -1, …, 0: smaller, for what may be at most 1 may not be more
-                    state = state * 6364136223846793005 + 1442695040888963407;
-                    return -most * static_cast<double>(state >> 33) * 0x1p-31;
+                    // SplitMix64 (Steele, Lea and Flood, 2014). All its bits are mixed: shares that follow one another in even
+                    // steps can all be lucky in one sum.
+                    std::uint64_t mixed = state += 0x9e3779b97f4a7c15;
+                    mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9;
+                    mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111eb;
+                    return -most * static_cast<double>((mixed ^ (mixed >> 31)) >> 11) * 0x1p-53;
                 };
                 std::apply(
                     [&](auto&... values) {

@@ -23,21 +23,21 @@ std::string first_sentence(const std::string& caption) {
     return std::string{trim(end == std::string::npos ? plain : plain.substr(0, end + 1))};
 }
 
+/// The picture that stands in the page: of a film its first frame, until the script film.js plays it.
+static std::string shown_file(const std::filesystem::path& drawn) {
+    return drawn.extension() == ".gif" ? drawn.stem().string() + ".still.gif" : drawn.filename().string();
+}
+
 std::string picture_html(Context& context, const std::string& folder, const std::filesystem::path& drawn, const std::string& words) {
     const auto size_of = [](const std::filesystem::path& file) {
         const ImageSize size = image_size(file);
         return " width=\"" + std::to_string(size.width) + "\" height=\"" + std::to_string(size.height) + "\"";
     };
-    const std::string file = drawn.filename().string(), source = "figures/" + folder + "/" + file;
+    const std::string file = drawn.filename().string(), source = "figures/" + folder + "/" + shown_file(drawn);
     context.figures.emplace(folder + "/" + file, drawn);
     const std::string image = "<img src=\"" + source + "\" alt=\"" + words + "\"" + size_of(drawn) + " loading=\"lazy\">";
-    if (drawn.extension() == ".gif") {
-        // Readers who asked for less motion see the first frame; timestep.js adds the button.
-        const std::string still = replace_all(source, ".gif", ".still.gif");
-        return "<picture><source srcset=\"" + still + "\" media=\"(prefers-reduced-motion: reduce)\">" + image + "</picture>";
-    }
     const std::filesystem::path narrow = drawn.parent_path() / "narrow" / file;
-    if (!std::filesystem::exists(narrow.parent_path())) {
+    if (drawn.extension() == ".gif" || !std::filesystem::exists(narrow.parent_path())) {
         return image;
     }
     context.figures.emplace(folder + "/narrow/" + file, narrow);
@@ -176,7 +176,7 @@ std::string figure_markdown(Context& context, const Directive& directive,
     return "\n\\htmlonly[block]<figure id=\"" + anchor + "\" class=\"" +
            (moves ? "picture animation" : "picture") +
            "\" style=\"--width:" + std::to_string(image_size(drawn).width) +
-           "px\"><a class=\"card\" href=\"figures/" + folder + "/" + file + "\">" + picture +
+           "px\"><a class=\"card\" href=\"figures/" + folder + "/" + shown_file(drawn) + "\">" + picture +
            "</a><figcaption>\\endhtmlonly\n<span class=\"figure-number\">" +
            label(context.chapter(), context.order, find(context.order, folder + "/" + file)) +
            ".</span> " + std::string{trim(caption)} +

@@ -56,13 +56,13 @@ bool parse(int argc, char** argv, Options& options) {
     return true;
 }
 
-/// Copies the figures that the page shows, still ones for light and dark pages, and of every film its first frame. The frames of a film, and a live panel's
-/// module, come as scripts: `pageBytes["figures/…"] = "base64"`.
+/// Copies the figures that the page shows, still ones for light and dark pages, and of every film its first frame. The
+/// frames of a film, and a live panel's module, come as scripts: `pageBytes["figures/…"] = "base64"`. (A page that is
+/// opened from its file can read scripts alone.)
 void copy_figures(const page::Context& context, const fs::path& folder) {
     for (const auto& [name, drawn] : context.figures) {
         const std::string content = page::read_file(drawn);
-        const bool moves = drawn.extension() == ".wasm" || drawn.extension() == ".gif";
-        if (moves) {
+        if (drawn.extension() != ".svg") {
             page::write_file(folder / (name + ".js"),
                              "pageBytes[\"figures/" + name + "\"] = \"" + page::base64(content) + "\";\n");
         }
@@ -72,10 +72,7 @@ void copy_figures(const page::Context& context, const fs::path& folder) {
             } catch (const std::invalid_argument& wrong) {
                 throw page::Error{drawn.string(), 1, wrong.what()};
             }
-        } else if (drawn.extension() != ".wasm") {
-            page::write_file(folder / name, content);
-        }
-        if (drawn.extension() == ".gif") {
+        } else if (drawn.extension() == ".gif") {
             fs::path still = folder / name;
             still.replace_extension(".still.gif");
             try {

@@ -133,7 +133,6 @@ void cost_table(const std::map<std::string, Times>& times, lab::Findings& out) {
     const Times &e = times.at("explicit Euler"), &s = times.at("semi-implicit Euler"), &i = times.at("implicit Euler");
     out.number("alone_ratio", s.one / e.one, "", "semi-implicit over explicit, one spring", 2);
     out.number("many_ratio", s.many / e.many, "", "semi-implicit over explicit, each of 1000 springs", 2);
-    out.number("many_rk4_ratio", times.at("Runge-Kutta 4").many / s.many, "", "RK4 over semi-implicit, each of 1000 springs", 3);
     out.number("implicit_ratio", i.many / s.many, "", "implicit over semi-implicit, each of 1000 springs", 2);
     out.number("implicit_ratio_pendulum", i.pendulum / s.pendulum, "", "implicit over semi-implicit, pendulum", 2);
 }

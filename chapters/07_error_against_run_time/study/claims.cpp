@@ -302,7 +302,7 @@ void peers(const All& all, lab::Findings& out) {
         const Point p = at(line(spring, method, library), 240);
         const std::string meaning = std::string("time of RK4, ") + library + " over ours";
         if (std::isnan(p.seconds)) {
-            out.text(name, "(not installed)", meaning);
+            out.text(name, "", "not measured: " + std::string(library) + " is not installed");
             continue;
         }
         out.number(name, p.seconds / mine.seconds, "", meaning, 2);
@@ -311,15 +311,19 @@ void peers(const All& all, lab::Findings& out) {
     const Point here = at(line(all.at("spring_3d"), "Runge-Kutta 4", "Timestep"), 240);
     const Point other = at(line(all.at("spring_3d"), "Runge-Kutta 4", "Boost.odeint"), 240);
     if (std::isnan(other.seconds))
-        out.text("rk4_odeint_3d", "(not installed)",
-                 "time of RK4 in space, Boost.odeint over ours");
+        out.text("rk4_odeint_3d", "", "not measured: Boost.odeint is not installed");
     else
         out.number("rk4_odeint_3d", other.seconds / here.seconds, "",
                    "time of RK4 in space, Boost.odeint over ours", 2);
     const Cheapest six = cheapest(spring, 1e-6, [](const Point&) { return true; });
     out.text("six_digits", six.method + " (" + six.library + ")",
              "the cheapest of all to a millionth on the spring");
-    out.text("peers", there.empty() ? "none" : there, "libraries that were there");
+    const bool none = there.empty();
+    out.text("peers", there, "libraries that were there");
+    out.text("peers_there", none ? "On the machine that built this page there was none of them." : "Here there were " + there + ".", "the same, as a sentence");
+    out.text("peers_shown", none ? "RK4 of this course alone." :
+             "RK4 by several hands: the lines lie apart by what a library does besides. Dashed lines choose their steps, except for odeint's RK4, "
+             "which lies on ours or near it.", "what the figure shows of them");
 }
 
 }  // namespace

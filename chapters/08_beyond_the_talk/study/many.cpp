@@ -171,7 +171,7 @@ void many_springs(lab::Findings& out) {
     const std::string felt =
         memory < 1.5 && memory_once > 2 * memory
             ? "a spring among a million costs about what one among a thousand does, so the memory is hardly felt"
-            : "in this run a step of one among a million took " + times(memory) + " as long as of one among a thousand";
+            : "in this run a step of one among a million took " + (memory < 1.05 ? "" : times(memory) + " ") + "as long as of one among a thousand";
     out.text("many_memory",
              several_ns > lanes_ns ? "At a million springs something disturbed the curve with " + std::to_string(several) + " steps a pass: that point tells nothing"
                                    : pass + "they are " + times(alone_ns / several_ns) + " as fast as one by one: " + felt,

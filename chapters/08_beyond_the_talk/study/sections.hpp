@@ -19,7 +19,6 @@ void minute(const Settings&, lab::Findings&);       // minute.cpp
 void work(const Settings&, lab::Findings&);         // work.cpp
 void throws(const Settings&, lab::Findings&);       // throws.cpp
 void contacts(const Settings&, lab::Findings&);     // contacts.cpp
-void in_bullet(lab::Findings&);                     // in_bullet.cpp
 void runge_kutta(const Settings&, lab::Findings&);  // runge_kutta.cpp
 void many(const Settings&, lab::Findings&);         // many.cpp
 void demo(const Settings&, lab::Findings&);         // demo.cpp

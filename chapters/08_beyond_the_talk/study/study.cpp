@@ -20,7 +20,6 @@ int main(int argc, char** argv) {
         work(settings, out);
         throws(settings, out);
         contacts(settings, out);
-        in_bullet(out);
         runge_kutta(settings, out);
         many(settings, out);
         demo(settings, out);

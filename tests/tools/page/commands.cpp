@@ -34,6 +34,7 @@ TEST_CASE("page leaves the page, the index, the figures and what it depends on")
     CHECK_THAT(course.read("out/figures/03_springs/spiral.svg"),
                StartsWith("<svg width=\"640\" height=\"480\"") && ContainsSubstring("prefers-color-scheme:dark"));
     CHECK(fs::exists(course / "out/figures/03_springs/sweep.still.gif"));
+    CHECK(!fs::exists(course / "out/figures/03_springs/sweep.gif"));  // nobody could ask for it
     // Its frames as a script: "R0lGODlh" is GIF89a.
     const std::string film = course.read("out/figures/03_springs/sweep.gif.js");
     CHECK(film.starts_with("pageBytes[\"figures/03_springs/sweep.gif\"] = \"R0lGODlh"));

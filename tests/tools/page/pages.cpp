@@ -77,7 +77,8 @@ TEST_CASE("a figure has a size, words for those who cannot see it, and a caption
                                  "height=\"480\" loading=\"lazy\"></a>"));
     CHECK_THAT(page, ContainsSubstring("**Out.** It reaches <span"));
     CHECK_THAT(page, ContainsSubstring("\\f$x^2\\f$.\n\\htmlonly[block]</figcaption>"));
-    CHECK_THAT(page, ContainsSubstring("srcset=\"figures/03_springs/sweep.still.gif\""));
+    CHECK_THAT(page, ContainsSubstring("<a class=\"card\" href=\"figures/03_springs/sweep.still.gif\"><img "
+                                       "src=\"figures/03_springs/sweep.still.gif\""));
 }
 
 TEST_CASE("figures are numbered in the order of the page, and can be referred to by their names") {
