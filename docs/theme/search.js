@@ -14,16 +14,19 @@ async function readIndex() {
         this.field("t", { boost: 6 });
         this.field("x");
         this.pipeline.remove(lunr.stopWordFilter);  // "what if" may be a title
-        searchPlaces.forEach((place, i) => this.add({ i, t: place.t, x: place.x }, { boost: place.p === "Glossary" ? 3 : place.p === "The library" ? 0.6 : 1 }));
+        searchPlaces.forEach((place, i) => this.add({ i, t: place.t, x: place.x }, { boost: place.p === "Glossary" ? 3 : place.p === "The library" || place.u.startsWith("exercises_") ? 0.6 : 1 }));
     });
 }
 
+// What a question has besides what it asks about.
+const small = new Set("an and are can do does for how in is it my of on or should that the to use what when which why with".split(" "));
+
 // The places that fit, best first: every word counts, its beginning less, and a misspelt one least.
 function placesFor(index, text) {
-    const words = text.toLowerCase().split(apart).filter(word => word.length > 1);
+    const words = text.toLowerCase().split(apart).filter(word => word.length > 1), telling = words.filter(word => !small.has(word));
     if (!words.length) return [];
     const found = index.query(query => {
-        for (const word of words) {
+        for (const word of telling.length ? telling : words) {
             query.term(word, { boost: 10 });
             query.term(word, { boost: 4, wildcard: lunr.Query.wildcard.TRAILING, usePipeline: false });
             if (word.length > 4) query.term(word, { boost: 0.5, editDistance: 1, usePipeline: false });

@@ -131,9 +131,21 @@ function offerDownload() {
     link.previousElementSibling.hidden = true;  // that there is none
 }
 
+// A phone shows no tree: there the menu leads to the chapters, after the start.
+function putChaptersIntoMenu() {
+    const start = document.querySelector("#main-menu > li");
+    const chapters = window.NAVTREE?.[0][2].filter(([, address]) => /^chapter_\d+[.]html$/.test(address)) ?? [];
+    start?.after(...chapters.map(([textContent, href]) => {
+        const item = Object.assign(document.createElement("li"), { className: "chapter" });
+        item.append(Object.assign(document.createElement("a"), { href, textContent }));
+        return item;
+    }));
+}
+
 document.addEventListener("DOMContentLoaded", () => {
     setListings();
     offerDownload();
+    window.jQuery?.(putChaptersIntoMenu);  // after Doxygen has made its menu
     if (document.querySelector("figure[data-module]")) load("script", { src: "live.js" });
     if (document.querySelector("figure.animation")) load("script", { src: "film.js" });
     typesetFormulas().finally(fadeWhatGoesOn);

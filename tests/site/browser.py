@@ -284,6 +284,20 @@ class Browser:
         return found
 
 
+    def menu_leads(self, path, chapters):
+        """Does the menu of a phone show a link to each of these pages, once it is opened?"""
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": PHONE[0], "height": PHONE[1], "deviceScaleFactor": 1, "mobile": False})
+        self.driver.get(pathlib.Path(path).resolve().as_uri())
+        found = self.driver.execute_async_script("""
+            const done = arguments[1];
+            jQuery(() => setTimeout(() => {
+                document.getElementById("main-menu-state").click();
+                setTimeout(() => done(arguments[0].filter(page => !document.querySelector(`#main-menu a[href="${page}"]`)?.checkVisibility())), 1000);
+            }));""", chapters)
+        return [f"the phone's menu does not lead to {page}" for page in found]
+
+
 def kind_of(page):
     return next((kind for kind, names in KINDS.items() if re.fullmatch(names, page)), None)
 
@@ -328,6 +342,10 @@ def main():
                 for fault in browser.at_a_desk(os.path.join(site, page)):
                     print(f"{page}: {fault}")
                     count += 1
+        chapters = [page for page in pages if re.fullmatch(r"chapter_\d\d[.]html", page)]
+        for fault in browser.menu_leads(os.path.join(site, "index.html"), chapters) or (not chapters and ["there are no chapters"]):
+            print(f"index.html: {fault}")
+            count += 1
         for fault in browser.folds_open(os.path.join(site, FOLDS)):
             print(f"{FOLDS}: {fault}")
             count += 1

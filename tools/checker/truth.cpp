@@ -11,9 +11,10 @@ namespace {
 
 constexpr unsigned variations = 6;
 
-// Another way to write an answer: one of these may be lucky and lose nothing, hardly all of them. A third way loses some
-// digits more.
-constexpr unsigned variations_beside = 16;
+// A wrong answer is tried against so many: some may be lucky and show no roundoff, hardly all of them.
+constexpr unsigned trials = 24;
+
+// A third way to write an answer loses some digits more.
 constexpr double some_ways = 8;
 
 // Its digits are lost to other roundings in each variation: so far the arguments must lie apart.
@@ -44,34 +45,27 @@ bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found
     const double relative = within.relative;
     if (relative == many_are_right) return true;
     const Numbers right = truth.answer(arguments);
-    if (found == right) return true;
-    // Where roundoff decides how many numbers there are, or which whole one, anything is right.
-    Numbers allowed(right.size());
+    double largest = 0;
+    for (const double number : right) largest = std::max(largest, std::fabs(number));
+    Numbers allowed(right.size()), minus = found;
+    for (std::size_t i = 0; i < right.size(); ++i) allowed[i] = relative * (spoken.one_size ? largest : std::fabs(right[i]));
+    for (double& number : minus) number = -number;
+    const auto allows = [&](const Numbers& numbers) { return numbers.size() == right.size() && agree(numbers, right, allowed); };
     const double scale = relative / (2 * std::numeric_limits<double>::epsilon());
-    for (unsigned variation = 1; variation <= variations; ++variation) {
+    for (unsigned variation = 1; !allows(found) && !(spoken.or_minus && allows(minus)); ++variation) {
+        if (variation > trials) return false;
         const Numbers near = truth.nudged(arguments, variation, few_units);
+        // Where roundoff decides how many numbers there are, or which whole one, anything is right.
         if (near.size() != right.size()) return true;
+        const Numbers lost = within.beside.nudged ? lost_within(apart_enough, within.beside, truth, arguments, variation) : Numbers(right.size());
         for (std::size_t i = 0; i < right.size(); ++i) {
+            if (i < lost.size() && std::isfinite(lost[i])) allowed[i] = std::max(allowed[i], some_ways * lost[i]);
             const double apart = std::fabs(near[i] - right[i]);
             const bool counted = near[i] == std::floor(near[i]) && right[i] == std::floor(right[i]);  // one or the other
             allowed[i] = std::max(allowed[i], !std::isfinite(apart) ? HUGE_VAL : counted ? apart : scale * apart);
         }
     }
-    if (found.size() != right.size()) return false;
-    for (unsigned variation = 1; within.beside.nudged && variation <= variations_beside; ++variation) {
-        const Numbers lost = lost_within(apart_enough, within.beside, truth, arguments, variation);
-        for (std::size_t i = 0; i < std::min(lost.size(), right.size()); ++i)
-            if (std::isfinite(lost[i])) allowed[i] = std::max(allowed[i], some_ways * lost[i]);
-    }
-    double largest = 0;
-    for (const double number : right) largest = std::max(largest, std::fabs(number));
-    for (std::size_t i = 0; i < right.size(); ++i)
-        allowed[i] = std::max(allowed[i], relative * (spoken.one_size ? largest : std::fabs(right[i])));
-    if (agree(found, right, allowed)) return true;
-    if (!spoken.or_minus) return false;
-    Numbers minus = found;
-    for (double& number : minus) number = -number;
-    return agree(minus, right, allowed);
+    return true;
 }
 
 Numbers without_roundoff(const Truth& truth, const Numbers& arguments) {

@@ -79,25 +79,17 @@ std::string chapter_footer(const Context& context) {
     const Chapter* before = context.is_more() ? context.chapter() : nullptr;
     const Chapter* after = nullptr;
     for (const Chapter& chapter : context.chapters()) {
-        if (context.is_more()) {
-            break;  // the way back will do
-        }
-        if (chapter.number < context.chapter()->number) {
+        if (chapter.number < context.chapter()->number && !context.is_more()) {
             before = &chapter;
         } else if (chapter.number > context.chapter()->number && after == nullptr) {
             after = &chapter;
         }
     }
-    const auto link = [](const Chapter* chapter, const char* side) {
-        return chapter == nullptr
-                   ? std::string{}
-                   : "<span class=\"" + std::string{side} + "\">" + reference(*chapter) + "</span>";
+    const auto link = [](const std::string& to, const char* side) {
+        return "<span class=\"" + std::string{side} + "\">" + to + "</span>";
     };
-    if (before == nullptr && after == nullptr) {
-        return "\n";
-    }
-    return "\n\n<div class=\"neighbours\">" + link(before, "previous") + link(after, "next") +
-           "</div>\n";
+    return "\n\n<div class=\"neighbours\">" + (before == nullptr ? "" : link(reference(*before), "previous")) +
+           link(after == nullptr ? "\\ref in_your_engine \"In your engine\"" : reference(*after), "next") + "</div>\n";
 }
 
 std::string chapters_markdown(Context& context) {

@@ -137,9 +137,9 @@ int main(int argc, char** argv) {
                     resolved = named_once(html);
                 } else {
                     resolved = listings.meant(resolve(html, pages, name, argc == 4 ? argv[3] : ""));
-                    if (!is_of_library(name)) resolved = page::Listings::types_alone(resolved);
+                    resolved = is_of_library(name) ? page::Listings::calls_alone(resolved) : page::Listings::types_alone(resolved);
                 }
-                resolved = with_named_parts(resolved);
+                resolved = with_named_parts(page::with_keywords(resolved));
                 if (resolved != html) {
                     page::write_file(entry.path(), resolved);
                 }

@@ -172,6 +172,13 @@ bool Listings::means(const std::string& file, const std::set<std::string>& seen,
 
 namespace {
 
+/// Can it be what its link says? A function is called, and a value stands behind its enumeration: else a variable of the
+/// same name is meant.
+bool can_be(const std::string& link, char before, char after) {
+    if (link.find("hl_function") != std::string::npos) return after == '(' || after == '&' || after == '{';
+    return link.find("hl_enumvalue") == std::string::npos || before == ':';
+}
+
 /// Names linked in a listing: `keeps` says whether a link stays, by itself and what stands before it. What would be
 /// shown beside the others goes with them.
 template <class Keeps>
@@ -179,8 +186,9 @@ std::string with_links(std::string listing, const Keeps& keeps) {
     static const std::string link = "<a class=\"code ", tip = "<div class=\"ttc\"";
     std::set<std::string> kept;
     for (std::size_t in = listing.find(link); in != std::string::npos; in = listing.find(link, in)) {
-        const std::string address = between(listing, "href=\"", "\"", in);
-        if (keeps(listing.substr(in, listing.find('>', in) - in), address, in > 0 ? listing[in - 1] : ' ')) {
+        const std::string address = between(listing, "href=\"", "\"", in), opened = listing.substr(in, listing.find('>', in) - in);
+        const char before = in > 0 ? listing[in - 1] : ' ', after = listing[std::min(listing.find("</a>", in) + 4, listing.size() - 1)];
+        if (can_be(opened, before, after) && keeps(opened, address, before)) {
             kept.insert(address);
             ++in;
             continue;
@@ -212,16 +220,32 @@ std::string Listings::meant(std::string html) const {
     return html;
 }
 
-std::string Listings::types_alone(std::string html) {
+namespace {
+
+/// The page, in those pieces of code that quote no file: `keeps` as above.
+template <class Keeps>
+std::string in_own_code(std::string html, const Keeps& keeps) {
     static const std::string open = "<div class=\"fragment\"", close = "<!-- fragment -->";
     for (std::size_t at = html.find(open); at != std::string::npos; at = html.find(open, at + 1)) {
         const std::size_t figure = html.rfind("<figure class=\"listing\"", at), end = html.find(close, at);
         if (end == std::string::npos || (figure != std::string::npos && html.find("</figure>", figure) > at)) continue;
-        html.replace(at, end - at, with_links(html.substr(at, end - at), [](const std::string& link, const std::string&, char) {
-            return link.find("hl_function") == std::string::npos && link.find("hl_variable") == std::string::npos;
-        }));
+        html.replace(at, end - at, with_links(html.substr(at, end - at), keeps));
     }
     return html;
+}
+
+}  // namespace
+
+std::string Listings::types_alone(std::string html) {
+    return in_own_code(std::move(html), [](const std::string& link, const std::string&, char) {
+        return link.find("hl_function") == std::string::npos && link.find("hl_variable") == std::string::npos;
+    });
+}
+
+std::string Listings::calls_alone(std::string html) {
+    return in_own_code(std::move(html), [](const std::string& link, const std::string&, char before) {
+        return before != '.' || link.find("hl_function") == std::string::npos;
+    });
 }
 
 bool Listings::in_namespace(const std::string& address) const {

@@ -22,6 +22,10 @@ public:
     /// of whose `step` it speaks nobody can tell.
     static std::string types_alone(std::string html);
 
+    /// The page of the library, whose examples have variables of their own: a member that belongs to another, a function
+    /// that is not called and a value without its enumeration are not linked.
+    static std::string calls_alone(std::string html);
+
 private:
     struct Thing {
         std::string name, owner;  ///< a class or namespace owns it
@@ -39,5 +43,8 @@ private:
     std::map<std::string, std::string> code_;              // of a file, without comments
     std::map<std::string, std::set<std::string>> includes_;
 };
+
+/// The page, in whose code every word of C++20 has the colour of its kind, and no part of a longer one (keywords.cpp).
+std::string with_keywords(std::string html);
 
 }  // namespace page

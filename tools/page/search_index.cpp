@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <set>
 
 namespace {
@@ -47,7 +48,7 @@ std::string words_of(std::string html) {
     for (const auto& [open, close] : gone)
         for (std::size_t at = 0; (at = html.find(open, at)) != std::string::npos;) {
             const std::size_t end = html.find(close, at);
-            html.replace(at, end == std::string::npos ? end : end - at + close.size(), " ");
+            html.replace(at, end == std::string::npos ? end : end - at + close.size(), open[0] == '\\' ? " … " : " ");  // a formula leaves a gap
         }
     std::string text = html;
     for (const auto& [name, sign] : {std::pair{"&#39;", "'"}, {"&quot;", "\""}, {"&lt;", "<"}, {"&gt;", ">"}, {"&#160;", " "}, {"&amp;", "&"}})
@@ -82,10 +83,15 @@ void add_sections(const fs::path& file, Places& places) {
     if (begin == std::string::npos) return;
     const std::string text = html.substr(begin, html.find("<!-- contents -->") - begin);
     static const std::string heading = "<a class=\"anchor\" id=\"";
-    std::size_t at = text.find(heading);
+    const auto next_heading = [&text](std::size_t from) {  // an anchor in a text begins no section
+        std::size_t at = text.find(heading, from);
+        while (at != std::string::npos && (at < 4 || text.compare(at - 4, 2, "<h") != 0)) at = text.find(heading, at + 1);
+        return at;
+    };
+    std::size_t at = next_heading(0);
     places.add(name, title, "", words_of(text.substr(0, at)));
     while (at != std::string::npos) {
-        const std::size_t next = text.find(heading, at + 1);
+        const std::size_t next = next_heading(at + 1);
         const std::string part = text.substr(at, next - at);
         const std::string id = between(part, heading, "\"");
         const std::size_t end = part.find("</h");
@@ -95,18 +101,28 @@ void add_sections(const fs::path& file, Places& places) {
     }
 }
 
-/// Each word of the glossary leads to where it is explained.
+/// Each word of the glossary leads to where it is explained; one that only names another, to where that is.
 void add_glossary(const fs::path& file, Places& places) {
+    struct Entry {
+        std::string word, address, text;
+    };
+    std::map<std::string, Entry> entries;
     const std::string html = page::read_file(file);
     static const std::string open = "<li><b>";
     for (std::size_t at = html.find(open); at != std::string::npos; at = html.find(open, at + 1)) {
         const std::string entry = between(html, open, "</li>", at);
         std::size_t end = entry.find("</b>") + 4;
         if (end < 4) continue;
+        const std::string word = words_of(entry.substr(0, end));
         if (entry.compare(end, 6, " (<em>") == 0) end = std::min(entry.find("</em>)", end), entry.size() - 6) + 6;
         const std::string rest = entry.substr(end), address = between(rest, "href=\"", "\"");
-        if (address.empty()) continue;
-        places.add(address, words_of(entry.substr(0, end)), "Glossary", words_of(rest.substr(std::min(rest.find(' '), rest.size()))));
+        const std::string other = address.empty() ? words_of(between(rest, "see <em>", "</em>")) : "";
+        entries[word] = {words_of(entry.substr(0, end)), address.empty() ? other : address, words_of(rest.substr(std::min(rest.find(' '), rest.size())))};
+    }
+    for (const auto& [word, entry] : entries) {
+        const auto other = entries.find(entry.address);
+        const std::string& address = other == entries.end() ? entry.address : other->second.address;
+        if (address.find(".html") != std::string::npos) places.add(address, entry.word, "Glossary", entry.text);
     }
 }
 

@@ -199,7 +199,8 @@ TEST_CASE("link_sources leaves of what Doxygen guessed in listings what can mean
     CHECK(made_of(link("l.html#f", "far"), tip("l.html#f")) == page("far") + "</figure>");    // in a header that it does not include
     CHECK(made_of(link("l.html#p", "step"), tip("l.html#p")) == page("step") + "</figure>");  // there are two
     CHECK(made_of(link("l.html#r", "rate"), tip("l.html#r")) == page("rate") + "</figure>");  // it has one of its own
-    CHECK(made_of(link("b_8hpp.html", "b.hpp"), "") == page(link("b_8hpp.html", "b.hpp")) + "</figure>");
+    const std::string header = "<a class=\"code\" href=\"b_8hpp.html\">b.hpp</a>";
+    CHECK(made_of(header, "") == page(header) + "</figure>");
     CHECK(made_of("x." + link("l.html#s", "solve"), "") == page("x.solve") + "</figure>");  // somebody else's member
     // Code that is no piece of a file: nobody can tell whose `step` it is.
     const std::string type = "<a class=\"code hl_struct\" href=\"s.html\">S</a>";
@@ -209,9 +210,32 @@ TEST_CASE("link_sources leaves of what Doxygen guessed in listings what can mean
         REQUIRE(run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string()).status == 0);
         return course.read("site/" + where);
     };
-    const std::string guessed = type + link("l.html#p", "step") + "\n" + tip("l.html#p") + tip("s.html");
-    CHECK(whole("task.html", guessed) == fragment(type + "step\n" + tip("s.html")));
+    const std::string guessed = type + link("l.html#p", "step") + "(\n" + tip("l.html#p") + tip("s.html");
+    CHECK(whole("task.html", guessed) == fragment(type + "step(\n" + tip("s.html")));
     CHECK(whole("group__1.html", guessed) == fragment(guessed));
+    CHECK(whole("group__1.html", "x." + link("l.html#p", "step") + "(") == fragment("x.step("));  // a member of something
+    CHECK(whole("group__1.html", link("l.html#p", "step") + ", ") == fragment("step, "));          // a variable
+    const std::string value = "<a class=\"code hl_enumvalue\" href=\"s.html\">grows</a>";
+    CHECK(whole("group__1.html", "::" + value + value + "(") == fragment("::" + value + "grows("));
+}
+
+TEST_CASE("link_sources colours the words of C++20, and no parts of others") {
+    const Course course;
+    course.write("tags", "");
+    const auto made_of = [&](const std::string& line) {
+        course.write("site/p.html", "<div class=\"fragment\"><div class=\"line\">" + line + "</div>\n</div><!-- fragment -->");
+        REQUIRE(run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string()).status == 0);
+        const std::string page = course.read("site/p.html"), open = "<div class=\"line\">";
+        const std::size_t begin = page.find(open) + open.size();
+        return page.substr(begin, page.find("</div>", begin) - begin);
+    };
+    const auto span = [](const std::string& kind, const std::string& word) { return "<span class=\"" + kind + "\">" + word + "</span>"; };
+    const std::string type = span("keywordtype", "double"), comment = span("comment", "// a double"), text = span("stringliteral", "&quot;for&quot;");
+    CHECK(made_of("std::" + span("keywordtype", "float") + "ing_po" + span("keywordtype", "int") + " x") == "std::floating_point x");
+    CHECK(made_of(span("keyword", "auto") + " a&lt;double&gt; = " + text) == span("keyword", "auto") + " a&lt;" + type + "&gt; = " + text);
+    CHECK(made_of("if (requires_x) " + comment) == span("keywordflow", "if") + " (requires_x) " + comment);
+    CHECK(made_of("<a class=\"code\" href=\"x.html\">new</a>" + comment) == "<a class=\"code\" href=\"x.html\">new</a>" + comment);
+    CHECK(made_of("./course new for if") == "./course new for if");  // no C++ at all
 }
 
 TEST_CASE("link_sources tells those who hear a page read which part is what") {

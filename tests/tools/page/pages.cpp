@@ -250,6 +250,10 @@ TEST_CASE("chapters know their neighbours") {
     CHECK_THAT(page, !ContainsSubstring("class=\"previous\""));
 }
 
+TEST_CASE("after the last chapter comes what to do with it") {
+    CHECK_THAT(Course{}.fill(), ContainsSubstring("<span class=\"next\">\\ref in_your_engine \"In your engine\"</span>"));
+}
+
 TEST_CASE("exercises stand in order on the chapter's page, and in full on pages of their own") {
     const Course course;
     CHECK_THAT(course.fill_paragraph("{{exercises}}"), !ContainsSubstring("| exercise |"));  // none yet
