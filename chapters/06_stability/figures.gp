@@ -8,7 +8,7 @@ set autoscale xfix
 set format xy "%g"
 set xlabel "damping ratio ζ\n " offset 0,0.4
 set ylabel "longest stable ωh (rad)"
-set key outside bottom center vertical maxrows 3 reverse Left
+set key outside bottom center vertical maxrows 3 reverse Left width (narrow ? -3 : 0)
 set label 1 "no limit: implicit Euler,\nimplicit midpoint, BDF2" at graph 0.06,0.95 left textcolor rgb ink
 plot "longest.dat" index 0 using 1:3 with lines @explicit_euler title "explicit Euler", \
      "" index 1 using 1:3 with lines @semi_implicit_euler title "semi-implicit Euler", \

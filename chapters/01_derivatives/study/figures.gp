@@ -65,7 +65,7 @@ unset label
 call figure "parabola.svg" 560 640
 set multiplot layout 2,1 margins side(0.15),0.97,0.13,0.98 spacing 0,0.09
 unset xlabel
-set ylabel "y"
+set ylabel "y" offset (narrow ? 1.5 : 0),0
 set xrange [-1:1]
 set yrange [-0.6:1.6]
 set ytics 0.5
@@ -74,7 +74,7 @@ plot "parabola.tsv" using 1:2 with lines @exact title "y = x²", \
      "" using 1:4 with lines @tangent title "tangents", "" using 1:5 with lines @tangent, \
      "" using 1:6 with lines @tangent, "parabola_dots.tsv" using 1:2 with points @dots
 set xlabel "x"
-set ylabel "slope"
+set ylabel "slope" offset 0,0
 set yrange [-2.2:2.2]
 set ytics 1
 set key top left reverse Left

@@ -19,9 +19,9 @@ plot "frames_exact.tsv" using 1:2 with lines @exact title "exact", \
      "variable_60.tsv" using 1:2 with lines @third title "60 frames/s", \
      "variable_30.tsv" using 1:2 with lines @second title "30 frames/s"
 set tmargin at screen 0.465
-set bmargin at screen 0.105
+set bmargin at screen 0.115
 set title "a fixed step"
-set xlabel "time (s)" offset 0,0.3
+set xlabel "time (s)" offset 0,0.4
 plot "frames_exact.tsv" using 1:2 with lines @exact title "exact", \
      "fixed_144.tsv" using 1:2 with lines @first title "144 frames/s", \
      "fixed_60.tsv" every 6 using 1:2 with points @third pt 7 ps 0.55 title "60 frames/s", \
@@ -281,7 +281,7 @@ call figure "drag.svg" 640 360 430
 set size ratio -1
 set xlabel "distance (m)" offset 0,0.3
 set ylabel "height (m)"
-set lmargin at screen 0.15
+set lmargin at screen side(0.15)
 set rmargin at screen 0.96
 set xrange [0:100]
 set yrange [0:42]
@@ -298,7 +298,8 @@ set ytics autofreq
 
 # I03: a tether in space.
 call figure "orbit.svg" 640 600
-set view 65, 30, 1.2, 1.2
+large = narrow ? 1.1 : 1.2
+set view 65, 30, large, large
 set view equal xy
 set xyplane at -1.6
 set xrange [-2:2]

@@ -59,6 +59,7 @@ set key inside top left vertical reverse Left
 set label 2 "ωh = 2" at -1.08,-0.25 right textcolor rgb "#007a59"
 set label 3 "ωh = 0" at 1.12,-0.25 left textcolor rgb ink
 set label 1 "unit circle" at -0.72,0.98 right textcolor rgb "#666666"
+outside = narrow ? 1.5 : 1.42  # of the unit circle: there the numbers stand
 @key_below
 plot cos(t), sin(t) with lines lc rgb "#8a8a8a" lw 4 dt 1, \
      "eigenvalues_explicit_euler.tsv" using 2:3 with lines @explicit_euler title "explicit", \
@@ -70,7 +71,7 @@ plot cos(t), sin(t) with lines lc rgb "#8a8a8a" lw 4 dt 1, \
      "eigenvalues_explicit_euler.tsv" every ::1::1 using 2:3 with points pt 7 ps 0.8 lc rgb ink, \
      "eigenvalues_semi_implicit_euler.tsv" every ::81::81 using 2:3 with points pt 7 ps 0.8 lc rgb "#007a59", \
      "" every 20::21::61 using 2:3 with points pt 7 ps 0.8 lc rgb "#007a59", \
-     "" every 20::21::61 using (1.32*$2):(1.32*$3):(sprintf("%.1f", $1)) with labels textcolor rgb "#007a59"
+     "" every 20::21::61 using (outside*$2):(outside*$3):(sprintf("%.1f", $1)) with labels textcolor rgb "#007a59"
 unset parametric
 unset label
 
@@ -105,7 +106,7 @@ plot "damping_lines.tsv" using 1:4 with lines lc rgb "#009e73" lw 2.5 dt (14,5) 
      "" using 1:2 with points pt 6 ps 0.9 lc rgb "#d55e00"
 
 # The same spring as a force and as a soft constraint: what a step multiplies by.
-call figure "soft.svg" 640 420 480
+call figure "soft.svg" 640 460 500
 set size noratio
 set logscale x
 set format x "%g"
@@ -144,11 +145,11 @@ set ylabel "velocity v / ω (m)"
 set xrange [-2.1:2.1]
 set yrange [-2.1:2.1]
 set key bottom left reverse Left
-set label 1 "start" at 1.0,0 center textcolor rgb ink front
+set label 1 "start" at 1.0,(narrow ? -0.45 : 0) center textcolor rgb ink front
 set label 2 "9" at 0.5,-1.2 center textcolor rgb ink front
-set label 3 "18" at -1.0,-0.6 center textcolor rgb ink front
+set label 3 "18" at -1.0,(narrow ? -0.7 : -0.6) center textcolor rgb ink front
 set label 4 "27" at 0.25,1.35 center textcolor rgb ink front
-set label 5 "36" at 1.55,0.0 center textcolor rgb ink front
+set label 5 "36" at 1.55,(narrow ? -0.2 : 0) center textcolor rgb ink front
 @key_below
 plot "cloud_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "explicit", \
      "cloud_implicit_euler.tsv" using 1:2 with lines @implicit_euler title "implicit", \
@@ -163,7 +164,7 @@ unset label
 unset xlabel
 unset ylabel
 unset key
-set multiplot layout 4,2 margins (narrow ? 0.11 : 0.08),(narrow ? 0.97 : 0.98),0.045,0.97 spacing 0.1,0.075
+set multiplot layout 4,2 margins (narrow ? 0.17 : 0.13),(narrow ? 0.97 : 0.98),0.065,0.97 spacing (narrow ? 0.13 : 0.1),0.075
 wh = "0.10 0.50 1.00 1.50 1.90 1.99 2.00 2.01"  # each with the range of its axes
 range = "1.6 1.6 1.6 1.6 4 12 24 24"
 do for [i=1:8] {
@@ -173,6 +174,8 @@ do for [i=1:8] {
     interval = r < 2 ? 1 : r/2
     set tics interval
     set title "ωh = ".word(wh, i) offset 0,-0.7
+    set xlabel (i > 6 ? "position x (m)" : "") offset 0,0.4
+    set ylabel (i % 2 ? "velocity v / ω (m)" : "") offset 1,0
     plot "exact.tsv" using 1:2 with lines lc rgb "#8a8a8a" lw 3 dt 1, \
          "sweep_".word(wh, i).".tsv" every ::::200 using 1:2 with lines lc rgb "#009e73" lw (i > 6 ? 1 : 0), \
          "" every ::::200 using 1:2 with points pt 7 ps 0.45 lc rgb "#009e73"
@@ -180,6 +183,7 @@ do for [i=1:8] {
 unset multiplot
 set tics autofreq
 unset title
+set ylabel offset 0,0
 
 # The same as a film: ωh rises slowly.
 call animation "sweep.gif" 480 480 12
@@ -324,6 +328,7 @@ unset ylabel
 set boxwidth 0.35
 set style fill solid noborder
 set key outside bottom center horizontal
+if (narrow) { set key bottom right }
 bar = 0.36
 plot "costs.tsv" using (0.2):($0-bar/2):(0.2):5:($0-bar):($0):ytic(1) with boxxyerror lc rgb "#8a8a8a" title "each of 1000 springs", \
      "costs.tsv" using (0.2):($0+bar/2):(0.2):6:($0):($0+bar) with boxxyerror lc rgb "#333333" title "a pendulum"

@@ -103,7 +103,7 @@ set xrange [0:4]
 set yrange [-1.05:1.1]
 set xtics 1
 set ytics 0.5
-set key outside bottom center horizontal reverse Left
+set key outside bottom center horizontal reverse Left width (narrow ? -1 : 0)
 plot "staff_exact.tsv" using 1:4 with lines @exact title "exact", \
      "staff_dropped.tsv" using 1:4 with lines @no_gyroscopic title "dropped", \
      "staff_passive.tsv" using 1:4 with lines @passive_gyroscopic title "passive"
@@ -119,7 +119,7 @@ unset xlabel
 set ylabel "ω (rad/s)" offset 1.5,0
 set key at screen 0.99,0.995 right horizontal maxrows 1 reverse Left samplen 2 width -3 font ",15"
 do for [name in "exact explicit dropped implicit passive"] {
-    set label 1 (name eq "implicit" ? "one Newton step" : name) at graph 0.01,0.12 left front textcolor rgb ink
+    set label 1 (name eq "implicit" ? "one Newton step" : name) at graph 0.01,0.085 left front textcolor rgb ink
     if (name eq "passive") {
         set xtics 2 format "%g"
         set xlabel "time t (s)"
@@ -156,6 +156,7 @@ set ylabel "momentum / at the start"
 set yrange [0.7:1.5]
 set ytics 0.2
 set key at screen 0.55,0.075 center horizontal maxrows 3 reverse Left width -4
+if (narrow) { set key vertical maxrows 4 width -3 }
 plot 1 with lines @exact title "exact", \
      "tumble_explicit.tsv" every 2 using 1:6 with lines @explicit_gyroscopic title "explicit", \
      "tumble_dropped.tsv" every 2 using 1:6 with lines @no_gyroscopic title "dropped", \
@@ -172,7 +173,7 @@ set xtics autofreq format "%g"
 set ytics autofreq
 set logscale xy
 set format y "10^{%T}"
-set xlabel "h|ω|\n "
+set xlabel "h|ω| (rad)\n "
 set lmargin 10
 set ylabel "largest E_2/E_1 of a step" offset -1.5,0
 set format x "%g"
@@ -194,8 +195,8 @@ set xrange [-1.545:1.21]
 set yrange [-0.105:6.146]
 set xtics ("0.03" -1.523, "0.1" -1, "0.3" -0.523, "1" 0, "3" 0.477, "10" 1)
 set ytics ("1" 0, "10" 1, "100" 2, "1000" 3, "10^4" 4, "10^5" 5, "10^6" 6)
-set xlabel "h|ω|"
-set ylabel "largest moment over smallest"
+set xlabel "h|ω| (rad)"
+set ylabel "largest moment over smallest" offset (narrow ? 0.5 : 0),0
 set cblabel "worst gain found, E_2/E_1" offset 1.5,0
 set cbrange [0:8]
 set cbtics ("1" 0, "10" 1, "100" 2, "1000" 3, "10^4" 4, "10^5" 5, "10^6" 6, "10^7" 7, "10^8" 8)
@@ -204,7 +205,7 @@ set border 15
 unset grid
 set rmargin 12
 set lmargin at screen 0.19
-if (narrow) { set lmargin at screen 0.2; set rmargin at screen 0.74; set xtics ("0.1" -1, "1" 0, "10" 1) }
+if (narrow) { set lmargin at screen 0.22; set rmargin at screen 0.74; set xtics ("0.1" -1, "1" 0, "10" 1) }
 plot "energy_map.tsv" skip 1 using (log10($1)):(log10($2)):($3 > 1.000001 ? log10($3) : 0) with image notitle, \
      "map_edge.tsv" skip 1 using (log10($1)):(log10($2)) with lines lc rgb "#0072b2" lw 2 dt (6,4) notitle
 unset rmargin

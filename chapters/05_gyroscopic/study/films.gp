@@ -20,6 +20,7 @@ plot "plane_free_explicit.tsv" using 1:2 with lines @explicit_gyroscopic, \
 set title "with rolling resistance" offset 0,-0.6
 set xlabel "time t (s)"
 set key at screen 0.55,0.075 center horizontal maxrows 3 reverse Left width -4
+if (narrow) { set key vertical maxrows 3 width -3 }
 plot "plane_rolling_explicit.tsv" using 1:2 with lines @explicit_gyroscopic title "explicit", \
      "plane_rolling_dropped.tsv" using 1:2 with lines @no_gyroscopic title "dropped", \
      "plane_rolling_lagged_inertia.tsv" using 1:2 with lines @lagged_inertia title "lagged inertia", \
@@ -47,6 +48,7 @@ plot "throws_middle_fine.tsv" using 1:2 with lines @exact, \
 set title "lever arms from its middle" offset 0,-0.6
 set xlabel "time t (s)"
 set key at screen 0.55,0.075 center horizontal maxrows 3 reverse Left width -4
+if (narrow) { set key vertical maxrows 3 width -3 }
 plot "throws_middle_fine.tsv" using 1:2 with lines @exact title "short steps", \
      "throws_middle_explicit.tsv" using 1:2 with lines @explicit_gyroscopic title "explicit", \
      "throws_middle_dropped.tsv" using 1:2 with lines @no_gyroscopic title "dropped", \

@@ -33,7 +33,7 @@ set logscale xy
 set xrange [7.5:42]
 set xtics (8, 12, 16, 24, 32, 40)
 set xlabel "masses along an edge, at 10^{4} N/m" offset 0,0.3
-set ylabel "ms a frame" offset 0.5,0
+set ylabel "ms a frame" offset 1.5,0
 unset key
 plot "cloth_sizes.tsv" using 1:2 with linespoints @semi_implicit_euler pt 7 ps 0.6, \
      "" using 1:3 with linespoints @implicit_euler pt 5 ps 0.6, \

@@ -17,7 +17,7 @@ set ytics autofreq
 set ytics ("1" 1, "10^{−30}" 1e-30, "10^{−15}" 1e-15, "10^{15}" 1e15, "10^{30}" 1e30, "10^{45}" 1e45)
 set format x "%g"
 set xlabel "steps\n " offset 0,0.4
-set ylabel "size of y"
+set ylabel "size of y" offset 2,0
 set key at screen 0.55,0.075 center vertical maxrows 3 reverse Left
 plot "stiff_runge_kutta_4.tsv" using 1:3 with linespoints @runge_kutta_4 pt 7 ps 0.6 title "RK4", \
      "stiff_explicit_euler.tsv" using 1:3 with linespoints @explicit_euler pt 7 ps 0.6 title "explicit Euler", \
@@ -27,6 +27,7 @@ plot "stiff_runge_kutta_4.tsv" using 1:3 with linespoints @runge_kutta_4 pt 7 ps
 unset multiplot
 unset logscale
 set ytics autofreq
+set ylabel offset 0,0
 set autoscale
 
 # Undamped swings, from slow to absurdly fast.

@@ -111,12 +111,13 @@ public:
         if (last.measured > 0) p.text(last.time[0] - 0.7, last.error[0] - 0.2, "15 Hz");
         if (last.measured > 2) p.text(last.time[2] - 0.7, last.error[2] - 0.2, "60 Hz");
         const bool all_known = std::all_of(runners.begin(), runners.end(), [](const Runner& r) { return r.needs.known; });
-        if (!all_known) return p.text(2.3, 2.1, steps <= warm ? "warming up" : "first there: not all are that far yet");
-        if (!first) return;
+        if (steps <= warm) return p.text(1.7, 2.1, "warming up");
+        if (all_known && !first) return;  // none gets there
+        p.text(1.7, 2.1, "first there:");
+        if (!all_known) return p.text(1.7, 1.3, "not yet known");
         p.dot(least, level(), 7);
-        p.text(2.3, 2.1, "first there:");
         p.ink(first->name);
-        p.text(2.3, 1.3, first->name);
+        p.text(1.7, 1.3, first->name);
     }
 
     // The line of the accuracy that is wanted.

@@ -59,6 +59,7 @@ set multiplot
 set title "a box that tumbles"
 call rooms."diagram.gp" "dzhanibekov" spins "1e-7"
 @right
+if (narrow) { set key maxrows 3 width -3 }
 set title "a capsule in the air"
 call rooms."diagram.gp" "symmetric_top" spins "1e-7"
 @done
@@ -120,7 +121,7 @@ method = "bdf__adaptive"; style = "lc rgb '#2f4b7c' lw 2.5 dt (6,4)"; words = "B
 eval "plot " . curves
 
 # Who falls asleep, and when?
-call figure "sleeping.svg" 640 440 600
+call figure "sleeping.svg" 640 480 600
 set lmargin
 set rmargin
 set tmargin
@@ -137,7 +138,7 @@ set xlabel "time (s)\n " offset 0,0.4
 set ylabel "fastest in half a second (m/s)"
 set xrange [0:45]
 set yrange [0.03:5]
-set key outside bottom center horizontal reverse Left
+set key outside bottom center vertical maxrows (narrow ? 6 : 3) reverse Left
 plot 0.05 with lines @faint title "threshold", \
      "sleep_exact.tsv" using 1:2 with lines @exact title "exact", \
      "sleep_explicit_euler.tsv" using 1:2 with lines @explicit_euler title "explicit", \

@@ -11,8 +11,7 @@ set xlabel "step h (s)"
 set ylabel "orientation after two seconds, off by (rad)"
 set xrange [1.2e-3:0.2]
 set yrange [1e-11:1]
-set key below horizontal maxcols 3 reverse Left samplen 2
-if (narrow) { set key title " " }
+set key below horizontal maxcols 3 reverse Left samplen 2 title " "
 # Cayley lies on the half-step Jacobian, which is drawn broad below it.
 broad_half_step = colour_of(half_step_jacobian)." lw 6"
 of(id) = sprintf("strcol(1) eq '%s' ? $4 : NaN", id)
@@ -31,14 +30,13 @@ call figure "fails.svg" 640 560 640
 unset logscale
 set logscale x
 set format xy "%g"
-set xlabel "h|ω|"
+set xlabel "h|ω| (rad)"
 set ylabel "bodies that gain half or more (%)" offset 0.8
 set xrange [0.3:32]
 set xtics (0.3, 1, 2, 3, 10, 30)
 set yrange [-1.5:50]
 set ytics 10
-set key below horizontal maxcols 3 reverse Left samplen 2
-if (narrow) { set key title " " }
+set key below horizontal maxcols 3 reverse Left samplen 2 title " "
 # What lies on the zero line is drawn broad to narrow, so that each is seen beside the next.
 plot "fails.tsv" using 1:(100*$5) with lines @broad_passive title "passive", \
      "" using 1:(100*$4) with lines @less_broad_cayley title "Cayley", \
@@ -55,7 +53,7 @@ unset logscale
 set logscale y
 right = narrow ? 0.97 : 0.7
 low = narrow ? 0.29 : 0.17
-set multiplot layout 2,1 margins side(0.13),right,low,0.97 spacing 0,0.06
+set multiplot layout 2,1 margins (narrow ? 0.2 : 0.13),right,low,0.97 spacing 0,0.06
 set xrange [0:60]
 set xtics 10 format ""
 unset xlabel
@@ -64,7 +62,7 @@ set yrange [1e-17:2]
 set format y "10^{%T}"
 set ytics 1e-16,1e4,1
 set mytics 1
-set ylabel "energy off by, at most" offset 0.5
+set ylabel "energy off by, at most" offset (narrow ? 2 : 0.5)
 each = "implicit passive half_step cayley strang remainder_2 remainder_4 runge_kutta_4"
 styles = "implicit_gyroscopic passive_gyroscopic half_step_jacobian cayley_gyroscopic strang_splitting ball_and_remainder_2 ball_and_remainder_4 runge_kutta_4"
 name_of(k) = k == 1 ? "one Newton step" : k == 2 ? "passive" : k == 3 ? "half-step Jacobian" : k == 4 ? "Cayley" : \
@@ -74,7 +72,7 @@ curves(column) = (text = "", sum [k = 1:8] (text = text.sprintf("%s'minute_%s.ts
 eval "plot ".curves(2)
 set xtics 10 format "%g"
 set xlabel "time t (s)"
-set ylabel "|L| off by, at most" offset 0.5
+set ylabel "|L| off by, at most" offset (narrow ? 2 : 0.5)
 set key at screen 0.72,0.78 left vertical reverse Left samplen 2
 if (narrow) { set key at screen 0.5,0.09 center vertical maxrows 4 width -3 }
 eval "plot ".curves(3)
@@ -88,8 +86,8 @@ paces = "slow game fast"
 top_at(error) = error > 2 ? 2 : error  # the most that it can be; a run that is no number has 9
 high = narrow ? 0.24 : 0.265
 top(j) = 0.96 - high*(j - 1)
-wide = narrow ? 0.275 : 0.295
-begin = narrow ? 0.14 : 0.115
+wide = narrow ? 0.26 : 0.295
+begin = narrow ? 0.19 : 0.115
 set logscale xy
 set xrange [0.3:600]
 set yrange [1e-12:4]
@@ -105,12 +103,12 @@ do for [i = 1:3] {
     set lmargin at screen (narrow ? 0.19 : 0.13); set rmargin at screen 0.97
     set tmargin at screen 0.965 - 0.28*(i - 1); set bmargin at screen 0.965 - 0.28*i + 0.075
     set title head(word(bodies, i)).", 10 rad/s" textcolor rgb ink offset 0,-0.5
-    set ylabel (i == 2 ? "orientation off by (rad)" : "") offset 1
+    set ylabel (i == 2 ? "orientation off by (rad)" : "") offset 1.7
     set xlabel (i == 3 ? "µs a second of the motion" : "") offset 0,0.3
     if (i == 3) { set key at screen 0.5,0.05 center center vertical maxrows 3 width -2 reverse Left samplen 2.5 } else { unset key }
     if (i == 3 && narrow) { set key vertical maxrows 4 width -3 }
-    set label 2 "1 %" at 550,0.02 right textcolor rgb "#666666"
-    set label 3 "lost" at 550,1.1 right textcolor rgb "#666666"
+    set label 2 "1 %" at 550,0.01 right offset 0,0.5 textcolor rgb "#666666"
+    set label 3 "lost" at 550,0.5 right offset 0,0.5 textcolor rgb "#666666"
     all = "0.01 with lines ".faint." notitle, 0.5 with lines ".faint." notitle"
     name = sprintf("work_%s_game.tsv", word(bodies, i))
     do for [k = 1:8] {
@@ -134,7 +132,7 @@ do for [j = 1:3] { do for [i = 1:3] {
     set bmargin at screen top(j) - high + 0.025
     set title (j == 1 ? head(word(bodies, i)) : "") textcolor rgb ink offset 0,-0.5
     set format y (i == 1 ? "%g" : "")
-    set ylabel (i == 1 ? "orientation off by (rad)" : "") offset 0.5
+    set ylabel (i == 1 ? "orientation off by (rad)" : "") offset (narrow ? 1.9 : 0.5)
     if (i == 3) { set label 1 spin(word(paces, j)) at graph 1.05,0.5 center rotate by -90 textcolor rgb ink }
     set xlabel (j == 3 && (i == 2 || !narrow) ? "µs a second of the motion" : "") offset 0,0.3
     if (i > 1) { set ytics ("" 1, "" 0.01, "" 1e-4, "" 1e-6, "" 1e-8, "" 1e-10, "" 1e-12) } \
@@ -143,8 +141,8 @@ do for [j = 1:3] { do for [i = 1:3] {
     unset key
     all = "0.01 with lines ".faint." notitle, 0.5 with lines ".faint." notitle, ". \
         "name using ($2 == 0 ? $5 : NaN):(top_at($4)) with lines lc rgb '#b8b8b8' lw 1.5 notitle"
-    if (i == 1 && j == 1) { set label 2 "1 %" at 550,0.02 right textcolor rgb "#666666"
-                            set label 3 "lost" at 550,1.1 right textcolor rgb "#666666" }
+    if (i == 1 && j == 1) { set label 2 "1 %" at 550,0.01 right offset 0,0.5 textcolor rgb "#666666"
+                            set label 3 "lost" at 550,0.5 right offset 0,0.5 textcolor rgb "#666666" }
     do for [k = 1:8] {
         style = word(each, k) eq "half_step" ? broad_half_step : value(word(styles, k))
         mine = sprintf("strcol(1) eq '%s'", word(each, k))

@@ -17,12 +17,13 @@ set ylabel "ns a step of one" offset 1,0
 unset xlabel
 set key at graph 0.5,1.02 center bottom horizontal maxcols 4 noautotitle reverse Left samplen 2
 if (narrow) { set key vertical maxrows 2 width -1 }
+small = narrow ? ",14" : ""
 above = narrow ? 2.7 : 1.3  # a title, above the key
 set title "springs, semi-implicit Euler" offset 0,above textcolor rgb ink
 set yrange [0.05:20]
 set ytics (0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10)
 plot "many_caches.tsv" using 2:(20) with impulses @faint notitle, \
-     "" using 2:(13):1 with labels left offset 0.4,0 textcolor rgb "#666666" notitle, \
+     "" using 2:(13):1 with labels left offset 0.4,0 font small textcolor rgb "#666666" notitle, \
      "many_springs.tsv" using 1:2 with linespoints @second pt 7 ps 0.5 title "one by one", \
      "" using 1:3 with linespoints @first pt 7 ps 0.5 title "lanes", \
      "" using 1:4 with linespoints @third pt 7 ps 0.5 title "lanes, 32 a pass"
@@ -31,7 +32,7 @@ set xlabel "how many there are"
 set yrange [1:2000]
 set ytics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 plot "many_caches.tsv" using 3:(2000) with impulses @faint notitle, \
-     "" using 3:(1200):1 with labels left offset 0.4,0 textcolor rgb "#666666" notitle, \
+     "" using 3:(1200):1 with labels left offset 0.4,0 font small textcolor rgb "#666666" notitle, \
      "many_bodies.tsv" using 1:2 with linespoints @second pt 7 ps 0.5 title "one by one", \
      "" using 1:3 with linespoints @first pt 7 ps 0.5 title "lanes", \
      "" using 1:5 with linespoints @third pt 7 ps 0.5 title columnheader(5), \
