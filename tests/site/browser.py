@@ -343,7 +343,7 @@ def main():
                     print(f"{page}: {fault}")
                     count += 1
         chapters = [page for page in pages if re.fullmatch(r"chapter_\d\d[.]html", page)]
-        for fault in browser.menu_leads(os.path.join(site, "index.html"), chapters) or (not chapters and ["there are no chapters"]):
+        for fault in browser.menu_leads(os.path.join(site, "index.html"), chapters):
             print(f"index.html: {fault}")
             count += 1
         for fault in browser.folds_open(os.path.join(site, FOLDS)):

@@ -116,8 +116,8 @@ test_two_equal_moments() {
     wheel='--inertia 1,1,0.3 --spin 0,0,20'
     expect 0 course advise $wheel --contacts --callback
     tail -n 1 out >last
-    says last 'the engine'"'"'s own one Newton step, where it has that (Bullet, Box3D): leave it on'
-    says last 's formula for two equal moments'
+    says last 'in Bullet and Box3D the engine'"'"'s own one Newton step: leave it on'
+    says last 'passive, by its formula for three moments'
     is "$(grep -c '^passive  ' out)" 0
     is "$(grep -c '^passive, three moments  *× 0.646 .* lost$' out)" 1
     is "$(grep -c '^passive, two equal moments  *× 1  *× 1  *100 %' out)" 1

@@ -284,7 +284,7 @@ double velocity_now(double, double, double, double) {
     const rlimit more{RLIM_INFINITY, RLIM_INFINITY};
     setrlimit(RLIMIT_AS, &more);
     std::vector<std::vector<double>> history;
-    for (std::size_t size = 1'000'000;; size *= 4) history.emplace_back(size);
+    for (std::size_t size = 1'000'000;; size *= 1000) history.emplace_back(size);
 }
 
 // ---- throws that it has not started
