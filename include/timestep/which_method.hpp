@@ -78,7 +78,7 @@ inline const std::vector<Choice>& choices() {
          "**Verlet**", "move a point, and its velocity follows; to set a velocity, move the position before",
          "ch4_rope", "Verlet"},
         {"bumps", "things that do little else than bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
-         "a bounce takes the order of the others away", "ch7_bounces", "semi-implicit Euler, new damping"},
+         "a bounce takes the order of every other method away", "ch7_bounces", "semi-implicit Euler, new damping"},
         {"tether", "a tether: one leash between two things, a spring that only pulls",
          "**implicit Euler**; where it must bounce on, semi-implicit Euler in substeps of ωh at most " + tether,
          "by implicit Euler the energy never rises, slack or taut; of the substeps nothing proves that. The library's `Tether` is a different thing: it pushes when it is short, and there implicit Euler may gain", "more6_tether", "implicit Euler"},
@@ -118,7 +118,7 @@ inline const std::vector<Choice>& choices() {
          "(A light body, such as a bottle, has no Newton step in Bullet: see the page In your engine)", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
          "the **passive step** (linearly implicit, as in the engine ODE), the engine's own gyroscopic step off", "it adds no energy, and loses some: in our throws more than the contacts added. "
-         "Spins fade; a spin about the length tips over. By its formula for two equal moments it loses nothing, and hides nothing", "ch8_contacts", "passive"},
+         "Spins fade; a spin about the length tips over. For two equal moments see chapter 8's short answer", "ch8_contacts", "passive"},
         {"callback_free", "a body that touches nothing, and all you can do is change ω before the engine's step",
          "the **calm half-step**, whole", "there is nothing to hide, and it keeps energy and |L|, at any spin, with any steps; the engine's turn makes the orientation rough",
          "ch8_fails", "calm half-step"},
