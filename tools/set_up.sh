@@ -278,7 +278,7 @@ set_up() {
         *' --') break ;;
         *' --yes' | *' -y') yes=yes ;;
         'grade --trust') list=$without ;;
-        'setup --all' | 'test --all') list=$list$isolation$extras ;;
+        'setup --all' | 'test --all' | 'test --release') list=$list$isolation$extras ;;
         esac
     done
     installed=no

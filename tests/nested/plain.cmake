@@ -92,6 +92,6 @@ endif()
 # What does not depend on the compiler or on the site's looks has been tested in the build around
 # this one.
 step("ctest" "${CMAKE_CTEST_COMMAND}" --test-dir "${WORK}" --parallel 2 --output-on-failure
-  --no-tests=error --label-exclude heavy --exclude-regex
+  --no-tests=error --label-exclude "heavy|release" --exclude-regex
   "^(front door|readme:|a chapter|an exercise that|site: (every written page|planted|panels|films|the book|grows|deletions)) |(needs all that it uses|its tests are tested.*|slips of its right answers are caught)$")
 message(STATUS "${said}")

@@ -176,6 +176,16 @@ test_test_all_brings_the_extras_and_configures_again() {
     says calls "cmake -S $folder/checkout"
 }
 
+test_test_release_brings_the_extras_too() {
+    new_machine 0
+    have_all
+    expect 7 course test
+    : >calls
+    expect 7 course test --release
+    is "$(cat out)" 'handed over: test --release'
+    says calls chromium
+}
+
 test_without_root_and_sudo_the_command_is_told() {
     new_machine 1000
     have g++

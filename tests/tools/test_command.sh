@@ -59,6 +59,26 @@ test_long_tests_are_left_to_all_and_named() {
     silent_on out 'Left to'
 }
 
+test_what_a_release_is_tested_with_is_left_to_it_and_named() {
+    tests one=0 'headers stand alone=0' 'Windows: by wine=5'
+    echo 'set_tests_properties("headers stand alone" PROPERTIES LABELS "heavy;long")
+set_tests_properties("Windows: by wine" PROPERTIES LABELS "heavy;release")' >>build/CTestTestfile.cmake
+    for all in '' --all; do
+        expect 0 course test $all
+        silent_on out 'words of Windows'
+        says out 'Left to ./course test --release, for they take their time: 1 tests, among them'
+        says out '  Windows: by wine'
+    done
+    expect 1 course test --release
+    says calls 'all docs kit'
+    says out 'Test #2: headers stand alone'
+    says out 'words of Windows'
+    silent_on out 'Left to'
+    tests one=0 browser=77
+    expect 1 course test --release
+    says err 'course: 1 skipped, which --release counts as failed'
+}
+
 test_with_all_a_skipped_check_fails() {
     tests one=0
     expect 0 course test --all

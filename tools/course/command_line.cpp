@@ -26,7 +26,7 @@ namespace {
 struct Asked {
     std::string engine;  // of bench engines
     bool yes = false, all = false, study = false, json = false, open = false, pdf = false, sanitize = false;
-    bool with_solutions = false;
+    bool with_solutions = false, release = false;
     std::string chapter, exercise, kit, name;
     int rounds = 11;
     std::string seed, file, out;  // empty is a value, too: whether they were given, CLI11 knows
@@ -166,9 +166,10 @@ void declare(CLI::App& app, Asked& asked) {
     app.add_flag("-y,--yes", asked.yes, "do not ask before installing what is missing");
 
     app.add_subcommand("tour", "build everything, run every chapter, make the site");
-    app.add_subcommand("test", "build everything and run all tests")
-        ->add_flag("--all", asked.all,
-                   "install all extras first; a skipped check counts as failed");
+    const auto test = app.add_subcommand("test", "build everything and run the tests");
+    test->add_flag("--all", asked.all,
+                   "and those that take their time; install all extras first; a skipped check counts as failed");
+    test->add_flag("--release", asked.release, "as --all, and on other platforms and at length: before a release");
     app.add_subcommand("list", "the chapters and the exercises")
         ->add_flag("--json", asked.json, "as JSON, for programs");
     const auto run = app.add_subcommand("run", "run a chapter's program, and draw its picture");
@@ -345,7 +346,7 @@ Status obey(int argc, char** argv) {
     if (!app.got_subcommand("run") && !asked.chapter_options.empty())
         throw Stop(Status::bad_use, "only run takes options for a chapter's program after --");
     if (app.got_subcommand("tour")) tour();
-    if (app.got_subcommand("test")) test(asked.all);
+    if (app.got_subcommand("test")) test(asked.release ? Tests::of_release : asked.all ? Tests::all : Tests::quick);
     if (app.got_subcommand("list")) list(asked.json);
     if (app.got_subcommand("where")) where(asked.name);
     if (const auto command = app.get_subcommand("run"); *command)

@@ -15,8 +15,11 @@ void list(bool json);
 /// Builds everything, runs every chapter, makes the site, and closes with a table.
 void tour();
 
-/// Builds and runs all tests. With `strict`, a skipped check counts as a failure.
-void test(bool strict);
+/// Which tests: those that are over in minutes, all that CI runs, or all that there are, before a release.
+enum class Tests { quick, all, of_release };
+
+/// Builds and runs the tests. But for the quick ones, a skipped check counts as a failure.
+void test(Tests which);
 
 /// Runs a chapter's program and leaves what it writes and its picture in the folder `out` (none given: in the
 /// build folder). With `study` all else that the chapter measures, too; `options` go to the study.

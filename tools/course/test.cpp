@@ -42,10 +42,10 @@ std::vector<std::string> skipped(const std::string& summary) {
     return names;
 }
 
-// Which tests take their time, as ctest lists them: "  Test #3: headers stand alone".
-void print_left_out() {
+// Which tests are left to another `command`, as ctest lists them: "  Test #3: headers stand alone".
+void print_left_out(const char* label, const char* command) {
     std::string list;
-    listen({places().ctest, "--test-dir", places().build.string(), "-N", "-L", "long"},
+    listen({places().ctest, "--test-dir", places().build.string(), "-N", "-L", label},
            [&](std::string_view text) { list += text; });
     std::vector<std::string> names;
     std::istringstream lines(list);
@@ -56,8 +56,7 @@ void print_left_out() {
             names.push_back(line.substr(name + 2));
     }
     if (names.empty()) return;
-    std::printf("\nLeft to ./course test --all, for they take their time: %zu tests, among them\n",
-                names.size());
+    std::printf("\nLeft to %s, for they take their time: %zu tests, among them\n", command, names.size());
     // One of each kind: what stands before the first colon or bracket tells the kind.
     std::set<std::string> kinds;
     for (const auto& name : names) {
@@ -69,7 +68,8 @@ void print_left_out() {
 
 }  // namespace
 
-void test(bool strict) {
+void test(Tests which) {
+    const bool strict = which != Tests::quick;
     if (is_kit())
         throw Stop(Status::bad_use,
                    "this is the learner's edition: it has no tests; ./course check "
@@ -101,7 +101,8 @@ void test(bool strict) {
                                      "--no-tests=error",
                                      "--parallel",
                                      jobs};
-    if (!strict) command.insert(command.end(), {"--label-exclude", "long"});
+    if (which == Tests::quick) command.insert(command.end(), {"--label-exclude", "long|release"});
+    if (which == Tests::all) command.insert(command.end(), {"--label-exclude", "release"});
     const int status = listen(command, std::ref(lines));
 
     const auto left_out = skipped(summary);
@@ -110,13 +111,14 @@ void test(bool strict) {
         for (const auto& name : left_out) std::printf("  %s\n", name.c_str());
         std::printf("To add it: ./course setup --all\n");
     }
-    if (!strict) print_left_out();
+    if (which == Tests::quick) print_left_out("long", "./course test --all");
+    if (which != Tests::of_release) print_left_out("release", "./course test --release");
     std::printf("\n%s", summary.c_str());
     flush();
     if (status != 0) throw Stop(Status::wrong, "");
     if (strict && !left_out.empty())
         throw Stop(Status::wrong,
-                   std::to_string(left_out.size()) + " skipped, which --all counts as failed");
+                   std::to_string(left_out.size()) + " skipped, which " + (which == Tests::all ? "--all" : "--release") + " counts as failed");
 }
 
 }  // namespace course
