@@ -1,18 +1,14 @@
 // The words of C++20 in listings: Doxygen 1.9 colours the double in <double> not at all, and two parts of floating_point.
 
 #include "listings.hpp"
+#include "text.hpp"
 
-#include <cctype>
 #include <set>
 #include <string_view>
 
 namespace page {
 
 namespace {
-
-bool in_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 /// Doxygen's class for a word of the language; nothing for any other.
 std::string_view kind_of(std::string_view word) {

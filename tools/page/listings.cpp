@@ -45,10 +45,6 @@ std::string code_of(std::string html) {
     return html;
 }
 
-bool in_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 /// Does the text before a name end in a type, as in `double `, `Vector3<Real>& ` and `auto [x, `?
 bool ends_in_type(const std::string& code, std::size_t at) {
     if (at < 2 || code[at - 1] != ' ') return at > 0 && code[at - 1] == '[' && code.substr(0, at - 1).ends_with("auto ");

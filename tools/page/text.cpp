@@ -82,6 +82,8 @@ std::vector<std::string> split_words(std::string_view text) {
     return words;
 }
 
+bool in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
 std::string_view trim(std::string_view text) {
     const char* blanks = " \t\r\n";
     const std::size_t first = text.find_first_not_of(blanks);

@@ -25,6 +25,9 @@ std::vector<std::string> split_lines(std::string_view text);
 /// The words between blanks.
 std::vector<std::string> split_words(std::string_view text);
 
+/// May it stand in a name of C++?
+bool in_word(char c);
+
 std::string_view trim(std::string_view text);
 
 std::string replace_all(std::string text, std::string_view from, std::string_view to);
