@@ -3,6 +3,8 @@
 
     live.py SITE BUILD [PANEL]    prints a line for each fault; exit status 0 when there is none, 1 when there is
                                   one, 77 (skipped) when Chromium, Selenium or a panel's module is not there
+    live.py SITE BUILD --share    as before, but what live.js does for every panel alike is asked of every fourth only:
+                                  each panel has its share
 
 BUILD/chapters/NN_name/live/live_panel are the same panels as programs: what they print is compared.
 """
@@ -289,16 +291,24 @@ def two_at_once(pages, faults):
         faults.unless(page.wait(lambda: page.run(STEPS) > before), f"{page.id} stands beside another")
 
 
+# What depends on the panel, and what live.js does for each alike.
+OF_A_PANEL = (fits_the_screen, can_be_read, costs_little, says_what_the_shell_would)
+OF_ALL_ALIKE = (by_keyboard, by_finger, goes_on_where_it_is_left, leaves_its_sliders_in_place, says_what_it_took,
+                scrolls_under_a_finger, seen_together, starts_where_it_is, carries_settings, grows_not, keeps_calm,
+                stands_without_scripts)
+
+
 def main():
     if len(sys.argv) not in (3, 4):
-        sys.exit("usage: live.py SITE BUILD [PANEL]")
+        sys.exit("usage: live.py SITE BUILD [PANEL | --share]")
+    share = sys.argv[3:] == ["--share"]
     if browser.missing():
         print("skipped: " + browser.missing())
         sys.exit(browser.SKIPPED)
     site, build = sys.argv[1:3]
     panels = [(file, *found) for file in sorted(pathlib.Path(site).glob("*.html"))
               for found in PANEL.findall(file.read_text(encoding="utf-8", errors="replace"))
-              if len(sys.argv) == 3 or found[0] == sys.argv[3]]
+              if share or len(sys.argv) == 3 or found[0] == sys.argv[3]]
     if not panels:
         print("skipped: the site has no panel that moves (no compiler for WebAssembly)")
         sys.exit(browser.SKIPPED)
@@ -325,9 +335,8 @@ def main():
             page.open()
             same_bits(page, build, live, (root / "chapters" / live.replace("/", "/live/")).with_suffix(".cpp").read_text(), faults)
             stands_extremes(page, faults)
-            for look in (by_keyboard, by_finger, goes_on_where_it_is_left, leaves_its_sliders_in_place,
-                         says_what_it_took, says_what_the_shell_would, scrolls_under_a_finger, seen_together, fits_the_screen, starts_where_it_is,
-                         carries_settings, costs_little, grows_not, can_be_read, keeps_calm, stands_without_scripts):
+            alike = OF_ALL_ALIKE[len(seen) % 4::4] if share else OF_ALL_ALIKE
+            for look in OF_A_PANEL + alike:
                 look(page, faults)
             faults += ["console: " + entry["message"] for entry in on.driver.get_log("browser") if entry["level"] == "SEVERE"]
             for fault in faults:
