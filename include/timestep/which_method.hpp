@@ -91,7 +91,7 @@ inline const std::vector<Choice>& choices() {
          "a percent over four periods for four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick (an impulse), in substeps of ωh at most " + plain(fine_pull) + " ζ",
          "its steps follow the slow part, the fast one dies; the first step after a kick may be off by nearly all that the kick does", "ch6_stiff", "BDF2"},
-        {"swing", "most of a game: ωh at most " + twice + " in a frame, cut into equal steps of ωh at most " + alive + " (" + pendulum + " for a pendulum that swings far)",
+        {"swing", "most of a game: ωh at most " + twice + " in a frame, cut into steps of one length, ωh at most " + alive + " (" + pendulum + " for a pendulum that swings far)",
          "**semi-implicit Euler**, with the damping at the new velocity",
          "one force a step; no damper makes it blow up (several dampers at one mass: one after another); on springs and pendulums its energy oscillates, but does not drift", "ch3_energy",
          "semi-implicit Euler, new damping"},
@@ -117,17 +117,17 @@ inline const std::vector<Choice>& choices() {
          "here losing energy is wanted: it hides what the engine's contacts add. The price: spins fade too soon, and with passive a spin about the length tips over. "
          "(A light body, such as a bottle, has no Newton step in Bullet: see the page In your engine)", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in the engine ODE), the engine's own gyroscopic step off", "it adds no energy, and loses some: in our throws more than the contacts added. "
-         "Spins fade; a spin about the length tips over. For two equal moments see chapter 8's short answer", "ch8_contacts", "passive"},
+         "the **passive step** (linearly implicit, as in the engine ODE), the engine's own gyroscopic step off", "passive adds no energy. Contacts may; in our throws passive lost more than they added. "
+         "Spins fade; a spin about the length tips over. Capsules and wheels have their own answer (chapter 8)", "ch8_contacts", "passive"},
         {"callback_free", "a body that touches nothing, and all you can do is change ω before the engine's step",
          "the **calm half-step**, whole", "there is nothing to hide, and it keeps energy and |L|, at any spin, with any steps; the engine's turn makes the orientation rough",
          "ch8_fails", "calm half-step"},
         {"symmetric", "a body with two equal moments, a capsule, a wheel, that touches others", "the step for **two equal moments** (`SymmetricInertia`: passive and the "
          "calm half-step are one there), called twice with h/2: before contacts and joints, and after them, before the engine turns the body",
          "it only turns ω about the axis of the moment that differs, which keeps "
-         "energy, |L| and the spin about that axis. The contacts may still add energy (in Box3D and Jolt they do): the page In your engine has a test of that for your engine, and the cure", "ch5_passive", "passive"},
+         "energy, |L| and the spin about that axis. Contacts may still add energy to fast throws (in Box3D and Jolt they do): the page In your engine has a test of that for your engine, and the cure", "ch5_passive", "passive"},
         {"contacts", "a body that touches others", "the **calm half-step**, called twice with h/2: before contacts and joints, and after them, before the engine turns the body",
-         "energy and |L| stay from one impulse to the next, at any spin, with any steps. The contacts may still add energy (in Box3D and Jolt they do): "
+         "energy and |L| stay from one impulse to the next, at any spin, with any steps. Contacts may still add energy to fast throws (in Box3D and Jolt they do): "
          "the page In your engine has a test of that for your engine, and the cure", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting of order 2 into a spherical top and a remainder",
          "it is the exact motion but for rounding, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
@@ -145,7 +145,7 @@ inline const std::vector<Choice>& choices() {
          "when steps vary a splitting adds up its errors, and a body thrown about its intermediate axis may be lost", "ch8_cost",
          "Runge-Kutta 4"},
         {"free", "a body that flies freely, h|ω| at most " + fair + ", a constant step", "**ball and remainder 4**, a splitting of order 4 into a spherical top and a remainder",
-         "|L| stays, the energy is bounded, and the body points where it should, also when it turns over. (It may lose a throw that leads back to the intermediate axis: there a touch decides to which side it goes)", "ch8_work", "ball and remainder 4"},
+         "|L| stays, the energy is bounded, and the body points where it should, also when it turns over. (A body that comes back to its intermediate axis may turn over at the wrong time: a touch decides)", "ch8_work", "ball and remainder 4"},
         {"free_fast", "a body that flies freely, h|ω| above " + fair + ", a constant step", "**ball and remainder 4**, in substeps that turn by " + fair + " at most",
          "what is safe at long steps is not accurate there", "ch8_safe", "ball and remainder 4"},
     };
