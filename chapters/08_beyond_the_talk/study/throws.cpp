@@ -168,6 +168,22 @@ void throws(const Settings&, lab::Findings& out) {
         rk4 = rk4 && of("runge_kutta_4", id).worst < of("remainder_2", id).worst &&
               of("remainder_4", id).worst < of("runge_kutta_4", id).worst;
     }
+    // For about the time of ball and remainder 4: RK4 in three substeps.
+    bool usually_farther = true, ruler_nearer = false;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto middle_of = [](std::vector<double> errors) {
+            std::nth_element(errors.begin(), errors.begin() + errors.size() / 2, errors.end());
+            return errors[errors.size() / 2];
+        };
+        const std::vector<double> in_three = thrown[i].errors("runge_kutta_4", 180), in_one = thrown[i].errors("remainder_4");
+        std::printf("  %s: worst %.2g and middle %.2g of ball and remainder 4, %.2g and %.2g of RK4 in three substeps\n", cases[i].words,
+                    summed_up(in_one).worst, middle_of(in_one), summed_up(in_three).worst, middle_of(in_three));
+        usually_farther = usually_farther && middle_of(in_three) > middle_of(in_one);
+        if (cases[i].id == std::string("ruler")) ruler_nearer = summed_up(in_three).worst < summed_up(in_one).worst;
+    }
+    out.check("rk4_in_three", usually_farther && ruler_nearer,
+              "10 rad/s at 60 Hz: Runge-Kutta 4 in three substeps has the ruler's worst throw nearer than ball and remainder 4, "
+              "and the middle one of each body's throws farther off");
     four = worst_game < 1e-3, half = half_worst < 0.1;
     const double worst_30 = std::max(of("remainder_4", "box_30").worst,
                                      of("remainder_4", "ruler_30").worst);
