@@ -117,8 +117,8 @@ inline const std::vector<Choice>& choices() {
          "here losing energy is wanted: it hides what the engine's contacts add. The price: spins fade too soon, and with passive a spin about the length tips over. "
          "(A light body, such as a bottle, has no Newton step in Bullet: see the page In your engine)", "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
-         "the **passive step** (linearly implicit, as in the engine ODE), the engine's own gyroscopic step off", "passive adds no energy. Contacts may; in our throws passive lost more than they added. "
-         "Spins fade; a spin about the length tips over. Capsules and wheels have their own answer (chapter 8)", "ch8_contacts", "passive"},
+         "the **passive step** (linearly implicit, as in the engine ODE), the engine's own gyroscopic step off", "passive adds no energy. Contacts may; for three moments passive lost more than they added in our throws. "
+         "Spins fade; a spin about the length tips over. Capsules and wheels have their own answer", "ch8_contacts", "passive"},
         {"callback_free", "a body that touches nothing, and all you can do is change ω before the engine's step",
          "the **calm half-step**, whole", "there is nothing to hide, and it keeps energy and |L|, at any spin, with any steps; the engine's turn makes the orientation rough",
          "ch8_fails", "calm half-step"},
