@@ -9,10 +9,6 @@
 # Expects ROOT, WORK, COMPILER, EIGEN, and CATCH2 or CATCH2_SOURCE.
 cmake_minimum_required(VERSION 3.25)
 
-# The sources of engines are tested with in the build around this one; the sanitizers are for our own code.
-unset(ENV{TIMESTEP_BOX3D})
-unset(ENV{TIMESTEP_JOLT})
-
 include("${CMAKE_CURRENT_LIST_DIR}/common.cmake")
 step("configure" "${CMAKE_COMMAND}" --preset strict -S "${ROOT}" -B "${WORK}" ${options}
   "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DEigen3_DIR=${EIGEN}" -DTIMESTEP_NESTED_TESTS=OFF
