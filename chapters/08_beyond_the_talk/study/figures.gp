@@ -18,6 +18,7 @@ of(id) = sprintf("strcol(1) eq '%s' ? $4 : NaN", id)
 curve(id, style, words) = sprintf("'order_points.tsv' using 2:(%s) with linespoints pt 7 ps 0.5 %s title '%s'", of(id), style, words)
 eval "plot ".curve("implicit", implicit_gyroscopic, "one Newton step").", ".curve("passive", passive_gyroscopic, "passive").", ". \
     curve("half_step_new", colour_of(half_step_jacobian)." lw 2.5 dt (3,4)", "half-step, new ω").", ". \
+    curve("half_step_back", colour_of(half_step_jacobian)." lw 2.5 dt (9,5)", "…, half a step back").", ". \
     curve("half_step", broad_half_step, "half-step, mean ω").", ". \
     curve("cayley", cayley_gyroscopic, "Cayley").", ".curve("strang", strang_splitting, "Strang").", ". \
     curve("remainder_2", ball_and_remainder_2, "ball + rem. 2").", ". \
