@@ -53,9 +53,13 @@ void stacks(const Engine& engine, int number, Numbers& numbers) {
         ++standing;
         asleep = std::max(asleep, end.asleep), sunk = std::max(sunk, end.sunk);
     }
-    std::printf("%s %5d of %-2d %10.2f %10.3f", row_name(engine).c_str(), standing, number, asleep, sunk);
+    std::printf("%s %5d of %-2d ", row_name(engine).c_str(), standing, number);
     numbers.add("stack", "twenty boxes", engine, "standing, of a hundred", 100.0 * standing / number);
-    if (standing == 0) return;
+    if (standing == 0) {
+        std::printf("%10s %10s", "-", "-");
+        return;
+    }
+    std::printf("%10.2f %10.3f", asleep, sunk);
     numbers.add("stack", "twenty boxes", engine, "asleep after, s", asleep);
     numbers.add("stack", "twenty boxes", engine, "top has sunk, m", sunk);
 }
