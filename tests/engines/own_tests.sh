@@ -79,7 +79,7 @@ record_anew() {
 }
 
 scenes="RAGDOLL WAVE_PILE QUERY_SPAWN MESH_DROP"
-head="engine: rule	cases passed	golden records anew	asleep after steps: ragdolls	wave pile	query spawn	mesh drop"
+head="engine: rule	cases passed	golden records anew	steps until asleep: ragdolls	wave pile	query spawn	mesh drop"
 numbers=
 row() {  # of the rule $1, whose name in numbers.tsv is $2
     line="Box3D: $1	$(cases "$work/passed")	$anew"
