@@ -43,8 +43,11 @@ std::string figure_anchor(const std::filesystem::path& drawn);
 /// or nothing.
 std::vector<Numbered> figures_of(std::string_view source, const std::string& file,
                                  const std::string& folder, const std::string& page);
-/// The figures of a chapter: those of its page, then those of its second one.
+/// The figures of a chapter: those of its page, then those of its second one. Not those between a {{where name}} that the
+/// chapter's run has not measured and its {{end}}; these go to `context.left_out` where the page is the chapter's.
 std::vector<Numbered> figures_of(Context& context, const Chapter& chapter);
+/// Did the run find a value for the number that `{{where name}}` names? `folder` is the chapter's whose page that is.
+bool is_measured(Context& context, const Directive& directive, const std::string& folder);
 /// The picture `drawn` as HTML, `folder/file` below the site's figures; on phones the narrow one, where there is one.
 std::string picture_html(Context& context, const std::string& folder, const std::filesystem::path& drawn, const std::string& words);
 /// `{{live panel: caption}}`, `{{live 03_chapter/panel: caption}}`; `caption` is the filled caption.

@@ -5,6 +5,7 @@
 #include "text.hpp"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 namespace page {
@@ -89,15 +90,53 @@ std::vector<Numbered> figures_of(std::string_view source, const std::string& fil
     return order;
 }
 
+bool is_measured(Context& context, const Directive& directive, const std::string& folder) {
+    if (directive.arguments.size() != 1) {
+        throw std::invalid_argument{"{{where name}} takes one name"};
+    }
+    const std::string& reference = directive.arguments.front();
+    std::string name;
+    return !context.run_of(reference.find('/') == std::string::npos && !folder.empty() ? folder + "/" + reference : reference, name)
+                .number(name).value.empty();
+}
+
+namespace {
+
+/// The figures of a chapter's page that its run leaves out.
+std::set<std::string> left_out(Context& context, const Chapter& chapter, std::string_view source, const std::string& file) {
+    std::set<std::string> figures;
+    std::string where;  // the {{where …}} that we are in
+    for (const Piece& piece : scan(source, file)) {
+        const std::vector<std::string> words = piece.kind == Piece::Kind::directive ? split_words(piece.text.substr(0, piece.text.find(':'))) : std::vector<std::string>{};
+        const std::string kind = words.empty() ? "" : words[0];
+        if (kind == "where" || kind == "end") {
+            where = kind == "where" ? piece.text : "";
+        } else if (kind == "figure" && words.size() > 1 && !where.empty()) {
+            try {
+                if (!is_measured(context, parse_directive(where), chapter.folder)) {
+                    figures.insert(chapter.folder + "/" + words[1]);
+                }
+            } catch (const std::logic_error&) {  // no such run or number yet: the page itself says so
+            }
+        }
+    }
+    return figures;
+}
+
+}  // namespace
+
 std::vector<Numbered> figures_of(Context& context, const Chapter& chapter) {
     Order order;
     for (const bool more : {false, true}) {
         if (!more || chapter.has_more) {
             const std::string file = chapter.source(more);
             context.inputs.insert(context.root() / file);
-            const Order shown = figures_of(read_file(context.root() / file), file, chapter.folder,
-                                           chapter.id(more));
-            order.insert(order.end(), shown.begin(), shown.end());
+            const std::string source = read_file(context.root() / file);
+            const std::set<std::string> unseen = left_out(context, chapter, source, file);
+            for (const Numbered& each : figures_of(source, file, chapter.folder, chapter.id(more))) {
+                if (unseen.count(each.figure) == 0) order.push_back(each);
+            }
+            if (context.chapter() == &chapter) context.left_out.insert(unseen.begin(), unseen.end());
         }
     }
     return order;

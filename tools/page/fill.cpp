@@ -62,7 +62,7 @@ public:
                                                                      : "{{end}} without a {{where …}}"};
                     }
                     block = block == nullptr ? &piece : nullptr;
-                    left_out = block != nullptr && !is_measured(piece);
+                    left_out = block != nullptr && !is_measured(context_, parse_directive(piece.text), "");
                     continue;
                 }
                 if (left_out) {
@@ -102,16 +102,6 @@ private:
             throw std::invalid_argument{"{{" + piece.text + "}} must stand on a line of its own"};
         }
         return is_one ? words.front() : "";
-    }
-
-    /// Did the run find a value for the number that {{where name}} names?
-    bool is_measured(const Piece& piece) {
-        const Directive directive = parse_directive(piece.text);
-        if (directive.arguments.size() != 1) {
-            throw std::invalid_argument{"{{where name}} takes one name"};
-        }
-        std::string name;
-        return !context_.run_of(directive.arguments.front(), name).number(name).value.empty();
     }
 
     /// What stands in a draft for what no run has left yet.

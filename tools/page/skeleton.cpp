@@ -96,7 +96,7 @@ void check_complete(const Context& context) {
                                         [&](const Numbered& each) { return each.figure == name; });
         const bool belongs_here =
             found == context.order.end() ? !context.is_more() : found->page == context.page();
-        if (belongs_here && context.figures.count(name) == 0) {
+        if (belongs_here && context.figures.count(name) == 0 && context.left_out.count(name) == 0) {
             throw Error{chapter.about(), 1, "the page does not show " + figure};
         }
     }

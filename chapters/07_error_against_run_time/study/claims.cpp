@@ -318,12 +318,7 @@ void peers(const All& all, lab::Findings& out) {
     const Cheapest six = cheapest(spring, 1e-6, [](const Point&) { return true; });
     out.text("six_digits", six.method + " (" + six.library + ")",
              "the cheapest of all to a millionth on the spring");
-    const bool none = there.empty();
-    out.text("peers", there, "libraries that were there");
-    out.text("peers_there", none ? "On the machine that built this page there was none of them." : "Here there were " + there + ".", "the same, as a sentence");
-    out.text("peers_shown", none ? "RK4 of this course alone." :
-             "RK4 by several hands: the lines lie apart by what a library does besides. Dashed lines choose their steps, except for two: odeint's RK4, "
-             "which lies on ours or near it, and our RK4 in float.", "what the figure shows of them");
+    out.text("peers", there, "libraries that were there; without any of them the page leaves their section out");
 }
 
 }  // namespace

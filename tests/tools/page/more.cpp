@@ -11,6 +11,8 @@
 #include "context.hpp"
 #include "error.hpp"
 #include "fill.hpp"
+#include "scanner.hpp"
+#include "text.hpp"
 
 using Catch::Matchers::ContainsSubstring;
 
@@ -129,13 +131,29 @@ TEST_CASE("a figure may stand on a chapter's second page, and numbers go on ther
     course.replace(more, sweep, "");
     CHECK(course.fill_error() ==
           "chapters/03_springs/about.json:1: the page does not show sweep.gif");
-    // Not to be seen where something was not measured: as on the chapter's page.
+    // A section behind a {{where …}} that was not measured is absent: heading, figure and the figure's number.
     const std::string numbers = "runs/03_springs/run/numbers.tsv";
     course.write(numbers, course.read(numbers) + "counted\t\t\tinstructions a step\n");
     course.write(
         more, title + "{{figure turn.svg: Round.}}\n\n{{where counted}}\n" + sweep + "\n{{end}}\n");
-    CHECK(more_error(course) ==
-          "chapters/03_springs/about.json:1: the page does not show sweep.gif");
+    CHECK_THAT(fill_more(course), ContainsSubstring("Figure\u00a03.2.</span> Round.") && !ContainsSubstring("sweep"));
+    course.write(more, title + "{{where counted}}\n## Peers {#more3_peers}\n\n" + sweep + "\n{{end}}\n\n{{figure turn.svg: Round.}}\n");
+    CHECK_THAT(fill_more(course), ContainsSubstring("Figure\u00a03.2.</span> Round.") && !ContainsSubstring("more3_peers"));
+    course.replace(numbers, "counted\t\t\t", "counted\t7\t\t");
+    CHECK_THAT(fill_more(course), ContainsSubstring("Figure\u00a03.3.</span> Round.") && ContainsSubstring("more3_peers"));
+}
+
+TEST_CASE("chapter 7: other people's libraries, heading and figure, are there where one was there") {
+    std::string where;
+    bool heading = false, figure = false;
+    for (const page::Piece& piece : page::scan(page::read_file(std::filesystem::path{SOURCE} / "chapters/07_error_against_run_time/chapter.md"), "chapter.md")) {
+        if (piece.text.starts_with("where ")) where = piece.text;
+        if (piece.text == "end") where.clear();
+        heading = heading || (where == "where peers" && piece.text.find("{#ch7_peers}") != std::string::npos);
+        figure = figure || (where == "where peers" && piece.text.starts_with("figure peers.svg"));
+    }
+    CHECK(heading);
+    CHECK(figure);
 }
 
 TEST_CASE("figures are found on both of a chapter's pages, from each of them and from elsewhere") {
