@@ -479,3 +479,11 @@ TEST_CASE("a formula in a sentence of a task is set, and what is none is not") {
     for (const char* words : {"a share of 0.25 m", "from 1 to 1000 m/s²", "in 3 kg m² or N m", "after 0.5 s it"}) CHECK(set(words) == words);
     CHECK(set("halve h 10 times") == "halve \\f$h\\f$ 10 times");
 }
+
+TEST_CASE("in your engine: an engine in which all stacks fall as it is has no row among the stacks") {
+    const page::Table stacks = page::RunData{"in_engines", std::filesystem::path{SOURCE} / "docs/engines/measured"}.table("stacks.tsv");
+    REQUIRE(!stacks.rows.empty());
+    for (const auto& row : stacks.rows) {
+        if (row.at(0).ends_with(": as it is")) CHECK(std::stod(row.at(1)) > 0);
+    }
+}
