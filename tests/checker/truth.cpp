@@ -52,6 +52,13 @@ std::string named(Function* function) {
 
 }  // namespace
 
+TEST_CASE("a quaternion is shown as the tasks write it, with the cosine first") {
+    Numbers numbers;
+    Wire<Eigen::Quaterniond>::put(numbers, {0.5, 1, 2, 3});
+    Reader reader(numbers);
+    CHECK(Wire<Eigen::Quaterniond>::show(reader) == "Quaterniond(0.5, 1, 2, 3)");
+}
+
 TEST_CASE("another way to write the right answer is right, however much of it cancels") {
     for (const double gap : {1.0, 1e-3, 1e-9, 1e-13, 0.0}) {
         const Numbers arguments{1 / 3.0, 1 / 3.0 + gap, 0.7};

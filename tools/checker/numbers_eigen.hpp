@@ -57,10 +57,8 @@ struct Wire<Eigen::Quaternion<T>> {
         return Eigen::Quaternion<T>(Wire<Coefficients>::take(reader));
     }
     static std::string show(Reader& reader) {
-        std::string parts;
-        for (const char* const name : {"{x ", ", y ", ", z ", ", w "})
-            parts += name + Wire<T>::show(reader);
-        return parts + "}";
+        const std::string vector = show_row<T>(reader, 3);  // w comes last here, and first in the constructor
+        return "Quaterniond(" + Wire<T>::show(reader) + ", " + vector + ")";
     }
 };
 

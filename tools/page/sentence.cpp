@@ -33,12 +33,12 @@ bool is_name(std::string name, const Names& names) {
     const std::string base = name.substr(0, end);
     if (end != std::string::npos && name.find_first_not_of("0123456789", end) != std::string::npos) return false;
     if (std::find(known.begin(), known.end(), base) != known.end()) return true;
-    return base.size() == 1 && (end != std::string::npos || std::string_view{"AsNm"}.find(base) == std::string_view::npos);
+    return base.size() == 1 && (end != std::string::npos || std::string_view{"ABsNm"}.find(base) == std::string_view::npos);
 }
 
 /// Where `unit` may be a unit: "2 m", "in m", "kg m²".
 bool is_unit(const std::string& unit, const std::string& before) {
-    static const std::array<std::string_view, 7> units{"m", "m²", "s", "1/m", "1/s", "m/s", "m/s²"};
+    static const std::array<std::string_view, 8> units{"m", "m²", "s", "s²", "1/m", "1/s", "m/s", "m/s²"};
     if (std::find(units.begin(), units.end(), unit) == units.end()) return false;
     return unit.find('/') != std::string::npos || before == "in" || before == "kg" || before == "N" || before == "per" || (!before.empty() && digit(before.back()));
 }
@@ -56,6 +56,11 @@ Token token_of(const std::string& word, const Token& before, const Names& names)
         return token;
     }
     if (text.empty() || text == "i.e" || text == "e.g" || text.find("++") != std::string::npos || is_unit(text, before.text)) return token;
+    // A letter that is a unit or a word elsewhere: a power of it, or behind a sign, it is a name.
+    if (text == "s²" || text == "m²" || (text.size() == 1 && letter(text[0]) && before.kind == Token::sign && before.behind.empty())) {
+        token.kind = Token::named;
+        return token;
+    }
     bool all_named = true, any = false;
     for (std::size_t at = 0; at < text.size();) {
         if (letter(text[at]) || text[at] == '_') {
@@ -77,6 +82,23 @@ Token token_of(const std::string& word, const Token& before, const Names& names)
     }
     token.kind = !any ? Token::number : all_named && text.find("::") == std::string::npos ? Token::named : Token::plain;
     return token;
+}
+
+/// The end of a list of components that token `i` begins, "State<double>{t" or "Quaterniond(w": `i` where none begins, or
+/// none ends in this sentence.
+std::size_t end_of_list(const std::vector<Token>& tokens, std::size_t i) {
+    const std::string& first = tokens[i].text;
+    const std::size_t open = first.find_first_of("{(");
+    const bool begins = tokens[i].kind == Token::plain && open != std::string::npos && (first[open] == '{' || (open > 1 && letter(first[open - 1])));
+    int depth = 0;
+    bool parted = false;
+    for (std::size_t end = i; begins && end < tokens.size(); ++end) {
+        for (const char c : tokens[end].text) depth += (c == '{' || c == '(') - (c == '}' || c == ')');
+        if (depth == 0) return parted ? end + 1 : i;
+        if (tokens[end].behind != "," && tokens[end].behind != "") return i;
+        parted = parted || tokens[end].behind == ",";
+    }
+    return i;
 }
 
 int depth_of(const std::string& text) {
@@ -119,9 +141,24 @@ std::string with_formulas(const std::string& sentence, const std::set<std::strin
     for (const std::string& word : split_words(sentence)) tokens.push_back(token_of(word, tokens.empty() ? Token{} : tokens.back(), names));
     for (std::size_t i = 0; i + 1 < tokens.size(); ++i)  // "a share" of a word is no product
         if (tokens[i].text == "a" && is_word(tokens[i + 1].text)) tokens[i].kind = Token::plain;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const bool last = i + 1 == tokens.size();
+        // "length of the step, s (above zero)": a unit, though a parameter may have that name.
+        if (i > 0 && tokens[i - 1].behind == "," && (tokens[i].text == "s" || tokens[i].text == "m") && (last || tokens[i + 1].text.starts_with('(')))
+            tokens[i].kind = Token::plain;
+        // "A x = b" is a product, "A body" is not.
+        if (tokens[i].text == "A" && tokens[i].behind.empty() && i + 2 < tokens.size() && tokens[i + 1].kind == Token::named && tokens[i + 2].kind == Token::sign)
+            tokens[i].kind = Token::named;
+    }
     std::string text;
     const auto add = [&text](const std::string& more) { text += (text.empty() ? "" : " ") + more; };
     for (std::size_t i = 0; i < tokens.size();) {
+        if (const std::size_t end = end_of_list(tokens, i); end > i) {
+            std::string list;
+            for (; i < end; ++i) list += (list.empty() ? "" : " ") + tokens[i].text + (i + 1 < end ? tokens[i].behind : "");
+            add("`" + list + "`" + escape_markdown(tokens[end - 1].behind));
+            continue;
+        }
         // As far as a formula may go: over a comma within its brackets alone, and not from a name to a bare number.
         std::size_t end = i;
         std::string formula;

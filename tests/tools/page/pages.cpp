@@ -478,6 +478,19 @@ TEST_CASE("a formula in a sentence of a task is set, and what is none is not") {
         CHECK_THAT(set(words), !ContainsSubstring("f$\\mathit") && !ContainsSubstring("`"));
     for (const char* words : {"a share of 0.25 m", "from 1 to 1000 m/s²", "in 3 kg m² or N m", "after 0.5 s it"}) CHECK(set(words) == words);
     CHECK(set("halve h 10 times") == "halve \\f$h\\f$ 10 times");
+    // A list of components is code, whole, as the task has it.
+    CHECK(set("later, State<double>{t, x, v}: time") == "later, `State<double>{t, x, v}`: time");
+    CHECK(set("Quaterniond(w, x, y, z) has the cosine first") == "`Quaterniond(w, x, y, z)` has the cosine first");
+    CHECK(set("{A, B, empty loop}, in seconds") == "`{A, B, empty loop}`, in seconds");
+    CHECK(set("a body (in m, above x) of") == "a body (in m, above x) of");
+    CHECK(set("ky = Ly / sqrt(Iz Ix) and") == "ky = Ly / sqrt(Iz Ix) and");
+    CHECK(set("open {x, y and on") == "open {x, \\f$y\\f$ and on");
+    // A unit behind a comma, though a parameter has that name; a letter that is a unit elsewhere, within a formula.
+    CHECK(set("length of the step, s (zero or more)") == "length of the step, s (zero or more)");
+    CHECK(set("the length, s") == "the length, s");
+    CHECK(page::with_formulas("The root of q s² + s - w = 0 is", {}) == "The root of \\f$q\\,s^2+s-w=0\\f$ is");
+    CHECK(page::with_formulas("after 2 s² or kg m² of N m", {}) == "after 2 s² or kg m² of N m");
+    CHECK(page::with_formulas("A step: the x with A x = b, of loops A and B", {}) == "A step: the \\f$x\\f$ with \\f$A\\,x=b\\f$, of loops A and B");
 }
 
 TEST_CASE("in your engine: an engine in which all stacks fall as it is has no row among the stacks") {
