@@ -104,7 +104,6 @@ public:
         lines += "\n";
         std::vector<std::pair<std::string, std::string>> done;
         for (const Row& r : rows_) {
-            if (falls_anyway(columns.front(), r.engine)) continue;
             const std::pair<std::string, std::string> key(r.engine, r.rule);
             if (std::find(done.begin(), done.end(), key) != done.end()) continue;
             if (!rules.empty() && std::find(rules.begin(), rules.end(), r.rule) == rules.end()) continue;
@@ -119,12 +118,6 @@ public:
             if (any) lines += line + "\n", done.push_back(key);
         }
         return lines;
-    }
-
-    // Stacks that all fall in the engine as it is: with another rule their fall says nothing of that rule.
-    bool falls_anyway(const Column& column, const std::string& engine) const {
-        const double* standing = std::string(column.scene) == "stack" ? find(column, engine, "as it is") : nullptr;
-        return standing && *standing == 0;
     }
 
     // A top that hangs below its joint goes round somehow: by how much is no matter.
