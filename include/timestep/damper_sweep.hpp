@@ -1,0 +1,111 @@
+#pragma once
+/// \file
+/// Many dampers, solved one after another, there and back.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <timestep/checks.hpp>
+#include <timestep/linear_solve.hpp>
+#include <timestep/sums.hpp>
+
+namespace timestep {
+
+/// Dampers between masses. Each divides the velocity at which its two masses part, along its direction n, by
+/// 1 + h c (1/m_a + 1/m_b): the damping at the new velocity of chapter 3. Where dampers share a mass and are divided once
+/// each, one after another, the result depends on their order, and with springs it may grow without bound. This sweep takes
+/// the square root of each division on the way there, and the other root on the way back.
+///
+/// Use it in semi-implicit Euler, after the forces and before the positions:
+///
+///     v += h * (forces / m);  sweep.there_and_back(v, h);  x += h * v;
+///
+/// With linear springs (a = −M⁻¹K x with K symmetric, no negative eigenvalue), fixed directions and a fixed step this is stable
+/// for ω h < 2, where ω is the fastest oscillation of the scene without dampers; the dampers may be as hard as they like.
+/// In u = √m v and y = √m x a root is symmetric, with eigenvalues above 0 and up to 1; so is the sweep there and back,
+/// D = MᵀM. With G = D⁻¹ − 1 ≥ 0 a step is u₂ = u₁ − h K y₁ − G u₂, y₂ = y₁ + h u₂, and it changes the modified energy
+///     ½ u·(1 + ½G) u + ½ y·K y − ½ h u·K y   by   −¼ (u₁ + u₂)·G (u₁ + u₂),
+/// which is never positive; and for ω h < 2 that energy bounds u and the springs' stretch. Directions that turn are not proven.
+///
+/// A single damper, and dampers that are perpendicular and share no mass with another, are the chapter's method to
+/// roundoff. Other dampers are stable, not accurate, once h c/m is near 1: then shorten the step, or solve all of them
+/// as one system. Costs two sweeps. The sweep is symmetric Gauss–Seidel's idea, applied to the factors of a product.
+///
+/// `X` is a real number (masses on a line) or a fixed-size Eigen vector.
+template <class X>
+class DamperSweep {
+public:
+    using Real = real_of<X>;  ///< the real number type
+
+    /// Of masses given by their inverses, 1/kg, zero or more. A mass of inverse zero is held: no damper changes its
+    /// velocity, whatever that is. Throws `std::invalid_argument`.
+    explicit DamperSweep(std::vector<Real> inverse_masses) : inverse_masses_(std::move(inverse_masses)) {
+        for (const Real one : inverse_masses_) not_negative("inverse mass", one);
+    }
+
+    /// Adds a damper of `c` N s/m between masses a and b, along any vector that is not zero. Between two masses that are
+    /// both held it does nothing. Throws `std::invalid_argument`.
+    void add(std::size_t a, std::size_t b, const X& along, Real c) {
+        if (a >= inverse_masses_.size() || b >= inverse_masses_.size() || a == b)
+            refuse("a damper's masses: must be two of those given");
+        const Real both = finite("sum of the inverse masses", inverse_masses_[a] + inverse_masses_[b]);
+        const Real rate = finite("damping / mass", not_negative("damping", c) * both);
+        const auto share = [&](std::size_t i) { return both > 0 ? inverse_masses_[i] / both : Real(0); };
+        if (!is_finite(along) || along == zero<X>()) refuse("direction of a damper: must be finite and not zero");
+        dampers_.push_back({a, b, direction(along), rate, share(a), share(b)});
+    }
+
+    /// Turns damper i to another direction. Two masses in one place have none: along zero the damper does nothing. Throws
+    /// `std::invalid_argument`.
+    void turn(std::size_t i, const X& along) {
+        if (i >= dampers_.size()) refuse("damper: must be one of those added");
+        if (!is_finite(along)) refuse("direction of a damper: must be finite");
+        dampers_[i].along = direction(along);
+    }
+
+    /// Damps the velocities of all masses, m/s, over a step of h seconds. Throws `std::invalid_argument`.
+    /// [sweep]
+    void there_and_back(std::span<X> v, Real h) const {
+        positive("step", h);
+        if (v.size() != inverse_masses_.size()) refuse("velocities: must be one for each mass");
+        for (std::size_t i = 0; i < dampers_.size(); ++i) take_root(dampers_[i], v, h);
+        for (std::size_t i = dampers_.size(); i-- > 0;) take_root(dampers_[i], v, h);
+    }
+    /// [sweep]
+
+private:
+    struct Damper {
+        std::size_t a, b;
+        X along;                // of length 1
+        Real rate;              // c (1/m_a + 1/m_b), 1/s
+        Real share_a, share_b;  // of the change of velocity: the lighter mass changes more
+    };
+
+    static Real product(const X& n, const X& v) {
+        if constexpr (is_number<X>)
+            return n * v;
+        else
+            return dot(n, v);
+    }
+
+    // Divides the velocity at which a and b part by √(1 + h c (1/m_a + 1/m_b)); their momentum stays.
+    /// [root]
+    static void take_root(const Damper& d, std::span<X> v, Real h) {
+        const Real s = std::min(h * d.rate, std::numeric_limits<Real>::max());
+        const Real taken = s / (1 + s + std::sqrt(1 + s));  // 1 − 1/√(1 + s), to the last digit for light dampers too
+        const X change = taken * product(d.along, v[d.b] - v[d.a]) * d.along;
+        v[d.a] += d.share_a * change;
+        v[d.b] -= d.share_b * change;
+    }
+    /// [root]
+
+    std::vector<Real> inverse_masses_;
+    std::vector<Damper> dampers_;
+};
+
+}  // namespace timestep
