@@ -105,6 +105,23 @@ plot "damping_lines.tsv" using 1:4 with lines lc rgb "#009e73" lw 2.5 dt (14,5) 
      "" using 1:3 with points pt 6 ps 0.9 lc rgb "#009e73", \
      "" using 1:2 with points pt 6 ps 0.9 lc rgb "#d55e00"
 
+# Two hard dampers across each other: the energy.
+call figure "dampers.svg" 640 460 500
+set logscale y
+set format y "10^{%T}"
+set xlabel "time t (s)\n " offset 0,0.4
+set ylabel "energy / energy at the start"
+set xrange [0:1]
+set yrange [1e-10:1e3]
+set key outside bottom center horizontal reverse Left
+plot 1 with lines @faint, \
+     "dampers.tsv" using 1:2 with lines @exact title "exact", \
+     "" using 1:3 with lines @second title "one after another", \
+     "" using 1:4 with lines @first title "there and back", \
+     "" using 1:5 with lines @third title "in one matrix"
+unset logscale
+set format y "%g"
+
 # The same spring as a force and as a soft constraint: what a step multiplies by.
 call figure "soft.svg" 640 460 500
 set size noratio

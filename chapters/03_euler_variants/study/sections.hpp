@@ -34,6 +34,7 @@ void matrices(const Settings&, lab::Findings&);    // matrices.cpp
 void areas(const Settings&, lab::Findings&);        // areas.cpp
 void sweep(const Settings&, lab::Findings&);        // sweep.cpp
 void damping(const Settings&, lab::Findings&);      // damping.cpp
+void dampers(const Settings&, lab::Findings&);      // dampers.cpp
 void soft_constraints(const Settings&, lab::Findings&);  // soft.cpp
 void orders(const Settings&, lab::Findings&);       // orders.cpp
 void costs(const Settings&, lab::Findings&);        // costs.cpp

@@ -42,8 +42,10 @@ struct Solver {
 // it at a step of h? Its acceleration is −k x − c v at the step's end, and one step tells k and c.
 struct Typed {
     double rate, share, h;  // made for this h
+    bool ode;               // its γ is CFM over the step
     State<double> step(const SoftConstraint&, const State<double>& s, double step) const {
-        const double v2 = s.v - share * (s.v + rate * h / step * s.x);  // β = rate h stays as it was typed
+        const double gamma = (1 / share - 1) * (ode ? h / step : 1);                  // for a mass of one
+        const double v2 = s.v - (s.v + rate * h / step * s.x) / (1 + gamma);  // β = rate h stays as it was typed
         return {s.t + step, s.x + step * v2, v2};
     }
 };
@@ -54,6 +56,29 @@ template <class Method, class Model>
 Felt felt(const Method& method, const Model& model, double h) {
     const std::complex<double> rate = std::log(eigenvalues(step_matrix(method, model, h)).first) / h;
     return {std::abs(rate), -rate.real() / std::abs(rate)};
+}
+
+// Three soft constraints pull one mass in a plane, one after another. Each alone would bring it to rest.
+void several_at_one_mass(lab::Findings& out) {
+    const double degrees[] = {20, 45, 0}, h = 1.0 / 60;
+    const SoftConstraint soft[] = {{300, 0.1}, {30, 20}, {300, 0.1}};
+    double x = 1, y = 0, vx = 0, vy = 0, alone = 0;
+    for (const SoftConstraint& one : soft) alone = std::max(alone, spectral_radius(step_matrix(Solver{}, one, h)));
+    for (int step = 0; step < 60; ++step) {
+        for (int i = 0; i < 3; ++i) {
+            const double c = std::cos(degrees[i] * pi / 180), s = std::sin(degrees[i] * pi / 180), v = c * vx + s * vy;
+            const double change = soft[i].correct(c * x + s * y, v, h) - v;
+            vx += c * change, vy += s * change;
+        }
+        x += h * vx, y += h * vy;
+    }
+    const double away = std::hypot(x, y);
+    std::printf("  three at one mass, one after another: from 1 m to %.3g m in 1 s; the largest factor of one alone: %.3f\n",
+                away, alone);
+    out.number("soft_three_away", away / 1000, "km", "how far a mass flies from 1 m in 1 s", 2);
+    out.check("soft_three_blow_up", away > 1000 && alone < 1,
+              "three soft constraints at one mass, each of which alone shrinks, one after another take it from 1 m to over 1 km "
+              "in 1 s");
 }
 
 }  // namespace
@@ -117,13 +142,18 @@ void soft_constraints(const Settings&, lab::Findings& out) {
 
     // Numbers typed in for 60 Hz, at 30 Hz: k = rate·share/(1 − share)/h and so on; the step tells.
     const double b = 2 * zeta + h * omega, share = h * omega * b / (1 + h * omega * b);
-    const Typed typed{omega / b, share, h};
-    const auto stiffness = [&](double step) {  // v₂ = (v₁ − h k x₁)/(1 + h c + h² k): the entries' quotient
+    const auto stiffness = [&](const Typed& typed, double step) {  // v₂ = (v₁ − h k x₁)/(1 + h c + h² k)
         const auto m = step_matrix(typed, SoftConstraint{omega, zeta}, step);
-        return -m.vx / m.vv / step;
+        return -m.vx / m.vv / step;  // the entries' quotient
     };
-    const double softer = stiffness(2 * h) / stiffness(h);
+    const Typed typed{omega / b, share, h, false}, ode{omega / b, share, h, true};
+    const double softer = stiffness(typed, 2 * h) / stiffness(typed, h), by_ode = stiffness(ode, 2 * h) / stiffness(ode, h);
     out.number("typed_softer", 1 / softer, "", "how much softer beta and gamma typed in at 60 Hz are at 30 Hz", 3);
+    out.number("typed_softer_ode", 1 / by_ode, "", "how much softer ODE's ERP and CFM are", 3);
     out.check("typed_depends_on_the_rate", std::fabs(softer - 0.25) < 1e-12,
               "typed in as numbers, beta and gamma are a quarter of the stiffness at half the rate");
+    out.check("typed_in_ode", std::fabs(by_ode - 0.5) < 1e-12,
+              "typed in as ODE's ERP and CFM, which ODE divides by the step, they are half of the stiffness at half the rate");
+
+    several_at_one_mass(out);
 }

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
         areas(settings, out);
         sweep(settings, out);
         damping(settings, out);
+        dampers(settings, out);
         soft_constraints(settings, out);
         orders(settings, out);
         bounces(settings, out);
