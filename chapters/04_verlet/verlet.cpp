@@ -28,9 +28,10 @@ void fall(Point& p) {
 }
 
 // Both ends of a link share what is too long: its constraint, projected.
-// A point that is moved has its velocity changed with it.
+// A point that is moved has its velocity changed with it. Two points in one place have no direction and stay.
 void put_right(Point& a, Point& b, bool a_is_held) {
     const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
+    if (length == 0) return;
     const double excess = (length - link) / length, share = a_is_held ? 0 : 0.5;
     a.x += share * excess * dx, a.y += share * excess * dy;
     b.x -= (1 - share) * excess * dx, b.y -= (1 - share) * excess * dy;

@@ -5,9 +5,19 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cmath>
+#include <fstream>
+#include <iostream>
 
 #include <timestep/rope.hpp>
+
+// The program of chapter 4 has a rope of its own. Its main, as a template that nobody calls, may end without `return`.
+namespace program {
+#define main() never_called(); template <class> int as_template()
+#include "../../chapters/04_verlet/verlet.cpp"
+#undef main
+}  // namespace program
 
 using namespace timestep;
 using Catch::Matchers::Message;
@@ -57,6 +67,26 @@ TEST_CASE("two points of a rope in one place stay there", "[library]") {
     CHECK(rope.points()[1].x == Vector2d(0, 0));
     rope.step(1, 3);  // they part again: 2·0 + 0.5 + 0.5, and the link pulls back to 0.5
     CHECK(rope.points()[1].x == Vector2d(0, 0.5));
+}
+
+TEST_CASE("two points in one place stay finite in the program of chapter 4, too", "[library][ch4]") {
+    program::Point a{1, 2, 1, 2}, b = a;
+    for (const bool held : {false, true}) {
+        program::put_right(a, b, held);
+        CHECK((a.x == 1 && a.y == 2 && b.x == 1 && b.y == 2));
+    }
+    b.x = 3;  // apart they share what is too long
+    program::put_right(a, b, false);
+    CHECK(std::fabs(b.x - a.x - program::link) < 1e-15);
+    CHECK(std::fabs(a.x + b.x - 4) < 1e-15);
+}
+
+// The step moves both points by h²a = 1.5, to 1 and 0.5; the first link pulls point 1 back to 0.5, where point 2 is.
+TEST_CASE("two free points of a rope in one place stay there", "[library]") {
+    Rope rope(Vector2d(0, 0), Vector2d(0, -1), 2, 0.5, Projectile(Vector2d(0, 1.5)));
+    rope.step(1, 1);
+    CHECK(rope.points()[1].x == Vector2d(0, 0.5));
+    CHECK(rope.points()[2].x == Vector2d(0, 0.5));
 }
 
 // A step lowers every point by d = h²g, and the sweep, from the top, must lift it by as much. Link
