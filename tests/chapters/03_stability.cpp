@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <timestep/methods/explicit_euler.hpp>
 #include <timestep/methods/implicit_euler.hpp>
@@ -143,6 +145,39 @@ TEST_CASE("a pendulum keeps its energy in the spring's band at half the advised 
     const auto wild = swing(3.1, alive_turn, 1000000);
     CHECK(wild.farthest > 2 * pi);
     CHECK(wild.most > 2);
+    // Of starts a tenth of a radian apart: the last that stays, the next goes over the top.
+    const auto goes_over = [&](double start, double wh) { return swing(start, wh, 100000).farthest > pi + 1; };
+    for (const auto& [wh, last] : {std::pair(1.0, 2.2), {0.9, 2.6}, {0.8, 2.8}, {0.7, 2.9}, {0.6, 3.0}}) {
+        CAPTURE(wh);
+        CHECK(!goes_over(last, wh));
+        CHECK(goes_over(last + 0.1, wh));
+    }
+}
+
+// Three soft constraints at one mass in a plane, one after another: each alone shrinks, together they blow up.
+TEST_CASE("a soft constraint alone cannot blow up, three at one mass can", "[ch3]") {
+    struct Soft {
+        double degrees, omega, zeta;
+    };
+    const double h = 1.0 / 60;
+    const auto farthest = [&](const std::vector<Soft>& all) {
+        double x[] = {1, 0}, v[] = {0, 0}, most = 0;
+        for (int step = 0; step < 60; ++step) {
+            for (const Soft& soft : all) {
+                const double n[] = {std::cos(soft.degrees * pi / 180), std::sin(soft.degrees * pi / 180)};
+                const double k = soft.omega * soft.omega, c = 2 * soft.zeta * soft.omega;
+                const double along = n[0] * v[0] + n[1] * v[1], off = n[0] * x[0] + n[1] * x[1];
+                const double after = (along - h * k * off) / (1 + h * c + h * h * k);  // implicit Euler
+                for (int i = 0; i < 2; ++i) v[i] += (after - along) * n[i];
+            }
+            for (int i = 0; i < 2; ++i) x[i] += h * v[i];
+            most = std::max(most, std::hypot(x[0], x[1]));
+        }
+        return most;
+    };
+    const Soft one{20, 300, 0.1}, two{45, 30, 20}, three{0, 300, 0.1};
+    for (const Soft& alone : {one, two, three}) CHECK(farthest({alone}) < 1.5);
+    CHECK(farthest({one, two, three}) > 1000);
 }
 
 TEST_CASE("explicit Euler gains energy for ever, implicit Euler loses it", "[N31][ch3]") {
