@@ -1,5 +1,6 @@
 #pragma once
-// A rope, bodies in lanes, and a capsule on a plane.
+// A rope, dampers there and back, bodies in lanes, and a capsule on a plane.
+#include <timestep/damper_sweep.hpp>
 #include <timestep/gyroscopic/calm_half_step.hpp>
 #include <timestep/rigid/many_bodies.hpp>
 #include <timestep/rigid/plane.hpp>
@@ -20,6 +21,23 @@ void print_rope() {
         for (const auto& point : rope.points()) hash.add(point.x);
     }
     row(hash, name_of<Real>, "rope", "Verlet, 5 sweeps");
+}
+
+template <class Real>
+void print_dampers() {
+    using V = Vector3<Real>;
+    DamperSweep<V> sweep({Real(0.7), 0, Real(1.9)});
+    sweep.add(0, 1, V(Real(0.9), Real(0.3), Real(0.1)), Real(31.7));
+    sweep.add(2, 0, V(Real(-0.2), Real(1.3), Real(0.7)), Real(0.0113));
+    sweep.add(1, 2, V(0, 0, 1), Real(1e5));
+    std::vector<V> x{V(1, 2, 3), V(0, 0, 0), V(-1, 0, Real(0.3))}, v(3, V(0, 0, 0));
+    Hash hash;
+    for (int i = 0; i < bits_steps; ++i) {
+        for (std::size_t k : {0u, 2u}) v[k] -= Real(0.0173 * 900) * x[k];
+        sweep.there_and_back(v, Real(0.0173));
+        for (std::size_t k = 0; k < 3; ++k) x[k] += Real(0.0173) * v[k], hash.add(x[k]);
+    }
+    row(hash, name_of<Real>, "springs and dampers", "dampers there and back");
 }
 
 template <class Real>
@@ -61,6 +79,8 @@ void print_plane() {
 inline void print_rows() {
     print_rope<float>();
     print_rope<double>();
+    print_dampers<float>();
+    print_dampers<double>();
     print_lanes<float>();
     print_lanes<double>();
     print_plane();
