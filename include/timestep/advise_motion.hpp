@@ -40,23 +40,23 @@ Square<N> squared(const Square<N>& a) {
     return b;
 }
 
-// A method on one spring, from rest at x = 1: what it holds after its first step, and the matrix of every
-// further one. The position comes first.
+// A method on one spring, from rest at x = 1 or thrown from x = 0 with v = 1: what it holds after its first step, and the
+// matrix of every further one. The position comes first, then the velocity.
 template <std::size_t N>
 struct Motion {
     Column<N> first;
     Square<N> step;
 };
 template <class Method>
-Motion<2> motion(const Method& method, long double zeta, long double s) {
+Motion<2> motion(const Method& method, long double zeta, long double s, bool thrown = false) {
     const auto a = matrix_of(method, zeta, s);
-    return {{a.xx, a.vx}, {{{a.xx, a.xv}, {a.vx, a.vv}}}};
+    return {thrown ? Column<2>{a.xv, a.vv} : Column<2>{a.xx, a.vx}, {{{a.xx, a.xv}, {a.vx, a.vv}}}};
 }
 // BDF2 holds two states, and makes the first step as the library's does.
-inline Motion<4> motion(const Bdf2&, long double zeta, long double s) {
+inline Motion<4> motion(const Bdf2&, long double zeta, long double s, bool thrown = false) {
     const DampedSpring<long double> spring(1, zeta);
-    const State<long double> rest{0, 1, 0}, first = bdf2.start(spring, rest, s);
-    Motion<4> made{{first.x, first.v, rest.x, rest.v}, {}};
+    const State<long double> start{0, thrown ? 0.0L : 1.0L, thrown ? 1.0L : 0.0L}, first = bdf2.start(spring, start, s);
+    Motion<4> made{{first.x, first.v, start.x, start.v}, {}};
     for (std::size_t i = 0; i < 4; ++i) {
         Column<4> y{};
         y[i] = 1;
@@ -99,13 +99,15 @@ private:
     int seen_ = 0;
 };
 
+// How far the positions get from those of a spring let go at rest, or the velocities from those of one thrown.
 // Every one of the first 256 steps, then 128 in each doubling, up to the last. An oscillation gets 128 samples or more,
 // and a curve that bends no harder than t sin t rises between them by a thousandth of itself, of which the
 // parabola leaves a hundredth; a fast decay, which is over long before the slow one, is seen at its own pace. A
 // part that turns its sign at every step shows beside each sample, in the step after it.
 template <std::size_t N>
 long double farthest(const Motion<N>& motion, const DampedSpring<long double>& spring, long double s,
-                     long long steps) {
+                     long long steps, bool thrown = false) {
+    const std::size_t seen = thrown ? 1 : 0;
     const auto exact = [&](long double t) {
         const auto a = spring.exact(State<long double>{0, 1, 0}, t), b = spring.exact(State<long double>{0, 0, 1}, t);
         return Square<2>{{{a.x, b.x}, {a.v, b.v}}};
@@ -113,15 +115,15 @@ long double farthest(const Motion<N>& motion, const DampedSpring<long double>& s
     std::vector<Square<N>> powers{motion.step};
     std::vector<Square<2>> truths{exact(s)};
     Column<N> now = motion.first;
-    Column<2> truth{truths[0][0][0], truths[0][1][0]};
+    Column<2> truth{truths[0][0][seen], truths[0][1][seen]};
     Farthest far;
     long long n = 1;
     const auto go = [&](std::size_t doublings) {
         now = times(powers[doublings], now), truth = times(truths[doublings], truth);
         n += 1LL << doublings;
-        doublings == 0 ? far.raise(now[0] - truth[0]) : far.look(now[0] - truth[0]);
+        doublings == 0 ? far.raise(now[seen] - truth[seen]) : far.look(now[seen] - truth[seen]);
     };
-    far.raise(now[0] - truth[0]);
+    far.raise(now[seen] - truth[seen]);
     while (n < steps && n < 256) go(0);
     std::size_t doublings = 0;
     while (n + (2LL << doublings) <= steps) {
@@ -132,7 +134,7 @@ long double farthest(const Motion<N>& motion, const DampedSpring<long double>& s
         far.new_stride();
         for (int i = 0; i < 128 && n + stride <= steps; ++i) {
             go(doublings);
-            if (n < steps) far.raise(times(powers[0], now)[0] - times(truths[0], truth)[0]);
+            if (n < steps) far.raise(times(powers[0], now)[seen] - times(truths[0], truth)[seen]);
         }
         if (n + stride > steps) break;
     }
@@ -151,6 +153,25 @@ double position_error(const Method& method, long double zeta, long double s) {
     const long double off = farthest(motion(method, zeta, s), DampedSpring<long double>(1, zeta), s,
                                      steps_of_first_swing(zeta, s));
     return static_cast<double>(std::fmax(off, lost));
+}
+
+// Beyond this damping ratio the fast of the two decays is less than a hundredth of the motion of a spring that is let
+// go at rest, p/(q − p) with the rates p and q: its positions do not show what becomes of a velocity.
+inline constexpr double hidden_decay = 5.1;
+
+// Is the fast decay hidden, and seen all the same by who throws the body: do three steps or more fit into its 2π/q? (Where
+// roundoff takes all of the slow motion no step is right anyway.)
+inline bool thrown_counts(double zeta, double s) {
+    if (zeta <= hidden_decay || roundoff(zeta, s) >= 1) return false;
+    return static_cast<double>(s / std::abs(exact_rate(zeta))) <= 2 * 3.14159265358979323846 / 3;  // 1/p is q, as ω is 1
+}
+
+// The largest error of the velocity, over the throw's, until the fast decay is over, 2π/q.
+template <class Method>
+double velocity_error(const Method& method, long double zeta, long double s) {
+    const long double steps = std::floor(2 * 3.14159265358979323846L * std::abs(exact_rate(zeta)) / s * (1 + 1e-12L));
+    return static_cast<double>(farthest(motion(method, zeta, s, true), DampedSpring<long double>(1, zeta), s,
+                                        steps < 3 ? 8 : static_cast<long long>(std::fmin(steps, 1e18L)), true));
 }
 
 }  // namespace timestep::detail

@@ -42,10 +42,8 @@ struct Wish {
 namespace detail {
 
 inline constexpr long most_substeps = 1'000'000;
-// In frames of uneven length so many substeps of Runge-Kutta 4 are worth it where nothing but stability is asked.
+// In frames of uneven length so many substeps of an explicit method are worth it where nothing but stability is asked.
 inline constexpr long few_substeps = 8;
-// So many times the cost of the cheapest the list's own method may have.
-inline constexpr double too_dear = 4;
 
 inline long pieces(double step, double longest) {
     const double n = std::ceil(step / longest * (1 - 1e-12));
@@ -55,7 +53,9 @@ inline long pieces(double step, double longest) {
 // Every method that is advised on, judged on the fastest oscillation.
 TIMESTEP_WHERE_CALLED
 void for_each_judged(const SpringScene& scene, const std::function<void(const Judged&)>& visit) {
-    const auto look = [&](const auto& method) { visit(judged(method, scene.fastest.zeta, scene.least.zeta)); };
+    const auto look = [&](const auto& method) {
+        visit(judged(method, scene.fastest.zeta, scene.least.zeta, scene.several, scene.thrown));
+    };
     for_each_method(look);
     look(semi_implicit_euler_new_damping);
     for_each_verlet_method(look);
@@ -116,42 +116,35 @@ inline Right right_frames(const Judged& method, const SpringScene& scene, double
     return {method.name};
 }
 
-// Asked for an accuracy: the list's method, or the cheapest that is right where that one costs far more.
+// Asked for an accuracy: the method that is right at the least cost, in whole substeps of h.
 TIMESTEP_WHERE_CALLED
 Recommendation precisely(const Choice& choice, const SpringScene& scene, double h, double wanted,
                                 const std::vector<Advice>& all) {
     std::vector<Right> found;
-    double least = std::numeric_limits<double>::infinity();
     if (scene.varying())
         for_each_judged(scene, [&](const Judged& method) {
             if (find(all, method.name)->verdict != Verdict::refused) found.push_back(right_frames(method, scene, h, wanted));
         });
     else
         for (const Advice& each : all) found.push_back(right_steps(each, scene, h));
-    const Advice* best = scene.varying() || scene.only_pulls ? nullptr : cheapest(all, h);
-    const Right *own = nullptr, *answer = nullptr, *any = nullptr;
-    const auto is_answer = [](const std::string& name) {
-        const auto& rows = choices();
-        return std::any_of(rows.begin(), rows.end(), [&](const Choice& row) { return row.method == name; });
-    };
+    // The cheapest where the last step need not be whole: of equally cheap ones it is the answer.
+    const Advice* listed = scene.varying() || scene.only_pulls ? nullptr : cheapest(all, h);
+    const Right *best = nullptr, *of_list = nullptr;
     for (const Right& each : found) {
-        if (each.method == choice.method) own = &each;
-        if (!any || each.cost < any->cost) any = &each;
-        if (is_answer(each.method) && (!answer || each.cost < answer->cost)) answer = &each;
+        if (!each.substeps) continue;
+        if (listed && each.method == listed->method) of_list = &each;
+        if (!best || each.cost < best->cost || (each.cost == best->cost && each.method == choice.method)) best = &each;
     }
-    least = best ? best_cost(*best, h) : any->cost;
-    const auto fair = [&](const Right* each) { return each && each->substeps && each->cost <= too_dear * least * (1 + 1e-9); };
-    Recommendation made{&choice, own ? own->substeps : 0, choice.method, choice.take, choice.why};
-    if (!fair(own) && any->substeps) {
-        const Right* taken = fair(answer) ? answer : any;
-        made.substeps = taken->substeps, made.method = taken->method;
-        made.take = "**" + taken->method + "**";
-        made.why = "as near as asked; " + choice.method +
-                   (own && own->substeps ? " would cost " + number(own->cost / taken->cost, 2) + " times as much"
-                                         : " is so at no step that was looked at");
-    }
+    Recommendation made{&choice, 0, choice.method, choice.take, choice.why};
+    if (!best) return made;
+    if (of_list && of_list->cost <= best->cost * (1 + 1e-9)) best = of_list;
+    made.substeps = best->substeps, made.method = best->method;
+    made.take = "**" + best->method + "**";
+    made.why = "as near as asked, at the least cost in whole substeps";
+    if (of_list && of_list != best)
+        made.why += ": " + listed->method + " would need " + std::to_string(of_list->substeps) + " of them";
     if (scene.varying()) made.take = "a constant step, by chapter 2's game loop; where that cannot be, **" + made.method + "**";
-    if (scene.only_pulls && made.substeps && made.method != implicit_euler.name)
+    if (scene.only_pulls && made.method != implicit_euler.name)
         made.why = "as near as asked while it is taut; nothing proves that it never gains when it goes taut";
     return made;
 }
@@ -171,8 +164,16 @@ Recommendation in_frames(const Choice& choice, const SpringScene& scene, double 
     if (!keeps_size && find(all, implicit_euler.name)->right) return taken(implicit_euler.name, 1, falls);
     const double turn = scene.fastest.omega * h;
     const long least = pieces(turn, alive_turn);
-    for (long n = std::max(1L, least); least && n <= few_substeps; ++n)
-        if (holds(in_substeps(runge_kutta_4.name, scene, h, n, 0.01))) return taken(runge_kutta_4.name, n, choice.why);
+    const auto substeps = [&](const char* method) {  // as few as hold; 0: too many
+        for (long n = std::max(1L, least); least && n <= few_substeps; ++n)
+            if (holds(in_substeps(method, scene, h, n, 0.01))) return n;
+        return 0L;
+    };
+    const long euler = substeps(semi_implicit_euler_new_damping.name), kutta = substeps(runge_kutta_4.name);
+    if (euler && (!kutta || euler <= 2 * kutta))  // a step costs half as much
+        return taken(semi_implicit_euler_new_damping.name, euler,
+                     "with this much damping, taken at the new velocity, one ellipse holds every step, however frames follow each other");
+    if (kutta) return taken(runge_kutta_4.name, kutta, choice.why);
     return taken(implicit_euler.name, 1, falls);
 }
 
@@ -217,11 +218,12 @@ Recommendation at_sight(const Choice& choice, const SpringScene& scene, double h
 
 /// The answer for steps of `h`, and the fewest substeps with which it is stable, does not ring, and is as near as
 /// was asked for. `all` is what advise() says of the same, to the accuracy of `wish`. Asked for an accuracy, it is the
-/// list's method where that costs no more than four times what the cheapest does, and a cheap one elsewhere.
+/// method that reaches it at the least cost, in whole substeps of `h`.
 TIMESTEP_WHERE_CALLED
-Recommendation recommend(const SpringScene& scene, double h, const Wish& wish, const std::vector<Advice>& all) {
+Recommendation recommend(SpringScene scene, double h, const Wish& wish, const std::vector<Advice>& all) {
+    scene.thrown = detail::thrown_counts(scene.fastest.zeta, scene.fastest.omega * h);
     const DampedSpring<double>& spring = scene.fastest;
-    const SpringQuestion question{spring.omega * h, spring.zeta, !scene.varying(), wish.precise, wish.keeps_size, scene.only_pulls, scene.is_net};
+    const SpringQuestion question{spring.omega * h, spring.zeta, !scene.varying(), wish.precise, wish.keeps_size, scene.only_pulls, scene.is_net, scene.is_joint};
     const Choice& choice = choose(question);
     Recommendation made = wish.precise      ? detail::precisely(choice, scene, h, wish.accuracy, all)
                           : scene.only_pulls ? detail::of_tether(choice, scene, h, wish.keeps_size)
@@ -231,7 +233,13 @@ Recommendation recommend(const SpringScene& scene, double h, const Wish& wish, c
         if (made.substeps == 0 || made.method.empty()) return Advice{};
         return detail::in_substeps(made.method, scene, h, made.substeps, wish.accuracy);
     };
+    const bool sweeps = scene.several && spring.zeta > 0 && made.method == semi_implicit_euler_new_damping.name;
     if (made.choice->name == "net") made.take = "**semi-implicit Euler**";
+    if (sweeps && wish.precise) made.take += ", all dampers solved for at once";
+    if (sweeps && !wish.precise && !scene.varying()) {
+        made.take = "**semi-implicit Euler**, the dampers swept there and back, half of each damper each way";
+        made.why = "with ωh below 2 no damping makes that blow up; a step costs one force per spring and two divisions per damper";
+    }
     if (made.choice->name == "net" && (made.substeps == 0 || made.substeps > net_substeps)) {
         const std::string many = made.substeps ? std::to_string(made.substeps) : "more than a million";
         made = {made.choice, 1, implicit_euler.name, "**implicit Euler**, and factorise", "semi-implicit Euler would want " + many + " substeps"};

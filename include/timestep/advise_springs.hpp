@@ -18,6 +18,7 @@ struct Pull {
     double most;        ///< 1/kg
     double least;       ///< 1/kg
     std::string found;  ///< the formula, in words
+    bool several;       ///< several springs or directions, each with a damper of its own
 };
 
 /// What a spring feels of a body that it takes hold of at the distance `arm` from its centre of mass: 1/m + r²/I
@@ -36,10 +37,10 @@ inline Pull springs_on_body(double mass, double springs, double arm = 0, double 
     if (!(springs >= 1 && springs <= 1e9 && springs == std::floor(springs)))
         refuse("springs", springs, "a whole number from 1 to 1e9");
     const double each = lightness(mass, arm, inertia);
-    if (springs == 1 && arm == 0) return {each, each, "k/m"};
+    if (springs == 1 && arm == 0) return {each, each, "k/m", false};
     const std::string count = springs == 1 ? "" : detail::number(springs) + "·";
     const std::string body = arm == 0 ? "k/m" : "k(1/m + r²/I)";
-    return {springs * each, std::max(1.0, springs / 3) / mass, count + body + ", if all pull at one end, one way"};
+    return {springs * each, std::max(1.0, springs / 3) / mass, count + body + ", if all pull at one end, one way", springs > 1};
 }
 
 /// Points of equal mass, each with `springs` springs to its neighbours: two in a chain, four in a cloth. Two
@@ -48,12 +49,12 @@ inline Pull springs_between(double mass, double springs) {
     positive("mass", mass);
     if (!(springs >= 1 && springs <= 1e9 && springs == std::floor(springs)))
         refuse("springs", springs, "a whole number from 1 to 1e9");
-    return {2 * springs / mass, 2 / mass, "2·" + detail::number(springs) + "k/m, neighbours against each other"};
+    return {2 * springs / mass, 2 / mass, "2·" + detail::number(springs) + "k/m, neighbours against each other", true};
 }
 
 /// One spring that holds two bodies together; `one` and `other` are their lightness() at its ends.
 inline Pull hinge(double one_mass, double one, double other_mass, double other) {
-    return {one + other, 1 / one_mass + 1 / other_mass, "k(1/m₁ + r₁²/I₁ + 1/m₂ + r₂²/I₂), pulling across both arms"};
+    return {one + other, 1 / one_mass + 1 / other_mass, "k(1/m₁ + r₁²/I₁ + 1/m₂ + r₂²/I₂), pulling across both arms", true};
 }
 
 /// The scene of these springs, each with the damper `damping`, N·s/m, beside it: an oscillation of ω has ζ = cω/2k.
@@ -64,14 +65,18 @@ inline SpringScene scene_of(const Pull& pull, double stiffness, double damping) 
         const double omega = root * std::sqrt(share);
         return DampedSpring<double>(omega, damping / root * std::sqrt(share) / 2);
     };
-    return {swing(pull.most), swing(pull.least), pull.found};
+    SpringScene scene(swing(pull.most), swing(pull.least), pull.found);
+    scene.several = pull.several;
+    return scene;
 }
 
 /// The same where the damping ratio of the fastest oscillation is known.
 inline SpringScene scene_of_zeta(const Pull& pull, double stiffness, double zeta) {
     const double root = std::sqrt(positive("stiffness", stiffness));
-    return {DampedSpring<double>(root * std::sqrt(pull.most), zeta),
-            DampedSpring<double>(root * std::sqrt(pull.least), zeta), pull.found};
+    SpringScene scene(DampedSpring<double>(root * std::sqrt(pull.most), zeta),
+                      DampedSpring<double>(root * std::sqrt(pull.least), zeta), pull.found);
+    scene.several = pull.several;
+    return scene;
 }
 
 }  // namespace timestep

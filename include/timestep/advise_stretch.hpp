@@ -28,7 +28,9 @@ struct Judged {
     bool one_pattern;     // steps of all lengths are functions of one matrix
     bool two_steps;       // it takes the last two states for one curve
     bool implicit_euler;  // the one with a proof for tethers
+    bool new_damping;     // semi-implicit Euler with the damping at the new velocity
     StabilityLimit limit, least_limit;  // for the fastest oscillation, and for the slowest that it can be
+    StabilityLimit at_once;             // the first of them where all dampers are solved for at once
     std::function<std::vector<Complex>(long double s)> multipliers;
     std::function<double(long double s)> position_error;
     MatrixOf matrix;  // of a step that is not like the one before
@@ -56,18 +58,26 @@ const auto& when_step_changes(const Method& method) {
 }
 inline const auto& when_step_changes(const Bdf2&) { return implicit_midpoint; }
 
+// `several`: several dampers. `thrown`: the start that counts besides, see advise().
 template <class Method>
-Judged judged(const Method& method, double zeta, double least_zeta) {
+Judged judged(const Method& method, double zeta, double least_zeta, bool several = false, bool thrown = false) {
+    constexpr bool new_damping = std::is_same_v<Method, SemiImplicitEulerNewDamping>;
+    const StabilityLimit at_once = stability_limit(method, zeta);
     return {method.name,
             method.cost.evaluations + method.cost.solves,
             takes_damping<Method>,
             one_pattern<Method>,
             std::is_same_v<Method, Bdf2>,
             std::is_same_v<Method, ImplicitEuler>,
-            stability_limit(method, zeta),
+            new_damping,
+            new_damping && several && zeta > 0 ? StabilityLimit{2, "2"} : at_once,
             stability_limit(method, least_zeta),
+            at_once,
             [=](long double s) { return multipliers(method, zeta, s); },
-            [=](long double s) { return position_error(method, zeta, s); },
+            [=](long double s) {
+                const double let_go = position_error(method, zeta, s);
+                return thrown ? std::fmax(let_go, velocity_error(method, zeta, s)) : let_go;
+            },
             [=](long double s) { return matrix_of(when_step_changes(method), zeta, s); }};
 }
 

@@ -46,10 +46,13 @@ struct SpringScene {
     DampedSpring<double> least;    ///< and this one at least
     bool only_pulls = false;       ///< a tether: it lets go when it is slack
     bool is_net = false;           ///< many springs, between many masses
+    bool is_joint = false;         ///< a hinge: one place of two bodies, held together
+    bool several = false;          ///< several springs, each with the damper beside it
     bool kicks = false;            ///< do impulses come between the steps?
     double shortest_frame = 0;     ///< s; 0: every step is as long as the last
     double longest_frame = 0;      ///< s
     std::string found{};           ///< how the fastest oscillation was found, in a line
+    bool thrown = false;           ///< does the velocity after a throw count, too? advise() and recommend() find out
 
     /// One spring, of which all is known.
     SpringScene(const DampedSpring<double>& spring) : fastest(spring), least(spring) {}
@@ -90,6 +93,17 @@ inline Said constant_step(const SpringScene& scene, double h, const StabilityLim
     if (at_least == Verdict::grows) return {Verdict::grows, reason(low, least) + ", at least"};
     return {Verdict::not_proven,
             "ωh is " + number(least) + " to " + number(s) + ", and " + number(high.value) + " the limit"};
+}
+
+// Several dampers at the new velocity, one after another there and back with half of each damper each way, or all in one
+// system of equations. Either way v₂ = P (v₁ − h A x₁) with P symmetric, 0 < P ≤ 1, masses as the measure. An eigenvalue λ of
+// the step solves (1 + c) λ² − (2 + c − s) λ + 1 = 0 with c ≥ 0 from P⁻¹ − 1 and s from h²A, both taken at its eigenvector. Up
+// to s = 4, ωh = 2 without the dampers, |λ| ≤ 1. Beyond it `high` and `low` are the limits of one system of equations.
+inline Said several_dampers(const SpringScene& scene, double h, const StabilityLimit& high, const StabilityLimit& low) {
+    const double s = scene.fastest.omega * h, least = scene.least.omega * h;
+    if (verdict(s, 2) == Verdict::stable) return {Verdict::stable, "ωh = " + number(s) + " < 2, dampers there and back or all at once"};
+    if (verdict(least, low.value) == Verdict::grows) return {Verdict::grows, reason(low, least) + ", at least, dampers all at once"};
+    return {Verdict::not_proven, "ωh = " + number(s) + " at most: proven below 2; with all dampers at once below " + number(high.value)};
 }
 
 // A tether that lets go and takes hold between two steps can be stretched, when it takes hold, by more than its

@@ -13,7 +13,7 @@
 
 namespace timestep {
 
-/// Up to this ωh an oscillation looks alive by semi-implicit Euler: six steps a period.
+/// Up to this ωh an oscillation looks alive under semi-implicit Euler: six steps per period.
 inline constexpr double alive_turn = 1;
 /// Up to this ωh semi-implicit Euler keeps the energy of a pendulum in the spring's band, let go anywhere up to 3.1 rad, as
 /// chapter 3 has measured. At twice that one let go near its top goes over it.
@@ -74,7 +74,7 @@ inline const std::vector<Choice>& choices() {
                              pendulum = plain(pendulum_turn), tether = plain(tether_turn), ended = plain(ended_swing),
                              uneven = "1/" + plain(1 / fair_uneven_turn);
     static const std::vector<Choice> all{
-        {"positions", "many points whose links are put right after each step (a rope, a cloth), and forces of the position alone",
+        {"positions", "many points whose links must only keep their length and are put right after each step (a rope, a cloth), and forces of the position alone",
          "**Verlet**", "move a point, and its velocity follows; to set a velocity, move the position before",
          "ch4_rope", "Verlet"},
         {"bumps", "things that do little else than bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
@@ -85,20 +85,28 @@ inline const std::vector<Choice>& choices() {
         {"uneven", "steps of uneven length, where chapter 2's game loop cannot be used",
          "**Runge–Kutta 4**, in substeps of ωh and ζωh at most " + alive +
          ". For anything faster or more damped, implicit Euler; where an oscillation must keep its size, implicit midpoint",
-         "with ωh and ζωh at most " + alive + " no mixture of step lengths blows it up on a spring; semi-implicit Euler and Verlet may blow up in "
-         "a mixture: chapter 2's panel shows it for the first", "ch6_kicks", "Runge-Kutta 4"},
+         "with ωh and ζωh at most " + alive + " no mixture of step lengths blows it up on a spring. Without a damper semi-implicit Euler and Verlet "
+         "may blow up in a mixture: chapter 2's panel shows it for the first. With enough damping, taken at the new velocity, semi-implicit "
+         "Euler does not: the command advise says whether yours is enough", "ch6_kicks", "Runge-Kutta 4"},
         {"smooth", "a smooth motion, right to one percent or better, ζ below " + stiff, "**Runge–Kutta 4**, with ωh and ζωh up to " + fine,
-         "a percent over four periods for four forces a step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
+         "a percent over four periods for four forces per step, and an error that falls with the fourth power of the step", "ch7_spring", "Runge-Kutta 4"},
         {"smooth_pull", "the same, ζ " + stiff + " or more", "**BDF2**, restarted after each kick (an impulse), in substeps of ωh at most " + plain(fine_pull) + " ζ",
          "its steps follow the slow part, the fast one dies; the first step after a kick may be off by nearly all that the kick does", "ch6_stiff", "BDF2"},
-        {"swing", "most of a game: ωh at most " + twice + " in a frame, cut into steps of one length, ωh at most " + alive + " (" + pendulum + " for a pendulum that swings far)",
+        {"swing", "most of a game: ωh at most " + twice + " per frame, cut into equal steps with ωh at most " + alive + " (" + pendulum + " for a pendulum that swings far)",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "one force a step; no damper makes it blow up (several dampers at one mass: one after another); on springs and pendulums its energy oscillates, but does not drift", "ch3_energy",
+         "one force and one division per step. With ωh below 2 the damper of a spring cannot make it blow up. Several dampers cannot either "
+         "if you sweep over them there and back, with half of each damper each way, or solve for all of them at once; one way only, they can. "
+         "On springs and pendulums, whose force depends on the position only, the energy oscillates but does not drift. Where a force depends on the velocity in "
+         "other ways, as in a double pendulum in angles, the energy may drift: chapter 6", "ch3_energy",
          "semi-implicit Euler, new damping"},
         {"net", "many stiff springs between many masses, a net, a cloth, ωh above " + twice,
-         "**semi-implicit Euler**, in substeps of ωh below 2; where these are too many, **implicit Euler**, and factorise: solve the step's equations by elimination",
-         "a substep costs a force for each spring, a factorisation as much as many substeps: how many, the section on cloth has measured. Hard dampers want shorter substeps",
-         "ch6_cloth", "semi-implicit Euler"},
+         "**semi-implicit Euler**, in substeps of ωh below 2, with the dampers swept there and back as in the line before; where these are too many, **implicit Euler**, and factorise: solve the step's equations by elimination",
+         "a substep costs one force per spring and two divisions per damper, a factorisation as much as many substeps: how many, the section on cloth has measured",
+         "ch6_cloth", "semi-implicit Euler, new damping"},
+        {"joint", "two bodies held together by a stiff spring, a hinge or a drive, ωh above " + twice,
+         "**implicit Euler**: the joint as a soft constraint, all its directions in one small system of equations",
+         "near the joint's rest place its energy never rises, whatever the step. It does not show an oscillation that is faster than the frame, it ends it. "
+         "Several stiff joints at one body, solved one after another, may blow up: solve them at once, or use substeps", "ch3_soft", "implicit Euler"},
         {"pull", "a stiff pull to a target: ωh above " + twice + ", ζωh at least " + ended + ". Or a decay, whose rate times h is above " + ended + " (a damper alone decays at the rate c/m)", "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
         {"keeps_size", "an oscillation too fast for the frame, ωh above " + twice + ", that must keep its size", "**implicit midpoint**, with a constant step",
@@ -168,6 +176,7 @@ struct SpringQuestion {
     bool keeps_size = false;  ///< must an oscillation faster than the frame be kept?
     bool only_pulls = false;  ///< is it a tether, which goes slack?
     bool is_net = false;      ///< are there many springs, between many masses?
+    bool is_joint = false;    ///< is it a joint between two bodies?
 };
 
 /// The way down the tree for a spring. A step of an implicit method costs a force and a solve, as much as two of
@@ -178,6 +187,7 @@ inline const Choice& choose(const SpringQuestion& spring) {
     if (spring.precise) return choice(spring.zeta < stiff_decay ? "smooth" : "smooth_pull");
     if (spring.turn <= 2 * alive_turn) return choice("swing");
     if (spring.is_net) return choice("net");
+    if (spring.is_joint) return choice("joint");
     if (spring.zeta >= 1 || spring.zeta * spring.turn >= ended_swing) return choice("pull");
     return choice(spring.keeps_size ? "keeps_size" : "unseen");
 }

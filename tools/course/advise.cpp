@@ -14,6 +14,12 @@ double step_of(const Question& question) {
     return 1 / timestep::positive("rate", question.rate.value_or(60));
 }
 
+double accuracy_of(const Question& question) {
+    const double accuracy = question.accuracy.value_or(1);
+    if (!(accuracy >= 1e-6 && accuracy <= 50)) timestep::refuse("accuracy", accuracy, "from 1e-6 to 50 percent");
+    return accuracy;
+}
+
 namespace {
 
 void refuse_what_a_body_has(const Question& question) {
@@ -39,10 +45,12 @@ void advise(const Question& question, bool json) {
             refuse_what_a_body_has(question);
         if (body)
             advise_body(question, json);
+        else if (question.damping && !question.stiffness && !question.omega && !question.zeta)
+            advise_damper(question, json);
         else if (question.omega || question.stiffness || question.mass || question.kind != "spring")
             advise_spring(question, json);
         else
-            refuse("a spring (--omega, or --stiffness with --mass) or a spinning body (--inertia with --spin) is needed");
+            refuse("a spring (--omega, or --stiffness with --mass), a damper alone (--damping with --mass) or a spinning body (--inertia with --spin) is needed");
     } catch (const std::invalid_argument& error) {
         throw Stop(Status::bad_use, error.what());
     }

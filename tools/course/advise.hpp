@@ -13,8 +13,10 @@ namespace course {
 }
 
 double step_of(const Question& question);
+double accuracy_of(const Question& question);  // percent
 
 void advise_spring(const Question& question, bool json);
+void advise_damper(const Question& question, bool json);
 void advise_body(const Question& question, bool json);
 
 }  // namespace course

@@ -81,6 +81,7 @@ timestep::SpringScene scene_of(const Question& question) {
     timestep::SpringScene scene = springs_of(question);
     scene.only_pulls = question.kind == "tether";
     scene.is_net = question.kind == "chain" || question.kind == "cloth";
+    scene.is_joint = question.kind == "hinge";
     scene.kicks = question.kicks;
     if (!question.frames.empty()) {
         scene.shortest_frame = timestep::positive("shortest frame", question.frames.front());

@@ -40,6 +40,11 @@ struct Asked {
 // can hold becomes infinity or zero, which nobody has typed.
 std::string no_double(const std::string& word) {
     if (word.empty()) return "'' is no number";
+    if (const std::size_t comma = word.find(','); comma != std::string::npos && word.find_first_not_of("0123456789,-+eE") == std::string::npos) {
+        std::string point = word;
+        point[comma] = '.';
+        return sanitized_line(word) + " is not a number; write " + sanitized_line(point);
+    }
     const double value = std::strtod(word.c_str(), nullptr);
     const auto shown = [&] { return "'" + sanitized_line(word) + "' is "; };
     if (std::isinf(value) && word.find_first_of("iI") == std::string::npos)
@@ -54,7 +59,7 @@ std::string no_double(const std::string& word) {
 template <class Number>
 void declare_springs(CLI::App& advise, Question& question, const Number& number) {
     advise.add_option("--kind", question.kind, "spring, chain, cloth, tether (it only pulls) or hinge")->type_name("NAME");
-    number("--springs", question.springs, "N", "so many springs on the body; from a point of a chain or cloth");
+    number("--springs", question.springs, "N", "so many springs on the body; at each point of a chain (2) or a cloth (4)");
     number("--arm", question.arm, "M", "from its centre of mass to where they take hold, with --turning");
     number("--turning", question.turning, "KG*M^2", "the body's least moment of inertia");
     number("--other-mass", question.other_mass, "KG", "a hinge's other body; none given: like the first");
@@ -74,20 +79,20 @@ void declare_advise(CLI::App& app, Asked& asked) {
     number("--stiffness", question.stiffness, "N/M", "its stiffness, with --mass");
     number("--mass", question.mass, "KG", "the mass on it");
     number("--zeta", question.zeta, "RATIO", "damping ratio; none given: no damper; or:");
-    number("--damping", question.damping, "N*S/M", "the damper, with --stiffness and --mass");
+    number("--damping", question.damping, "N*S/M", "the damper, with --stiffness and --mass; with --mass only: a damper alone");
     const auto three = [&](const char* flag, auto& value, const char* unit, const char* words) {
         advise->add_option(flag, value, words)->type_name(unit)->delimiter(',')->expected(3)->check(no_double);
     };
     three("--inertia", question.inertia, "A,B,C", "a spinning body's three moments, kg m², with --spin");
     three("--spin", question.spin, "X,Y,Z", "its angular velocity, rad/s");
     number("--step", question.step, "S", "the time step, or:");
-    number("--rate", question.rate, "HZ", "steps a second; neither given: 60");
+    number("--rate", question.rate, "HZ", "steps per second; neither given: 60");
     advise->add_option("--frames", question.frames, "or frames of uneven length: the shortest and the longest, s")
         ->type_name("SHORTEST,LONGEST")
         ->delimiter(',')
         ->expected(2)
         ->check(no_double);
-    number("--accuracy", question.accuracy, "PERCENT", "how far off a position of the first period may be (1)");
+    number("--accuracy", question.accuracy, "PERCENT", "recommend the cheapest method whose positions in the first period are off by at most this; none given: the list of \"Which method?\", and 1 in the table");
     declare_springs(*advise, question, number);
     // Of a body.
     number("--count", question.count, "NUMBER", "so many bodies like this one (1)");

@@ -104,7 +104,7 @@ struct Question {
     std::optional<double> omega, stiffness, mass, damping, zeta;  ///< rad/s, N/m, kg, N s/m, no unit
     std::optional<double> step, rate;                             ///< s, 1/s
     std::vector<double> inertia, spin;                            ///< kg m², rad/s
-    std::optional<double> accuracy;                               ///< percent; 1 where not given
+    std::optional<double> accuracy;                               ///< percent; not given: nothing asked, and 1 in the table
     std::vector<double> frames;                                   ///< the shortest and the longest, s, where they differ
 
     // Of a body.
