@@ -29,6 +29,7 @@ struct Recommendation {
     std::string why{};     ///< the same of the reason
     double position_error = std::numeric_limits<double>::quiet_NaN();  ///< at those substeps: see Advice
     double rate_error = std::numeric_limits<double>::quiet_NaN();      ///< at those substeps
+    bool swept = false;  ///< are dampers swept there and back? Then both errors are those of all dampers at once
 };
 
 /// What of a spring in a game the numbers do not tell.
@@ -235,9 +236,13 @@ Recommendation recommend(SpringScene scene, double h, const Wish& wish, const st
     };
     const bool sweeps = scene.several && spring.zeta > 0 && made.method == semi_implicit_euler_new_damping.name;
     if (made.choice->name == "net") made.take = "**semi-implicit Euler**";
+    if (made.choice->name == "swing" && !scene.several && !wish.precise)
+        made.why = std::string("one force and one division per step; ") +
+                   (spring.zeta > 0 ? "with ωh below 2 its damper cannot make it blow up"
+                                    : "the energy of a spring oscillates, but does not drift. It may drift where a force depends on the velocity: see chapter 6");
     if (sweeps && wish.precise) made.take += ", all dampers solved for at once";
     if (sweeps && !wish.precise && !scene.varying()) {
-        made.take = "**semi-implicit Euler**, the dampers swept there and back, half of each damper each way";
+        made.swept = true, made.take = "**semi-implicit Euler**, the dampers swept there and back, half of each damper each way";
         made.why = "with ωh below 2 no damping makes that blow up; a step costs one force per spring and two divisions per damper";
     }
     if (made.choice->name == "net" && (made.substeps == 0 || made.substeps > net_substeps)) {

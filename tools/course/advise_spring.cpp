@@ -102,7 +102,7 @@ void advise_spring(const Question& question, bool json) {
                                            : "At 60 steps per second";
         const Step asked{h, name, question.step || question.rate};
         print(all, scene, asked, accuracy);
-        print_recommended(answer, asked, scene.varying(), span(scene) + (scene.only_pulls ? " if it is taut" : ""));
+        print_recommended(answer, asked, scene.varying(), span(scene) + (scene.only_pulls ? " if it is taut" : scene.thrown ? ", let go or thrown" : ""));
     }
 }
 

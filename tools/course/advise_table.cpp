@@ -66,8 +66,8 @@ Json as_json(const timestep::Recommendation& answer, const std::vector<Advice>& 
               {"take", without_stars(answer.take)},
               {"why", answer.why},
               {"where", answer.choice->where},
-              {"position_error_percent", finite(100 * answer.position_error)},
-              {"rate_error_percent", finite(100 * answer.rate_error)}}}};
+              {"position_error_percent", answer.swept ? Json(nullptr) : finite(100 * answer.position_error)},
+              {"rate_error_percent", answer.swept ? Json(nullptr) : finite(100 * answer.rate_error)}}}};
 }
 
 std::string off(double error) {
@@ -134,7 +134,7 @@ void print_recommended(const timestep::Recommendation& answer, const Step& asked
     if (answer.substeps == 0) words += ", though no million substeps would do";
     words += "; " + answer.why + " (chapter " + answer.choice->where.substr(answer.choice->where.find('_') - 1, 1) + ").";
     if (!std::isnan(answer.position_error)) {
-        words += " Off by " + off(answer.position_error) + " " + where;
+        words += (answer.swept ? " With all dampers solved for at once: off by " : " Off by ") + off(answer.position_error) + " " + where;
         words += varying || std::isnan(answer.rate_error) ? "." : std::string(where == "in the velocity" ? ", in the rate of decay by " : ", in frequency and decay by ") + off(answer.rate_error) + ".";
     }
     line(words);

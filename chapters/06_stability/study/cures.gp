@@ -28,6 +28,21 @@ plot "kick.tsv" using 1:2 with lines @exact title "exact, and all three once tol
      "" using 1:4 with lines @adams_bashforth title "Adams–Bashforth", \
      "" using 1:5 with lines @verlet title "Verlet"
 
+# The energy of a double pendulum in angles.
+call figure "drift.svg" 640 420 500
+set autoscale
+set logscale y
+set xlabel "minutes, at 60 frames per second\n " offset 0,0.4
+set ylabel "energy over the first"
+set xrange [0:10]
+set yrange [0.05:20]
+set key outside bottom center horizontal reverse Left
+@key_below
+plot "drift.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit Euler", \
+     "" using 1:3 with lines @first title "semi-implicit Euler, four steps per frame", \
+     "" using 1:4 with lines @runge_kutta_4 title "RK4"
+unset logscale
+
 # The longest step of a plank on one spring.
 call figure "effective_mass.svg" 640 420 500
 set autoscale

@@ -31,6 +31,7 @@ void boundary(const Settings&, lab::Findings&);           // boundary.cpp
 void stiff_springs(const Settings&, lab::Findings&);      // stiff_springs.cpp
 void two_scales(const Settings&, lab::Findings&);         // two_scales.cpp
 void kicks(const Settings&, lab::Findings&);              // kicks.cpp
+void velocity_forces(const Settings&, lab::Findings&);    // velocity_forces.cpp
 void cures(const Settings&, lab::Findings&);              // cures.cpp
 void prothero_robinson(const Settings&, lab::Findings&);  // prothero.cpp
 void reactions(const Settings&, lab::Findings&);          // reactions.cpp

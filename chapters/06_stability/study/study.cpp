@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
         stiff_springs(settings, out);
         two_scales(settings, out);
         kicks(settings, out);
+        velocity_forces(settings, out);
         cures(settings, out);
         prothero_robinson(settings, out);
         reactions(settings, out);
