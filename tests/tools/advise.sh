@@ -181,7 +181,7 @@ test_the_error_is_told_at_the_substeps_too() {
     says joined '(chapter 3). Off by 42 % in the first period, in frequency and decay by'
     expect 0 course advise --omega 10 --accuracy 1
     joined
-    says joined '(chapter 7). Off by 0.00'
+    says joined '(chapter 7). Off by 0.56 %'
 }
 
 test_what_decays_has_no_oscillation() {
