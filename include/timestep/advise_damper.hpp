@@ -84,22 +84,29 @@ inline double damper_error(const JudgedDamper& method, double z) {
         }
         return static_cast<double>(most);
     }
-    long double before = 1, now = first;
-    for (int n = 1; n <= (fit < 3 ? 8 : static_cast<int>(fit)); ++n) {
-        most = std::max(most, std::abs(now - std::exp(-static_cast<long double>(n) * z)));
+    const long double left = std::exp(-static_cast<long double>(z));
+    long double before = 1, now = first, truth = left;
+    for (int n = 1; n <= (fit < 3 ? 8 : static_cast<int>(fit)); ++n, truth *= left) {
+        most = std::max(most, std::abs(now - truth));
         const long double next = two_steps ? (4 * now - before) / (3 + 2 * static_cast<long double>(z)) : factor * now;
         before = now, now = next;
     }
     return static_cast<double>(most);
 }
 
-// The end of the stretch of right ch/m, from short ones on.
+// How wrong the rate of the decay is; NaN where the velocity turns its sign.
+inline double damper_rate_error(const JudgedDamper& method, double z) {
+    const long double factor = method.factor(z);
+    return factor > 0 ? static_cast<double>(std::abs(-std::log(factor) / z - 1)) : std::numeric_limits<double>::quiet_NaN();
+}
+
+// The end of the stretch of right ch/m. It begins below 2 `wanted`: a method of order one is off by z/(2e) there.
 inline double right_damper_step(const JudgedDamper& method, double wanted) {
     const auto good = [&](double z) {
         return verdict(z, method.limit) == Verdict::stable && method.factor(z) >= rings_below && damper_error(method, z) <= wanted;
     };
-    double low = wanted / 10, high = low;
-    while (high < 1e3 && good(high)) low = high, high *= 1.02;
+    double low = wanted, high = 2 * wanted;
+    while (high < 1e3 && good(high)) low = high, high *= 1.05;
     for (int i = 0; i < 40; ++i) {
         const double middle = low + (high - low) / 2;
         (good(middle) ? low : high) = middle;
@@ -126,7 +133,7 @@ inline Advice advise_damper(const JudgedDamper& method, double rate, double h, d
     advice.energy_ratio = static_cast<double>(std::exp(energy)), advice.energy_drift = static_cast<double>(std::expm1(energy));
     advice.period_error = nan;
     advice.position_error = damper_error(method, z);
-    advice.rate_error = factor > 0 ? static_cast<double>(std::abs(-std::log(factor) / z - 1)) : nan;
+    advice.rate_error = damper_rate_error(method, z);
     advice.cost = method.work / h, advice.step = h;
     if (advice.verdict == Verdict::stable && factor < rings_below) {
         advice.ringing = static_cast<double>(factor);
@@ -180,8 +187,8 @@ Recommendation recommend_damper(double rate, double h, const Wish& wish, const s
     }
     for (const auto& method : detail::judged_dampers()) {
         if (made.method != method.name || made.substeps == 0) continue;
-        const Advice at = detail::advise_damper(method, rate, h / double(made.substeps), wish.accuracy);
-        made.position_error = at.position_error, made.rate_error = at.rate_error;
+        const double z = rate * h / double(made.substeps);
+        made.position_error = detail::damper_error(method, z), made.rate_error = detail::damper_rate_error(method, z);
     }
     return made;
 }

@@ -82,7 +82,7 @@ TEST_CASE("a damper alone goes down the list, or to the least cost that reaches 
 
 // 1e-9 N/m and 60 N s/m on a kilogram: explicit Euler stops the body in one step, the true motion keeps 37 % of its speed.
 TEST_CASE("a spring that hardly pulls does not hide what its damper does to a throw", "[library][I13]") {
-    for (const double stiffness : {1e-9, 1e-3, 1.0, 20.0}) {
+    for (const double stiffness : {1e-9, 1.0}) {
         const auto spring = DampedSpring<double>::from_stiffness(stiffness, 60, 1);
         const double h = 1.0 / 60, fast = spring.omega * detail::fast_decay(spring.zeta);
         const auto all = advise(spring, h);
@@ -98,6 +98,7 @@ TEST_CASE("a spring that hardly pulls does not hide what its damper does to a th
         });
     }
     // Over within three steps a throw is not looked at: the stiff pull of a controller.
-    CHECK(of(advise(DampedSpring<double>(5, 20), 1.0 / 60), "implicit Euler").right);
-    CHECK_FALSE(of(advise(DampedSpring<double>(5, 20), 1.0 / 240), "implicit Euler").right);
+    CHECK_FALSE(detail::thrown_counts(20, 5.0 / 60));
+    CHECK(detail::thrown_counts(20, 5.0 / 240));
+    CHECK_FALSE(detail::thrown_counts(5, 5.0 / 240));  // its positions show both decays
 }

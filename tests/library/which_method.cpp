@@ -99,6 +99,8 @@ TEST_CASE("hard dampers not along one line blow up one after another one way, an
     CHECK(energy_after_a_second(1) < 1);
     CHECK(energy_after_a_second(2) < 1);
     CHECK(choice("swing").why.find("sweep over them there and back") != std::string::npos);
+    CHECK(choice("swing").why.find("no damper makes it blow up") == std::string::npos);
+    CHECK(choice("swing").why.find("whose force depends on the position only, the energy oscillates but does not drift") != std::string::npos);
     CHECK(choice("net").take.find("swept there and back") != std::string::npos);
 }
 
