@@ -23,7 +23,7 @@ struct Root {
 /// The tangent at x is f(x) + J(x) (x₂ − x); its root is the next x. Near a simple root the number of
 /// right digits doubles each time. Far from it, where the function bends, the tangent's root may be worse
 /// than x itself; then half of the way is tried, and half again, until f(x) shrinks. So a function that
-/// rises everywhere is solved from anywhere, if 50 corrections get there. After as many it ends, or
+/// rises everywhere is solved from anywhere, if 50 corrections get there. It ends after as many, or
 /// in a place where |f| is least and not zero: there the tangent still asks for a long way, of which
 /// nothing is taken, and that is no root. x is NaN where nobody knows the way: the tangent is too steep
 /// for numbers, or f(x) or the correction is too large.
@@ -31,21 +31,25 @@ struct Root {
 /// It stops when a correction is some ε times the largest size that x has had on the way: near a root
 /// at zero, x itself would be no measure. It is meant for starts of about the size of the root, as a
 /// time step gives them. Where f is made of large terms that cancel, as at rest on a stiff spring, f
-/// stops shrinking sooner, at the roundoff of those terms, and halving ends it there. That is a root if
-/// the tangent's whole way was short, half of the digits.
+/// stops shrinking sooner, at the roundoff of those terms. There halving ends it, or it goes to and fro
+/// until 50 corrections are over, as with a pendulum after a hundred turns, whose angle rounds by far more
+/// than its velocity. Either is a root if the tangent's last way, before halving, was short: at most √ε of
+/// that largest size. For near a simple root of a smooth f the next way is its square, some ε, and the loop
+/// would have ended: what is left is roundoff.
 /// [newton]
 template <class X, class Function, class Jacobian>
 Root<X> newton_raphson(X x, const Function& f, const Jacobian& jacobian) {
     const real_of<X> epsilon = std::numeric_limits<real_of<X>>::epsilon(), digits = 4 * epsilon;
     real_of<X> largest = safe_magnitude(x);
     X residual = f(x);
+    bool short_way = false;
     for (int i = 0; i < 50; ++i) {
         const auto& tangent = jacobian(x);
         X correction = solve(tangent, residual);
         real_of<X> size = safe_magnitude(correction);
-        const real_of<X> whole = size;
         if (!is_finite(tangent) || !is_finite(size + largest))
             return {X(std::numeric_limits<real_of<X>>::quiet_NaN() * x), false};
+        short_way = size <= std::sqrt(epsilon) * largest;
         X next = x - correction;
         X left = residual;
         while (size > digits * largest) {
@@ -55,12 +59,12 @@ Root<X> newton_raphson(X x, const Function& f, const Jacobian& jacobian) {
             size /= 2;
             next = x - correction;
         }
-        if (size <= digits * largest) return {next, whole <= std::sqrt(epsilon) * largest};
+        if (size <= digits * largest) return {next, short_way};
         x = next;
         residual = left;
         largest = std::max(largest, safe_magnitude(x));
     }
-    return {x, false};
+    return {x, short_way};
 }
 /// [newton]
 
