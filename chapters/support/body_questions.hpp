@@ -166,7 +166,7 @@ inline std::vector<Contest> recommended(long how_many, unsigned long seed, doubl
         if (random.even(0, 2) < 1 && !(q.inertia.ratio.array() == 0).any()) q.direction = random.near_middle(q.inertia);
         const Frames frames(q.even ? h : h / 3, h);
         const Vector omega = q.turn / h * q.direction;
-        const BodyRecommendation take = recommend(q.inertia, omega.norm(), frames, false, q.count);
+        const BodyRecommendation take = recommend(q.inertia, omega, frames, false, q.count);
         double price = 0, off = NAN;
         const auto run = [&](const auto& rule, long substeps) {
             const Frames shorter((q.even ? h : h / 3) / double(substeps), h / double(substeps));

@@ -236,17 +236,47 @@ struct BodyRecommendation {
     long long substeps = 1;  ///< in so many of them a frame
 };
 
-/// The way down the tree for this body. Throws `std::invalid_argument` where the spin is no number above zero, or so fast that
-/// 1e9 substeps of what is fair to a free body would not do: nobody waits for them.
-inline BodyRecommendation recommend(const PrincipalInertia<double>& inertia, double spin, const Frames& frames,
-                                    bool contacts = false, long count = 1, bool callback = false) {
+/// \cond
+namespace detail {
+// |ω̇| is at most a |ω|²/√3, a the largest of the ratios. So a body that is turned by its first ω is off by at most
+// a (|ω| t)²/2√3 after t seconds, and t is two. (A third instead of 1/2√3: |ω| grows by a share of a at most.)
+inline bool passes_for_ball(const PrincipalInertia<double>& inertia, double spin) {
+    const double a = inertia.ratio.cwiseAbs().maxCoeff();
+    return a <= nearly_equal && a * (2 * spin) * (2 * spin) / 3 <= right_orientation;
+}
+
+// Two moments that are all but equal count as equal where the step that equal ones get is right for this body. In the
+// air that is ball and remainder 2, with the body's true moments. The throw that is asked about decides: about the length
+// it may be right, across wrong. For a callback it is one Newton step, which must add next to no energy in any direction,
+// as contacts turn the spin. With contacts alone the calm half-step of three moments is all but that of two.
+inline bool passes_for_symmetric(const PrincipalInertia<double>& inertia, const Vector3<double>& omega,
+                                 const Frames& frames, bool contacts, bool callback) {
+    if (!closest_moments(inertia).all_but_equal() || contacts != callback) return false;
+    const double turn = frames.longest() * omega.stableNorm();
+    if (callback)
+        return turn < unbounded_step(inertia, 1) &&
+               worst_direction(ImplicitGyroscopic{}, inertia, turn, 1, 1.001).gain <= 1.001;
+    return throw_body(symmetric_remainder_2, inertia, as_thrown(omega), frames, 2).off <= right_orientation;
+}
+}  // namespace detail
+/// \endcond
+
+/// The way down the tree for this body, spun with `omega`, rad/s in its own axes. Throws `std::invalid_argument` where the
+/// spin is not above zero and finite, or so fast that 1e9 substeps of what is fair to a free body would not do: nobody waits
+/// for them.
+TIMESTEP_WHERE_CALLED
+BodyRecommendation recommend(const PrincipalInertia<double>& inertia, const Vector3<double>& omega, const Frames& frames,
+                             bool contacts = false, long count = 1, bool callback = false) {
     const Vector3<double>& I = inertia.moments;
-    const double turn = frames.longest() * spin;
-    BodyRecommendation found{choose(BodyQuestion{{I.x(), I.y(), I.z()}, turn, contacts, count, frames.even(), callback}), 1};
+    const double spin = omega.stableNorm(), turn = frames.longest() * spin;
     detail::check_spin(spin, frames.longest());
     const double most = frames.even() ? fair_turn : fair_uneven_turn;
     if (turn > 1e9 * most)
         refuse("spin", spin, ("so slow that a step turns the body by at most " + detail::number(1e9 * most) + " rad, 1e9 substeps of " + detail::number(most)).c_str());
+    BodyQuestion question{{I.x(), I.y(), I.z()}, turn, contacts, count, frames.even(), callback};
+    question.is_ball = detail::passes_for_ball(inertia, spin);
+    question.is_symmetric = detail::passes_for_symmetric(inertia, omega, frames, contacts, callback);
+    BodyRecommendation found{choose(question), 1};
     const double fair = found.choice.name == "free_fast"     ? fair_turn
                         : found.choice.name == "free_uneven" ? fair_uneven_turn
                                                              : turn;

@@ -3,6 +3,7 @@
 /// A throw: what one body, spun in one way and left alone, does by a solver, against its exact motion.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -12,6 +13,7 @@
 #include <timestep/inline.hpp>
 #include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/which_method.hpp>
 
 namespace timestep {
 
@@ -38,6 +40,43 @@ private:
 
 /// From so many radians on an orientation is lost: nobody would call it right.
 inline constexpr double lost_orientation = 0.5;
+/// Up to so many radians after two seconds an orientation is right: nobody sees the error.
+inline constexpr double right_orientation = 1e-3;
+
+/// The two moments that are closest to each other.
+struct ClosestMoments {
+    int odd;                       ///< the axis of the third one, 0, 1 or 2
+    double apart;                  ///< by which share of the larger they differ
+    std::array<double, 3> equal;   ///< the moments with their mean for both, kg m²
+    /// Do they differ by no more than nearly_equal?
+    bool all_but_equal() const { return apart <= nearly_equal; }
+};
+
+/// Which two of the moments are closest.
+inline ClosestMoments closest_moments(const PrincipalInertia<double>& inertia) {
+    ClosestMoments found{0, std::numeric_limits<double>::infinity(), {}};
+    const Vector3<double>& I = inertia.moments;
+    for (int i = 0; i < 3; ++i) {
+        const double a = I[(i + 1) % 3], b = I[(i + 2) % 3];
+        const double apart = std::abs(a - b) / std::max(a, b);
+        if (apart < found.apart) found.odd = i, found.apart = apart;
+    }
+    const int i = (found.odd + 1) % 3, j = (found.odd + 2) % 3;
+    found.equal = {I[0], I[1], I[2]};
+    found.equal[std::size_t(i)] = found.equal[std::size_t(j)] = I[i] / 2 + I[j] / 2;
+    return found;
+}
+
+/// May this be a body of revolution? Two of its moments are then all but equal, and the third is not: its axis.
+/// −1 where there is none such. Nobody sees how far such a body has rolled about that axis, if it is round; a bar
+/// with a flat profile may have such moments, too, and there the roll is seen.
+inline int axis_of_revolution(const PrincipalInertia<double>& inertia) {
+    const ClosestMoments closest = closest_moments(inertia);
+    const Vector3<double>& I = inertia.moments;
+    const double third = I[closest.odd], other = closest.equal[std::size_t((closest.odd + 1) % 3)];
+    const bool is_odd = std::abs(third - other) > nearly_equal * std::max(third, other);
+    return closest.all_but_equal() && is_odd ? closest.odd : -1;
+}
 
 /// What a throw came to. Infinite, or no number, where it blew up.
 struct Thrown {
@@ -47,7 +86,9 @@ struct Thrown {
     double spin_left = 1;    ///< the spin about the axis of the body it was thrown about, at the end
     double off = 0;          ///< the orientation's largest error in the first two seconds: 2 sin(α/2) of an angle α;
                              ///< no number where the spin is so fast that the exact one is not known
-    bool lost = false;       ///< was that more than lost_orientation?
+    double axis_off = 0;     ///< the same of the direction of axis_of_revolution(): without the roll about it;
+                             ///< no number where there is no such axis, or where `off` is none
+    bool lost = false;       ///< was the axis off by more than lost_orientation or, without an axis, the orientation?
 };
 
 /// \cond
@@ -95,8 +136,10 @@ Thrown throw_body(const Rule& rule, const PrincipalInertia<double>& inertia, con
     const auto mine = detail::prepared(rule, body);
     const double energy = kinetic_energy(body, omega), between = orientation_seconds / 30;
     const bool known = detail::exact_is_known(inertia, spin * std::max(orientation_seconds, frames.longest()));
+    const int axis = axis_of_revolution(inertia);
     Thrown thrown;
     if (!known) thrown.off = std::numeric_limits<double>::quiet_NaN();
+    if (!known || axis < 0) thrown.axis_off = std::numeric_limits<double>::quiet_NaN();
     SpinState<double> s = start;
     double look = between;
     const double end = seconds - frames.longest() / 2;  // so that steps of 1/60 s are 600
@@ -108,17 +151,23 @@ Thrown throw_body(const Rule& rule, const PrincipalInertia<double>& inertia, con
             thrown.energy = thrown.most_energy = std::numeric_limits<double>::infinity();
             thrown.lost = s.t < orientation_seconds;
             if (thrown.lost) thrown.off = 2;
+            if (thrown.lost && axis >= 0) thrown.axis_off = 2;
             break;
         }
         thrown.most_energy = std::max(thrown.most_energy, thrown.energy);
         if (known && (n == 0 || (s.t >= look && s.t <= orientation_seconds + h / 2))) {
-            thrown.off = std::max(thrown.off, apart(s.q, exact(s.t).q));
+            const Quaternion<double> truth = exact(s.t).q;
+            thrown.off = std::max(thrown.off, apart(s.q, truth));
+            if (axis >= 0) {
+                const Vector3<double> along = Vector3<double>::Unit(axis);
+                thrown.axis_off = std::max(thrown.axis_off, (s.q * along - truth * along).norm());
+            }
             while (look <= s.t) look += between;
         }
     }
     thrown.seconds = s.t;
     thrown.spin_left = s.omega.dot(omega) / spin / spin;
-    thrown.lost = thrown.lost || thrown.off > lost_orientation;
+    thrown.lost = thrown.lost || (axis < 0 ? thrown.off : thrown.axis_off) > lost_orientation;
     return thrown;
 }
 

@@ -2,39 +2,14 @@
 /// \file
 /// Two moments that are all but equal: what a game should declare them, and what it loses if it does not.
 
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include <timestep/body_throw.hpp>
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
 #include <timestep/inline.hpp>
-#include <timestep/which_method.hpp>
 
 namespace timestep {
-
-/// The two moments that are closest to each other.
-struct ClosestMoments {
-    int odd;                       ///< the axis of the third one, 0, 1 or 2
-    double apart;                  ///< by which share of the larger they differ
-    std::array<double, 3> equal;   ///< the moments with their mean for both, kg m²
-    bool near() const { return apart <= nearly_equal; }  ///< so near that it matters by passive?
-};
-
-/// Which two of the moments are closest.
-inline ClosestMoments closest_moments(const PrincipalInertia<double>& inertia) {
-    ClosestMoments found{0, std::numeric_limits<double>::infinity(), {}};
-    const Vector3<double>& I = inertia.moments;
-    for (int i = 0; i < 3; ++i) {
-        const double a = I[(i + 1) % 3], b = I[(i + 2) % 3];
-        const double apart = std::abs(a - b) / std::max(a, b);
-        if (apart < found.apart) found.odd = i, found.apart = apart;
-    }
-    const int i = (found.odd + 1) % 3, j = (found.odd + 2) % 3;
-    found.equal = {I[0], I[1], I[2]};
-    found.equal[std::size_t(i)] = found.equal[std::size_t(j)] = I[i] / 2 + I[j] / 2;
-    return found;
-}
 
 /// The passive step of a body whose two closest moments are declared equal, whatever the order of its axes;
 /// the mean of the old and the new ω turns it.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +43,8 @@ inline constexpr double calm_turn = 0.5;
 inline constexpr long net_substeps = 100;
 /// Two moments that differ by no more than this share: by passive a spin about the third axis fades within seconds.
 inline constexpr double nearly_equal = 0.05;
+/// Bullet's own Newton step, in `float`, is off where the product of the moments, (kg m²)³, is at most this.
+inline constexpr double bullet_guard = std::numeric_limits<float>::epsilon();
 /// From so many bodies on it pays to step them in lanes.
 inline constexpr int many_bodies = 1000;
 
@@ -72,7 +76,8 @@ inline const std::vector<Choice>& choices() {
     static const std::string alive = plain(alive_turn), fine = plain(fine_turn), twice = plain(2 * alive_turn), fair = plain(fair_turn),
                              calm = plain(calm_turn), stiff = plain(stiff_decay),
                              pendulum = plain(pendulum_turn), tether = plain(tether_turn), ended = plain(ended_swing),
-                             uneven = "1/" + plain(1 / fair_uneven_turn);
+                             uneven = "1/" + plain(1 / fair_uneven_turn), near = plain(100 * nearly_equal),
+                             guard = plain(std::round(1e4 * std::cbrt(bullet_guard)) / 1e4);
     static const std::vector<Choice> all{
         {"positions", "many points whose links must only keep their length and are put right after each step (a rope, a cloth), and forces of the position alone",
          "**Verlet**", "move a point, and its velocity follows; to set a velocity, move the position before",
@@ -118,12 +123,17 @@ inline const std::vector<Choice>& choices() {
         {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},
-        {"ball", "a body with three equal moments: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
-         "it is zero; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
-        {"callback_symmetric", "a body with two equal moments, a capsule, a wheel, that touches others, and all you can do is change ω before the engine's step",
+        {"ball", "a body with three equal moments, or so nearly equal that two seconds do not show it: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
+         "it is zero, or next to it; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
+        {"callback_light", "a light body with two equal moments (or within " + near + " %), a coin, a bottle: the cube root of the product of its moments is at most " + guard +
+         " kg m². It touches others, and all you can do is change ω before the engine's step",
+         "in Box3D the engine's own one Newton step: leave it on. In Bullet and elsewhere **passive**, by its formula for three moments (`PrincipalInertia`)",
+         "in `float` Bullet's own step is off for so light a body, without a word. Losing energy is wanted here: it hides what the engine's contacts add", "ch8_contacts", "passive"},
+        {"callback_symmetric", "a body with two equal moments, a capsule, a wheel, that touches others, and all you can do is change ω before the engine's step. "
+         "(Two moments within " + near + " % count as equal while no Newton step adds more than 0.1 % of energy: `./course advise` knows)",
          "in Bullet and Box3D the engine's own **one Newton step**: leave it on. Elsewhere **passive**, by its formula for three moments (`PrincipalInertia`)",
-         "here losing energy is wanted: it hides what the engine's contacts add. The price: spins fade too soon, and with passive a spin about the length tips over. "
-         "(A light body, such as a bottle, has no Newton step in Bullet: see the page In your engine)", "ch8_contacts", "one Newton step"},
+         "here losing energy is wanted: it hides what the engine's contacts add. The price: spins fade too soon, and with passive a spin about the length tips over",
+         "ch8_contacts", "one Newton step"},
         {"callback", "a body that touches others, and all you can do is change ω before the engine's step",
          "the **passive step** (linearly implicit, as in the engine ODE), the engine's own gyroscopic step off", "passive adds no energy. Contacts may; for three moments passive lost more than they added in our throws. "
          "Spins fade; a spin about the length tips over. Capsules and wheels have their own answer", "ch8_contacts", "passive"},
@@ -137,14 +147,18 @@ inline const std::vector<Choice>& choices() {
         {"contacts", "a body that touches others", "the **calm half-step**, called twice with h/2: before contacts and joints, and after them, before the engine turns the body",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps. Contacts may still add energy to fast throws (in Box3D and Jolt they do): "
          "the page In your engine has a test of that for your engine, and the cure", "ch8_contacts", "calm half-step"},
-        {"symmetric_free", "two equal moments, flying freely", "**ball and remainder 2**, a splitting of order 2 into a spherical top and a remainder",
-         "it is the exact motion but for rounding, orientation and all, at any spin and step", "ch8_splitting", "ball and remainder 2"},
+        {"symmetric_free", "two equal moments, flying freely; or two within " + near + " %, for a throw that this step has right (`./course advise` tries yours)",
+         "**ball and remainder 2**, a splitting of order 2 into a spherical top and a remainder",
+         "with two equal moments it is the exact motion but for rounding, orientation and all, at any spin and step; with nearly equal ones it was off by less than 0.1 % in two seconds of that throw", "ch8_splitting", "ball and remainder 2"},
+        {"many_uneven", "bodies by the thousand that fly, in frames of uneven length; or two of whose moments are within " + near + " %, h|ω| above " + calm,
+         "the **calm half-step**, one body at a time",
+         "energy and |L| stay, also when steps vary, and no spin fades; the orientation is rough. Its price is in the table at the end of chapter 8. (With a constant step inside the frames, chapter 2's, slow bodies can take the half-step Jacobian in lanes, for less)", "ch8_fails", "calm half-step"},
         {"many", "bodies by the thousand that fly, h|ω| at most " + calm + ", a constant step",
          "the **half-step Jacobian** (Kahan's discretisation) in SIMD lanes",
          "several bodies in the time of one; the energy is good, but fast ones soon turn at the wrong time", "ch8_many", "half-step Jacobian"},
-        {"many_fast", "bodies by the thousand that fly faster, a constant step",
+        {"many_fast", "bodies by the thousand that fly faster, three different moments, a constant step",
          "**passive** in SIMD lanes; must their energy stay, the **calm half-step**, one by one",
-         "by passive spins fade; a pack of lanes takes one step for all its bodies, so keep the fast ones in packs of their own", "ch8_many", "passive"},
+         "with passive spins fade; a pack of lanes takes one step for all its bodies, so keep the fast ones in packs of their own", "ch8_many", "passive"},
         {"energy", "a body that flies, and energy and |L| (L is the angular momentum) must stay before all else", "the **calm half-step**",
          "to roundoff, at any spin and when steps vary; the orientation is rough", "ch8_fails", "calm half-step"},
         {"free_uneven", "a body that flies freely, in frames of uneven length",
@@ -200,6 +214,8 @@ struct BodyQuestion {
     long count = 1;                 ///< how many of them there are
     bool even = true;               ///< is the step constant?
     bool callback = false;          ///< can only ω be changed, and only before the engine's step?
+    bool is_ball = false;           ///< are the three moments so near each other that nobody sees the difference?
+    bool is_symmetric = false;      ///< are two? recommend() asks both of the body and its spin
 };
 
 /// The way down the tree for a body that turns.
@@ -208,14 +224,19 @@ inline const Choice& choose(const BodyQuestion& body) {
     if (least > middle) std::swap(least, middle);
     if (middle > most) std::swap(middle, most);
     if (least > middle) std::swap(least, middle);
-    if (least == most) return choice("ball");
-    const bool two_equal = least == middle || middle == most;
+    if (least == most || body.is_ball) return choice("ball");
+    const bool two_equal = least == middle || middle == most || body.is_symmetric;
     if (body.callback && !body.contacts) return choice("callback_free");
-    if (body.callback) return choice(two_equal ? "callback_symmetric" : "callback");
+    if (body.callback && two_equal) return choice(least * middle * most <= bullet_guard ? "callback_light" : "callback_symmetric");
+    if (body.callback) return choice("callback");
     if (body.contacts && two_equal) return choice("symmetric");
     if (body.contacts) return choice("contacts");
     if (two_equal) return choice("symmetric_free");
-    if (body.count >= many_bodies && body.even) return choice(body.turn <= calm_turn ? "many" : "many_fast");
+    if (body.count >= many_bodies) {
+        const bool all_but_equal = std::max(least / middle, middle / most) >= 1 - nearly_equal;  // their spins would fade
+        if (!body.even || (body.turn > calm_turn && all_but_equal)) return choice("many_uneven");
+        return choice(body.turn <= calm_turn ? "many" : "many_fast");
+    }
     if (!body.even) return choice("free_uneven");
     return choice(body.turn <= fair_turn ? "free" : "free_fast");
 }

@@ -205,7 +205,22 @@ TEST_CASE("a body is led to its answer, in whatever order its moments stand", "[
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.26}).name == "free_fast");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.1, .even = false}).name == "free_uneven");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.5, .count = 10'000}).name == "many");
-    CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.5, .count = 10'000, .even = false}).name == "free_uneven");
+    CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.5, .count = 10'000, .even = false}).name == "many_uneven");
+    CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 9, .count = 10'000, .even = false}).name == "many_uneven");
+    CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.5, .count = 999, .even = false}).name == "free_uneven");
+    CHECK(choose(BodyQuestion{.moments = {1, 1, 0.2}, .turn = 9, .count = 10'000, .even = false}).name == "symmetric_free");
+    // With passive their spins about the length would fade.
+    CHECK(choose(BodyQuestion{.moments = {1, 0.2, 1.04}, .turn = 0.6, .count = 10'000}).name == "many_uneven");
+    CHECK(choose(BodyQuestion{.moments = {1, 0.2, 1.06}, .turn = 0.6, .count = 10'000}).name == "many_fast");
+    CHECK(choose(BodyQuestion{.moments = {1, 0.2, 1.04}, .turn = 0.5, .count = 10'000}).name == "many");
+    // Bullet's guard, of (kg m²)³.
+    for (const double size : {3.9e-7, 0.0049}) {
+        CHECK(choose(BodyQuestion{.moments = {size, size, size}, .turn = 1, .contacts = true, .callback = true}).name == "ball");
+        CHECK(choose(BodyQuestion{.moments = {size, size, 0.99 * size}, .turn = 1, .contacts = true, .callback = true}).name == "callback_light");
+        CHECK(choose(BodyQuestion{.moments = {size, size, 0.99 * size}, .turn = 1, .contacts = true}).name == "symmetric");
+    }
+    CHECK(choose(BodyQuestion{.moments = {0.005, 0.005, 0.00499}, .turn = 1, .contacts = true, .callback = true}).name == "callback_symmetric");
+    CHECK(choice("callback_light").have.find("at most 0.0049 kg m²") != std::string::npos);
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.6, .count = 10'000}).name == "many_fast");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.6, .count = 999}).name == "free_fast");
 }

@@ -22,6 +22,14 @@ Frames frames_of(const Question& question) {
     return {question.frames[0], question.frames[1]};
 }
 
+// What "leave the torque out" means: a turn by h|ω|, where Tumble's falls short of it.
+struct BallTurn {
+    template <class Inertia>
+    timestep::SpinState<double> step(const Inertia&, const timestep::SpinState<double>& s, double h) const {
+        return {s.t + h, timestep::over_its_length(s.q * timestep::turn_by(timestep::Vector3<double>(h * s.omega))), s.omega};
+    }
+};
+
 }  // namespace
 
 BodyAnswer answer_body(const Question& question) {
@@ -35,14 +43,16 @@ BodyAnswer answer_body(const Question& question) {
 
     BodyAnswer answer{};
     answer.spin = omega.stableNorm(), answer.step = frames.longest(), answer.even = frames.even();
-    answer.take = timestep::recommend(inertia, answer.spin, frames, question.contacts, static_cast<long>(count), question.callback);
+    answer.take = timestep::recommend(inertia, omega, frames, question.contacts, static_cast<long>(count), question.callback);
     answer.all = timestep::advise_body(inertia, omega, frames);
     const auto thrown = timestep::as_thrown(omega);
     answer.tilted = thrown != omega;
     for (const auto& advice : answer.all) answer.seconds = std::max(answer.seconds, advice.thrown.seconds);
     answer.truth = timestep::throw_exactly(inertia, thrown, answer.seconds);
     answer.closest = timestep::closest_moments(inertia);
-    answer.all_but_equal = answer.closest.apart > 0 && answer.closest.near();
+    const bool is_ball = answer.take.choice.name == "ball";
+    answer.all_but_equal = answer.closest.apart > 0 && answer.closest.all_but_equal() && !is_ball;
+    answer.axis = timestep::axis_of_revolution(inertia);
     if (answer.all_but_equal) answer.half_gone = timestep::half_gone_by_passive(inertia, answer.spin, frames);
 
     const double n = double(answer.take.substeps);
@@ -54,9 +64,8 @@ BodyAnswer answer_body(const Question& question) {
     });
     for (const auto& advice : answer.all)
         if (advice.method == answer.take.choice.method && n <= 1) answer.taken = advice.thrown;
-    // Of a ball that is one turn by h|ω|, where Tumble's falls short of it.
-    if (answer.take.choice.name == "ball") run(timestep::symmetric_remainder_2);
-    if (answer.closest.near())
+    if (is_ball) run(BallTurn{});
+    if (answer.closest.all_but_equal())
         answer.declared = timestep::throw_body(timestep::DeclaredEqual(inertia), inertia, thrown, frames);
     if (answer.take.choice.name == "symmetric") answer.taken = answer.declared;
     return answer;

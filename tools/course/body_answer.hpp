@@ -19,7 +19,8 @@ struct BodyAnswer {
     double seconds;     // how long it was watched
     timestep::Thrown truth;
     timestep::ClosestMoments closest;
-    bool all_but_equal;  // two different moments so close that the difference is a nuisance
+    bool all_but_equal;  // two different moments so close that the difference is a nuisance; not all three
+    int axis;            // see axis_of_revolution()
     timestep::Thrown declared;  // the throw if they were declared equal, or are
     double half_gone;    // see half_gone_by_passive()
     timestep::BodyRecommendation take;

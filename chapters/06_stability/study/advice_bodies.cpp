@@ -41,7 +41,7 @@ void advice_bodies(const Settings&, lab::Findings& out) {
             many = line.asked, many_wrong = line.wrong, many_lost = line.lost;
             continue;
         }
-        if (line.name == "many_fast") continue;  // must be cheap, and is not near
+        if (line.name.starts_with("many")) continue;  // must be cheap, or keep the energy, and is not near
         asked += line.asked, beaten += line.beaten, wrong += line.wrong;
         worst = std::max(worst, line.worst);
     }
