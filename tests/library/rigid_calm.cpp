@@ -138,6 +138,7 @@ TEST_CASE("the calm half-step has order two, and slow spins the half-step Jacobi
 
 // The sum that counts substeps bounds what Δ can come to: p_r ≤ p_r + p_i on the whole curve.
 TEST_CASE("no substep comes near a singular Jacobian", "[library][ch8]") {
+    double most = 0;
     for (const unsigned long seed : {7ul, 8ul}) {
         RandomInertia random(seed);
         for (int i = 0; i < 3000; ++i) {
@@ -157,9 +158,14 @@ TEST_CASE("no substep comes near a singular Jacobian", "[library][ch8]") {
             for (int n = 0; n < 100; ++n) {
                 w = half_step_jacobian.step(I, w, 1.0);
                 REQUIRE(energy(I, w) < E / (1 - 1.0 / 16) * (1 + 1e-12));
+                REQUIRE(aa[r] * w[r] * w[r] < 0.25 * (1 + 1e-12));  // Δ = 1 − that/4
+                most = std::max(most, std::sqrt(aa.cwiseAbs().dot(w.cwiseAbs2())));
             }
         }
     }
+    // By the spin on the way the sum is larger than by that of the start: up to √(8/15).
+    CHECK(most > 0.72);
+    CHECK(most < std::sqrt(8.0 / 15) * (1 + 1e-12));
 }
 
 TEST_CASE("a football keeps its spin, and a motor does not topple it", "[library][ch8]") {

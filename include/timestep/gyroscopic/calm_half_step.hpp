@@ -21,13 +21,15 @@ namespace timestep {
 struct CalmHalfStep {
     static constexpr const char* name = "calm half-step";  ///< for tables and keys
     static constexpr int order = 2;                        ///< of the error of ω after a whole run
-    static constexpr double angle = 0.5;  ///< by which ω may circle in a substep, about; rad
+    static constexpr double angle = 0.5;  ///< by which ω may circle in a substep, reckoned with the step's first ω; rad
     static constexpr int most = 32;       ///< substeps
 
     // How far does ω circle in a step? With p_x = |a_y a_z| θ_x² and so on round, θ = hω, and r the axis
     // of the intermediate moment, the exact motion circles by the root of the larger of p_r + p_i and
     // p_r + p_j. Both stay, and the sum of all three, which we take, is at least as large. And
-    // Δ = 1 − p_r/4, so it is above 15/16 in substeps for which that sum is below ¼.
+    // Δ = 1 − p_r/4, so it is above 15/16 in substeps for which that sum is below ¼. In these the substeps keep
+    // both over Δ, and p_r is at most ¼ on the way, too: p_r/Δ is at most ¼/(15/16). The sum itself is at most
+    // (¼ + ¼)/(15/16) = 8/15 there: reckoned with the ω on the way, a substep circles by up to 0.73 and not 0.5.
     //
     // The scaling, by √(E₁/E₂) = 1 + share: the share has all its digits, a root near one would have
     // lost them, always to the same side, and in float 1 % of the energy an hour.

@@ -16,8 +16,8 @@ namespace timestep {
 /// Order one, as the talk's solver; the energy never grows, for any inertia, spin and step (N51). The
 /// angular momentum is kept to order one only: it never shrinks. So a body left alone ends turning about
 /// its largest principal moment, however short the step; where two moments are equal, say so by SymmetricInertia,
-/// whose step loses nothing. Where (hω)² is too large for a number (hω beyond 1e154, in float 1e19,
-/// less by the root of the moments' ratio) three moments give back NaN.
+/// whose step loses nothing. All this up to hω = 1e140, in float 1e12, for moments up to 1e12 to 1. Where (hω)² is too
+/// large for a number (hω beyond 1e154, in float 1e19, less by the root of the moments' ratio) three moments give back NaN.
 struct PassiveGyroscopic {
     static constexpr const char* name = "passive";  ///< for tables and keys
     static constexpr int order = 1;                 ///< of the error after a whole run
