@@ -58,7 +58,11 @@ TEST_CASE("an inertia that no body has is refused, with the rule it breaks", "[l
             "moment of inertia = nan: must be finite and greater than zero");
     refused([] { return PrincipalInertia(1.0, infinite, 1.0); },
             "moment of inertia = inf: must be finite and greater than zero");
-    const char* triangle = "moment of inertia = 3: must be at most the sum of the other two moments";
+    const char* triangle = "moment of inertia = 3: must be at most the sum of the other two moments, 2; it exceeds that by 1";
+    refused([] { return PrincipalInertia(1.0, 1.0, 2.0000001); },
+            "moment of inertia = 2.0000001: must be at most the sum of the other two moments, 2; it exceeds that by 1e-07");
+    refused([] { return PrincipalInertia(1.0, 2 + 1e-13, 1.0); },
+            "moment of inertia = 2: must be at most the sum of the other two moments, 2; it exceeds that by 9.99e-14");
     refused([] { return PrincipalInertia(1.0, 3.0, 1.0); }, triangle);
     refused([] { return PrincipalInertia(3.0, 1.0, 1.0); }, triangle);
     refused([] { return PrincipalInertia(1.0, 1.0, 3.0); }, triangle);

@@ -23,6 +23,8 @@ verdict() { grep -A1 "\"method\": \"$1\"" out | sed -n 's/.*"verdict": "\(.*\)".
 recommended() { sed -n '/"recommended"/,$s/.*"name": "\(.*\)".*/\1/p' out; }
 
 test_bad_input_about_a_body_is_refused_by_its_name_and_rule() {
+    refuses 'moment of inertia = 2.0000001: must be at most the sum of the other two moments, 2; it exceeds that by 1e-07' \
+        --inertia 1,1,2.0000001 --spin 1,2,3
     refuses 'count = 0: must be a whole number from 1 to 1e9' $box --count 0
     refuses 'count = 1.5: must be a whole number from 1 to 1e9' $box --count 1.5
     refuses 'count = 1e+20: must be a whole number from 1 to 1e9' $box --count 99999999999999999999

@@ -12,6 +12,7 @@
 /// All are in body coordinates, about the centre of mass, in kg m². They are checked here, once.
 
 #include <algorithm>
+#include <cstdio>
 #include <limits>
 
 #include <timestep/checks.hpp>
@@ -38,12 +39,26 @@ constexpr bool is_triangle(Real I1, Real I2, Real I3) {
     const Real others = largest == I1 ? I2 + I3 : largest == I2 ? I3 + I1 : I1 + I2;
     return largest <= others * allowance;
 }
+// With the sum, and by how much it is too large: of 2.0000001 the first digits tell nothing.
+[[noreturn]] inline void refuse_triangle(double largest, double others) {
+    const char* rule = "at most the sum of the other two moments";
+#if defined(TIMESTEP_REFUSED_BRIEFLY)
+    static_cast<void>(largest), static_cast<void>(others);
+    refuse(rule);
+#else
+    char line[256];
+    std::snprintf(line, sizeof line, "moment of inertia = %.9g: must be %s, %.9g; it exceeds that by %.3g", largest, rule,
+                  others, largest - others);
+    refuse(line);
+#endif
+}
 template <class Real>
 constexpr void triangle_rule(Real a, Real b, Real c) {
     for_each_number(
         [](auto I1, auto I2, auto I3) {
-            if (!is_triangle(I1, I2, I3))
-                refuse("moment of inertia", std::max({I1, I2, I3}), "at most the sum of the other two moments");
+            if (is_triangle(I1, I2, I3)) return;
+            const double x = double(I1), y = double(I2), z = double(I3), largest = std::max({x, y, z});
+            refuse_triangle(largest, largest == x ? y + z : largest == y ? z + x : x + y);
         },
         a, b, c);
 }
