@@ -187,8 +187,8 @@ inline std::vector<Contest> recommended(long how_many, unsigned long seed, doubl
         if (line == all.end()) line = all.insert(all.end(), Contest{take.choice.name});
         ++line->asked, line->wrong += off > 0.01, line->lost += off > lost_orientation;
         line->worst = std::max(line->worst, off);
-        // Below a millionth it is roundoff and of no use to anybody.
-        if (nearest < off && off > 1e-6) ++line->beaten, line->beaten_visibly += off > 0.01;
+        // Of an orientation that is right already a nearer one is of no use to anybody.
+        if (nearest < off && off > right_orientation) ++line->beaten, line->beaten_visibly += off > 0.01;
         if (nearest < off / 2) line->worst_beaten = std::max(line->worst_beaten, off);
     }
     return all;

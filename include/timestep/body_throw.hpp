@@ -40,8 +40,8 @@ private:
 
 /// From so many radians on an orientation is lost: nobody would call it right.
 inline constexpr double lost_orientation = 0.5;
-/// Up to so many radians after two seconds an orientation is right: nobody sees the error.
-inline constexpr double right_orientation = 1e-3;
+/// Up to so many radians in two seconds an orientation is right: nobody sees the error.
+inline constexpr double right_orientation = 1e-4;
 
 /// The two moments that are closest to each other.
 struct ClosestMoments {

@@ -149,7 +149,7 @@ inline const std::vector<Choice>& choices() {
          "the page In your engine has a test of that for your engine, and the cure", "ch8_contacts", "calm half-step"},
         {"symmetric_free", "two equal moments, flying freely; or two within " + near + " %, for a throw that this step has right (`./course advise` tries yours)",
          "**ball and remainder 2**, a splitting of order 2 into a spherical top and a remainder",
-         "with two equal moments it is the exact motion but for rounding, orientation and all, at any spin and step; with nearly equal ones it was off by less than 0.1 % in two seconds of that throw", "ch8_splitting", "ball and remainder 2"},
+         "with two equal moments it is the exact motion but for rounding, orientation and all, at any spin and step; with nearly equal ones it was off by at most 0.01 % in two seconds of that throw", "ch8_splitting", "ball and remainder 2"},
         {"many_uneven", "bodies by the thousand that fly, in frames of uneven length; or two of whose moments are within " + near + " %, h|ω| above " + calm,
          "the **calm half-step**, one body at a time",
          "energy and |L| stay, also when steps vary, and no spin fades; the orientation is rough. Its price is in the table at the end of chapter 8. (With a constant step inside the frames, chapter 2's, slow bodies can take the half-step Jacobian in lanes, for less)", "ch8_fails", "calm half-step"},
