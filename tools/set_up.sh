@@ -65,6 +65,8 @@ have_one() { for name; do command -v "$name" >/dev/null && return; done; return 
 have_file() { for place in $places; do [ -e "$place/$1" ] && return; done; return 1; }
 # shellcheck disable=SC2086  # CXX may carry options
 have_compiler() { set -- ${CXX:-c++}; have_one "$1" c++ g++ clang++; }
+# Of a learner's edition: of the kind that it was made with, unless the reader names one (CMakeLists.txt).
+have_compiler_of_kit() { [ -n "${CXX:-}" ] && have_compiler || have_one "$1"; }
 have_cmake() {
     found=$(cmake --version 2>/dev/null | sed -n '1s/[^0-9]*\([0-9]*\)\.\([0-9]*\).*/\1 \2/p')
     [ -n "$found" ] && { [ "${found% *}" -gt "$1" ] ||
@@ -269,7 +271,11 @@ install() {
 set_up() {
     command=$1
     list=$needs
-    [ -z "$kit" ] || list=$(echo "$needs" | grep -v -e '^catch2' -e '^doxygen' -e '^libjs-katex' -e '^libjs-lunr' -e '^valgrind')
+    [ -z "$kit" ] || {
+        grep -q '"compiler": "Clang"' "$root/kit/kit.json" && made_by='clang clang++' || made_by='g++ g++'
+        list=$(echo "$needs" | sed "s/^g++ .*/${made_by% *} have_compiler_of_kit ${made_by#* }/" |
+            grep -v -e '^catch2' -e '^doxygen' -e '^libjs-katex' -e '^libjs-lunr' -e '^valgrind')
+    }
     without=$list
     [ "$command" != grade ] || list=$list$isolation
     yes=no

@@ -32,7 +32,7 @@ state() {
     sed -n "/\"exercise\": \"$1\"/,/\"file\"/s/.*\"state\": \"\(.*\)\".*/\1/p" list.json
 }
 
-# own_build COMPILER: a build folder for this fixture alone. COMPILER, a script's text, is the compiler;
+# own_build COMPILER: a build folder for this fixture alone. COMPILER, a script's text, is the compiler of answers;
 # none given: the real one.
 own_build() {
     rm build/exercises
@@ -40,7 +40,7 @@ own_build() {
     ln -s "$real_build/exercises/generated" build/exercises/generated
     cp "$real_build/exercises/commands.json" build/exercises
     [ $# -eq 0 ] || {
-        echo "$1" >compiler
+        { echo 'case " $* " in *_stub.cpp*) exit ;; esac'; echo "$1"; } >compiler
         sed "s|\"compile\": \[\"[^\"]*\"|\"compile\": [\"sh\", \"$folder/compiler\"|" \
             "$real_build/exercises/commands.json" >build/exercises/commands.json
     }

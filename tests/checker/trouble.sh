@@ -174,6 +174,92 @@ test_the_compiler_writes_no_endless_file() {
     says out 'What the compiler makes of the file is larger than 64 MB.'
 }
 
+# headers COMMAND: the header compiled beforehand is this fixture's own, and made again by the command.
+headers() {
+    export CCACHE_DISABLE=1  # which hides the damage
+    own_build
+    mkdir -p build/exercises/ready
+    cp "$real_build"/exercises/ready/exercise.hpp* build/exercises/ready
+    header=$(ls build/exercises/ready/exercise.hpp.?ch)
+    sed -i "s|$real_build/exercises/ready|$folder/build/exercises/ready|g" build/exercises/commands.json
+    printf '#!/bin/sh\n%s\n' "$1" >cmake  # like the build, it makes what is not there
+    chmod +x cmake
+    mend() { FIXTURE_SOURCE=$folder/source FIXTURE_BUILD=$folder/build FIXTURE_CMAKE=$folder/cmake FIXTURE_CTEST=false "$program" "$@"; }
+}
+
+test_a_damaged_header_is_made_again_and_no_answer_blamed() {
+    headers "ls '$folder'/build/exercises/ready/exercise.hpp.?ch >/dev/null 2>&1 ||
+        cp '$real_build'/exercises/ready/exercise.hpp.?ch '$folder/build/exercises/ready'"
+    mkdir -p class/ada class/ben
+    cp $solved class/ada
+    cp $solved class/ben
+    cp $solved $file
+    for size in 0 100 1000000; do
+        head -c $size "$real_build/exercises/ready/${header##*/}" >$header
+        expect 0 mend check velocity_now
+        says out 'right'
+    done
+    truncate -s 1000000 $header
+    : >empty.cpp
+    expect 1 mend check velocity_now --file empty.cpp
+    says err 'What a check of velocity_now needs is damaged; it is made again'
+    says out 'The file has no function'
+    expect 0 mend check velocity_now
+    silent_on err damaged
+    truncate -s 1000000 $header
+    expect 0 mend grade class --trust --exercise velocity_now
+    says err 'damaged; it is made again'
+    says out '2 of 2 right'
+    expect 0 mend grade class --trust --exercise velocity_now
+    says err '2 were graded before'
+}
+
+# Nobody's answer is wrong for that, and the next grading tries again.
+test_a_header_that_stays_damaged_is_the_courses_fault() {
+    headers :
+    mkdir -p class/ada class/ben
+    cp $solved class/ada
+    cp $solved class/ben
+    printf '#!/bin/sh\nhead -c 1000000 "%s" >"%s"\n' "$real_build/exercises/ready/${header##*/}" "$folder/$header" >cmake
+    sh cmake
+    expect 3 mend check velocity_now --file $solved
+    says err "course: the compiler refuses the course's own file, so no answer was checked"
+    expect 3 mend grade class --trust --exercise velocity_now
+    is "$(grep -c ',course_error$' class.grades/grades.csv)" 2
+    echo : >cmake
+    cp "$real_build/exercises/ready/${header##*/}" $header
+    expect 0 mend grade class --trust --exercise velocity_now
+    says out '2 of 2 right'
+}
+
+test_commands_that_are_damaged_say_how_they_are_made_again() {
+    own_build
+    for text in '' '{"compile": [' '{}'; do
+        echo "$text" >build/exercises/commands.json
+        for command in check 'check --sanitize'; do
+            # shellcheck disable=SC2086
+            expect 3 course $command velocity_now
+            is "$(grep -v '^Building' err)" "course: $folder/build/exercises/commands.json: is damaged; delete the folder build, and ./course makes it again"
+        done
+    done
+    # CMake makes them again, where it has configured here.
+    printf '#!/bin/sh\ncp "%s" "%s"\n' "$real_build/exercises/commands.json" "$folder/build/exercises" >cmake
+    chmod +x cmake
+    : >build/CMakeCache.txt
+    expect 1 env FIXTURE_SOURCE="$folder/source" FIXTURE_BUILD="$folder/build" FIXTURE_CMAKE="$folder/cmake" FIXTURE_CTEST=false \
+        "$program" check velocity_now
+    says out 'not started'
+}
+
+test_closed_standard_files_are_not_taken_for_others() {
+    expect 1 sh -c "$(declared) check velocity_now <&-"
+    expect 1 sh -c "$(declared) check velocity_now <&- 2>&-"
+    got=0
+    sh -c "$(declared) check velocity_now <&- >&-" 2>err || got=$?
+    is $got 2
+    says err 'standard output: cannot be written'
+}
+
 test_another_missing_function_is_not_taken_for_the_learners() {
     { sed 's/return not_started;.*/return velocity_now_of(h);/;s/^double/double velocity_now_of(double);\n&/' $file; } >other.cpp
     expect 1 course check velocity_now --file other.cpp

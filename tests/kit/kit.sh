@@ -217,6 +217,42 @@ test_its_first_check_makes_ready_what_it_needs() {
     says out 'right'
 }
 
+test_a_configuration_that_did_not_end_begins_afresh() {
+    expect 0 make_kit kit
+    expect 3 env CXX="$folder/no_compiler" kit/course check velocity_now
+    expect 1 kit/course check velocity_now
+    says out 'not started'
+    rm -r kit/build/exercises/found_ready kit/build/build.ninja
+    expect 1 kit/course check velocity_now
+    says out 'not started'
+}
+
+test_it_works_in_a_folder_with_a_comma_and_with_files_from_the_future() {
+    expect 0 make_kit 'Doe, Jane'
+    cp "$source/solutions/01_derivatives/velocity_now.cpp" 'Doe, Jane/exercises/01_derivatives'
+    find 'Doe, Jane' -exec touch -d '+8 hours' {} +
+    expect 0 'Doe, Jane/course' check velocity_now
+    says err 'dated in the future; their date is set to now'
+    is "$(ls 'Doe, Jane/build/exercises/ready' | grep -c '[.][0-9]')" 0
+}
+
+# Setup and everything after it look for the same: with no compiler of its kind both say so.
+test_setup_says_what_does_not_fit() {
+    command -v clang++ >/dev/null || exit 77
+    expect 0 make_kit kit
+    for command in setup 'check velocity_now'; do
+        # shellcheck disable=SC2086
+        expect 3 env CXX=clang++ kit/course $command
+        is "$(grep -c '^course: this learner.s edition was made for .* ask whoever' err)" 1
+    done
+    mkdir bin
+    ln -s "$(command -v clang++)" bin/c++  # as where c++ is another than g++
+    expect 0 env PATH="$folder/bin:$PATH" kit/course setup
+    says err 'course: everything that is needed is there. Next: ./course list'
+    expect 1 env PATH="$folder/bin:$PATH" kit/course check velocity_now
+    says out 'not started'
+}
+
 test_on_another_kind_of_machine_it_says_so() {
     expect 0 make_kit kit
     mkdir bin

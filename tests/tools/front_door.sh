@@ -249,6 +249,77 @@ test_a_checkout_that_has_moved_is_configured_afresh() {
     says calls --fresh
 }
 
+test_a_configuration_that_did_not_end_begins_afresh() {
+    new_machine 0
+    have_all
+    make_sources
+    for break in 'rm' 'truncate -s 0'; do
+        expect 7 course list
+        : >calls
+        $break checkout/build/build.ninja
+        expect 7 course list
+        is "$break: $(grep -c -e '^cmake -S .* --fresh' calls)" "$break: 1"
+    done
+}
+
+# Installed by setup or by hand: what CMake looks for may be there now.
+test_an_installed_package_makes_cmake_look_again() {
+    new_machine 0
+    have_all
+    make_sources
+    : >packages
+    expect 7 course test
+    expect 0 course setup --all --yes
+    for by in setup hand; do
+        touch packages
+        : >calls
+        expect 7 course test
+        is "$by: $(grep -c -e '^cmake -S' calls)" "$by: 1"
+        : >calls
+        expect 7 course test
+        is "$by: $(grep -c -e '^cmake -S' calls)" "$by: 0"
+    done
+}
+
+test_a_place_where_nothing_can_be_built_is_refused() {
+    new_machine 0
+    have_all
+    for name in '#' '[' ']' ';' '"' '\' '<' '>' '|' 'a$(x)' '${x}' "$(printf 'a\tb')" "$(printf 'a\nb')" 'a
+'; do
+        mkdir "$name"
+        cp -r checkout "$name"
+        expect 2 env -i PATH="$folder/bin" COURSE_PLACES="$folder/usr" "$name/checkout/course" list
+        is "$(lines err)" 1
+        says err ': the course cannot be built here: '
+        rm -r "$name"
+    done
+    is "$(lines calls)" 0
+    for name in 'Doe, Jane' 'über uns' "it's" '$x&(!)%:=@*?`^~+{}'; do
+        mkdir "$name"
+        cp -r checkout "$name"
+        expect 7 env -i PATH="$folder/bin" COURSE_PLACES="$folder/usr" sh "./$name/checkout/course" list
+    done
+}
+
+test_files_from_the_future_are_dated_now() {
+    new_machine 0
+    have_all
+    make_sources
+    touch -d '+1 day' checkout/CMakeLists.txt checkout/tools/course/main.cpp
+    expect 7 course list
+    is "$(grep -c 'dated in the future; their date is set to now' err)" 1
+    : >now
+    is "$(find checkout -newer now)" ''
+    expect 7 course list
+    silent_on err future
+    # A clock that was set back: what CMake wrote then it writes afresh.
+    touch -d '+1 day' checkout/build/CMakeCache.txt
+    touch checkout/course
+    : >calls
+    expect 7 course list
+    says calls --fresh
+}
+
 test_a_failing_configuration_or_build_shows_why() {
     new_machine 0
     have_all

@@ -88,7 +88,7 @@ echo "cmake \$*" >>'$folder/calls'
 case \$1 in
 -S) [ ! -e '$folder/configure_fails' ] || { echo 'CMake Error: no'; exit 1; }
     echo "CMAKE_HOME_DIRECTORY:INTERNAL=\$2" >"\$4/CMakeCache.txt"
-    : >"\$4/build.ninja" ;;
+    echo 'build course' >"\$4/build.ninja" ;;
 --build) [ ! -e '$folder/build_fails' ] || { echo 'error: no'; exit 1; }
     mkdir -p "\$2/tools/course"
     printf '#!/bin/sh\necho "handed over: \$*"\necho "\$COURSE_BUILT" >$folder/built\nexit 7\n' >"\$2/tools/course/course"
@@ -108,5 +108,5 @@ case \$1 in -v) exit ;; -n) shift ;; esac
 }
 
 # The script, with this machine's things only.
-course() { env -i PATH="$folder/bin" TMPDIR="$folder/tmp" COURSE_PLACES="$folder/usr" \
+course() { env -i PATH="$folder/bin" TMPDIR="$folder/tmp" COURSE_PLACES="$folder/usr" COURSE_PACKAGES="$folder/packages" \
     "$folder/checkout/course" "$@"; }

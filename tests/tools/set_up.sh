@@ -136,7 +136,9 @@ test_grading_in_a_kit_wants_no_more_than_its_setup_and_bubblewrap() {
     echo "{\"processor\": \"$(uname -m)\"}" >checkout/kit/kit.json
     printf '#!/bin/sh\necho "handed over: $*"\nexit 7\n' >checkout/kit/course
     chmod +x checkout/kit/course
-    expect 0 course setup --yes
+    # What fits this machine, its course program says.
+    expect 7 course setup --yes
+    is "$(cat out)" 'handed over: setup --yes'
     expect 7 course grade class --trust
     silent_on err 'lacks'
     expect 7 course grade class
@@ -149,6 +151,23 @@ test_grading_in_a_kit_wants_no_more_than_its_setup_and_bubblewrap() {
     touch checkout/course
     expect 3 course list
     says err "course: this learner's edition was made for abacus; here is $(uname -m): ask"
+}
+
+test_a_kit_wants_a_compiler_of_the_kind_that_it_was_made_with() {
+    new_machine 0
+    have_all
+    mkdir -p checkout/kit
+    printf '#!/bin/sh\nexit 7\n' >checkout/kit/course
+    chmod +x checkout/kit/course
+    rm bin/g++
+    fake clang++ ''
+    for kind in 'GNU g++' 'Clang clang'; do
+        printf '{"processor": "%s",\n "compiler": "%s"}\n' "$(uname -m)" "${kind% *}" >checkout/kit/kit.json
+        expect 7 env -i CXX=clang++ PATH="$folder/bin" COURSE_PLACES="$folder/usr" checkout/course setup
+        silent_on err lacks
+        expect 7 course setup --yes
+        case $kind in GNU*) says err 'course: this machine lacks: g++' ;; *) silent_on err lacks ;; esac
+    done
 }
 
 test_setup_installs_and_builds_nothing() {

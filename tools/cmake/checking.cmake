@@ -78,6 +78,7 @@ function(timestep_check_learners told)
     list(APPEND includes -isystem ${folder})
   endforeach()
   set(ready "${PROJECT_BINARY_DIR}/exercises/ready")
+  set(compile_header "${PROJECT_SOURCE_DIR}/tools/cmake/compile_header.sh")
   foreach(header exercise exercise_eigen)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       set(compiled "${ready}/${header}.hpp.gch")
@@ -90,9 +91,9 @@ function(timestep_check_learners told)
     endif()
     add_custom_command(OUTPUT "${compiled}"
       COMMAND "${CMAKE_COMMAND}" -E make_directory "${ready}"
-      COMMAND "${CMAKE_CXX_COMPILER}" ${flags} ${includes} -x c++-header "${learner}/${header}.hpp"
-              -o "${compiled}" -MD -MQ "${compiled}" -MF "${compiled}.d"
-      DEPENDS "${learner}/${header}.hpp"
+      COMMAND sh "${compile_header}" "${compiled}" "${CMAKE_CXX_COMPILER}" ${flags} ${includes} -x c++-header
+              "${learner}/${header}.hpp" -MD -MQ "${compiled}" -MF "${compiled}.d"
+      DEPENDS "${learner}/${header}.hpp" "${compile_header}"
       DEPFILE "${compiled}.d" COMMENT "Compiling what the exercises include" VERBATIM)
     add_custom_target(ready_${header} DEPENDS "${compiled}")
   endforeach()
@@ -125,7 +126,7 @@ function(timestep_check_learners told)
   # The compiler's list of what it has read, and the assembler's, who reads by .incbin.
   set(lists -MD -MF @.d)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    list(APPEND lists -Wa,--MD,@.incbin.d)
+    list(APPEND lists -Xassembler --MD -Xassembler @.incbin.d)  # a comma in a folder's name ends a word of -Wa
   endif()
   timestep_json_words(lists ${lists})
   # What an answer may bring for link-time optimization, with options of its own, is not made use of.

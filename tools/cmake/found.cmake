@@ -1,6 +1,6 @@
-# What CMake has found stays in its cache, also when it is gone from the machine. Here it is forgotten
-# then, to be looked for again; and that it is gone makes CMake configure again, instead of a build that
-# fails in Ninja's words.
+# What CMake has found stays in its cache, also when it is gone from the machine, and so does what it has tried in vain,
+# also when that would go well now. Here both are forgotten, to be looked for again. That something is gone makes CMake
+# configure again, instead of a build that fails in Ninja's words.
 function(timestep_for_all_found do)
   get_cmake_property(names CACHE_VARIABLES)
   foreach(name IN LISTS names)
@@ -22,6 +22,14 @@ function(timestep_forget_gone)
     endif()
   endfunction()
   timestep_for_all_found(forget)
+  # CMake looks again by itself for what it has not found, but does not try again what has failed.
+  get_cmake_property(names CACHE_VARIABLES)
+  foreach(name IN LISTS names)
+    get_property(help CACHE ${name} PROPERTY HELPSTRING)
+    if(name MATCHES "^TIMESTEP_" AND help STREQUAL "Test ${name}" AND "$CACHE{${name}}" STREQUAL "")
+      unset(${name} CACHE)
+    endif()
+  endforeach()
 endfunction()
 
 # To be called at the end.

@@ -73,25 +73,50 @@ std::vector<std::string> reason(const std::vector<std::string>& log) {
     return lines;
 }
 
-// The learner's edition is configured when there is something to build: its course program comes
-// built.
-void configure_kit(ProgressLine& progress) {
-    const fs::path& root = places().source;
-    const std::string home = "CMAKE_HOME_DIRECTORY:INTERNAL=" + root.string();
+void mark_ready(const std::vector<fs::path>& marks, fs::file_time_type begin) {
+    std::error_code ignored;
+    fs::create_directories(marks.front().parent_path(), ignored);
+    for (const auto& mark : marks) {
+        write_whole(mark, "");
+        fs::last_write_time(mark, begin, ignored);  // what was touched while it was built is new
+    }
+}
+
+// Debian changes this file whenever a package is installed or removed.
+const fs::path packages = "/var/lib/dpkg/status";
+
+// Has CMake configured this course here, to the end?
+bool is_configured() {
+    std::error_code ignored;
+    const auto is_written = [&](const char* name) {
+        return fs::is_regular_file(places().build / name, ignored) && fs::file_size(places().build / name, ignored) > 0;
+    };
+    const std::string home = "CMAKE_HOME_DIRECTORY:INTERNAL=" + places().source.string();
     std::ifstream cache(places().build / "CMakeCache.txt");
     for (std::string line; std::getline(cache, line);)
-        if (line == home) return;
+        if (line == home) return is_written("build.ninja") || is_written("Makefile");
+    return false;
+}
+
+// The learner's edition is configured when there is something to build: its course program comes
+// built. Again where a package has been installed or removed, as what CMake looks for may be there now.
+void configure_kit(ProgressLine& progress) {
+    const fs::path &root = places().source, mark = places().build / "packages_seen";
+    const bool fresh = !is_configured();
+    const auto seen = written_at(mark);
+    if (!fresh && seen && !(fs::exists(packages) && touched_since(packages, *seen))) return;
+    const auto begin = fs::file_time_type::clock::now();
     progress.say("Looking at the compiler and the libraries of this machine:");
     std::string unfit, all;
     Lines lines([&](const std::string& line) {
         if (line.starts_with("course: ")) unfit = line.substr(8);
         all += line + "\n";
     });
-    const int status = listen({places().cmake, "-S", root.string(), "-B", places().build.string(),
-                               "--fresh", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"},
-                              std::ref(lines), [&] { progress.tick(); });
+    std::vector<std::string> command{places().cmake, "-S", root.string(), "-B", places().build.string()};
+    if (fresh) command.insert(command.end(), {"--fresh", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"});
+    const int status = listen(command, std::ref(lines), [&] { progress.tick(); });
     progress.clear();
-    if (status == 0) return;
+    if (status == 0) return mark_ready({mark}, begin);
     if (unfit.empty()) std::fprintf(stderr, "%s", all.c_str());
     throw Stop(Status::missing, unfit.empty() ? "CMake could not configure the build" : unfit);
 }
@@ -107,15 +132,14 @@ fs::path ready_mark(const Exercise& exercise) {
 bool is_configured(const Exercise& exercise) {
     const fs::path hidden = exercise.declared().parent_path() / (exercise.name + "_hidden.cpp");
     return fs::exists(exercise.declared()) && fs::exists(exercise.stub()) &&
-           (is_kit() || fs::exists(hidden));
+           (is_kit() || fs::exists(hidden)) && commands_are_whole(exercise);
 }
 
 // Is everything there that the build has made for a check of the exercise?
 bool all_there(const Exercise& exercise) {
-    const fs::path commands = places().build / "exercises/commands.json";
-    if (!fs::exists(commands) || !is_configured(exercise)) return false;
+    if (!is_configured(exercise)) return false;
     const auto parts = parts_of_check(exercise);
-    return std::all_of(parts.begin(), parts.end(), [](const auto& part) { return fs::exists(part); });
+    return std::all_of(parts.begin(), parts.end(), [](const fs::path& part) { return fs::exists(part) && !fs::is_empty(part); });
 }
 
 // Has nothing been touched that a check of the exercise is made of, since it was found ready?
@@ -134,20 +158,10 @@ bool is_ready(const Exercise& exercise) {
         parts.insert(parts.end(),
                      {source / "tests/CMakeLists.txt", source / "tests/exercises/CMakeLists.txt",
                       source / "tests/exercises" / room, source / "solutions" / (room + ".cpp")});
-    const fs::path packages = "/var/lib/dpkg/status";  // a compiler may be a new one
-    if (fs::exists(packages)) parts.push_back(packages);
+    if (fs::exists(packages)) parts.push_back(packages);  // a compiler may be a new one
     return std::none_of(parts.begin(), parts.end(),
                         [&](const fs::path& part) { return touched_since(part, *since); }) &&
            all_there(exercise);
-}
-
-void mark_ready(const std::vector<fs::path>& marks, fs::file_time_type begin) {
-    std::error_code ignored;
-    fs::create_directories(marks.front().parent_path(), ignored);
-    for (const auto& mark : marks) {
-        write_whole(mark, "");
-        fs::last_write_time(mark, begin, ignored);  // what was touched while it was built is new
-    }
 }
 
 // Tells once what it is that takes more than a second.
@@ -198,6 +212,7 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress, cons
         setenv("TIMESTEP_BUILDS_IN", places().build.c_str(), 1);
     }
     if (is_kit()) configure_kit(progress);
+    if (targets.empty()) return;
     const fs::path log_path = places().build / "course.log";
     std::ofstream log(log_path);
     std::vector<std::string> heard;
@@ -248,6 +263,9 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) 
             if (!ignored) mark_ready({ready_mark(exercise)}, begin);
             continue;
         }
+        if (is_configured(exercise))
+            for (const fs::path& part : parts_of_check(exercise))  // an empty one, the build takes for made
+                if (fs::exists(part) && fs::is_empty(part)) fs::remove(part, ignored);
         targets.push_back(target);
         marks.push_back(ready_mark(exercise));
     }
@@ -266,6 +284,20 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) 
     }
     build(targets, progress, what);
     mark_ready(marks, begin);
+}
+
+void make_again(const std::vector<Exercise>& exercises, bool header, ProgressLine& progress) {
+    progress.say("What a check of " + exercises.front().name + " needs is damaged; it is made again");
+    std::error_code ignored;
+    const std::string build = places().build.string() + "/";  // what comes built with a learner's edition stays
+    for (const Exercise& exercise : exercises) {
+        auto parts = parts_of_check(exercise);
+        if (header) parts.erase(parts.begin(), parts.end() - 1);
+        for (const fs::path& part : parts)
+            if (part.string().starts_with(build)) fs::remove(part, ignored);
+        fs::remove(ready_mark(exercise), ignored);
+    }
+    make_ready(exercises, progress);
 }
 
 std::string address_of(const fs::path& page) {

@@ -220,6 +220,8 @@ void declare(CLI::App& app, Asked& asked) {
     declare_new(app, asked);
     declare_grade(app, asked);
     declare_bench(app, asked);
+    // For the front door of a learner's edition, which has installed what it needs.
+    app.add_subcommand("setup", "")->group("")->add_flag("--all", asked.all, "");
     declare_advise(app, asked);
     const auto kit = app.add_subcommand("kit", "write the learner's edition: no tests, no solutions");
     kit->add_option("DIR", asked.kit, "a new or empty folder")->required();
@@ -374,6 +376,7 @@ Status obey(int argc, char** argv) {
     }
     if (const auto command = app.get_subcommand("bench"); *command) bench_or_table(*command, asked);
     if (app.got_subcommand("advise")) advise(asked.question, asked.json);
+    if (app.got_subcommand("setup")) setup_kit();
     if (app.got_subcommand("kit")) kit(asked.kit, asked.with_solutions);
     if (app.got_subcommand("site")) site(asked.open, asked.pdf);
     flush();

@@ -124,6 +124,7 @@ void advise(const Question& question, bool json);
 
 /// Writes the learner's edition of the course into `folder`, which is new or empty; with the solutions, which it shows
 /// after a pass, if they are asked for.
+void setup_kit();
 void kit(const std::string& folder, bool with_solutions);
 
 /// Brings the site up to date and says where it is; `open` shows it in the browser; `pdf` prints it as a book instead.

@@ -183,6 +183,16 @@ fs::path wanted(const std::string& name) {
 
 }  // namespace
 
+// Says what in the learner's edition does not fit this machine, before anything is to be built.
+void setup_kit() {
+    if (!is_kit()) throw Stop(Status::bad_use, "setup is for the front door: ./course setup");
+    {
+        ProgressLine progress;
+        build({}, progress);
+    }
+    std::fprintf(stderr, "course: everything that is needed is there. Next: ./course list\n");
+}
+
 void kit(const std::string& name, bool with_solutions) {
     if (is_kit())
         throw Stop(Status::bad_use,

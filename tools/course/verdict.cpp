@@ -35,15 +35,19 @@ struct Commands {
 
 Commands read_commands(const Exercise& exercise) {
     const fs::path file = places().build / "exercises/commands.json";
-    const auto json = json_of(contents(file));
-    return {json.at(exercise.eigen ? "compile_eigen" : "compile"),
-            json.at(exercise.eigen ? "bare_eigen" : "bare"),
-            json.at("sanitize"),
-            json.at("lists"),
-            json.at("link"),
-            json.at("checks").at(exercise.name),
-            json.at("workers").at(exercise.name),
-            json.at("worker")};
+    try {
+        const auto json = json_of(contents(file));
+        return {json.at(exercise.eigen ? "compile_eigen" : "compile"),
+                json.at(exercise.eigen ? "bare_eigen" : "bare"),
+                json.at("sanitize"),
+                json.at("lists"),
+                json.at("link"),
+                json.at("checks").at(exercise.name),
+                json.at("workers").at(exercise.name),
+                json.at("worker")};
+    } catch (const nlohmann::json::exception&) {
+        throw Stop(Status::missing, file.string() + ": is damaged; delete the folder build, and ./course makes it again");
+    }
 }
 
 void put_before(Words& words, const Words& others) {
@@ -156,6 +160,34 @@ std::map<std::string, std::string> read_lines(const std::string& said) {
     return values;
 }
 
+// Compiles the answer in `file`, or the course's own.
+Words compiling(Words words, const Exercise& exercise, const fs::path& file, const fs::path& object) {
+    for (const std::string& word :
+         {std::string("-include"), exercise.declared().string(), std::string("-x"),
+          std::string("c++"), std::string("-c"), file.string(), std::string("-o"), object.string()})
+        words.push_back(word);
+    return words;
+}
+
+Words linking(Words words, const Commands& commands, const fs::path& object, const fs::path& program) {
+    for (const std::string& word : {object.string(), commands.worker_object, commands.worker_library,
+                                    std::string("-o"), program.string()})
+        words.push_back(word);
+    return words;
+}
+
+// An answer does not compile, or not link. Where the file that everybody begins with does not, either, that is no
+// answer's fault.
+void stop_if_damaged(const Exercise& exercise, const Commands& commands, const TemporaryFolder& temporary, bool links,
+                     int patience) {
+    const fs::path object = temporary.folder() / "own.o";
+    Verdict own;
+    if (!succeeds(compiling(commands.compile, exercise, exercise.stub(), object), temporary, own, patience))
+        throw Damaged(true, own.compiler);
+    if (links && !succeeds(linking(commands.link, commands, object, temporary.folder() / "own"), temporary, own, patience))
+        throw Damaged(false, own.compiler);
+}
+
 // What the learner's code has printed; nothing where it has put something else in the file's place,
 // of which nobody knows whether it has an end.
 std::optional<std::string> printed_in(const fs::path& file) {
@@ -176,6 +208,11 @@ bool meddled_with(const Outcome& outcome, const std::string& verdict) {
 
 }  // namespace
 
+Damaged::Damaged(bool header, const std::string& compiler)
+    : Stop(Status::missing, "the compiler refuses the course's own file, so no answer was checked; if that stays so, delete "
+                            "the folder build. It says: " + compiler.substr(0, compiler.find('\n'))),
+      header_(header) {}
+
 std::uint64_t new_seed() {
     std::random_device random;
     return (static_cast<std::uint64_t>(random()) << 32) | random();
@@ -192,6 +229,15 @@ std::vector<fs::path> parts_of_check(const Exercise& exercise) {
     const bool gnu = fs::exists(ready / header);  // which clang++ needs no copy of
     return {commands.check, commands.worker_object, commands.worker_library,
             ready / (header + std::string(gnu ? ".gch" : ".pch"))};
+}
+
+bool commands_are_whole(const Exercise& exercise) {
+    try {
+        read_commands(exercise);
+        return true;
+    } catch (const Stop&) {
+        return false;
+    }
 }
 
 Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_t seed,
@@ -232,10 +278,7 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
             compile.push_back(word);
             link.push_back(word);
         }
-    for (const std::string& word :
-         {std::string("-include"), exercise.declared().string(), std::string("-x"),
-          std::string("c++"), std::string("-c"), file.string(), std::string("-o"), object.string()})
-        compile.push_back(word);
+    compile = compiling(compile, exercise, file, object);
     for (std::string word : commands.lists) {  // of what it reads, beside the object
         replace_all(word, "@", object.string());
         compile.push_back(word);
@@ -248,13 +291,16 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     if (!compiles) stop_if_broken(around, verdict.compiler);
     const std::string not_own =
         not_ones_own(files_in({object.string() + ".d", object.string() + ".incbin.d"}), file);
+    if (!compiles && not_own.empty() && watch == Watch::nobody)
+        stop_if_damaged(exercise, commands, temporary, false, patience);
     if (!not_own.empty()) verdict.compiler = not_own;
     if (!compiles || !not_own.empty()) return ended("does_not_compile");
-    for (const std::string& word : {object.string(), commands.worker_object,
-                                    commands.worker_library, std::string("-o"), worker.string()})
-        link.push_back(word);
+    link = linking(link, commands, object, worker);
     if (sandbox != nullptr) put_before(link, sandbox->before_compiler(link, temporary.folder(), {}));
-    if (!succeeds(link, temporary, verdict, patience)) return ended("does_not_compile");
+    if (!succeeds(link, temporary, verdict, patience)) {
+        if (watch == Watch::nobody) stop_if_damaged(exercise, commands, temporary, true, patience);
+        return ended("does_not_compile");
+    }
 
     // The learner's code is not to reach our files through /proc: what we print is the verdict.
     prctl(PR_SET_DUMPABLE, 0);

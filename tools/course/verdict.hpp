@@ -9,6 +9,7 @@
 
 #include "exercises.hpp"
 #include "sandbox.hpp"
+#include "stop.hpp"
 
 namespace course {
 
@@ -39,18 +40,32 @@ inline constexpr const char* too_much_work_for_the_tests = "the hidden tests";
 /// builds in; valgrind's memcheck.
 enum class Watch { nobody, sanitizers, memcheck };
 
+/// What the build has made for a check is damaged: the compiler refuses the course's own file, too.
+class Damaged : public Stop {
+public:
+    Damaged(bool header, const std::string& compiler);
+    bool header() const { return header_; }  ///< is it the header compiled beforehand, or what an answer is linked with?
+
+private:
+    bool header_;
+};
+
 /// 64 random bits.
 std::uint64_t new_seed();
 
 /// The program that holds the hidden tests of the exercise.
 std::filesystem::path hidden_tests_of(const Exercise& exercise);
 
-/// What a check of the exercise compiles and links an answer with, as the build has made it.
+/// What a check of the exercise compiles and links an answer with, as the build has made it; last the header that is
+/// compiled beforehand.
 std::vector<std::filesystem::path> parts_of_check(const Exercise& exercise);
+
+/// Is what CMake writes of how to compile and link there, and whole?
+bool commands_are_whole(const Exercise& exercise);
 
 /// Checks `file` as an answer to the exercise, with inputs drawn from `seed`; a stranger's in a
 /// sandbox, watched by nobody. The compiler has `patience` times what it has usually. Throws Stop where
-/// the file cannot be read or the machine is at fault.
+/// the file cannot be read or the machine is at fault, and Damaged.
 Verdict check_file(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed,
                    const Sandbox* sandbox = nullptr, Watch watch = Watch::nobody, int patience = 1);
 
