@@ -100,7 +100,7 @@ inline const std::vector<Choice>& choices() {
         {"swing", "most of a game: ωh at most " + twice + " per frame, cut into equal steps with ωh at most " + alive + " (" + pendulum + " for a pendulum that swings far)",
          "**semi-implicit Euler**, with the damping at the new velocity",
          "one force and one division per step. With ωh below 2 the damper of a spring cannot make it blow up. Several dampers cannot either "
-         "if you sweep over them there and back, with half of each damper each way, or solve for all of them at once; one way only, they can. "
+         "if you sweep over them there and back, dividing by a root each way, or solve for all of them at once; one way only, they can. "
          "On springs and pendulums, whose force depends on the position only, the energy oscillates but does not drift. Where a force depends on the velocity in "
          "other ways, as in a double pendulum in angles, the energy may drift: chapter 6", "ch3_energy",
          "semi-implicit Euler, new damping"},
