@@ -242,7 +242,7 @@ Recommendation recommend(SpringScene scene, double h, const Wish& wish, const st
                                     : "the energy of a spring oscillates, but does not drift. It may drift where a force depends on the velocity: see chapter 6");
     if (sweeps && wish.precise) made.take += ", all dampers solved for at once";
     if (sweeps && !wish.precise && !scene.varying()) {
-        made.swept = true, made.take = "**semi-implicit Euler**, the dampers swept there and back, half of each damper each way";
+        made.swept = true, made.take = "**semi-implicit Euler**, the dampers swept there and back, dividing by a root each way";
         made.why = "with ωh below 2 no damping makes that blow up; a step costs one force per spring and two divisions per damper";
     }
     if (made.choice->name == "net" && (made.substeps == 0 || made.substeps > net_substeps)) {

@@ -95,7 +95,7 @@ inline Said constant_step(const SpringScene& scene, double h, const StabilityLim
             "ωh is " + number(least) + " to " + number(s) + ", and " + number(high.value) + " the limit"};
 }
 
-// Several dampers at the new velocity, one after another there and back with half of each damper each way, or all in one
+// Several dampers at the new velocity, one after another there and back with a root of each division, or all in one
 // system of equations. Either way v₂ = P (v₁ − h A x₁) with P symmetric, 0 < P ≤ 1, masses as the measure. An eigenvalue λ of
 // the step solves (1 + c) λ² − (2 + c − s) λ + 1 = 0 with c ≥ 0 from P⁻¹ − 1 and s from h²A, both taken at its eigenvector. Up
 // to s = 4, ωh = 2 without the dampers, |λ| ≤ 1. Beyond it `high` and `low` are the limits of one system of equations.

@@ -75,7 +75,7 @@ Eigen::MatrixXd step_of(const Method& method, const Model& model, double h) {
 }
 
 // The matrix of a step of semi-implicit Euler in which a damper beside each link takes the new velocity, one damper after
-// another: once along the row with the whole of each, or there and back with half of each.
+// another: once along the row with the whole of each, or there and back with a root of each division (damper_sweep.hpp).
 template <int N>
 Eigen::MatrixXd swept_step(const Net<N>& net, const std::vector<double>& dampers, double h, bool there_and_back) {
     using V = typename Net<N>::Vector;
@@ -86,8 +86,8 @@ Eigen::MatrixXd swept_step(const Net<N>& net, const std::vector<double>& dampers
         V v = V(y.tail(N)) - h * net.pull() * x;
         const auto damp = [&](std::size_t k) {
             const V impulse = net.masses.cwiseInverse().cwiseProduct(net.links[k]);
-            const double hc = h * dampers[k] / (there_and_back ? 2 : 1);
-            v -= hc * net.links[k].dot(v) / (1 + hc * net.links[k].dot(impulse)) * impulse;
+            const double both = net.links[k].dot(impulse), divisor = 1 + h * dampers[k] * both;
+            v -= (1 - 1 / (there_and_back ? std::sqrt(divisor) : divisor)) * net.links[k].dot(v) / both * impulse;
         };
         for (std::size_t k = 0; k < net.links.size(); ++k) damp(k);
         for (std::size_t k = net.links.size(); there_and_back && k-- > 0;) damp(k);

@@ -318,7 +318,7 @@ test_several_dampers_are_swept_there_and_back() {
         '--kind hinge --stiffness 400 --mass 2 --damping 30' '--springs 3 --stiffness 400 --mass 2 --damping 30'; do
         expect 0 course advise $question
         joined
-        says joined 'Recommended at 1/60 s: semi-implicit Euler, the dampers swept there and back, half of each damper each way'
+        says joined 'Recommended at 1/60 s: semi-implicit Euler, the dampers swept there and back, dividing by a root each way'
         says joined '< 2, dampers there and back or all at once'
     done
     expect 0 course advise --stiffness 400 --mass 2 --damping 1000

@@ -51,7 +51,7 @@ void print_scene(const timestep::SpringScene& scene, const Step& asked) {
         line("(A chain has two springs at each point, a cloth four; --springs says otherwise. If the links must only keep their length, at no "
              "stiffness of yours, use Verlet and put them right after each step: the first line of \"Which method?\".)");
     if (scene.several && spring.zeta > 0)
-        line("Several dampers, with new damping: swept there and back, half of each damper each way, or solved for all at once. Its numbers are those of all at once.");
+        line("Several dampers, with new damping: swept there and back, dividing by a root each way, or solved for all at once. Its numbers are those of all at once.");
     if (scene.only_pulls)
         line("A tether only pulls: limit and numbers are those of a taut one. Except under implicit Euler it may still gain, "
              "each time it goes taut between two steps; short steps gain less.");
