@@ -17,24 +17,26 @@
 namespace timestep {
 
 /// Dampers between masses. Each divides the velocity at which its two masses part, along its direction n, by
-/// 1 + h c (1/m_a + 1/m_b): the damping at the new velocity of chapter 3. Where dampers share a mass and are divided once
-/// each, one after another, the result depends on their order, and with springs it may grow without bound. This sweep takes
-/// the square root of each division on the way there, and the other root on the way back.
+/// 1 + h c (1/m_a + 1/m_b): the damping at the new velocity of chapter 3. Where dampers share a mass and are divided
+/// once each, one after another, the result depends on their order, and with springs it may grow without bound.
+/// This sweep takes the square root of each division on the way there, and the other root on the way back.
 ///
 /// Use it in semi-implicit Euler, after the forces and before the positions:
 ///
 ///     v += h * (forces / m);  sweep.there_and_back(v, h);  x += h * v;
 ///
-/// With linear springs (a = −M⁻¹K x with K symmetric, no negative eigenvalue), fixed directions and a fixed step this is stable
-/// for ω h < 2, where ω is the fastest oscillation of the scene without dampers; the dampers may be as hard as they like.
-/// In u = √m v and y = √m x a root is symmetric, with eigenvalues above 0 and up to 1; so is the sweep there and back,
-/// D = MᵀM. With G = D⁻¹ − 1 ≥ 0 a step is u₂ = u₁ − h K y₁ − G u₂, y₂ = y₁ + h u₂, and it changes the modified energy
+/// With linear springs, fixed directions and a fixed step this is stable for ω h < 2, where ω is the fastest
+/// oscillation of the scene without dampers; the dampers may be as hard as they like. The proof: scale u = √m v and
+/// y = √m x, in which the springs give ÿ = −K y with a symmetric K that has no negative eigenvalue. A root is
+/// symmetric, with eigenvalues above 0 and up to 1. So is the sweep there and back, D = MᵀM. With G = D⁻¹ − 1 ≥ 0 a
+/// step is u₂ = u₁ − h K y₁ − G u₂, y₂ = y₁ + h u₂, and it changes the modified energy
 ///     ½ u·(1 + ½G) u + ½ y·K y − ½ h u·K y   by   −¼ (u₁ + u₂)·G (u₁ + u₂),
-/// which is never positive; and for ω h < 2 that energy bounds u and the springs' stretch. Directions that turn are not proven.
+/// which is never positive. For ω h < 2 that energy bounds u and the springs' stretch. Directions that turn are not
+/// proven.
 ///
-/// A single damper, and dampers that are perpendicular and share no mass with another, are the chapter's method to
-/// roundoff. Other dampers are stable, not accurate, once h c/m is near 1: then shorten the step, or solve all of them
-/// as one system. Costs two sweeps. The sweep is symmetric Gauss–Seidel's idea, applied to the factors of a product.
+/// A single damper, and dampers any two of which are perpendicular or share no mass, are one system to roundoff. Other
+/// dampers are stable, not accurate, once h c/m is near 1: then shorten the step, or solve all of them as one system.
+/// The sweep costs two divisions and two square roots for each damper.
 ///
 /// `X` is a real number (masses on a line) or a fixed-size Eigen vector.
 template <class X>
