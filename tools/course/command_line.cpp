@@ -92,7 +92,7 @@ void declare_advise(CLI::App& app, Asked& asked) {
         ->delimiter(',')
         ->expected(2)
         ->check(no_double);
-    number("--accuracy", question.accuracy, "PERCENT", "recommend the cheapest method whose positions in the first period are off by at most this; none given: the list of \"Which method?\", and 1 in the table");
+    number("--accuracy", question.accuracy, "PERCENT", "off by at most this in the first period, at the least cost; not given: the list decides, and the table is for 1");
     declare_springs(*advise, question, number);
     // Of a body.
     number("--count", question.count, "NUMBER", "so many bodies like this one (1)");
