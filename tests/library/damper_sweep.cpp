@@ -148,6 +148,14 @@ TEST_CASE("the sweep there and back is symmetric and between 0 and 1, and one wa
     CHECK(most_skewed > 0.1);
 }
 
+TEST_CASE("dampers that are perpendicular or share no mass are one system there and back, to roundoff", "[library][ch3]") {
+    const Network net{{1, 0.3, 2, 5, 0.7}, {{0, 1, Vector2d(1, 2), 0, 70}, {0, 2, Vector2d(-2, 1), 0, 3e4}, {3, 4, Vector2d(3, 1), 0, 500}}, 0.1};
+    CHECK((net.swept() * net.inverse_of_one_matrix() - MatrixXd::Identity(10, 10)).cwiseAbs().maxCoeff() < 1e4 * 20 * eps);
+    Network skew = net;
+    skew.parts[1].along = Vector2d(1, 1);
+    CHECK((skew.swept() * skew.inverse_of_one_matrix() - MatrixXd::Identity(10, 10)).cwiseAbs().maxCoeff() > 0.1);
+}
+
 // The proof of the header in numbers. G = D⁻¹ − 1 is known to ε/(least eigenvalue of D), so the dampers are not too hard.
 TEST_CASE("the modified energy falls by the proof's term in every step, at omega h = 1.99", "[library][ch3]") {
     std::mt19937 random(2);
