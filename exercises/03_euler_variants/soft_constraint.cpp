@@ -12,9 +12,9 @@
 // v1, and its acceleration is -omega² x - 2 zeta omega v.
 //
 //   mass     of the wheel, kg (above zero)
-//   omega    angular frequency of the spring, rad/s (above zero)
-//   zeta     damping ratio, no unit (zero or more)
-//   h        length of the step, s (above zero; omega h is 0.001 or more)
+//   omega    angular frequency of the spring, rad/s (1e-3 to 1e6)
+//   zeta     damping ratio, no unit (zero to 100)
+//   h        length of the step, s (at most 1; omega h is 0.001 to 100)
 //   returns  {gamma, beta}: gamma in 1/kg, beta without a unit; one part in 10⁹ off is near enough
 //
 // Example: soft_constraint(2, 10, 1, 0.1) is {1/6, 1/3}: a third of the error in one step.

@@ -10,8 +10,8 @@
 //
 // The torque on the right is at right angles to w2, so the energy w.Iw/2 never grows. Solve it.
 //
-//   inertia  the three moments about the ship's own axes, in kg m^2 (1e-5 to 1e6, the largest at
-//            most 1000 times the least)
+//   inertia  the three moments about the ship's own axes, in kg m^2 (1e-5 to 1e6; any body's whose
+//            largest moment is at most 1000 times the least)
 //   wheel    angular momentum of the wheel, in the ship's axes, in kg m^2/s; may be zero, or much
 //            larger than the ship's own, up to 1e12
 //   omega    the old spin w1, in the ship's axes, in rad/s; may be zero, up to 1000
@@ -21,8 +21,7 @@
 // Twelve digits count, however long the step. A general solver, or an inverse of a matrix, loses
 // them in long steps: the energy grows. So solve the equation by hand.
 //
-// Example: inertia = (4, 1, 1), wheel = (0, 2, 0), omega = (0.5, 0, 1) and h = 1 give (0.56, 0.16,
-// 0.2).
+// Example: inertia = (4, 2, 3), wheel = (1, 0, 0), omega = (1, 1, 2) and h = 1 give (1.3, 0.4, 1.8).
 //
 // What is checked: no time, no spin, a spin about the wheel's own axis, and a ball without a wheel;
 // the energy never grows, from short steps to the longest; what the torque cannot change; which way

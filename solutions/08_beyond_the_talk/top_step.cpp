@@ -11,7 +11,8 @@
 // by itself you can solve exactly. Put them together so that the step has order two and reads the
 // same from both ends, gravity first and last, then x, then y, and z in the middle.
 //
-//   inertia  the moments about the tip, along the top's own axes, in kg m^2 (1e-5 to 1e3)
+//   inertia  the moments about the tip, along the top's own axes, in kg m^2 (1e-5 to 1e3; any
+//            body's whose largest moment is at most ten times the least)
 //   mgl      mass times gravity times the height of the centre of mass above the tip, when the top
 //            stands upright, in N m; may be zero, or below zero: then it hangs
 //   L        angular momentum about the tip, in the top's axes, in kg m^2/s; may be zero
@@ -23,7 +24,7 @@
 // What Eigen offers for this: Eigen::AngleAxisd(angle, Vector3d::Unit(i)) * v turns v about axis i
 // = 0, 1 or 2 by an angle, counterclockwise when the axis points at you.
 //
-// Example: the moments (1, 2, 4) with mgl = 0, L = (0, 0, 4), up = (0.6, 0, 0.8) and h = 0.5 end at
+// Example: the moments (2, 3, 4) with mgl = 0, L = (0, 0, 4), up = (0.6, 0, 0.8) and h = 0.5 end at
 // L = (0, 0, 4) and up = (0.5265, -0.2877, 0.8), rounded.
 //
 // What is checked: no time; a top at rest, upright or hanging; spin about one axis, without

@@ -114,8 +114,10 @@ test_what_is_no_text() {
     solution=$source/solutions/01_derivatives/velocity_now.cpp
     head -c 300000 /dev/urandom >answer.cpp
     must_be does_not_compile 'answer.cpp:'
-    iconv -t UTF-16 "$solution" >answer.cpp
-    must_be does_not_compile 'answer.cpp:'
+    for code in UTF-16 UTF-16LE UTF-16BE; do
+        iconv -t $code "$solution" >answer.cpp
+        must_be does_not_compile 'Save it as UTF-8'
+    done
     head -c 100000 /dev/zero >answer.cpp
     must_be does_not_compile 'The file has no function'
     head -c 1000000 /dev/zero | tr '\0' '(' >answer.cpp  # no compiler bears that

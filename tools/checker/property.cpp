@@ -92,8 +92,10 @@ int Draw::integer(int low, int high) {
     return low + static_cast<int>(part * (high - low + 1));
 }
 
+double allowed_share(double relative) { return relative > 0 ? std::max(relative, session().near_enough()) : 0; }
+
 bool close(double a, double b, double relative, double absolute) {
-    const double tolerance = std::max(relative * std::max(std::fabs(a), std::fabs(b)), absolute);
+    const double tolerance = std::max(allowed_share(relative) * std::max(std::fabs(a), std::fabs(b)), absolute);
     // What is infinite lies near nothing, though inf <= relative * inf.
     if (std::isfinite(tolerance) && std::fabs(a - b) <= tolerance) return true;
     return told(false, "Two numbers that must agree are " + in_words(a) + " and " + in_words(b) + ": they differ by " + in_words(std::fabs(a - b)) + ".");

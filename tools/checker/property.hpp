@@ -23,8 +23,9 @@
 #include "session.hpp"
 
 /// Says which exercise the properties below it belong to; its declaration stands in the header of
-/// the same name, which is included before.
-#define EXERCISE(name) EXERCISE_WITHIN(name, 2e-12)
+/// the same name, which is included before. The task asks for no more than nine digits; but those must be right also where
+/// the arguments nearly cancel.
+#define EXERCISE(name) EXERCISE_TOLD(name, (checker::Within{checker::nine_digits, {}, checker::all_digits}))
 
 /// The same, where the learner's answers must be the course's to what a change of the arguments by `relative` makes
 /// of them; `checker::many_are_right` where they need not be.
@@ -94,8 +95,11 @@ private:
     bool holds_ = true;
 };
 
+/// The share `relative` of a number, or what the task allows of an answer, if that is more; zero stays zero.
+double allowed_share(double relative);
+
 /// Do two numbers agree to `relative` of the larger, or to `absolute`? An infinite one agrees with
-/// none.
+/// none. Above zero, `relative` is at least what the task allows of an answer.
 bool close(double a, double b, double relative, double absolute = 0);
 
 /// The order that two errors tell, the second of half the step: log₂(error/half).

@@ -1,5 +1,6 @@
 #include "property_eigen.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -83,6 +84,15 @@ Eigen::Vector3d draw_moments(Draw& draw, double ratio) {
         const Eigen::Vector3d moments(y + z, z + x, x + y);
         if (moments.maxCoeff() <= ratio * moments.minCoeff()) return size * moments;
     }
+}
+
+Eigen::Vector3d draw_rod(Draw& draw, double least, double ratio) {
+    const double across = least * draw.log(1, ratio), more = std::min(across + draw.real(0, 1) * least, least * ratio);
+    return {least, across, more};
+}
+
+bool is_of_a_body(const Eigen::Vector3d& inertia) {
+    return inertia.minCoeff() > 0 && 2 * inertia.maxCoeff() <= inertia.sum() * (1 + 1e-12);
 }
 
 }  // namespace checker

@@ -12,6 +12,7 @@
 #include "exercise.hpp"
 #include "shown.hpp"
 #include "sides.hpp"
+#include "slips.hpp"
 
 namespace checker {
 
@@ -58,6 +59,7 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
     kept_ = 0;
     truth_ = truth_of_exercise(exercise);
     within_ = within(exercise);
+    within_.ways = &slips_of(exercise);
     first_wrong_.reset();
     shown_.reset();
     doubted_.reset();

@@ -54,6 +54,10 @@ public:
     /// Of what the draws are: 0 decides; another looks for a simpler case of what has failed.
     unsigned stream() const { return search_ ? search_->stream : 0; }
 
+    /// How far off a property's numbers may be, where the task asks for no more than nine digits of an answer: a property
+    /// may compute with a few answers.
+    double near_enough() const { return within_.of_arguments > 0 ? 4 * within_.relative : 0; }
+
 private:
     /// A property that is looked at once more, in another stream of draws, and what was called there.
     struct Search {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "shown.hpp"
+#include "slips.hpp"
 
 namespace checker {
 
@@ -17,6 +18,9 @@ constexpr unsigned trials = 24;
 // A third way to write an answer loses some digits more.
 constexpr double some_ways = 8;
 
+// The roundings of each way that the course knows are drawn so often.
+constexpr unsigned drawn = 6;
+
 // Its digits are lost to other roundings in each variation: so far the arguments must lie apart.
 constexpr double apart_enough = 0.3;
 
@@ -24,6 +28,24 @@ bool agree(const Numbers& found, const Numbers& right, const Numbers& allowed) {
     for (std::size_t i = 0; i < found.size(); ++i)
         if (!(found[i] == right[i] || std::fabs(found[i] - right[i]) <= allowed[i])) return false;
     return true;
+}
+
+bool is_whole(const Numbers& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](double x) { return x == std::floor(x); });
+}
+
+// Allows what roundings that are drawn at random make of a right way to write the answer.
+void allow_roundings(const Answer& way, const Numbers& arguments, const Numbers& right, bool or_minus, unsigned variation, Numbers& allowed) {
+    const Numbers near = slip::rounded(way, arguments, variation);
+    if (near.size() != right.size()) return;
+    double apart = 0, apart_from_minus = 0;
+    for (std::size_t i = 0; i < right.size(); ++i)
+        apart += std::fabs(near[i] - right[i]), apart_from_minus += std::fabs(near[i] + right[i]);
+    const double sign = or_minus && apart_from_minus < apart ? -1 : 1;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        const double off = some_ways * std::fabs(sign * near[i] - right[i]);
+        if (std::isfinite(off)) allowed[i] = std::max(allowed[i], off);
+    }
 }
 
 }  // namespace
@@ -51,7 +73,9 @@ bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found
     for (std::size_t i = 0; i < right.size(); ++i) allowed[i] = relative * (spoken.one_size ? largest : std::fabs(right[i]));
     for (double& number : minus) number = -number;
     const auto allows = [&](const Numbers& numbers) { return numbers.size() == right.size() && agree(numbers, right, allowed); };
-    const double scale = relative / (2 * std::numeric_limits<double>::epsilon());
+    const double of_arguments = within.of_arguments > 0 ? within.of_arguments : relative;
+    const double scale = of_arguments / (2 * std::numeric_limits<double>::epsilon());
+    const bool is_rounded = within.ways && !is_whole(right);
     for (unsigned variation = 1; !allows(found) && !(spoken.or_minus && allows(minus)); ++variation) {
         if (variation > trials) return false;
         const Numbers near = truth.nudged(arguments, variation, few_units);
@@ -64,6 +88,8 @@ bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found
             const bool counted = near[i] == std::floor(near[i]) && right[i] == std::floor(right[i]);  // one or the other
             allowed[i] = std::max(allowed[i], !std::isfinite(apart) ? HUGE_VAL : counted ? apart : scale * apart);
         }
+        if (is_rounded && variation <= drawn)
+            for (const Answer& way : *within.ways) allow_roundings(way, arguments, right, spoken.or_minus, variation, allowed);
     }
     return true;
 }

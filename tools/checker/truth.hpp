@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "answer.hpp"
+#include "roundoff.hpp"
 
 namespace checker {
 
@@ -32,9 +33,6 @@ struct Nudge<timestep::State<X>> {
         Nudge<X>::by(state.x, next), Nudge<X>::by(state.v, next);
     }
 };
-
-/// A few units of roundoff.
-inline constexpr double few_units = 4 * std::numeric_limits<double>::epsilon();
 
 /// An answer of the course's, and what becomes of it where its arguments are smaller by shares of them, each at most
 /// `most`. With a few units of roundoff: as far as those lie apart, another way to write it may be off, too.
@@ -69,14 +67,8 @@ Function function_of(R (*function)(Args...)) {
                 Reader reader(numbers);
                 std::tuple<std::decay_t<Args>...> arguments{Wire<std::decay_t<Args>>::take(reader)...};
                 std::uint64_t state = variation;
-                const auto next = [&state, most] {  // -1, …, 0: smaller, for what may be at most 1 may not be more
-                    // SplitMix64 (Steele, Lea and Flood, 2014). All its bits are mixed: shares that follow one another in even
-                    // steps can all be lucky in one sum.
-                    std::uint64_t mixed = state += 0x9e3779b97f4a7c15;
-                    mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9;
-                    mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111eb;
-                    return -most * static_cast<double>((mixed ^ (mixed >> 31)) >> 11) * 0x1p-53;
-                };
+                // -1, …, 0: smaller, for what may be at most 1 may not be more
+                const auto next = [&state, most] { return -most * next_share(state); };
                 std::apply(
                     [&](auto&... values) {
                         (Nudge<std::decay_t<decltype(values)>>::by(values, next), ...);
@@ -89,10 +81,17 @@ Function function_of(R (*function)(Args...)) {
             leading_numbers<std::decay_t<Args>...>(), (is_list<std::decay_t<Args>> || ...)};
 }
 
-/// How near the right answer an answer must be.
+/// A constant such as π may be typed with nine digits.
+inline constexpr double nine_digits = 2e-9;
+/// Nothing but roundoff.
+inline constexpr double all_digits = 2e-12;
+
+/// How near the right answer an answer must be. All of these are allowed:
 struct Within {
-    double relative;  ///< what a change of the arguments by so much does to it is allowed
-    Function beside{};   ///< and as far as another right way to write it lies from it by its roundoff, where one is given
+    double relative;          ///< so much of the answer
+    Function beside{};        ///< what another right way to write it, where one is given, loses to roundoff
+    double of_arguments = 0;  ///< what a change of the arguments by so much does to the answer; 0: by as much as `relative`
+    const std::vector<Answer>* ways = nullptr;  ///< what roundings make of the ways to write it that the course knows (slips.hpp)
 };
 
 /// By how much `way` misses the right answer near these arguments, number by number: what its roundings make of it there.

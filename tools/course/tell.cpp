@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "defined_otherwise.hpp"
 #include "misconception.hpp"
 #include "seen_in_answer.hpp"
 #include "terminal.hpp"
@@ -35,13 +36,16 @@ std::string head_of(const std::string& text, int most, const std::string& indent
 }
 
 // What the linker says, in the words of the exercise.
-std::string of_linker(const Exercise& exercise, const std::string& said) {
+std::string of_linker(const Exercise& exercise, const std::string& said, const fs::path& file) {
     // In the words of one linker or the other.
     if (said.find("undefined reference to `" + exercise.name + "(") != std::string::npos ||
         said.find("undefined reference to '" + exercise.name + "(") != std::string::npos ||
-        said.find("undefined symbol: " + exercise.name + "(") != std::string::npos)
-        return "  The file has no function\n      " + exercise.declaration +
-               "\n  Name and arguments must stay as they were.\n";
+        said.find("undefined symbol: " + exercise.name + "(") != std::string::npos) {
+        const std::string otherwise = defined_otherwise(contents(file), exercise.name);
+        return "  The file has no function\n      " + exercise.declaration + "\n" +
+               (otherwise.empty() ? "  Name and arguments must stay as they were.\n"
+                                  : wrapped("It has a function of that name, " + otherwise, 2));
+    }
     if (said.find("multiple definition of `main'") != std::string::npos ||
         said.find("multiple definition of 'main'") != std::string::npos ||
         said.find("duplicate symbol: main") != std::string::npos)
@@ -57,8 +61,9 @@ std::string of_declaration(const Exercise& exercise, const std::string& said) {
            "\n  The type it returns, name and arguments must stay as they were.\n\n";
 }
 
-std::string does_not_compile(const Exercise& exercise, const Verdict& verdict) {
-    std::string why = of_linker(exercise, verdict.compiler);
+std::string does_not_compile(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
+    if (is_utf16(contents(file))) return wrapped("The file is in UTF-16, which the compiler cannot read. Save it as UTF-8.", 2);
+    std::string why = of_linker(exercise, verdict.compiler, file);
     if (why.empty())
         why = of_declaration(exercise, verdict.compiler) + head_of(verdict.compiler, 12, "  ");
     return why;
@@ -114,7 +119,7 @@ std::string wrong(const Exercise& exercise, const Verdict& verdict, const fs::pa
 
 std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
     const std::string& kind = verdict.kind;
-    if (kind == "does_not_compile") return does_not_compile(exercise, verdict);
+    if (kind == "does_not_compile") return does_not_compile(exercise, verdict, file);
     if (kind == "wrong") return wrong(exercise, verdict, file);
     if (kind == "not_finite") {
         std::string text = wrapped(call(exercise, verdict) + " returned " + verdict.result +

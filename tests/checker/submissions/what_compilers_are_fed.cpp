@@ -30,6 +30,67 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 // ---- an empty file
 // velocity_now does_not_compile: The file has no function
 
+// ---- static
+// velocity_now does_not_compile: It has a function of that name, but it is static
+#include "exercise.hpp"
+
+static double velocity_now(double x0, double x1, double x2, double h) {
+    return (3 * x2 - 4 * x1 + x0) / (2 * h);
+}
+
+// ---- inline
+// velocity_now does_not_compile: It has a function of that name, but it is inline
+#include "exercise.hpp"
+
+inline double velocity_now(double x0, double x1, double x2, double h) {
+    return (3 * x2 - 4 * x1 + x0) / (2 * h);
+}
+
+// ---- in a namespace
+// velocity_now does_not_compile: It has a function of that name, but in the namespace mine
+#include "exercise.hpp"
+
+namespace mine {
+
+double twice(double x) { return 2 * x; }
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return (3 * x2 - 4 * x1 + x0) / twice(h);
+}
+
+}  // namespace mine
+
+// ---- in a namespace without a name
+// velocity_now does_not_compile: It has a function of that name, but in a namespace without a name
+#include "exercise.hpp"
+
+namespace {
+
+double velocity_now(double x0, double x1, double x2, double h) {
+    return (3 * x2 - 4 * x1 + x0) / (2 * h);
+}
+
+}  // namespace
+
+// ---- a template
+// velocity_now does_not_compile: It has a function of that name, but it is a template
+#include "exercise.hpp"
+
+template <class T>
+T velocity_now(T x0, T x1, T x2, T h) {
+    return (3 * x2 - 4 * x1 + x0) / (2 * h);
+}
+
+// ---- in a class
+// velocity_now does_not_compile: It has a function of that name, but as a part of Frames
+#include "exercise.hpp"
+
+struct Frames {
+    static double velocity_now(double x0, double x1, double x2, double h) {
+        return (3 * x2 - 4 * x1 + x0) / (2 * h);
+    }
+};
+
 // ---- an unused variable
 // velocity_now pass: The compiler remarks:
 #include "exercise.hpp"

@@ -3,6 +3,7 @@
 #include <limits>
 #include <numbers>
 
+#include "roundoff.hpp"
 #include "slips.hpp"
 
 namespace checker::slip {
@@ -15,6 +16,7 @@ struct Going {
     const Made* second = nullptr;
     std::vector<Made>* noted = nullptr;
     std::vector<bool>* passed = nullptr;  // the places among them
+    std::uint64_t* roundings = nullptr;  // where each result is off by some
     bool is_single = false;
     long turns = 0, work = 0, most_work = std::numeric_limits<long>::max();
 };
@@ -22,8 +24,23 @@ Going going;
 
 constexpr long most_turns = 200'000;
 
-// All numbers of a slip that is called single precision have so few digits.
-double out(double x) { return going.is_single ? double(float(x)) : x; }
+// All numbers of a slip that is called single precision have so few digits. Others may be off by a few units, where they are
+// not exact.
+double out(double x, bool is_exact = false) {
+    if (going.roundings && !is_exact) return rounded(x);
+    return going.is_single ? double(float(x)) : x;
+}
+
+// What rounding leaves out of a sum (Knuth, Moller), a product and a quotient.
+bool is_exact_sum(double l, double r) {
+    const double sum = l + r, rest = sum - l;
+    return (l - (sum - rest)) + (r - rest) == 0;
+}
+bool is_exact_product(double l, double r) { return std::fma(l, r, -(l * r)) == 0; }
+bool is_exact_quotient(double l, double r) { return std::fma(l / r, r, -l) == 0; }
+
+// An angle of which another way to write it takes a part of a turn.
+double turned(double x) { return going.roundings ? x + (std::fabs(x) + std::numbers::pi) * (rounded(1) - 1) : x; }
 
 int shared(int site, Form form, int count) {
     int slip = 0;
@@ -33,6 +50,9 @@ int shared(int site, Form form, int count) {
 }
 
 }  // namespace
+
+bool rounds() { return going.roundings != nullptr; }
+double rounded(double x) { return x * (1 + few_units * (2 * next_share(*going.roundings) - 1)); }
 
 int chosen(int site, std::initializer_list<Form> forms) {
     if (++going.work > going.most_work) throw Nowhere{};
@@ -65,7 +85,7 @@ double plus(int site, double l, double r) {
         case 7: return l + r / 2;
         case 8: return l / 2 + r;
         case 9: return std::fabs(l + r);
-        default: return out(l + r);
+        default: return out(l + r, going.roundings && is_exact_sum(l, r));
     }
 }
 
@@ -83,7 +103,7 @@ double minus(int site, double l, double r) {
         case 10: return std::fabs(l - r);
         case 11: return std::max(l - r, 0.0);
         case 12: return std::min(l - r, 0.0);
-        default: return out(l - r);
+        default: return out(l - r, going.roundings && is_exact_sum(l, -r));
     }
 }
 
@@ -99,7 +119,7 @@ double times(int site, double l, double r) {
         case 8: return l * l * r;
         case 9: return l * r * r;
         case 10: return std::fabs(l * r);
-        default: return out(l * r);
+        default: return out(l * r, going.roundings && is_exact_product(l, r));
     }
 }
 
@@ -114,7 +134,7 @@ double over(int site, double l, double r) {
         case 7: return r / l;
         case 8: return l * l / r;
         case 9: return l / (r * r);
-        default: return out(l / r);
+        default: return out(l / r, going.roundings && is_exact_quotient(l, r));
     }
 }
 
@@ -124,7 +144,7 @@ double added(int site, double x) {
         case 2: return 0;
         case 3: return 2 * x;
         case 4: return x / 2;
-        default: return out(x);
+        default: return out(x, true);
     }
 }
 
@@ -162,12 +182,12 @@ double pick(int site, double one, std::initializer_list<double> others) {
 double sin(int site, double x) {
     x = angle(x);
     const int slip = chosen(site, {Form::function, Form::function});
-    return slip == 1 ? std::cos(x) : slip == 2 ? x : out(std::sin(x));
+    return slip == 1 ? std::cos(x) : slip == 2 ? x : out(std::sin(turned(x)));
 }
 double cos(int site, double x) {
     x = angle(x);
     const int slip = chosen(site, {Form::function, Form::function});
-    return slip == 1 ? std::sin(x) : slip == 2 ? x : out(std::cos(x));
+    return slip == 1 ? std::sin(x) : slip == 2 ? x : out(std::cos(turned(x)));
 }
 double exp(int site, double x) {
     const int slip = chosen(site, {Form::function, Form::function});
@@ -229,6 +249,14 @@ Numbers run(const Answer& answer, const Numbers& arguments) {
 }
 
 }  // namespace
+
+Numbers rounded(const Answer& answer, const Numbers& arguments, unsigned variation) {
+    std::uint64_t roundings = variation;
+    going.roundings = &roundings, going.most_work = going.work + most_places;
+    Numbers result = run(answer, arguments);
+    going = {.work = going.work};
+    return result;
+}
 
 Numbers answered(const Answer& answer, const Numbers& arguments, const Made& first, const Made* second, long most) {
     const bool is_single = first.form == Form::single;

@@ -30,6 +30,10 @@ int chosen(int site, std::initializer_list<Form> forms);
 /// Counts the turns of loops; always true.
 bool turn();
 
+/// Is each result to be off by some units of roundoff? And a number that is.
+bool rounds();
+double rounded(double x);
+
 // Sites that all places of an answer share.
 inline constexpr int pi_site = 1, angle_site = 2, single_site = 3, first_free_site = 10;
 
@@ -76,6 +80,19 @@ T scaled(const T& x, double by) {
     else return x;
 }
 
+/// Numbers of which each is off by some units of roundoff, if any is.
+template <class T>
+T with_roundoff(T x) {
+    if (!rounds()) return x;
+    if constexpr (std::same_as<T, double>) x = rounded(x);
+    else if constexpr (requires { x = T(rounded(x.real()), rounded(x.imag())); }) x = T(rounded(x.real()), rounded(x.imag()));
+    else if constexpr (requires { x.coeffs().reshaped(); })
+        for (double& one : x.coeffs().reshaped()) one = rounded(one);
+    else if constexpr (requires { x.reshaped()[0] = 1.0; })
+        for (double& one : x.reshaped()) one = rounded(one);
+    return x;
+}
+
 // Both may stand for their sum: numbers and vectors, no iterators.
 template <class L, class R>
 concept Terms = requires(const L& l, const R& r) { Plain<decltype(l - r)>(l + r); Plain<decltype(l - r)>(l); Plain<decltype(l - r)>(r); };
@@ -92,7 +109,7 @@ auto plus(int site, const L& l, const R& r) {
             case 3: return T(r);
             case 4: return T(l + scaled(r, 2));
             case 5: return T(l + scaled(r, 0.5));
-            default: return T(l + r);
+            default: return with_roundoff(T(l + r));
         }
     }
 }
@@ -110,7 +127,7 @@ auto minus(int site, const L& l, const R& r) {
             case 4: return T(scaled(r, -1));
             case 5: return T(l - scaled(r, 2));
             case 6: return T(l - scaled(r, 0.5));
-            default: return T(l - r);
+            default: return with_roundoff(T(l - r));
         }
     }
 }
@@ -131,7 +148,8 @@ auto times(int site, const L& l, const R& r) {
             case 6: if constexpr (std::same_as<L, R>) return T(r * l); break;
             default: break;
         }
-        return T(l * r);
+        if constexpr (Whole<L, R>) return T(l * r);
+        else return T(with_roundoff(l) * with_roundoff(r));  // its own sums may cancel
     }
 }
 
@@ -150,7 +168,8 @@ auto over(int site, const L& l, const R& r) {
             case 5: return T(l * r);
             default: break;
         }
-        return T(l / r);
+        if constexpr (Whole<L, R>) return T(l / r);
+        else return with_roundoff(T(l / r));
     }
 }
 
@@ -244,9 +263,9 @@ struct norm { int site; };
 struct squaredNorm { int site; };
 struct normalized { int site; };
 struct conjugate { int site; };
-template <class X> double operator->*(const X& x, norm at) { return chosen(at.site, {Form::function}) == 1 ? x.squaredNorm() : x.norm(); }
-template <class X> double operator->*(const X& x, squaredNorm at) { return chosen(at.site, {Form::function}) == 1 ? x.norm() : x.squaredNorm(); }
-template <class X> Plain<X> operator->*(const X& x, normalized at) { return chosen(at.site, {Form::function}) == 1 ? Plain<X>(x) : Plain<X>(x.normalized()); }
+template <class X> double operator->*(const X& x, norm at) { return chosen(at.site, {Form::function}) == 1 ? x.squaredNorm() : with_roundoff(double(x.norm())); }
+template <class X> double operator->*(const X& x, squaredNorm at) { return chosen(at.site, {Form::function}) == 1 ? x.norm() : with_roundoff(double(x.squaredNorm())); }
+template <class X> Plain<X> operator->*(const X& x, normalized at) { return chosen(at.site, {Form::function}) == 1 ? Plain<X>(x) : with_roundoff(Plain<X>(x.normalized())); }
 template <class X> Plain<X> operator->*(const X& x, conjugate at) { return chosen(at.site, {Form::function}) == 1 ? Plain<X>(x) : Plain<X>(x.conjugate()); }
 
 // Functions of the standard library's.
@@ -272,7 +291,7 @@ X log(int, const X& x) { return std::log(x); }
 template <class X>
 auto sqrt(int site, const X& x) {
     using T = decltype(std::sqrt(x));
-    return chosen(site, {Form::function}) == 1 ? T(x) : std::sqrt(x);
+    return chosen(site, {Form::function}) == 1 ? T(x) : with_roundoff(T(std::sqrt(x)));
 }
 template <class X>
 auto abs(int site, const X& x) {

@@ -122,7 +122,7 @@ bool is_same(const Numbers& made, const Numbers& found) {
     for (const double number : found) size = std::max(size, std::isfinite(number) ? std::fabs(number) : 0);
     for (std::size_t i = 0; i < made.size(); ++i)
         if (made[i] != found[i] && (std::isfinite(made[i]) || std::isfinite(found[i])) &&
-            !(std::fabs(made[i] - found[i]) <= 1e-9 * std::max(std::fabs(found[i]), 1e-3 * size)))
+            !(std::isfinite(made[i] - found[i]) && std::fabs(made[i] - found[i]) <= 1e-9 * std::max(std::fabs(found[i]), 1e-3 * size)))
             return false;
     return true;
 }

@@ -128,3 +128,13 @@ PROPERTY("intervals from a billionth of a millisecond to ages, and ways of atoms
         REQUIRE(std::isfinite(learner(x[0], x[1], x[2], h0, h1)));
     }
 }
+
+PROPERTY("a body far from the origin has its acceleration, however slow it is") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double h0 = draw.spread(1e-4, 1e4, i, 21), h1 = h0 * draw.log(0.1, 10);
+        const double far = draw.sign() * draw.spread(1e-6, 1e9, i, 20), way = std::fabs(far) * draw.spread(1e-12, 1, i, 19);
+        const double x0 = far + way * draw.real(-5, 5), x1 = far + way * draw.real(-5, 5);
+        REQUIRE(std::isfinite(learner(x0, x1, far + way * draw.real(-5, 5), h0, h1)));
+    }
+}

@@ -351,3 +351,26 @@ int best_gap(double frame, double noise, double jerk, int most) {
 }
 
 }  // namespace root_of_squares
+
+// Says: Without noise you return as many frames as you keep. That is the answer without jerk; without noise the shortest gap
+//       is the best.
+// Hint: Put noise = 0 into the sum of the two errors. Does what is left grow or fall with the gap?
+namespace farthest_without_noise {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    if (noise == 0) return most;
+    return best_of([&](int frames) { return jerk * frames * frames * frame * frame / 24 + 2 * noise / (frames * frame); }, most);
+}
+
+}  // namespace farthest_without_noise
+
+// Says: Where a gap of no frames would be the best, as without noise, you return two frames and not one.
+// Hint: Without noise neighbouring frames are best. From which number on do you try gaps, or to which do you round?
+namespace two_without_noise {
+
+int best_gap(double frame, double noise, double jerk, int most) {
+    if (noise == 0) return std::min(2, most);
+    return best_of([&](int frames) { return jerk * frames * frames * frame * frame / 24 + 2 * noise / (frames * frame); }, most);
+}
+
+}  // namespace two_without_noise

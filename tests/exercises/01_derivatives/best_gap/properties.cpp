@@ -154,3 +154,16 @@ PROPERTY("no time, no noise and no jerk is too small or too large for it") {
         REQUIRE(ball.is_best(ball.answer(most), most));
     }
 }
+
+// The two ends that the task names, with everything that it allows beside them.
+PROPERTY("without noise neighbouring frames, and without jerk the farthest, however many are kept and however long they are") {
+    Draw draw;
+    Every all;
+    for (int i = 0; i < 60; ++i) {
+        const int most = i % 20 == 0 ? 1'000'000 : i % 3 == 0 ? draw.integer(1, 3) : static_cast<int>(draw.spread(1, 1e5, i, 17));
+        const double frame = draw.spread(1e-12, 1e12, i, 19), other = draw.spread(1e-12, 1e12, i, 16);
+        all &= learner(frame, 0, other, most) == 1;
+        all &= learner(frame, other, 0, most) == most;
+    }
+    REQUIRE(bool(all));
+}

@@ -19,3 +19,12 @@ double order_of_results(double coarse, double middle, double fine) {
 }
 
 }  // namespace natural_logarithms
+
+namespace ten_digits {
+
+double order_of_results(double coarse, double middle, double fine) {
+    const double first = std::fabs(coarse - middle), second = std::fabs(middle - fine);
+    return (std::log(first) - std::log(second)) / 0.6931471806;
+}
+
+}  // namespace ten_digits

@@ -73,3 +73,15 @@ PROPERTY(
         REQUIRE(std::isfinite(learner(x[0], x[1], x[2], h)));
     }
 }
+
+// All three positions lie as far from the origin as they like, beside the way between them: a level of some kilometres, and
+// a body that creeps. What roundoff of the positions leaves must be right.
+PROPERTY("a body far from the origin has its velocity, however slow it is") {
+    Draw draw;
+    for (int i = 0; i < 60; ++i) {
+        const double h = draw.spread(1e-4, 1e4, i, 21), far = draw.sign() * draw.spread(1e-6, 1e9, i, 20);
+        const double way = std::fabs(far) * draw.spread(1e-12, 1, i, 19);
+        const double x0 = far + way * draw.real(-5, 5), x1 = far + way * draw.real(-5, 5);
+        REQUIRE(std::isfinite(learner(x0, x1, far + way * draw.real(-5, 5), h)));
+    }
+}

@@ -21,3 +21,13 @@ std::array<double, 2> pendulum_rates(const State<double>& s, double g, double le
 }
 
 }  // namespace per_angle
+
+namespace quarter_turn {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    // The sine is the cosine of what the angle lacks to a quarter turn.
+    const double u = length * s.v, across = std::cos(std::numbers::pi / 2 - s.x);
+    return {s.v, -(g * across + drag * u * std::fabs(u)) / length};
+}
+
+}  // namespace quarter_turn

@@ -22,3 +22,14 @@ double zeta_from_swings(double first, double later, int swings) {
 }
 
 }  // namespace squares
+
+namespace root_first {
+
+double zeta_from_swings(double first, double later, int swings) {
+    // What one period leaves, and its logarithm; with as many digits of π as one knows.
+    const double left = std::pow(later / first, 1.0 / swings);
+    const double decrement = -std::log(left), turn = 2 * 3.141592654;
+    return decrement / std::sqrt(turn * turn + decrement * decrement);
+}
+
+}  // namespace root_first

@@ -32,3 +32,14 @@ Vector3d top_after(double across, double along, const Vector3d& omega, double t)
 }
 
 }  // namespace from_the_world
+
+namespace quarter_turn {
+
+Vector3d top_after(double across, double along, const Vector3d& omega, double t) {
+    // Both components are cosines, of angles a quarter turn apart.
+    const double angle = (along / across - 1) * omega.z() * t, start = std::atan2(omega.y(), omega.x());
+    const double size = std::hypot(omega.x(), omega.y());
+    return {size * std::cos(start + angle), size * std::cos(start + angle - std::numbers::pi / 2), omega.z()};
+}
+
+}  // namespace quarter_turn

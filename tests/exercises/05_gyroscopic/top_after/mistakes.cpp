@@ -1,8 +1,7 @@
 #include "exercise_eigen.hpp"
 
-// Says: The part across turns the wrong way round, for some t at least.
-// Hint: Is a t below zero taken as it is? Take omega = (1, 0, 1) and a flat body. Which sign has the rate of
-//       omega.y() in Euler's equations?
+// Says: The part across turns the wrong way round.
+// Hint: Take omega = (1, 0, 1) and a flat body. Which sign has the rate of omega.y() in Euler's equations?
 namespace turns_backwards {
 
 Vector3d top_after(double across, double along, const Vector3d& omega, double t) {

@@ -232,3 +232,15 @@ Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vec
 }
 
 }  // namespace third_reversed
+
+// Says: A moment that is far less than the others is taken for larger than it is: right for most bodies, but not for a
+//       long rod.
+// Hint: A rod's moment about its own axis may be a millionth of the others. Divide by the moment that is given.
+namespace least_moment_raised {
+
+Vector3d world_acceleration(Vector3d inertia, Quaterniond q, Vector3d omega, Vector3d torque) {
+    const Vector3d sum = total(inertia, q, omega, torque), raised = inertia.cwiseMax(1e-3 * inertia.maxCoeff());
+    return home(q, over(sum, raised));
+}
+
+}  // namespace least_moment_raised

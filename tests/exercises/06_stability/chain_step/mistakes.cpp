@@ -348,3 +348,49 @@ std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, do
 }
 
 }  // namespace no_link_below
+
+// The clock stands still, and something else is wrong beside it.
+static Chain at_the_old_time(Chain next, const Chain& s) {
+    for (std::size_t i = 0; i < next.size(); ++i) next[i].t = s[i].t;
+    return next;
+}
+
+// Says: Two things are wrong: the clock stands still, and the links pull from the old places.
+// Hint: At the end t is h later. And the force belongs to the x2, which are x1 + h v2: so v2 stands on both sides.
+namespace clock_stands_and_explicit_pull {
+
+std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
+    return at_the_old_time(explicit_pull::chain_step(s, m, k, h), s);
+}
+
+}  // namespace clock_stands_and_explicit_pull
+
+// Says: Two things are wrong: the clock stands still, and the last mass hangs between two links.
+// Hint: At the end t is h later. And how many terms has the force on the mass that has nothing below it?
+namespace clock_stands_and_floor_below {
+
+std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
+    return at_the_old_time(floor_below::chain_step(s, m, k, h), s);
+}
+
+}  // namespace clock_stands_and_floor_below
+
+// Says: Two things are wrong: the clock stands still, and you go down the chain once, with the old velocity of the mass below.
+// Hint: At the end t is h later. And the v2 of the mass below is unknown yet: a second pass, from the last mass up, finds it.
+namespace clock_stands_and_one_sweep {
+
+std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
+    return at_the_old_time(one_sweep::chain_step(s, m, k, h), s);
+}
+
+}  // namespace clock_stands_and_one_sweep
+
+// Says: Two things are wrong: the clock stands still, and the masses move with their old velocities.
+// Hint: At the end t is h later, and x2 = x1 + h v2.
+namespace clock_stands_and_moved_by_old_velocity {
+
+std::vector<State<double>> chain_step(std::vector<State<double>> s, double m, double k, double h) {
+    return at_the_old_time(moved_by_old_velocity::chain_step(s, m, k, h), s);
+}
+
+}  // namespace clock_stands_and_moved_by_old_velocity

@@ -10,7 +10,10 @@ struct Ship {
     Vector3d inertia, wheel, omega;
     double h;
 
-    Vector3d after() const { return learner(inertia, wheel, omega, h); }
+    Vector3d after() const {
+        REQUIRE(is_of_a_body(inertia));
+        return learner(inertia, wheel, omega, h);
+    }
     Vector3d momentum() const { return inertia.cwiseProduct(omega) + wheel; }
     // sqrt(I) w: half its square is the energy.
     Vector3d y(const Vector3d& w) const { return inertia.cwiseSqrt().cwiseProduct(w); }
@@ -28,6 +31,13 @@ Ship draw_ship(Draw& draw, double least, double most, bool huge = false) {
     const double size = huge ? draw.log(100 * own, 1e12) : draw.log(0.01, 100) * own;
     if (draw.real(0, 1) < 0.8) ship.wheel = size * draw_direction(draw);
     return ship;
+}
+
+// A rod up to a thousand times as long as it is thick, lying along any axis; or a body of three moments that are alike.
+Vector3d draw_body(Draw& draw, double least, int i) {
+    Vector3d inertia = draw_rod(draw, least, i % 2 == 0 ? 1000 : 2);
+    std::swap(inertia[0], inertia[i % 3]);
+    return inertia;
 }
 
 bool is_passive(const Ship& ship, double tolerance) {
@@ -115,8 +125,8 @@ PROPERTY("it is right wherever the task allows: small and large ships, slow and 
     bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart
     for (int i = 0; i < 300; ++i) {
         Ship ship = draw_ship(draw, 1, 1);
-        const double least = draw.any_of(1e-5, 1e3, {1e-5, 1e3}), ratio = draw.log(1, 1000);
-        ship.inertia = Vector3d(least, least * draw.log(1, ratio), least * draw.log(1, ratio));
+        const double least = draw.any_of(1e-5, 1e3, {1e-5, 1e3});
+        ship.inertia = draw_body(draw, least, i);
         if (i % 8 == 1) ship.inertia.setConstant(least);  // a ball, whose wheel turns its spin
         if (i % 8 == 3) ship.inertia = least * Vector3d(1, 1 + draw.log(1e-9, 1e-2), 1 + draw.log(1e-9, 1e-2));  // nearly one
         ship.omega = draw.any_of(0, 1000, {0, 1000}) * draw_direction(draw);
@@ -132,8 +142,8 @@ PROPERTY("no spin is too slow for it, no wheel too slow or too fast, and no step
     bool all = true;
     for (int i = 0; i < 420; ++i) {
         Ship ship = draw_ship(draw, 1, 1);
-        const double least = draw.spread(1e-5, 1e3, i, 17), ratio = draw.log(1, 1000);
-        ship.inertia = Vector3d(least, least * draw.log(1, ratio), least * draw.log(1, ratio));
+        const double least = draw.spread(1e-5, 1e3, i, 17);
+        ship.inertia = draw_body(draw, least, i);
         ship.omega = draw.spread(1e-12, 1000, i, 20) * draw_direction(draw);
         ship.wheel = draw.spread(1e-12, 1e12, i, 19) * draw_direction(draw);
         ship.h = draw.spread(1e-12, 1e6, i, 21);

@@ -23,6 +23,7 @@ struct Top {
     double h;
 
     Top after(double step) const {
+        REQUIRE(is_of_a_body(inertia));
         const auto [L2, up2] = learner(inertia, mgl, L, up, step);
         return {inertia, mgl, L2, up2, h};
     }
@@ -262,7 +263,7 @@ PROPERTY("no top is too light or too heavy for it, no spin too slow or too fast,
         const double angle = i % 21 == 20 ? near : draw.spread(1e-9, 1000, i, 21);
         Top top = draw_top(draw, 1, 1);
         const double least = draw.spread(1e-5, 100, i, 17), fall = draw.spread(1e-12, 1, i, 19);
-        top.inertia = least * Vector3d(1, draw.log(1, 10), draw.log(1, 10));
+        top.inertia = draw_rod(draw, least, 10);
         if (i % 2 == 0) std::swap(top.inertia[0], top.inertia[1 + i / 2 % 2]);
         top.h = draw.sign() * angle / speed;
         top.L = top.inertia.cwiseProduct(speed * draw_direction(draw));
