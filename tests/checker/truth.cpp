@@ -5,8 +5,11 @@
 #include <random>
 #include <vector>
 
+#include <numbers>
+
 #include "numbers_eigen.hpp"
 #include "session.hpp"
+#include "slip.hpp"
 
 namespace {
 
@@ -30,6 +33,12 @@ double tension(double x, double k, double c, double v) { return std::max(k * x +
 double fused_tension(double x, double k, double c, double v) { return std::max(std::fma(k, x, c * v), 0.0); }
 double sine(double angle) { return std::sin(angle); }
 double forgets_h(double x0, double x1, double) { return x1 - x0; }
+double sine_that_rounds(double angle) { return slip::sin(10, angle); }
+double decrement(double first, double later, double periods) { return std::log(first / later) / periods; }
+double root_first(double first, double later, double periods) { return std::log(std::pow(first / later, 1 / periods)); }
+double root_first_that_rounds(double first, double later, double periods) {
+    return slip::log(10, slip::pow(11, slip::over(12, first, later), slip::over(13, 1, periods)));
+}
 int whole(double share) { return static_cast<int>(std::floor(share)); }
 Eigen::Quaterniond itself(const Eigen::Quaterniond& q) { return q; }
 Eigen::Quaterniond its_minus(const Eigen::Quaterniond& q) { return Eigen::Quaterniond(-q.coeffs()); }
@@ -112,6 +121,48 @@ TEST_CASE("what cancels and is cut off below zero is roundoff, too") {
         refused += !is_right(function_of(&tension), arguments, answer_of(&fused_tension)(arguments), {2e-12}, SpokenOf<double(double, double, double, double)>::spoken);
     }
     CHECK(refused == 0);
+}
+
+TEST_CASE("another right way is right where it loses what the roundings of a way that is known cost, and no more") {
+    const std::vector<Answer> ways{answer_of(&root_first_that_rounds)};
+    using Peaks = double(double, double, double);
+    const auto is_right_beside = [&](const Numbers& peaks, double found, const std::vector<Answer>* known) {
+        return is_right(function_of(&decrement), peaks, {found}, {2e-12, {}, 0, known}, SpokenOf<Peaks>::spoken);
+    };
+    for (double periods = 1; periods < 1e10; periods *= 7) {
+        INFO(periods);
+        const Numbers peaks{10, 5, periods};
+        const double right = decrement(10, 5, periods), found = root_first(10, 5, periods);
+        CHECK(is_right_beside(peaks, found, &ways));
+        CHECK_FALSE(is_right_beside(peaks, right * (1 + 4e-12) + 1e-13, &ways));
+        if (periods > 1e6) CHECK_FALSE(is_right_beside(peaks, found + 1e-15, nullptr));
+    }
+}
+
+TEST_CASE("an angle may be moved by a part of a turn") {
+    const std::vector<Answer> ways{answer_of(&sine_that_rounds)};
+    const auto allowed = [&](double angle, double found) {
+        return is_right(function_of(&sine), {angle}, {found}, {2e-12, {}, 0, &ways}, SpokenOf<double(double)>::spoken);
+    };
+    for (const double angle : {0.0, 1e-300, 1e-12, 1e-3, 1.0, std::numbers::pi, 100.0}) {
+        INFO(angle);
+        CHECK(allowed(angle, std::cos(std::numbers::pi / 2 - angle)));
+        CHECK(allowed(angle, -std::sin(angle - std::numbers::pi)));
+        CHECK(allowed(angle, -std::cos(angle + std::numbers::pi / 2)));
+        CHECK_FALSE(allowed(angle, std::sin(angle) + 1e-12 + 1e-10 * angle));
+    }
+}
+
+TEST_CASE("nine digits are enough where the task asks for no more, but where the arguments cancel they must be right") {
+    const Within nine{nine_digits, {}, all_digits};
+    const auto allowed = [&](const Numbers& arguments, double share) {
+        const double right = velocity(arguments[0], arguments[1], arguments[2]);
+        return is_right(function_of(&velocity), arguments, {right * (1 + share)}, nine, SpokenOf<Function>::spoken);
+    };
+    CHECK(allowed({0, 1, 3}, 1.2e-9));  // 3.14159265 for pi
+    CHECK_FALSE(allowed({0, 1, 3}, 1e-8));
+    CHECK(allowed({1, 1 + 1e-6, 3}, 1.2e-9));
+    CHECK_FALSE(allowed({1, 1 + 1e-6, 3}, 1e-4));
 }
 
 TEST_CASE("where roundoff decides on a whole number, either is right, and nowhere else") {

@@ -45,6 +45,7 @@ struct Spoken {
     bool (*is_result)(const Numbers&);  ///< has it as many numbers as its type demands?
     bool or_minus;                      ///< is the negative of a result the same, as of a rotation's quaternion?
     bool one_size;                      ///< are its numbers of one unit, as a vector's: is roundoff that of the largest?
+    bool has_reals;                     ///< or are they whole, or a yes or no, to which no rounding belongs?
 };
 
 /// A type of which a value and its negative stand for the same.
@@ -53,6 +54,14 @@ inline constexpr bool minus_is_the_same = false;
 /// A type whose numbers are of one unit.
 template <class T>
 inline constexpr bool of_one_unit = false;
+
+/// A type that holds other numbers than whole ones.
+template <class T>
+inline constexpr bool holds_reals = !std::is_integral_v<T>;
+template <class T, std::size_t n>
+inline constexpr bool holds_reals<std::array<T, n>> = holds_reals<T>;
+template <class T>
+inline constexpr bool holds_reals<std::vector<T>> = holds_reals<T>;
 
 template <class Signature>
 struct SpokenOf;
@@ -84,7 +93,7 @@ struct SpokenOf<R(Args...)> {
         }
     }
     static constexpr Spoken spoken{arguments, result, is_result, minus_is_the_same<std::decay_t<R>>,
-                                   of_one_unit<std::decay_t<R>>};
+                                   of_one_unit<std::decay_t<R>>, holds_reals<std::decay_t<R>>};
 };
 
 /// A function of numbers as an ordinary typed function: `Typed<double(double, double)> f(g); f(1,

@@ -30,10 +30,6 @@ bool agree(const Numbers& found, const Numbers& right, const Numbers& allowed) {
     return true;
 }
 
-bool is_whole(const Numbers& numbers) {
-    return std::all_of(numbers.begin(), numbers.end(), [](double x) { return x == std::floor(x); });
-}
-
 // Allows what roundings that are drawn at random make of a right way to write the answer.
 void allow_roundings(const Answer& way, const Numbers& arguments, const Numbers& right, bool or_minus, unsigned variation, Numbers& allowed) {
     const Numbers near = slip::rounded(way, arguments, variation);
@@ -75,7 +71,7 @@ bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found
     const auto allows = [&](const Numbers& numbers) { return numbers.size() == right.size() && agree(numbers, right, allowed); };
     const double of_arguments = within.of_arguments > 0 ? within.of_arguments : relative;
     const double scale = of_arguments / (2 * std::numeric_limits<double>::epsilon());
-    const bool is_rounded = within.ways && !is_whole(right);
+    const bool is_rounded = within.ways && spoken.has_reals;
     for (unsigned variation = 1; !allows(found) && !(spoken.or_minus && allows(minus)); ++variation) {
         if (variation > trials) return false;
         const Numbers near = truth.nudged(arguments, variation, few_units);
