@@ -31,8 +31,8 @@ bool agree(const Numbers& found, const Numbers& right, const Numbers& allowed) {
 }
 
 // Allows what roundings that are drawn at random make of a right way to write the answer.
-void allow_roundings(const Answer& way, const Numbers& arguments, const Numbers& right, bool or_minus, unsigned variation, Numbers& allowed) {
-    const Numbers near = slip::rounded(way, arguments, variation);
+void allow_roundings(const Answer& way, const Numbers& arguments, const Numbers& right, double constant, bool or_minus, unsigned variation, Numbers& allowed) {
+    const Numbers near = slip::rounded(way, arguments, variation, constant);
     if (near.size() != right.size()) return;
     double apart = 0, apart_from_minus = 0;
     for (std::size_t i = 0; i < right.size(); ++i)
@@ -71,6 +71,7 @@ bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found
     const auto allows = [&](const Numbers& numbers) { return numbers.size() == right.size() && agree(numbers, right, allowed); };
     const double of_arguments = within.of_arguments > 0 ? within.of_arguments : relative;
     const double scale = of_arguments / (2 * std::numeric_limits<double>::epsilon());
+    const double constant = std::max(few_units, within.of_arguments > 0 ? relative / some_ways : 0);
     const bool is_rounded = within.ways && spoken.has_reals;
     for (unsigned variation = 1; !allows(found) && !(spoken.or_minus && allows(minus)); ++variation) {
         if (variation > trials) return false;
@@ -85,7 +86,7 @@ bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found
             allowed[i] = std::max(allowed[i], !std::isfinite(apart) ? HUGE_VAL : counted ? apart : scale * apart);
         }
         if (is_rounded && variation <= drawn)
-            for (const Answer& way : *within.ways) allow_roundings(way, arguments, right, spoken.or_minus, variation, allowed);
+            for (const Answer& way : *within.ways) allow_roundings(way, arguments, right, constant, spoken.or_minus, variation, allowed);
     }
     return true;
 }

@@ -17,6 +17,7 @@ struct Going {
     std::vector<Made>* noted = nullptr;
     std::vector<bool>* passed = nullptr;  // the places among them
     std::uint64_t* roundings = nullptr;  // where each result is off by some
+    double constant = 0;                 // by a share of so much a part of a turn may be off
     bool is_single = false;
     long turns = 0, work = 0, most_work = std::numeric_limits<long>::max();
 };
@@ -40,7 +41,11 @@ bool is_exact_product(double l, double r) { return std::fma(l, r, -(l * r)) == 0
 bool is_exact_quotient(double l, double r) { return std::fma(l / r, r, -l) == 0; }
 
 // An angle of which another way to write it takes a part of a turn.
-double turned(double x) { return going.roundings ? x + (std::fabs(x) + std::numbers::pi) * (rounded(1) - 1) : x; }
+double turned(double x) {
+    if (!going.roundings) return x;
+    const double off = few_units * std::fabs(x) + going.constant * std::numbers::pi;
+    return x + off * (2 * next_share(*going.roundings) - 1);
+}
 
 int shared(int site, Form form, int count) {
     int slip = 0;
@@ -250,9 +255,9 @@ Numbers run(const Answer& answer, const Numbers& arguments) {
 
 }  // namespace
 
-Numbers rounded(const Answer& answer, const Numbers& arguments, unsigned variation) {
+Numbers rounded(const Answer& answer, const Numbers& arguments, unsigned variation, double constant) {
     std::uint64_t roundings = variation;
-    going.roundings = &roundings, going.most_work = going.work + most_places;
+    going.roundings = &roundings, going.constant = constant, going.most_work = going.work + most_places;
     Numbers result = run(answer, arguments);
     going = {.work = going.work};
     return result;

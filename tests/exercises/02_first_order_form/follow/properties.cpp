@@ -4,13 +4,7 @@
 
 // The velocity may be written as a difference of two numbers that are 1/(ωh) times as large, of
 // which 10⁻⁴ is the least that is drawn: a roundoff of a few 10⁻¹² of it.
-// And one may add to where the camera is what changes: after a long frame the roundoff of where it was remains.
-static State<double> by_change(const State<double>& s, double goal, double goal_v, double omega, double h) {
-    const double x = s.x - goal, v = s.v - goal_v, slope = v + omega * x;
-    const double kept = std::exp(-omega * h), less = std::expm1(-omega * h);
-    return {s.t + h, s.x + goal_v * h + (x * less + slope * h * kept), s.v + (v * less - omega * h * slope * kept)};
-}
-EXERCISE_BESIDE(follow, 1e-10, by_change);
+EXERCISE_WITHIN(follow, 1e-10);
 
 namespace {
 

@@ -2,7 +2,8 @@
 
 #include "property_eigen.hpp"
 
-EXERCISE(turn_exactly);
+// All digits, says the task.
+EXERCISE_WITHIN(turn_exactly, checker::all_digits);
 
 namespace {
 
