@@ -321,3 +321,14 @@ double velocity_under_drag(double v, double gravity, double k, double h) {
 }
 
 }  // namespace drag_of_falling
+
+// Says: Where there is no air, or the step is zero, you divide by zero. Elsewhere the answer is right.
+// Hint: Put k = 0 into each of your divisors. The root can be written with a divisor that is never below 1.
+namespace only_with_air {
+
+double velocity_under_drag(double v, double gravity, double k, double h) {
+    const double w = v - h * gravity;
+    return 2 * w / (h * k == 0 ? 0 : 1 + std::sqrt(1 + 4 * h * k * std::fabs(w)));
+}
+
+}  // namespace only_with_air

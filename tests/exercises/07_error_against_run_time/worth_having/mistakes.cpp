@@ -274,3 +274,31 @@ std::vector<int> worth_having(const std::vector<Point>& points) {
 }
 
 }  // namespace ties_in_time
+
+// Says: You sort by the seconds alone, in no order where they are equal, and keep whoever has a smaller error than all before.
+//       A less accurate setting with the same time may come first, and stays; and of twins only one does.
+// Hint: Compare the errors, too, where the seconds are equal. And what do you do with a twin of the last one kept?
+namespace ties_in_any_order {
+
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    std::vector<int> order, worth;
+    for (int i = 0; i < int(points.size()); ++i)
+        if (usable(points[i])) order.push_back(i);
+    std::sort(order.begin(), order.end(), [&](int i, int j) { return points[i][0] < points[j][0]; });
+    for (const int i : order)
+        if (worth.empty() || points[i][1] < points[worth.back()][1]) worth.push_back(i);
+    return worth;
+}
+
+}  // namespace ties_in_any_order
+
+// Says: Two things are wrong: where the seconds are equal the less accurate setting may come first, and stays; and one that
+//       takes longer for the same error stays, too.
+// Hint: Sort by the errors where the seconds are equal. Then who takes longer must have a smaller error, not the same.
+namespace ties_in_time_and_same_error {
+
+std::vector<int> worth_having(const std::vector<Point>& points) {
+    return from_the_fastest_on(points, [](const Point& point, const Point& last) { return point[1] <= last[1]; }, takes_less_time);
+}
+
+}  // namespace ties_in_time_and_same_error
