@@ -54,18 +54,19 @@ std::string of_linker(const Exercise& exercise, const std::string& said, const f
 }
 
 // The header of that name is read before the learner's file.
-std::string of_declaration(const Exercise& exercise, const std::string& said) {
+std::string of_declaration(const Exercise& exercise, const std::string& said, const fs::path& file) {
     if (said.find("what the exercise declares:") == std::string::npos) return {};
-    return "  The file declares the function otherwise than the exercise does:\n      " +
-           exercise.declaration +
-           "\n  The type it returns, name and arguments must stay as they were.\n\n";
+    const std::string otherwise = defined_otherwise(contents(file), exercise.name);
+    return "  The file declares the function otherwise than the exercise does:\n      " + exercise.declaration + "\n" +
+           (otherwise.empty() ? "  The type it returns, name and arguments must stay as they were.\n\n"
+                              : wrapped("It has a function of that name, " + otherwise, 2) + "\n");
 }
 
 std::string does_not_compile(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
     if (is_utf16(contents(file))) return wrapped("The file is in UTF-16, which the compiler cannot read. Save it as UTF-8.", 2);
     std::string why = of_linker(exercise, verdict.compiler, file);
     if (why.empty())
-        why = of_declaration(exercise, verdict.compiler) + head_of(verdict.compiler, 12, "  ");
+        why = of_declaration(exercise, verdict.compiler, file) + head_of(verdict.compiler, 12, "  ");
     return why;
 }
 

@@ -263,3 +263,25 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 }
 
 }  // namespace first_frame_left_out
+
+// Says: Where whole steps are dropped at the cap, the comparison is strict: if just one whole step is left, it stays owed.
+// Hint: Less than one step may stay owed after a frame. What does your comparison do with exactly one?
+namespace one_whole_step_kept {
+
+std::vector<int> steps_of_frames(const std::vector<double>& frames, double step, int most_steps) {
+    std::vector<int> steps;
+    double owed = 0;
+    for (const double passed : frames) {
+        owed += passed;
+        int count = 0;
+        for (; owed >= step && count < most_steps; ++count) owed -= step;
+        if (owed > step) {
+            const double rest = std::fmod(owed, step);
+            owed = rest == 0 ? step : rest;
+        }
+        steps.push_back(count);
+    }
+    return steps;
+}
+
+}  // namespace one_whole_step_kept

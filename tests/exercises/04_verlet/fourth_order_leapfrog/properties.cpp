@@ -138,7 +138,8 @@ static double weight(const std::array<double, N>& nodes, std::size_t j) {
 // nine digits it is some 5e-10.
 PROPERTY("of the error with the square of the step nothing is left: p and q have all their digits") {
     Draw draw;
-    constexpr std::array steps{0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}, parts{0.4, 0.6, 0.8, 1.0, 1.2};
+    constexpr std::array steps{0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
+    constexpr std::array parts{0.4, 0.6, 0.8, 1.0, 1.2};
     constexpr int runs = 10;
     double mean = 0;
     for (int run = 0; run < runs; ++run) {
