@@ -31,3 +31,13 @@ double before_new_step(double before, double now, double a, double h_old, double
 }
 
 }  // namespace time_between_middles
+
+namespace through_three_places {
+
+// The parabola through the last place, this one and the one that a step as long as before would lead to.
+double before_new_step(double before, double now, double a, double h_old, double h_new) {
+    const double after = 2 * now - before + h_old * h_old * a, s = -h_new / h_old;
+    return before * s * (s - 1) / 2 + now * (1 - s) * (1 + s) + after * s * (s + 1) / 2;
+}
+
+}  // namespace through_three_places
