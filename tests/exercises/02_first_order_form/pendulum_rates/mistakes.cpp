@@ -271,3 +271,14 @@ std::array<double, 2> pendulum_rates(const State<double>& s, double g, double le
 }
 
 }  // namespace length_not_used
+
+// Says: The drag is the coefficient times the square of the angular velocity. It lacks a length, and it has lost its direction:
+//       swinging back, the air pushes the lamp.
+// Hint: Use the speed u = length v in both places of |u| u, keep the sign of one of them, and divide by the length at the end.
+namespace square_of_the_angular_velocity {
+
+std::array<double, 2> pendulum_rates(const State<double>& s, double g, double length, double drag) {
+    return {s.v, -g / length * std::sin(s.x) - drag * s.v * s.v};
+}
+
+}  // namespace square_of_the_angular_velocity
