@@ -28,3 +28,13 @@ double order_of_results(double coarse, double middle, double fine) {
 }
 
 }  // namespace ten_digits
+
+namespace by_the_exact_value {
+
+// Aitken: the value that all three lead to, and by what the first two miss it.
+double order_of_results(double coarse, double middle, double fine) {
+    const double exact = coarse - (coarse - middle) * (coarse - middle) / ((coarse - middle) - (middle - fine));
+    return std::log2((coarse - exact) / (middle - exact));
+}
+
+}  // namespace by_the_exact_value

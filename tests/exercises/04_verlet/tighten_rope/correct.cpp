@@ -25,3 +25,17 @@ std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double w
 }
 
 }  // namespace fractions
+
+namespace what_is_left_to_a {
+
+// The share of b, and what is left to a: of a heavy a that is nothing but roundoff.
+std::array<Vector3d, 2> tighten_rope(Vector3d a, Vector3d b, double wa, double wb, double length) {
+    const Vector3d apart = b - a;
+    const double distance = apart.norm();
+    if (distance <= length || wa + wb == 0) return {a, b};
+    const Vector3d pull = (1 - length / distance) * apart;
+    const double share = wb / (wa + wb);
+    return {a + (1 - share) * pull, b - share * pull};
+}
+
+}  // namespace what_is_left_to_a

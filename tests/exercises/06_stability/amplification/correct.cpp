@@ -53,3 +53,13 @@ double amplification(double re, double im, double theta, double h) {
 }
 
 }  // namespace one_and_more
+
+namespace one_and_a_change {
+
+// What a step adds to 1. Far out it takes nearly all of that 1 away.
+double amplification(double re, double im, double theta, double h) {
+    const std::complex<double> z(h * re, h * im);
+    return std::abs(1.0 + z / (1.0 - theta * z));
+}
+
+}  // namespace one_and_a_change
