@@ -80,7 +80,7 @@ std::string difference(const Words& before, const Words& arguments, const std::v
                    ". The checker calls the one that is in no namespace: take it out of there.";
     }
     if (has(before, "template") || has(arguments, "auto"))
-        return "but it is a template, of which there is no function until somebody calls it. Write it with the types that are declared above.";
+        return "but it is a template: the compiler makes no function of it until some code calls it. Write it with the types that are declared above.";
     if (has(before, "static")) return "but it is static: no other file can call it, and the checker is in another file. Leave out static.";
     for (const char* word : {"inline", "constexpr", "consteval"})
         if (has(before, word))

@@ -236,7 +236,7 @@ double velocity_now(double x0, double x1, double x2, double h) {
 }  // namespace weighted_mean
 
 // Says: Positions that nearly agree, beside their distance from the origin, are taken for those of a body at rest.
-// Hint: Far away a slow body is a body, too: no comparison is needed. Its velocity comes from what the positions differ by.
+// Hint: A slow body far from the origin moves, too. You need no comparison: the differences of the positions tell its velocity.
 namespace far_away_at_rest {
 
 double velocity_now(double x0, double x1, double x2, double h) {

@@ -212,9 +212,9 @@ double farthest_reach(double x, double v, double omega, double h) {
 
 }  // namespace divisor_without_root
 
-// Says: This is the true amplitude over 1 - omega h / 2. That is by how much the energy of a ball that was let go at rest may
-//       grow in a run; it is no length, and other states have other energies.
-// Hint: Do without the true energy: it changes from step to step. Which one stays, and what does it say at the farthest x?
+// Says: This is the true amplitude divided by 1 - omega h / 2. That factor bounds the true energy of a ball that is let go at
+//       rest. It does not give the reach of the ellipse.
+// Hint: Do without the true energy: it changes from step to step. Which energy stays, and what is it at the farthest x?
 namespace band_of_the_energy {
 
 double farthest_reach(double x, double v, double omega, double h) {
@@ -223,8 +223,8 @@ double farthest_reach(double x, double v, double omega, double h) {
 
 }  // namespace band_of_the_energy
 
-// Says: The true energy has been raised by 1 / (1 - omega h / 2), which is the most that a run makes of it where a ball is let
-//       go at rest. Each state of a run has another true energy, so each gets another answer.
+// Says: The true energy is divided by 1 - omega h / 2. That is the most that a run makes of it when a ball is let go at rest. But
+//       the states of a run differ in their true energy, so each of them gets another answer.
 // Hint: Write down the modified energy of the given state, and the same energy where x is largest. Compare the two.
 namespace root_of_the_band {
 
