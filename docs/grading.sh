@@ -16,7 +16,7 @@ hand_in() {
     cp "$2" "class/$1/velocity_now.cpp"
 }
 hand_in ada "$source/solutions/01_derivatives/velocity_now.cpp"
-sh "$source/tests/exercises/variant.sh" "$source/tests/exercises/01_derivatives/velocity_now/mistakes.cpp" middle >middle.cpp
+sh "$source/tests/exercises/variant.sh" "$build/exercises/generated/velocity_now_mistakes.hpp" middle >middle.cpp
 hand_in ben middle.cpp
 hand_in cleo "$build/exercises/generated/velocity_now_stub.cpp"
 sh "$source/tests/split.sh" "$source/tests/checker/submissions" submissions

@@ -20,7 +20,7 @@ new_fixture() {
     file=source/exercises/01_derivatives/velocity_now.cpp
     solved=source/solutions/01_derivatives/velocity_now.cpp
     mistake=mistake_middle.cpp
-    sh "$source/tests/exercises/variant.sh" source/tests/exercises/01_derivatives/velocity_now/mistakes.cpp middle >$mistake
+    sh "$source/tests/exercises/variant.sh" "$real_build/exercises/generated/velocity_now_mistakes.hpp" middle >$mistake
 }
 
 course() {

@@ -37,7 +37,7 @@ for correct in $(sample 1 "$room/correct.cpp"); do
     must "$work/$correct.cpp" 0 pass null
 done
 rm "$work"/*.cpp
-for mistake in $(sample 2 "$room/mistakes.cpp"); do
+for mistake in $(sample 2 "$build/exercises/generated/${exercise}_mistakes.hpp"); do
     must "$work/$mistake.cpp" 1 wrong "\"$mistake\""
 done
 exit $failures

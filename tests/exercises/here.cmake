@@ -15,9 +15,7 @@ target_compile_definitions(checks_here PUBLIC CATCH_CONFIG_DISABLE_STRINGIFICATI
   TIMESTEP_SOURCE="${PROJECT_SOURCE_DIR}" TIMESTEP_BUILD="${PROJECT_BINARY_DIR}" TIMESTEP_CMAKE="" TIMESTEP_CTEST="")
 target_compile_options(checks_here PUBLIC -O1)
 
-add_executable(write_slips EXCLUDE_FROM_ALL ${checker}/slips/write_slips.cpp)
-target_link_libraries(write_slips PRIVATE timestep_warnings)
-target_compile_features(write_slips PRIVATE cxx_std_20)
+timestep_answer_writers()
 
 file(GLOB rooms CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "*/*/about.json")
 foreach(room IN LISTS rooms)
@@ -25,11 +23,7 @@ foreach(room IN LISTS rooms)
   set(chapter ${CMAKE_MATCH_1})
   set(name ${CMAKE_MATCH_2})
   timestep_read_exercise(${chapter} ${name} "${generated}")
-  set(solution "${PROJECT_SOURCE_DIR}/solutions/${chapter}/${name}.cpp")
-  set(correct "${CMAKE_CURRENT_SOURCE_DIR}/${chapter}/${name}/correct.cpp")
-  add_custom_command(OUTPUT "${generated}/${name}_slips.hpp"
-    COMMAND write_slips ${name} "${generated}/${name}_slips.hpp" "${solution}" "${correct}"
-    DEPENDS write_slips "${solution}" "${correct}" COMMENT "Writing the slips of ${name}" VERBATIM)
+  timestep_write_answers(${chapter} ${name} "${generated}")
   # As the course program compiles it: what the exercise gives, and its declaration, are read before.
   set(header exercise.hpp)
   file(READ "${CMAKE_CURRENT_SOURCE_DIR}/${chapter}/${name}/about.json" json)
@@ -45,9 +39,9 @@ foreach(room IN LISTS rooms)
   set_source_files_properties("${ANSWER_${name}}" PROPERTIES COMPILE_OPTIONS
     "-include;${header};-include;${name}_declared.hpp;-Wall;-Wextra;-Wno-unused-parameter;-Werror=return-type;-D_GLIBCXX_ASSERTIONS")
   set_source_files_properties("${generated}/${name}_hidden.cpp" PROPERTIES COMPILE_OPTIONS -Wno-unused-parameter
-    OBJECT_DEPENDS "${generated}/${name}_slips.hpp")
+    OBJECT_DEPENDS "${generated}/${name}_slips.hpp;${generated}/${name}_mistakes.hpp")
   add_executable(here_${name} EXCLUDE_FROM_ALL "${ANSWER_${name}}" "${generated}/${name}_here.cpp"
-    "${generated}/${name}_hidden.cpp" "${generated}/${name}_slips.hpp")
+    "${generated}/${name}_hidden.cpp" "${generated}/${name}_slips.hpp" "${generated}/${name}_mistakes.hpp")
   target_link_libraries(here_${name} PRIVATE checks_here)
   add_custom_target(check_${name} COMMAND here_${name} USES_TERMINAL VERBATIM)
 endforeach()

@@ -81,6 +81,15 @@ void add_lines(const std::string& text, std::set<std::string>& lines) {
     }
 }
 
+// The lines of code in a list of edits. What is said of a mistake is told to learners.
+std::string code_of_edits(const std::string& edits) {
+    std::istringstream stream(edits);
+    std::string code;
+    for (std::string line; std::getline(stream, line);)
+        if (line.starts_with('+') || line.starts_with('-') || line.starts_with('=')) code += line.substr(1) + "\n";
+    return code;
+}
+
 // What the learner is to find: from one line  // [answer]  to the next; the rest is the stub. The
 // answer in one piece, too, since its lines may be short.
 void take_apart(const std::string& solution, std::set<std::string>& answers, std::string& stub) {
@@ -112,6 +121,8 @@ public:
         for_each_file(source / "tests", [&](const fs::path& file) {
             if (file.filename() == "about.json")
                 open += read(file);
+            else if (file.extension() == ".diff")
+                add_lines(code_of_edits(read(file)), lines);
             else
                 add_lines(read(file), lines);
         });

@@ -36,7 +36,7 @@ test_an_answer_of_short_lines() {
 }
 
 test_a_line_of_a_mistake_in_a_comment() {
-    line=$(grep return "$source/tests/exercises/04_verlet/tighten_rope/mistakes.cpp" |
+    line=$(sed -n 's/^[+]\(.*return.*\)/\1/p' "$source/tests/exercises/04_verlet/tighten_rope/mistakes.diff" |
         awk 'length > 40' | head -n 1)
     [ -n "$line" ] || fail 'no line to plant'
     echo "// once it was   $line" >>kit/include/timestep/state.hpp

@@ -74,7 +74,7 @@ test_a_new_exercise_is_whole() {
     name=place_in_swing
     for file in solutions/03_swing/$name.cpp tests/exercises/03_swing/$name/about.json \
         tests/exercises/03_swing/$name/properties.cpp tests/exercises/03_swing/$name/correct.cpp \
-        tests/exercises/03_swing/$name/mistakes.cpp; do
+        tests/exercises/03_swing/$name/mistakes.diff; do
         says "source/$file" 'FILL IN'
         is "$file: $(grep -c '' "source/$file" | awk '{print ($1 < 80)}')" "$file: 1"
     done

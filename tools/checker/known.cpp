@@ -54,8 +54,10 @@ const std::vector<Mistake>& mistakes_of(const std::string& exercise) {
     return mistakes()[exercise];
 }
 
-bool know_variants(const std::string& exercise, Variants list) {
-    return variants().emplace(exercise, std::move(list)).second;
+bool know_variants(const std::string& exercise, const Answer& stub, const Answer& solution,
+                   std::vector<std::pair<std::string, Answer>> correct) {
+    correct.insert(correct.begin(), {"solution", solution});
+    return variants().emplace(exercise, Variants{stub, std::move(correct)}).second;
 }
 
 const Variants& variants_of(const std::string& exercise) {

@@ -5,10 +5,10 @@
 #     about.json       title, declaration, hints
 #     properties.cpp   the hidden tests
 #     correct.cpp      two answers or more that are right and written differently, each in a namespace of its own
-#     mistakes.cpp     four or more that are wrong, the same; above each in comments what it says and a hint.
-#                      Many may stand in several files: mistakes_KIND.cpp, read after it
+#     mistakes.diff    four or more that are wrong: what each says, a hint, and the edit of a right answer that makes it
 # One that lacks any of them is a configure error; but for the learner's own, since nothing that a
 # learner does to exercises/ may break the build: a test looks for those (tests/exercises/files.cmake).
+# What correct.cpp and mistakes.diff hold, write_mistakes reads when the tests are built.
 
 # Sets `result` to the words about.json has for the keys given.
 function(timestep_words json where result)
@@ -24,62 +24,12 @@ function(timestep_words json where result)
   set(${result} "${words}" PARENT_SCOPE)
 endfunction()
 
-# Sets `names` to the namespaces in files of answers, and where `words` is the name of a list, that to what is said
-# above each: its `// Says: …` and `// Hint: …`, one after the other, as JSON's strings.
-function(timestep_answers_in files names words)
-  set(found "")
-  set(all "")
-  foreach(file IN LISTS files)
-    file(READ "${PROJECT_SOURCE_DIR}/${file}" text)
-    foreach(character "[;]=<1>" "[[]=<2>" "[]]=<3>")  # CMake's lists know these as their own
-      string(REGEX MATCH "^(.+)=(<.>)$" both "${character}")
-      string(REGEX REPLACE "${CMAKE_MATCH_1}" "${CMAKE_MATCH_2}" text "${text}")
-    endforeach()
-    string(REPLACE "\n" ";" lines "${text}")
-    set(kind "")
-    set(Says "")
-    set(Hint "")
-    foreach(line IN LISTS lines)
-      if(line MATCHES "^// (Says|Hint): (.+)$")
-        set(kind ${CMAKE_MATCH_1})
-        set(${kind} "${CMAKE_MATCH_2}")
-      elseif(kind AND line MATCHES "^//       (.+)$")
-        string(APPEND ${kind} " ${CMAKE_MATCH_1}")
-      elseif(line MATCHES "^namespace ([A-Za-z][A-Za-z0-9_]*) {$")
-        list(APPEND found ${CMAKE_MATCH_1})
-        foreach(key Says Hint)
-          if(words AND ${key} STREQUAL "")
-            message(FATAL_ERROR "${file}: above namespace ${CMAKE_MATCH_1} a line // ${key}: must stand")
-          elseif(words AND "${${key}}" IN_LIST all)
-            message(FATAL_ERROR "${file}: what ${CMAKE_MATCH_1} ${key} is said of another mistake, too")
-          endif()
-          list(APPEND all "${${key}}")
-          set(${key} "")
-        endforeach()
-        set(kind "")
-      else()
-        set(kind "")
-      endif()
-    endforeach()
-  endforeach()
-  set(${names} ${found} PARENT_SCOPE)
-  if(words)
-    set(json "")
-    foreach(sentence IN LISTS all)
-      string(REPLACE "\\" "\\\\" sentence "${sentence}")
-      string(REPLACE "\"" "\\\"" sentence "${sentence}")
-      list(APPEND json "\"${sentence}\"")
-    endforeach()
-    set(${words} "${json}" PARENT_SCOPE)
-  endif()
-endfunction()
-
 # Reads an exercise, stops where something is missing, and writes into `generated` the sources that bind
 # it to the checker.
 function(timestep_read_exercise chapter name generated)
   set(room "tests/exercises/${chapter}/${name}")
   set(solution "solutions/${chapter}/${name}.cpp")
-  foreach(file ${solution} ${room}/about.json ${room}/properties.cpp ${room}/correct.cpp ${room}/mistakes.cpp)
+  foreach(file ${solution} ${room}/about.json ${room}/properties.cpp ${room}/correct.cpp ${room}/mistakes.diff)
     if(NOT EXISTS "${PROJECT_SOURCE_DIR}/${file}")
       message(FATAL_ERROR "exercise ${name}: ${file} is missing")
     endif()
@@ -114,41 +64,6 @@ function(timestep_read_exercise chapter name generated)
   if(NOT eigen MATCHES "^(ON|OFF)$")
     message(FATAL_ERROR "${about}: eigen must be true or false")
   endif()
-
-  timestep_answers_in("${room}/correct.cpp" correct "")
-  list(LENGTH correct count)
-  if(count LESS 2)
-    message(FATAL_ERROR "${room}/correct.cpp: needs two answers, written differently, each in a namespace of its own")
-  endif()
-  file(GLOB kinds CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/${room}/mistakes_*.cpp")
-  list(PREPEND kinds ${room}/mistakes.cpp)
-  timestep_answers_in("${kinds}" mistakes words)
-  list(LENGTH mistakes count)
-  if(count LESS 4)
-    message(FATAL_ERROR "${room}/mistakes.cpp: needs four mistakes, each in a namespace of its own")
-  endif()
-  # For those who tell the learner.
-  set(told "{")
-  set(comma "")
-  foreach(mistake IN LISTS mistakes)
-    list(POP_FRONT words says hint)
-    string(APPEND told "${comma}\n  \"${mistake}\": {\"says\": ${says}, \"hint\": ${hint}}")
-    set(comma ",")
-  endforeach()
-  string(APPEND told "\n}\n")
-  foreach(character "<1>=;" "<2>=[" "<3>=]")
-    string(SUBSTRING "${character}" 0 3 from)
-    string(SUBSTRING "${character}" 4 1 to)
-    string(REPLACE "${from}" "${to}" told "${told}")
-  endforeach()
-  file(CONFIGURE OUTPUT "${generated}/${name}_mistakes.json" CONTENT "@told@" @ONLY)
-  set(included "")
-  foreach(file IN LISTS kinds)
-    string(APPEND included "#include \"${PROJECT_SOURCE_DIR}/${file}\"\n")
-  endforeach()
-  foreach(file ${room}/correct.cpp ${kinds})
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${file}")
-  endforeach()
 
   # The file as the learner gets it.
   file(READ "${PROJECT_SOURCE_DIR}/${solution}" solved)
@@ -198,10 +113,6 @@ int main(int count, char** words) {
     return checker::check_here(\"@name@\", checker::answer_of(&@name@), count, words);
 }
 " @ONLY)
-  set(list "")
-  foreach(mistake IN LISTS mistakes)
-    string(APPEND list "    {\"${mistake}\", checker::function_of(&mistakes::${mistake}::${name})},\n")
-  endforeach()
   file(CONFIGURE OUTPUT "${generated}/${name}_hidden.cpp" CONTENT
 "// The mistakes that are known, with the headers that they include read before; and the hidden tests. One source, for
 // reading the headers is most of the work.
@@ -212,23 +123,19 @@ int main(int count, char** words) {
 
 namespace {
 namespace mistakes {
-@included@}
+#include \"@name@_mistakes.hpp\"
+}
 namespace solution {
 #include \"@source@/@solution@\"
 }
-const bool known = checker::know(\"@name@\", {
-@list@}) && checker::know_truth(\"@name@\", checker::function_of(&solution::@name@));
+const bool known = checker::know(\"@name@\", mistakes::all) && checker::know_truth(\"@name@\", checker::function_of(&solution::@name@));
 namespace slips {
-#include \"@generated@/@name@_slips.hpp\"
+#include \"@name@_slips.hpp\"
 }
 }
 
 #include \"@source@/@room@/properties.cpp\"
 " @ONLY)
-  set(list "    {\"solution\", checker::answer_of(&solution::${name})},\n")
-  foreach(variant IN LISTS correct)
-    string(APPEND list "    {\"correct_${variant}\", checker::answer_of(&correct::${variant}::${name})},\n")
-  endforeach()
   file(CONFIGURE OUTPUT "${generated}/${name}_variants.cpp" CONTENT
 "// Each in a namespace of its own; the headers they include are read before.
 #include \"@learners_header@\"
@@ -244,9 +151,33 @@ namespace solution {
 }
 namespace correct {
 #include \"@source@/@room@/correct.cpp\"
+#include \"@name@_correct.hpp\"
 }
-const bool known = checker::know_variants(\"@name@\", {checker::answer_of(&stub::@name@), {
-@list@}});
+const bool known = checker::know_variants(\"@name@\", checker::answer_of(&stub::@name@), checker::answer_of(&solution::@name@), correct::all);
 }
 " @ONLY)
+endfunction()
+
+# What the build writes of an exercise before its tests are compiled: its mistakes as C++ and what is said of them, the
+# list of its right answers, and its slips.
+function(timestep_write_answers chapter name generated)
+  set(solution "${PROJECT_SOURCE_DIR}/solutions/${chapter}/${name}.cpp")
+  set(room "${PROJECT_SOURCE_DIR}/tests/exercises/${chapter}/${name}")
+  add_custom_command(OUTPUT "${generated}/${name}_mistakes.hpp" "${generated}/${name}_mistakes.json" "${generated}/${name}_correct.hpp"
+    COMMAND write_mistakes ${name} "${generated}" "${solution}" "${room}/correct.cpp" "${room}/mistakes.diff"
+    DEPENDS write_mistakes "${solution}" "${room}/correct.cpp" "${room}/mistakes.diff"
+    COMMENT "Writing the mistakes of ${name}" VERBATIM)
+  add_custom_command(OUTPUT "${generated}/${name}_slips.hpp"
+    COMMAND write_slips ${name} "${generated}/${name}_slips.hpp" "${solution}" "${room}/correct.cpp"
+    DEPENDS write_slips "${solution}" "${room}/correct.cpp" COMMENT "Writing the slips of ${name}" VERBATIM)
+endfunction()
+
+# The programs that write them.
+function(timestep_answer_writers)
+  add_executable(write_mistakes EXCLUDE_FROM_ALL "${PROJECT_SOURCE_DIR}/tools/checker/write_mistakes.cpp")
+  add_executable(write_slips EXCLUDE_FROM_ALL "${PROJECT_SOURCE_DIR}/tools/checker/slips/write_slips.cpp")
+  foreach(writer write_mistakes write_slips)
+    target_link_libraries(${writer} PRIVATE timestep_warnings)
+    target_compile_features(${writer} PRIVATE cxx_std_20)
+  endforeach()
 endfunction()

@@ -29,7 +29,7 @@ struct Exercise {
 
     /// What is told of it, about.json.
     std::filesystem::path about() const;
-    /// What the build has made of mistakes.cpp, for those who tell the learner.
+    /// What the build has made of mistakes.diff, for those who tell the learner.
     std::filesystem::path told() const;
     /// The mistakes that are known, by their names. Throws Stop(bad_use).
     std::map<std::string, Misconception> mistakes() const;

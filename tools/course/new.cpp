@@ -206,7 +206,7 @@ void new_exercise(const std::string& chapter_meant, const std::string& name) {
         {"exercise/about.json", room + "about.json", "title, declaration, hints"},
         {"exercise/properties.cpp", room + "properties.cpp", "the hidden tests"},
         {"exercise/correct.cpp", room + "correct.cpp", "two answers or more that are right"},
-        {"exercise/mistakes.cpp", room + "mistakes.cpp", "four or more that are wrong, and what is said of each"}};
+        {"exercise/mistakes.diff", room + "mistakes.diff", "four or more that are wrong, and what is said of each"}};
     InTheMaking unfinished;
     for (const auto& part : parts) unfinished.write(part.place, filled(part.sample, words));
     try_out(name, unfinished);  // makes the learner's file from the solution
