@@ -237,7 +237,7 @@ test_a_chapter_is_checked() {
     expect 2 course check 1 --sanitize
     is "$(cat err)" 'course: check --sanitize needs the exercise to check'
     expect 2 course check 4
-    says err "'4' is no exercise"
+    is "$(cat err)" "course: '4' is no chapter and no exercise; ./course list shows them"
 }
 
 # Who waits is told for what: another ./course, a build, the compiler, the answer itself.

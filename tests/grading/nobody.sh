@@ -176,6 +176,7 @@ test_an_answer_in_other_letters_is_named() {
     refused_with gus 'Velocity_Now.CPP is to be named velocity_now.cpp, in just these letters: rename it'
     refused_with Velocity_now.cpp 'Velocity_now.cpp is to be named velocity_now.cpp, in just these letters: rename it'
     is "$(verdict_of fay)" pass
+    says out '    velocity_now: graded is velocity_now.cpp, left out VELOCITY_NOW.cpp'
     # Of one exercise the only file of C++ is the answer, whatever it is called.
     rm class/Velocity_now.cpp class/fay/VELOCITY_NOW.cpp
     expect 1 course grade class --exercise velocity_now
@@ -183,6 +184,24 @@ test_an_answer_in_other_letters_is_named() {
     cp $solved class/gus/main.cpp
     expect 1 course grade class --exercise velocity_now
     refused_with gus 'Velocity_Now.CPP is to be named'
+}
+
+test_other_endings_of_cpp_are_taken_and_others_named() {
+    needs_isolation
+    for name in velocity_now.cc velocity_now.CPP velocity_now.cxx velocity_now.C++; do
+        mkdir "class/of_$name"
+        cp $solved "class/of_$name/$name"
+    done
+    mkdir class/text class/two
+    cp $solved class/text/velocity_now.txt
+    cp $solved class/two/velocity_now.cpp
+    cp "$mistake" class/two/velocity_now.cc
+    expect 1 course grade class
+    for name in velocity_now.cc velocity_now.CPP velocity_now.cxx velocity_now.C++; do is "$name $(verdict_of "of_$name")" "$name pass"; done
+    refused_with text 'velocity_now.txt is no C++ file by its name: rename it velocity_now.cpp'
+    refused_with two '2 files answer it, velocity_now.cc and velocity_now.cpp, and not just one of them is in exercises/01_derivatives: leave one'
+    # One file is a submission, too.
+    expect 0 course grade class/of_velocity_now.cc/velocity_now.cc
 }
 
 # An archive that was packed on a Mac brings of each file another, which is none.

@@ -32,6 +32,47 @@ test_bad_use_is_one_line_and_status_2() {
     says err "course: only run takes options for a chapter's program after --"
 }
 
+# The words are our own, not those of the library that reads options.
+test_bad_use_is_told_in_our_words() {
+    while IFS='|' read -r words told; do
+        # shellcheck disable=SC2086
+        expect 2 course $words
+        is "$words: $(cat err)" "$words: course: $told"
+    done <<'END'
+new chapter -x|new chapter has no option -x (./course new chapter --help)
+list 3|list does not take '3' (./course list --help)
+check --sed 3|check has no option --sed (./course check --help)
+new|new takes chapter or exercise (./course new --help)
+--json|./course has no option --json (./course --help)
+bench --scene|--scene needs a value, NAME (./course bench --help)
+advise --spin 1,2|--spin needs 3 values, with commas between (./course advise --help)
+list --json=maybe|--json takes no value (./course list --help)
+bench latency --rounds many|--rounds many: must be a whole number from 1 to 1000 (./course bench latency --help)
+site --pdf --open|--open and --pdf do not go together (./course site --help)
+END
+    mkdir -p source/tests/exercises
+    cp -r "${source_of_door%/course}/tests/exercises/01_derivatives" source/tests/exercises
+    for command in hint solution reset watch; do
+        expect 2 course $command 1
+        is "$(cat err)" "course: '1' is a chapter; its exercises are 1.1, 1.2, 1.3, 1.4, 1.5, 1.6"
+    done
+    expect 2 course check 9
+    is "$(cat err)" "course: '9' is no chapter and no exercise; ./course list shows them"
+}
+
+test_a_scene_that_is_not_there_is_refused_before_anything_is_built() {
+    mkdir -p source/chapters/support/contest source/tools/bench/engines
+    cp "${source_of_door%/course}/chapters/support/contest/scenes.hpp" source/chapters/support/contest
+    cp "${source_of_door%/course}/tools/bench/engines/engines.cpp" source/tools/bench/engines
+    : >calls
+    expect 2 course bench --scene nosuch
+    is "$(cat err)" "course: --scene 'nosuch': must be one of projectile, drag, spring, damped_spring, spring_3d, stiff_spring, \
+two_time_scales, bouncing_ball, dzhanibekov, symmetric_top, capsule_on_plane"
+    expect 2 course bench engines --scene nosuch
+    is "$(cat err)" "course: --scene 'nosuch': must be one of alone, top, throws, piles, cost"
+    is "$(lines calls)" 0
+}
+
 test_every_command_has_a_help_and_stands_in_the_doors() {
     expect 0 course --help
     for command in tour test list run where check watch hint reset new grade advise bench kit site; do

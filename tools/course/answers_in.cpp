@@ -34,16 +34,25 @@ bool is_folder(const fs::directory_entry& entry) {
     return fs::is_directory(entry.symlink_status(error));
 }
 
+// Why a file named after an exercise is no answer to it; nothing where it is not meant as one.
+std::string why_not(const fs::path& file, const std::string& exercise) {
+    static const std::set<std::string> texts{"", ".c", ".h", ".hh", ".hpp", ".txt"};
+    if (is_source(file)) return "is to be named " + exercise + ".cpp, in just these letters: rename it";
+    if (texts.contains(in_small_letters(file.extension().string()))) return "is no C++ file by its name: rename it " + exercise + ".cpp";
+    return "";
+}
+
 // What bears an answer's name where none is taken from, and why none is.
 struct Aside {
     fs::path file;
     std::string why;
+    bool in_left_out = false;  // by the folder, which is told by itself
     bool operator<(const Aside& other) const { return file < other.file; }
 };
 
 // All that bears an answer's name, at whatever depth.
 struct Search {
-    const std::map<std::string, std::size_t>& wanted;  // file name -> place in `found`
+    const std::map<std::string, std::size_t>& wanted;  // exercise -> place in `found`
     fs::path root;
     std::vector<std::vector<fs::path>> found;
     std::vector<std::vector<Aside>> aside = std::vector<std::vector<Aside>>(found.size());
@@ -68,8 +77,9 @@ struct Search {
                 if (is_folder(*entry)) in_left_out(entry->path(), entry->path(), depth + 1);
                 continue;
             }
-            const auto at = wanted.find(in_small_letters(name));
-            if (at != wanted.end() && at->first == name)
+            const std::string stem = entry->path().stem().string();
+            const auto at = wanted.find(in_small_letters(stem));
+            if (at != wanted.end() && at->first == stem && is_source(name))
                 found[at->second].push_back(entry->path());
             else if (is_folder(*entry)) {
                 if (depth < deepest)
@@ -78,7 +88,8 @@ struct Search {
                     fault = "holds folders more than " + std::to_string(deepest) + " deep";
             } else {
                 if (at != wanted.end())
-                    aside[at->second].push_back({entry->path(), "is to be named " + at->first + ", in just these letters: rename it"});
+                    if (const std::string why = why_not(entry->path(), at->first); !why.empty())
+                        aside[at->second].push_back({entry->path(), why});
                 if (is_source(entry->path())) others.push_back(entry->path());
             }
             error.clear();
@@ -91,9 +102,9 @@ struct Search {
         std::error_code error;
         for (fs::directory_iterator entry(folder, error), end; !error && entry != end && ++seen_aside <= most_entries;
              entry.increment(error)) {
-            const auto at = wanted.find(in_small_letters(entry->path().filename().string()));
-            if (at != wanted.end())
-                aside[at->second].push_back({entry->path(), "lies where nothing is graded, in '" + below_root(top) + "': move it"});
+            const auto at = wanted.find(in_small_letters(entry->path().stem().string()));
+            if (at != wanted.end() && is_source(entry->path()))
+                aside[at->second].push_back({entry->path(), "lies where nothing is graded, in '" + below_root(top) + "': move it", true});
             else if (is_folder(*entry) && depth < deepest)
                 in_left_out(top, entry->path(), depth + 1);
         }
@@ -105,16 +116,19 @@ bool is_at_its_place(const fs::path& file, const Exercise& exercise) {
     return folder.filename() == exercise.chapter && folder.parent_path().filename() == "exercises";
 }
 
-HandedIn choose(const std::vector<fs::path>& found, const Exercise& exercise) {
+HandedIn choose(Search& search, std::size_t at, const Exercise& exercise) {
+    auto& found = search.found[at];
     if (found.empty()) return {};
+    std::sort(found.begin(), found.end());
     std::vector<fs::path> files = found;
     if (files.size() > 1)
         std::erase_if(files, [&](const fs::path& file) { return !is_at_its_place(file, exercise); });
-    const std::string name = exercise.name + ".cpp";
     if (files.size() != 1)
-        return {found[0], std::to_string(found.size()) + " files are named " + name +
-                              ", and not just one of them is exercises/" + exercise.chapter + "/" +
-                              name};
+        return {found[0], std::to_string(found.size()) + " files answer it, " + search.below_root(found[0]) + " and " +
+                              search.below_root(found[1]) + (found.size() > 2 ? " among them" : "") +
+                              ", and not just one of them is in exercises/" + exercise.chapter + ": leave one"};
+    for (const fs::path& file : found)
+        if (file != files[0]) search.aside[at].push_back({file, ""});
     return {files[0], ""};
 }
 
@@ -146,7 +160,8 @@ bool is_of_the_course(const fs::path& entry) {
 }
 
 bool is_source(const fs::path& file) {
-    return in_small_letters(file.extension().string()) == ".cpp";
+    static const std::set<std::string> endings{".cpp", ".cc", ".cxx", ".c++"};
+    return endings.contains(in_small_letters(file.extension().string()));
 }
 
 bool answers_another(const fs::path& file) {
@@ -191,18 +206,20 @@ Answers answers_in(const Submission& submission, const std::vector<Exercise>& ex
     std::error_code error;
     const auto type = fs::symlink_status(submission.place, error).type();
     std::map<std::string, std::size_t> wanted;
-    for (std::size_t i = 0; i < exercises.size(); ++i) wanted[exercises[i].name + ".cpp"] = i;
+    for (std::size_t i = 0; i < exercises.size(); ++i) wanted[exercises[i].name] = i;
     if (type != fs::file_type::directory) {
-        const std::string name = submission.place.filename().string();
-        const auto at = wanted.find(in_small_letters(name));
+        const std::string name = submission.place.filename().string(), stem = submission.place.stem().string();
+        const auto at = wanted.find(in_small_letters(stem));
         if (exercises.size() == 1)
             answers.all[0] = {submission.place, is_source(submission.place) || type != fs::file_type::regular
                                                     ? ""
-                                                    : "it is neither a folder nor a .cpp file (archives are to be "
+                                                    : "it is neither a folder nor a C++ file, .cpp (archives are to be "
                                                       "unpacked first)"};
-        else if (at != wanted.end())
-            answers.all[at->second] = {submission.place, at->first == name ? "" : in_one_line(name) + " is to be named " +
-                                                             at->first + ", in just these letters: rename it"};
+        else if (at != wanted.end()) {
+            const bool right = is_source(name) && at->first == stem;
+            const std::string why = right ? "" : why_not(name, at->first);
+            if (right || !why.empty()) answers.all[at->second] = {submission.place, right ? "" : in_one_line(name) + " " + why};
+        }
         return answers;
     }
     Search search{wanted, submission.place, std::vector<std::vector<fs::path>>(exercises.size())};
@@ -210,7 +227,7 @@ Answers answers_in(const Submission& submission, const std::vector<Exercise>& ex
     std::sort(search.left_out.begin(), search.left_out.end());
     answers.left_out = search.left_out;
     for (std::size_t i = 0; i < exercises.size(); ++i)
-        answers.all[i] = search.fault.empty() ? choose(search.found[i], exercises[i])
+        answers.all[i] = search.fault.empty() ? choose(search, i, exercises[i])
                                               : HandedIn{submission.place, "the submission " + search.fault, true};
     const auto is_only = [&] {
         return exercises.size() == 1 && search.others.size() == 1 && !answers_another(search.others[0]);
@@ -218,7 +235,13 @@ Answers answers_in(const Submission& submission, const std::vector<Exercise>& ex
     for (std::size_t i = 0; i < exercises.size(); ++i) {
         HandedIn& answer = answers.all[i];
         auto& aside = search.aside[i];
-        if (!answer.file.empty()) continue;
+        if (!answer.file.empty()) {
+            for (const Aside& other : aside)
+                if (!other.in_left_out && answer.refused.empty())
+                    answer.beside += (answer.beside.empty() ? exercises[i].name + ": graded is " + search.below_root(answer.file) +
+                                                                  ", left out " : ", ") + search.below_root(other.file);
+            continue;
+        }
         std::sort(aside.begin(), aside.end());
         // By another name, as platforms and browsers give them: it can only be the one.
         if (is_only() && (aside.empty() || (aside.size() == 1 && aside[0].file == search.others[0])))

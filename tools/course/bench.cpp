@@ -5,6 +5,7 @@
 
 #include "build.hpp"
 #include "commands.hpp"
+#include "files.hpp"
 #include "places.hpp"
 #include "process.hpp"
 #include "stop.hpp"
@@ -31,9 +32,34 @@ void run_each(const std::vector<std::string>& programs) {
     }
 }
 
+// Before anything is built for them: are there such scenes?
+void check_scenes(const std::vector<std::string>& given, const std::vector<std::string>& known) {
+    for (const auto& scene : given)
+        if (!known.empty() && std::find(known.begin(), known.end(), scene) == known.end()) {
+            std::string all;
+            for (const auto& name : known) all += (all.empty() ? "" : ", ") + name;
+            throw Stop(Status::bad_use, "--scene '" + sanitized_line(scene) + "': must be one of " + all);
+        }
+}
+
+// The names in the list of a source: what stands in quotes at the beginning of each of its entries.
+std::vector<std::string> names_in(const std::filesystem::path& source, const std::string& list, const std::string& before) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(source, ignored)) return {};
+    const std::string text = contents(source);
+    const auto begin = text.find(list), end = text.find("};", begin);
+    std::vector<std::string> names;
+    for (auto at = text.find(before, begin); begin != std::string::npos && at < end; at = text.find(before, at + 1)) {
+        const auto first = at + before.size();
+        names.push_back(text.substr(first, text.find('"', first) - first));
+    }
+    return names;
+}
+
 }  // namespace
 
 void bench(const Contest& contest) {
+    check_scenes(contest.scenes, names_in(places().source / "chapters/support/contest/scenes.hpp", "all_scenes{", "Named{\""));
     {
         ProgressLine progress;
         build({"bench"}, progress);
@@ -64,6 +90,7 @@ void bench_many() {
 }
 
 void bench_engines(const Contest& contest, const std::optional<std::string>& engine) {
+    check_scenes(contest.scenes, names_in(places().source / "tools/bench/engines/engines.cpp", "Scene scenes[]", "{\""));
     {
         ProgressLine progress;
         build({"bench_engines"}, progress);

@@ -141,6 +141,8 @@ void check(const std::string& name, const std::optional<std::string>& file, bool
         if (sanitize) throw Stop(Status::bad_use, "check --sanitize needs the exercise to check");
         return check_all(chapter, json, seed);
     }
+    if (!one && name.find_first_not_of("0123456789") == std::string::npos)
+        throw Stop(Status::bad_use, "'" + shortened(name, 100) + "' is no chapter and no exercise; ./course list shows them");
     const Exercise exercise = one ? *one : find_exercise(name);
     if (file && file->empty()) throw Stop(Status::bad_use, "--file '': must be the name of a file");
     const fs::path answer = file ? fs::path(*file) : exercise.file();

@@ -239,6 +239,51 @@ std::string see_help(const CLI::App& app) {
     return " (" + command + " --help)";
 }
 
+// CLI11's words between these.
+std::string between(const std::string& text, const std::string& before, const std::string& after) {
+    const auto begin = text.find(before);
+    if (begin == std::string::npos) return {};
+    const auto from = begin + before.size();
+    return text.substr(from, text.find(after, from) - from);
+}
+
+// What is wrong with the words given, in words of our own.
+std::string in_our_words(const CLI::ParseError& error, const CLI::App& app) {
+    const std::string said = error.what(), kind = error.get_name(), option = said.substr(0, said.find(':'));
+    const bool extras = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);  // which names the command
+    auto words = app.remaining(true);
+    if (extras && words.empty()) words.push_back(between(said, " expected: ", "\n"));
+    if ((extras || kind == "RequiredError") && !words.empty()) {
+        std::string command = "./course";
+        const CLI::App* inner = &app;
+        for (auto named = app.get_subcommands(); !named.empty(); named = inner->get_subcommands()) {
+            inner = named.front();
+            command = (command == "./course" ? "" : command + " ") + inner->get_name();
+        }
+        const auto odd = std::find_if(words.begin(), words.end(), [](const auto& word) { return word.starts_with("-"); });
+        return odd != words.end() ? command + " has no option " + sanitized_line(*odd)
+                                  : command + " does not take '" + sanitized_line(words.front()) + "'";
+    }
+    if (said == "A subcommand is required") return app.got_subcommand("new") ? "new takes chapter or exercise" : "a command is required";
+    if (kind == "ArgumentMismatch") {
+        if (said.find(" required ") == std::string::npos) return said;
+        const std::string most = between(said, "At least ", " required");
+        return most.empty() ? option + " needs a value, " + between(said, " required ", " missing")
+                            : option + " needs " + most + " values, with commas between";
+    }
+    if (kind == "ConversionError") {
+        const std::string given = between(said, "Could not convert: ", "\n");
+        for (const char* flag : {"--json", "--yes", "--all", "--quick", "--study", "--open", "--pdf", "--one", "--trust", "--again",
+                                 "--sanitize", "--release", "--tests", "--with-solutions", "--contacts", "--callback", "--kicks", "--keep-size"})
+            if (given.starts_with(std::string(flag) + " ")) return std::string(flag) + " takes no value";
+        return given + ": it takes numbers";
+    }
+    if (const std::string value = between(said, ": Value ", " not in range "); !value.empty())
+        return option + " " + value + ": must be a whole number from " + between(said, " not in range ", "\n");
+    if (kind == "ExcludesError") return option.substr(0, option.find(' ')) + " and " + between(said, " excludes ", "\n") + " do not go together";
+    return said;
+}
+
 // The word after an option; CLI11's own optional takes '' for no word.
 std::optional<std::string> given(const CLI::App& app, const char* option, const std::string& word) {
     return app.get_option(option)->count() > 0 ? std::optional(word) : std::nullopt;
@@ -339,14 +384,13 @@ Status obey(int argc, char** argv) {
         std::string hint;
         if (app.got_subcommand("run")) hint = forgotten_dashes(app, asked);
         if (app.got_subcommand("bench")) hint = unknown_bench(app);
-        throw Stop(Status::bad_use, hint.empty() ? error.what() + see_help(app) : hint);
+        throw Stop(Status::bad_use, hint.empty() ? in_our_words(error, app) + see_help(app) : hint);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {  // --help
             app.exit(error);
             return Status::fine;
         }
-        const bool number = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ConversionError);
-        throw Stop(Status::bad_use, error.what() + std::string(number ? ": it takes numbers" : "") + see_help(app));
+        throw Stop(Status::bad_use, in_our_words(error, app) + see_help(app));
     }
 
     blank_seed(static_cast<int>(end - argv), argv);

@@ -114,7 +114,13 @@ std::optional<Exercise> exercise_of(const std::string& name) {
 Exercise find_exercise(const std::string& name) {
     if (const auto exercise = exercise_of(name)) return *exercise;
     std::vector<std::string> names;
-    for (const auto& exercise : read_exercises()) names.push_back(exercise.name);
+    std::string of_chapter;
+    for (const auto& exercise : read_exercises()) {
+        names.push_back(exercise.name);
+        if (exercise.place().starts_with(name + ".")) of_chapter += (of_chapter.empty() ? "" : ", ") + exercise.place();
+    }
+    if (!of_chapter.empty())
+        throw Stop(Status::bad_use, "'" + name + "' is a chapter; its exercises are " + of_chapter);
     const fs::path file(name);
     const std::string near = nearest(file.extension() == ".cpp" ? file.stem().string() : name, names);
     throw Stop(Status::bad_use, "'" + sanitized_line(shortened(name, 100)) + "' is no exercise; " +

@@ -200,6 +200,7 @@ void print(const Pile& pile, const std::vector<Grade>& grades) {
                         width,
                         missing > 0 ? (", " + std::to_string(missing) + " missing").c_str() : "");
         }
+        if (!pile.answers[i].beside.empty()) std::printf("    %s\n", pile.answers[i].beside.c_str());
         if (grades[i].verdict == "refused")
             std::printf("    %s\n", grades[i].says.c_str());
         else if (!grades[i].passed() && grades[i].verdict != "missing")
@@ -289,6 +290,8 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
                      (once_more.size() == 1 ? " was" : " were") +
                      " not done in time; once more, one at a time and with more of it");
     in_parallel(once_more, 1, work(3), keep);
+    for (std::size_t i = 0; i < grades.size(); ++i)
+        if (!pile.answers[i].beside.empty()) grades[i].says += "\n" + pile.answers[i].beside;
     return grades;
 }
 

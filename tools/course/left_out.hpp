@@ -19,7 +19,7 @@ bool is_litter(const std::string& name);
 /// Is it a part of the whole course, which lies in the same folder?
 bool is_of_the_course(const std::filesystem::path& entry);
 
-/// Does its name end in .cpp, in small letters or large?
+/// Is it a C++ file by its name: .cpp, .cc, .cxx or .c++, in small letters or large?
 bool is_source(const std::filesystem::path& file);
 
 /// Is it named after an exercise, of which we know that it is not the one looked for?

@@ -118,6 +118,7 @@ Words Sandbox::before_compiler(const Words& command, const fs::path& folder,
                                const std::vector<fs::path>& reads) const {
     Words words = walls();
     add(words, {"--size", "268435456", "--tmpfs", "/tmp", "--setenv", "TMPDIR", "/tmp"});
+    add(words, {"--setenv", "CCACHE_DISABLE", "1", "--setenv", "HOME", "/"});  // the compiler may be ccache's
     for (const fs::path& place : named_in(command))
         if (!is_below(place, folder)) show(words, place);
     for (const fs::path& place : reads) show(words, place);

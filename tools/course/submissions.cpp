@@ -18,7 +18,7 @@ namespace {
 
 bool is_answer(const fs::path& entry, const std::vector<Exercise>& exercises) {
     return std::any_of(exercises.begin(), exercises.end(), [&](const Exercise& exercise) {
-        return entry.filename() == exercise.name + ".cpp";
+        return is_source(entry) && entry.stem() == exercise.name;
     });
 }
 

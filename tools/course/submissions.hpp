@@ -21,6 +21,7 @@ struct HandedIn {
     std::filesystem::path file;  ///< empty: nothing was handed in
     std::string refused;         ///< one line where the file cannot be taken
     bool whole = false;          ///< it is the submission that cannot be taken, whatever the exercise
+    std::string beside = {};     ///< one line where another file of the submission may be meant as the answer
 };
 
 /// What a submission holds: for each exercise what is its answer, and the names of what nothing is taken from.
@@ -43,10 +44,10 @@ Submissions find_submissions(const std::filesystem::path& place,
                              const std::vector<Exercise>& exercises, bool one);
 
 /// What a submission holds for each of these exercises: the file exercises/CHAPTER/NAME.cpp anywhere
-/// in it, or the only file NAME.cpp, or of one exercise the only .cpp file there is, unless that is named
+/// in it, or the only file NAME.cpp, or of one exercise the only C++ file there is, unless that is named
 /// after another exercise. A submission that is one file is the answer to the only exercise, or to the one
 /// it is named after. No link is followed. Where an answer lies only in a folder that is left out, or only by its name
-/// in other letters, it is refused, with the reason. (answers_in.cpp)
+/// in other letters or with another ending, it is refused, with the reason; and beside an answer it is named. For .cpp there may be .cc, .cxx or .c++. (answers_in.cpp)
 Answers answers_in(const Submission& submission, const std::vector<Exercise>& exercises);
 
 /// The text of an answer that is handed in. Throws Stop(bad_use), one line, where it is no file, is

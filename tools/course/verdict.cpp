@@ -178,14 +178,16 @@ Words linking(Words words, const Commands& commands, const fs::path& object, con
 
 // An answer does not compile, or not link. Where the file that everybody begins with does not, either, that is no
 // answer's fault.
-void stop_if_damaged(const Exercise& exercise, const Commands& commands, const TemporaryFolder& temporary, bool links,
-                     int patience) {
+void stop_if_damaged(const Exercise& exercise, const Commands& commands, const Sandbox* sandbox,
+                     const TemporaryFolder& temporary, bool links, int patience) {
     const fs::path object = temporary.folder() / "own.o";
     Verdict own;
-    if (!succeeds(compiling(commands.compile, exercise, exercise.stub(), object), temporary, own, patience))
-        throw Damaged(true, own.compiler);
-    if (links && !succeeds(linking(commands.link, commands, object, temporary.folder() / "own"), temporary, own, patience))
-        throw Damaged(false, own.compiler);
+    const auto works = [&](Words words) {
+        if (sandbox != nullptr) put_before(words, sandbox->before_compiler(words, temporary.folder(), {exercise.declared()}));
+        return succeeds(words, temporary, own, patience);
+    };
+    if (!works(compiling(commands.compile, exercise, exercise.stub(), object))) throw Damaged(true, own.compiler);
+    if (links && !works(linking(commands.link, commands, object, temporary.folder() / "own"))) throw Damaged(false, own.compiler);
 }
 
 // What the learner's code has printed; nothing where it has put something else in the file's place,
@@ -292,13 +294,13 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     const std::string not_own =
         not_ones_own(files_in({object.string() + ".d", object.string() + ".incbin.d"}), file);
     if (!compiles && not_own.empty() && watch == Watch::nobody)
-        stop_if_damaged(exercise, commands, temporary, false, patience);
+        stop_if_damaged(exercise, commands, sandbox, temporary, false, patience);
     if (!not_own.empty()) verdict.compiler = not_own;
     if (!compiles || !not_own.empty()) return ended("does_not_compile");
     link = linking(link, commands, object, worker);
     if (sandbox != nullptr) put_before(link, sandbox->before_compiler(link, temporary.folder(), {}));
     if (!succeeds(link, temporary, verdict, patience)) {
-        if (watch == Watch::nobody) stop_if_damaged(exercise, commands, temporary, true, patience);
+        if (watch == Watch::nobody) stop_if_damaged(exercise, commands, sandbox, temporary, true, patience);
         return ended("does_not_compile");
     }
 
