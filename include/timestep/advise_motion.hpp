@@ -116,14 +116,14 @@ long double farthest(const Motion<N>& motion, const DampedSpring<long double>& s
     std::vector<Square<2>> truths{exact(s)};
     Column<N> now = motion.first;
     Column<2> truth{truths[0][0][seen], truths[0][1][seen]};
-    Farthest far;
+    Farthest distance;
     long long n = 1;
     const auto go = [&](std::size_t doublings) {
         now = times(powers[doublings], now), truth = times(truths[doublings], truth);
         n += 1LL << doublings;
-        doublings == 0 ? far.raise(now[seen] - truth[seen]) : far.look(now[seen] - truth[seen]);
+        doublings == 0 ? distance.raise(now[seen] - truth[seen]) : distance.look(now[seen] - truth[seen]);
     };
-    far.raise(now[seen] - truth[seen]);
+    distance.raise(now[seen] - truth[seen]);
     while (n < steps && n < 256) go(0);
     std::size_t doublings = 0;
     while (n + (2LL << doublings) <= steps) {
@@ -131,18 +131,18 @@ long double farthest(const Motion<N>& motion, const DampedSpring<long double>& s
         powers.push_back(squared(powers.back()));
         truths.push_back(exact(s * static_cast<long double>(1LL << doublings)));
         const long long stride = 1LL << doublings;
-        far.new_stride();
+        distance.new_stride();
         for (int i = 0; i < 128 && n + stride <= steps; ++i) {
             go(doublings);
-            if (n < steps) far.raise(times(powers[0], now)[seen] - times(truths[0], truth)[seen]);
+            if (n < steps) distance.raise(times(powers[0], now)[seen] - times(truths[0], truth)[seen]);
         }
         if (n + stride > steps) break;
     }
     for (std::size_t i = doublings + 1; i-- > 0;) {  // the rest of the way to the last step
-        far.new_stride();
+        distance.new_stride();
         while (n + (1LL << i) <= steps) go(i);
     }
-    return far.most();
+    return distance.most();
 }
 
 // A step that changes the state by less than double can tell moves nothing: all of the motion is missing.

@@ -106,11 +106,11 @@ inline Stretch first_right(const Judged& method, double zeta, double wanted) {
     const auto end_of = [&](double n) { return swing / n; };
     const double end = std::min(method.limit.value, 100 * (1 + zeta));  // by then the slow decay is over in a step
     double from = 1.0001 * static_cast<double>(rounded) / (wanted * slow);
-    const double small = std::max(from, wanted / (10 + 20 * zeta));  // up to here the error rises
-    const bool from_there = small < end && good(small);
+    const double shortest = std::max(from, wanted / (10 + 20 * zeta));  // up to here the error rises
+    const bool from_there = shortest < end && good(shortest);
     while (!from_there && from < end && !good(from)) from *= 1.05;
     if (!(from < end)) return {};
-    double low = from_there ? small : from, high = low;
+    double low = from_there ? shortest : from, high = low;
     double n = std::floor(swing / low);
     if (n > 1 && end_of(n) < low) --n;
     double right = n + 1;  // the last tooth that was right to its end
@@ -127,7 +127,7 @@ inline Stretch first_right(const Judged& method, double zeta, double wanted) {
             (good(end_of(between)) ? right : wrong) = between;
         }
         low = std::max(low, end_of(right) * (1 + 1e-9)), high = end_of(wrong);
-        if (!good(low)) low = std::max(small, end_of(right));
+        if (!good(low)) low = std::max(shortest, end_of(right));
     } else {  // longer than an oscillation: no teeth
         high = low;
         while (good(high)) low = high, high *= 1.05;

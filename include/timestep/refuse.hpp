@@ -11,6 +11,10 @@
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "timestep: not with -ffast-math or -ffinite-math-only: its checks could not see what is not finite"
 #endif
+// Without NOMINMAX <windows.h> makes macros of these.
+#if defined(min) || defined(max)
+#error "timestep: min and max are macros here: define NOMINMAX before <windows.h> is included"
+#endif
 
 namespace timestep {
 

@@ -76,7 +76,7 @@ inline const std::vector<Choice>& choices() {
     static const std::string alive = plain(alive_turn), fine = plain(fine_turn), twice = plain(2 * alive_turn), fair = plain(fair_turn),
                              calm = plain(calm_turn), stiff = plain(stiff_decay),
                              pendulum = plain(pendulum_turn), tether = plain(tether_turn), ended = plain(ended_swing),
-                             uneven = "1/" + plain(1 / fair_uneven_turn), near = plain(100 * nearly_equal),
+                             uneven = "1/" + plain(1 / fair_uneven_turn), within = plain(100 * nearly_equal),
                              guard = plain(std::round(1e4 * std::cbrt(bullet_guard)) / 1e4);
     static const std::vector<Choice> all{
         {"positions", "many points whose links must only keep their length and are put right after each step (a rope, a cloth), and forces of the position alone",
@@ -125,12 +125,12 @@ inline const std::vector<Choice>& choices() {
          "ch6_extremes", ""},
         {"ball", "a body with three equal moments, or so nearly equal that two seconds do not show it: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero, or next to it; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
-        {"callback_light", "a light body with two equal moments (or within " + near + " %), a coin, a bottle: the cube root of the product of its moments is at most " + guard +
+        {"callback_light", "a light body with two equal moments (or within " + within + " %), a coin, a bottle: the cube root of the product of its moments is at most " + guard +
          " kg m². It touches others, and all you can do is change ω before the engine's step",
          "in Box3D the engine's own one Newton step: leave it on. In Bullet and elsewhere **passive**, by its formula for three moments (`PrincipalInertia`)",
          "in `float` Bullet's own step is off for so light a body, without a word. Losing energy is wanted here: it hides what the engine's contacts add", "ch8_contacts", "passive"},
         {"callback_symmetric", "a body with two equal moments, a capsule, a wheel, that touches others, and all you can do is change ω before the engine's step. "
-         "(Two moments within " + near + " % count as equal while no Newton step adds more than 0.1 % of energy: `./course advise` knows)",
+         "(Two moments within " + within + " % count as equal while no Newton step adds more than 0.1 % of energy: `./course advise` knows)",
          "in Bullet and Box3D the engine's own **one Newton step**: leave it on. Elsewhere **passive**, by its formula for three moments (`PrincipalInertia`)",
          "here losing energy is wanted: it hides what the engine's contacts add. The price: spins fade too soon, and with passive a spin about the length tips over",
          "ch8_contacts", "one Newton step"},
@@ -147,10 +147,10 @@ inline const std::vector<Choice>& choices() {
         {"contacts", "a body that touches others", "the **calm half-step**, called twice with h/2: before contacts and joints, and after them, before the engine turns the body",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps. Contacts may still add energy to fast throws (in Box3D and Jolt they do): "
          "the page In your engine has a test of that for your engine, and the cure", "ch8_contacts", "calm half-step"},
-        {"symmetric_free", "two equal moments, flying freely; or two within " + near + " %, for a throw that this step has right (`./course advise` tries yours)",
+        {"symmetric_free", "two equal moments, flying freely; or two within " + within + " %, for a throw that this step has right (`./course advise` tries yours)",
          "**ball and remainder 2**, a splitting of order 2 into a spherical top and a remainder",
          "with two equal moments it is the exact motion but for rounding, orientation and all, at any spin and step; with nearly equal ones it was off by at most 0.01 % in two seconds of that throw", "ch8_splitting", "ball and remainder 2"},
-        {"many_uneven", "bodies by the thousand that fly, in frames of uneven length; or two of whose moments are within " + near + " %, h|ω| above " + calm,
+        {"many_uneven", "bodies by the thousand that fly, in frames of uneven length; or two of whose moments are within " + within + " %, h|ω| above " + calm,
          "the **calm half-step**, one body at a time",
          "energy and |L| stay, also when steps vary, and no spin fades; the orientation is rough. Its price is in the table at the end of chapter 8. (With a constant step inside the frames, chapter 2's, slow bodies can take the half-step Jacobian in lanes, for less)", "ch8_fails", "calm half-step"},
         {"many", "bodies by the thousand that fly, h|ω| at most " + calm + ", a constant step",

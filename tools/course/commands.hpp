@@ -124,10 +124,12 @@ void advise(const Question& question, bool json);
 
 /// Writes the learner's edition of the course into `folder`, which is new or empty; with the solutions, which it shows
 /// after a pass, if they are asked for.
-void setup_kit();
 void kit(const std::string& folder, bool with_solutions);
 
 /// Brings the site up to date and says where it is; `open` shows it in the browser; `pdf` prints it as a book instead.
 void site(bool open, bool pdf);
+
+/// In a learner's edition: configures it, which says what does not fit this machine.
+void setup_kit();
 
 }  // namespace course
