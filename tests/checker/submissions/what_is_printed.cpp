@@ -2,7 +2,7 @@
 // what the checker must say of it:  // EXERCISE VERDICT: words that the message must hold, if any
 
 // ---- a quaternion is shown by the names of its parts
-// turn_exactly wrong: returned {x 0.25, y 0.125, z 1, w 0.5}
+// turn_exactly wrong: Quaterniond(0.5, 0.25, 0.125, 1); right is
 #include "exercise_eigen.hpp"
 
 Quaterniond turn_exactly(const Quaterniond&, const Vector3d&, double) {
