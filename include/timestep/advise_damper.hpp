@@ -182,7 +182,7 @@ Recommendation recommend_damper(double rate, double h, const Wish& wish, const s
             if (n == 0 || !(each.cost * double(n) < least)) continue;
             least = each.cost * double(n), made.substeps = n, made.method = each.method;
         }
-        made.take = "**" + made.method + "**", made.why = "as near as asked, at the least cost in whole substeps";
+        made.take = "**" + made.method + "**", made.why = "as accurate as you asked, at the least cost in whole substeps";
         if (std::isinf(least)) made.substeps = 0;
     }
     for (const auto& method : detail::judged_dampers()) {

@@ -141,12 +141,13 @@ Recommendation precisely(const Choice& choice, const SpringScene& scene, double 
     if (of_list && of_list->cost <= best->cost * (1 + 1e-9)) best = of_list;
     made.substeps = best->substeps, made.method = best->method;
     made.take = "**" + best->method + "**";
-    made.why = "as near as asked, at the least cost in whole substeps";
+    made.why = "as accurate as you asked, at the least cost in whole substeps";
     if (of_list && of_list != best)
-        made.why += ": " + listed->method + " would need " + std::to_string(of_list->substeps) + " of them";
+        made.why += "; " + listed->method + " would need " + std::to_string(of_list->substeps) +
+                    (of_list->substeps == 1 ? " substep" : " substeps");
     if (scene.varying()) made.take = "a constant step, by chapter 2's game loop; where that cannot be, **" + made.method + "**";
     if (scene.only_pulls && made.method != implicit_euler.name)
-        made.why = "as near as asked while it is taut; nothing proves that it never gains when it goes taut";
+        made.why = "as accurate as you asked while it is taut; nothing proves that it never gains when it goes taut";
     return made;
 }
 
@@ -173,7 +174,7 @@ Recommendation in_frames(const Choice& choice, const SpringScene& scene, double 
     const long euler = substeps(semi_implicit_euler_new_damping.name), kutta = substeps(runge_kutta_4.name);
     if (euler && (!kutta || euler <= 2 * kutta))  // a step costs half as much
         return taken(semi_implicit_euler_new_damping.name, euler,
-                     "with this much damping, taken at the new velocity, one ellipse holds every step, however frames follow each other");
+                     "with this much damping, taken at the new velocity, the motion stays inside one ellipse, however frames follow each other");
     if (kutta) return taken(runge_kutta_4.name, kutta, choice.why);
     return taken(implicit_euler.name, 1, falls);
 }
@@ -242,7 +243,7 @@ Recommendation recommend(SpringScene scene, double h, const Wish& wish, const st
                                     : "the energy of a spring oscillates, but does not drift. It may drift where a force depends on the velocity: see chapter 6");
     if (sweeps && wish.precise) made.take += ", all dampers solved for at once";
     if (sweeps && !wish.precise && !scene.varying()) {
-        made.swept = true, made.take = "**semi-implicit Euler**, the dampers swept there and back, dividing by a root each way";
+        made.swept = true, made.take = "**semi-implicit Euler**, the dampers swept there and back, dividing by a square root each way";
         made.why = "with ωh below 2 no damping makes that blow up; a step costs one force per spring and two divisions per damper";
     }
     if (made.choice->name == "net" && (made.substeps == 0 || made.substeps > net_substeps)) {

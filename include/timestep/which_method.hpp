@@ -79,7 +79,7 @@ inline const std::vector<Choice>& choices() {
                              uneven = "1/" + plain(1 / fair_uneven_turn), within = plain(100 * nearly_equal),
                              guard = plain(std::round(1e4 * std::cbrt(bullet_guard)) / 1e4);
     static const std::vector<Choice> all{
-        {"positions", "many points whose links must only keep their length and are put right after each step (a rope, a cloth), and forces of the position alone",
+        {"positions", "many points whose links only have to keep their length and are corrected after each step (a rope, a cloth), with forces that depend on the position alone",
          "**Verlet**", "move a point, and its velocity follows; to set a velocity, move the position before",
          "ch4_rope", "Verlet"},
         {"bumps", "things that do little else than bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
@@ -100,17 +100,17 @@ inline const std::vector<Choice>& choices() {
         {"swing", "most of a game: ωh at most " + twice + " per frame, cut into equal steps with ωh at most " + alive + " (" + pendulum + " for a pendulum that swings far)",
          "**semi-implicit Euler**, with the damping at the new velocity",
          "one force and one division per step. With ωh below 2 the damper of a spring cannot make it blow up. Several dampers cannot either "
-         "if you sweep over them there and back, dividing by a root each way, or solve for all of them at once; one way only, they can. "
+         "if you sweep over them there and back, dividing by a square root each way, or solve them all at once. Swept one way only, they can. "
          "On springs and pendulums, whose force depends on the position only, the energy oscillates but does not drift. Where a force depends on the velocity in "
          "other ways, as in a double pendulum in angles, the energy may drift: chapter 6", "ch3_energy",
          "semi-implicit Euler, new damping"},
         {"net", "many stiff springs between many masses, a net, a cloth, ωh above " + twice,
-         "**semi-implicit Euler**, in substeps of ωh below 2, with the dampers swept there and back as in the line before; where these are too many, **implicit Euler**, and factorise: solve the step's equations by elimination",
-         "a substep costs one force per spring and two divisions per damper, a factorisation as much as many substeps: how many, the section on cloth has measured",
+         "**semi-implicit Euler**, in substeps of ωh below 2, with the dampers swept there and back as in the line above. If that takes too many substeps, use **implicit Euler** and solve the step's equations by factorisation (elimination)",
+         "a substep costs one force per spring and two divisions per damper. A factorisation costs as much as many substeps; the section on cloth says how many",
          "ch6_cloth", "semi-implicit Euler, new damping"},
         {"joint", "two bodies held together by a stiff spring, a hinge or a drive, ωh above " + twice,
          "**implicit Euler**: the joint as a soft constraint, all its directions in one small system of equations",
-         "near the joint's rest place its energy never rises, whatever the step. It does not show an oscillation that is faster than the frame, it ends it. "
+         "near the joint's rest position its energy never rises, whatever the step. An oscillation faster than the frame is not shown: it is damped out. "
          "Several stiff joints at one body, solved one after another, may blow up: solve them at once, or use substeps", "ch3_soft", "implicit Euler"},
         {"pull", "a stiff pull to a target: ωh above " + twice + ", ζωh at least " + ended + ". Or a decay, whose rate times h is above " + ended + " (a damper alone decays at the rate c/m)", "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
@@ -128,9 +128,9 @@ inline const std::vector<Choice>& choices() {
         {"callback_light", "a light body with two equal moments (or within " + within + " %), a coin, a bottle: the cube root of the product of its moments is at most " + guard +
          " kg m². It touches others, and all you can do is change ω before the engine's step",
          "in Box3D the engine's own one Newton step: leave it on. In Bullet and elsewhere **passive**, by its formula for three moments (`PrincipalInertia`)",
-         "in `float` Bullet's own step is off for so light a body, without a word. Losing energy is wanted here: it hides what the engine's contacts add", "ch8_contacts", "passive"},
+         "in `float` Bullet's own step is silently off for so light a body. Losing energy helps here: it hides the energy that the engine's contacts add", "ch8_contacts", "passive"},
         {"callback_symmetric", "a body with two equal moments, a capsule, a wheel, that touches others, and all you can do is change ω before the engine's step. "
-         "(Two moments within " + within + " % count as equal while no Newton step adds more than 0.1 % of energy: `./course advise` knows)",
+         "(Two moments within " + within + " % of each other count as equal as long as no Newton step adds more than 0.1 % of energy; `./course advise` checks that)",
          "in Bullet and Box3D the engine's own **one Newton step**: leave it on. Elsewhere **passive**, by its formula for three moments (`PrincipalInertia`)",
          "here losing energy is wanted: it hides what the engine's contacts add. The price: spins fade too soon, and with passive a spin about the length tips over",
          "ch8_contacts", "one Newton step"},
@@ -147,10 +147,10 @@ inline const std::vector<Choice>& choices() {
         {"contacts", "a body that touches others", "the **calm half-step**, called twice with h/2: before contacts and joints, and after them, before the engine turns the body",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps. Contacts may still add energy to fast throws (in Box3D and Jolt they do): "
          "the page In your engine has a test of that for your engine, and the cure", "ch8_contacts", "calm half-step"},
-        {"symmetric_free", "two equal moments, flying freely; or two within " + within + " %, for a throw that this step has right (`./course advise` tries yours)",
+        {"symmetric_free", "a freely flying body with two equal moments; or with two moments within " + within + " % of each other, if this step is accurate for the throw (`./course advise` tests yours)",
          "**ball and remainder 2**, a splitting of order 2 into a spherical top and a remainder",
          "with two equal moments it is the exact motion but for rounding, orientation and all, at any spin and step; with nearly equal ones it was off by at most 0.01 % in two seconds of that throw", "ch8_splitting", "ball and remainder 2"},
-        {"many_uneven", "bodies by the thousand that fly, in frames of uneven length; or two of whose moments are within " + within + " %, h|ω| above " + calm,
+        {"many_uneven", "thousands of flying bodies, in frames of uneven length; or thousands of flying bodies with two moments within " + within + " % of each other and h|ω| above " + calm,
          "the **calm half-step**, one body at a time",
          "energy and |L| stay, also when steps vary, and no spin fades; the orientation is rough. Its price is in the table at the end of chapter 8. (With a constant step inside the frames, chapter 2's, slow bodies can take the half-step Jacobian in lanes, for less)", "ch8_fails", "calm half-step"},
         {"many", "bodies by the thousand that fly, h|ω| at most " + calm + ", a constant step",
@@ -158,7 +158,7 @@ inline const std::vector<Choice>& choices() {
          "several bodies in the time of one; the energy is good, but fast ones soon turn at the wrong time", "ch8_many", "half-step Jacobian"},
         {"many_fast", "bodies by the thousand that fly faster, three different moments, a constant step",
          "**passive** in SIMD lanes; must their energy stay, the **calm half-step**, one by one",
-         "with passive spins fade; a pack of lanes takes one step for all its bodies, so keep the fast ones in packs of their own", "ch8_many", "passive"},
+         "spins fade under passive; a SIMD vector takes one step for all its bodies, so keep the fast ones in vectors of their own", "ch8_many", "passive"},
         {"energy", "a body that flies, and energy and |L| (L is the angular momentum) must stay before all else", "the **calm half-step**",
          "to roundoff, at any spin and when steps vary; the orientation is rough", "ch8_fails", "calm half-step"},
         {"free_uneven", "a body that flies freely, in frames of uneven length",

@@ -359,7 +359,7 @@ test_a_torn_progress_file_is_named_and_left_alone() {
         # shellcheck disable=SC2086
         expect 2 course $words
         says err 'exercises.tsv:2: '
-        says err 'delete the line or the file: ./course check marks again what passes'
+        says err 'Delete the line or the file; ./course check then marks the exercises that pass again'
         is "$(lines err)" 1
     done
     cmp -s before source/.progress/exercises.tsv || fail 'the file was changed'

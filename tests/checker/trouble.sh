@@ -202,13 +202,13 @@ test_a_damaged_header_is_made_again_and_no_answer_blamed() {
     truncate -s 1000000 $header
     : >empty.cpp
     expect 1 mend check velocity_now --file empty.cpp
-    says err 'What a check of velocity_now needs is damaged; it is made again'
+    says err 'The files for checking velocity_now are damaged; building them again'
     says out 'The file has no function'
     expect 0 mend check velocity_now
     silent_on err damaged
     truncate -s 1000000 $header
     expect 0 mend grade class --trust --exercise velocity_now
-    says err 'damaged; it is made again'
+    says err 'damaged; building them again'
     says out '2 of 2 right'
     expect 0 mend grade class --trust --exercise velocity_now
     says err '2 were graded before'
@@ -239,7 +239,7 @@ test_commands_that_are_damaged_say_how_they_are_made_again() {
         for command in check 'check --sanitize'; do
             # shellcheck disable=SC2086
             expect 3 course $command velocity_now
-            is "$(grep -v '^Building' err)" "course: $folder/build/exercises/commands.json: is damaged; delete the folder build, and ./course makes it again"
+            is "$(grep -v '^Building' err)" "course: $folder/build/exercises/commands.json is damaged; delete the folder build, and ./course will make it again"
         done
     done
     # CMake makes them again, where it has configured here.

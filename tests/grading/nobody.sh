@@ -173,10 +173,10 @@ test_an_answer_in_other_letters_is_named() {
     cp $mistake class/fay/VELOCITY_NOW.cpp
     cp $solved class/Velocity_now.cpp
     expect 1 course grade class
-    refused_with gus 'Velocity_Now.CPP is to be named velocity_now.cpp, in just these letters: rename it'
-    refused_with Velocity_now.cpp 'Velocity_now.cpp is to be named velocity_now.cpp, in just these letters: rename it'
+    refused_with gus 'Velocity_Now.CPP must be named velocity_now.cpp, in exactly these letters: rename it'
+    refused_with Velocity_now.cpp 'Velocity_now.cpp must be named velocity_now.cpp, in exactly these letters: rename it'
     is "$(verdict_of fay)" pass
-    says out '    velocity_now: graded is velocity_now.cpp, left out VELOCITY_NOW.cpp'
+    says out '    velocity_now: velocity_now.cpp is graded, VELOCITY_NOW.cpp is left out'
     # Of one exercise the only file of C++ is the answer, whatever it is called.
     rm class/Velocity_now.cpp class/fay/VELOCITY_NOW.cpp
     expect 1 course grade class --exercise velocity_now
@@ -198,8 +198,8 @@ test_other_endings_of_cpp_are_taken_and_others_named() {
     cp "$mistake" class/two/velocity_now.cc
     expect 1 course grade class
     for name in velocity_now.cc velocity_now.CPP velocity_now.cxx velocity_now.C++; do is "$name $(verdict_of "of_$name")" "$name pass"; done
-    refused_with text 'velocity_now.txt is no C++ file by its name: rename it velocity_now.cpp'
-    refused_with two '2 files answer it, velocity_now.cc and velocity_now.cpp, and not just one of them is in exercises/01_derivatives: leave one'
+    refused_with text 'velocity_now.txt does not have the name of a C++ file: rename it to velocity_now.cpp'
+    refused_with two '2 files answer it, velocity_now.cc and velocity_now.cpp, and exercises/01_derivatives does not hold exactly one of them: keep only one'
     # One file is a submission, too.
     expect 0 course grade class/of_velocity_now.cc/velocity_now.cc
 }

@@ -133,7 +133,7 @@ test_ten_thousand_files_are_looked_through() {
     cp "$mistake" class/many/velocity_now.cpp  # the one at its place counts
     expect 1 course grade class
     is "$(verdict_of many)" pass
-    both='velocity_now: graded is deep/exercises/01_derivatives/velocity_now.cpp, left out velocity_now.cpp'
+    both='velocity_now: deep/exercises/01_derivatives/velocity_now.cpp is graded, velocity_now.cpp is left out'
     says out "    $both"
     case $(says_of many) in *"$both"*) ;; *) fail "$(says_of many)" ;; esac
     is "$(says_of endless)" \

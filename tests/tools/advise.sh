@@ -197,7 +197,7 @@ test_what_decays_has_no_oscillation() {
 test_the_one_that_is_right_is_recommended() {
     expect 0 course advise --omega 2000 --zeta 0.15 --accuracy 1
     joined
-    says joined 'implicit Euler; as near as asked, at the least cost in whole substeps'
+    says joined 'implicit Euler; as accurate as you asked, at the least cost in whole substeps'
     expect 0 course advise --omega 1e6 --zeta 0.01
     says out 'Recommended at 1/60 s: implicit Euler'
     expect 0 course advise --kind cloth --stiffness 1e9 --mass 0.001 --damping 5
@@ -270,7 +270,7 @@ test_many_springs_have_a_fastest_oscillation() {
     is "$(verdict 'semi-implicit Euler')" 'not proven'
     is "$(verdict 'implicit Euler')" stable
     expect 0 course advise --kind tether --omega 10
-    says out 'A tether only pulls: limit and numbers are those of a taut one.'
+    says out 'A tether only pulls: the limit and the numbers are for a taut tether.'
 }
 
 test_frames_and_kicks() {
@@ -318,7 +318,7 @@ test_several_dampers_are_swept_there_and_back() {
         '--kind hinge --stiffness 400 --mass 2 --damping 30' '--springs 3 --stiffness 400 --mass 2 --damping 30'; do
         expect 0 course advise $question
         joined
-        says joined 'Recommended at 1/60 s: semi-implicit Euler, the dampers swept there and back, dividing by a root each way'
+        says joined 'Recommended at 1/60 s: semi-implicit Euler, the dampers swept there and back, dividing by a square root each way'
         says joined '< 2, dampers there and back or all at once'
     done
     expect 0 course advise --stiffness 400 --mass 2 --damping 1000

@@ -76,7 +76,7 @@ test_a_spear_is_told_to_be_one() {
     says out '--inertia 0.7725,0.7725,0.0313'
     says out 'tilted by a hundredth'
     is "$(grep -c '^passive  *× 0.51 .* lost$' out)" 1
-    says out 'Ball and remainder 2 has this throw right with the true moments'
+    says out 'Ball and remainder 2 is accurate for this throw, with the true moments'
     is "$(grep -c '^ball and remainder 2  *× 1 .* 0.00068 %  *0.00068 %$' out)" 1
     expect 0 course advise --inertia 0.7725,0.7725,0.0313 --spin 0,0,20
     silent_on out 'Two moments'
@@ -127,12 +127,13 @@ test_a_body_of_revolution_is_lost_when_its_axis_is() {
     expect 0 course advise $spear
     is "$(grep -c '^half-step Jacobian .* 3.4 %  *lost$' out)" 1
     is "$(grep -c '^dropped .* lost  *lost$' out)" 1
-    says out 'nobody sees a roll about it: the first of the two counts'
+    says out 'a roll about that axis is invisible:'
+    says out 'use the first of the two columns'
     expect 0 course advise $spear --json
     is "$(grep -A6 '"most_energy"' out | grep -c '"lost": true')" 6
     is "$(recommended)" symmetric_free
     expect 0 course advise $box
-    silent_on out 'nobody sees a roll'
+    silent_on out 'a roll about that axis'
     says out 'orientation off in 2 s'
 }
 

@@ -141,7 +141,8 @@ void print_recommendation(const Answer& answer) {
                         "SymmetricInertia it stays. ", number(answer.half_gone).c_str());
         std::printf("(--inertia %s)\nBut then it no longer tumbles when it spins across.\n", equal_moments(answer).c_str());
         if (choice.name == "symmetric_free")
-            std::printf("Ball and remainder 2 has this throw right with the true moments. Other throws may need order 4: ask for them, too.\n");
+            std::printf("Ball and remainder 2 is accurate for this throw, with the true moments.\n"
+                        "Other throws may need order 4: run advise for them, too.\n");
     }
     std::printf("\nRecommended: %s because %s, %s.\n", take.c_str(), why.c_str(),
                  chapter(choice).c_str());
@@ -186,7 +187,8 @@ void print(const Answer& answer) {
     std::printf("\nOne step can: so much the worst one found adds. Longest step: up to it the verdict is no worse.\n"
                 "Spin left: about the axis of the body it was thrown about. Off: 1 %% is 0.01 rad; lost: more than 0.5.\n");
     if (answer.axis >= 0)
-        std::printf("If the body is round about the axis of the third moment, nobody sees a roll about it: the first of the two counts.\n");
+        std::printf("If the body is round about the axis of its third moment, a roll about that axis is invisible:\n"
+                    "use the first of the two columns.\n");
     print_recommendation(answer);
 }
 

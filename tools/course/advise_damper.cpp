@@ -49,8 +49,9 @@ void advise_damper(const Question& question, bool json) {
                 number(rate).c_str(), number(h).c_str(), varying ? " at most" : "", number(rate * h, "%.4g").c_str(),
                 number(left, "%.4g").c_str(), number(std::exp(-rate), "%.3g").c_str());
     print_table(all);
-    line("Off by: the largest error of the velocity, over the velocity at the start, until 2π m/c = " + number(2 * 3.141592653589793 / rate) +
-         " s; where fewer than three steps fit into that, eight are looked at. Amplitude and energy: of the velocity, after a second. "
+    line("Off by: the largest error of the velocity, relative to the velocity at the start, up to 2π m/c = " + number(2 * 3.141592653589793 / rate) +
+         " s (over eight steps if fewer than three fit). Amplitude: the factor on the velocity per second. "
+         "Energy: after a second, over what it should be. "
          "Cost: force evaluations and solves. A solve counts one, even if it is a mere division as with new damping.");
     std::printf("\n");
     print_right(all, asked, accuracy, false);

@@ -29,8 +29,8 @@ void print_meaning(const timestep::SpringScene& scene, const std::string& percen
          (swings ? " After many periods it may be farther off." : ""));
     const double fast = timestep::detail::fast_decay(std::max(1.0, scene.fastest.zeta)) * scene.fastest.omega;
     if (scene.thrown)
-        line("The fast decay takes " + number(2 * pi / fast) + " s, several of your steps, and let go at rest it does not show. So a second start counts "
-             "as well: thrown from its place of rest, the velocity must not be off by more than " + percent + " of the throw's.");
+        line("The fast decay takes " + number(2 * pi / fast) + " s, several of your steps. It does not show when the body is let go at rest, so a second start "
+             "counts as well: the body is thrown from its rest position, and its velocity must not be off by more than " + percent + " of the throw's.");
     else if (scene.fastest.zeta > timestep::detail::hidden_decay)
         line("A kick is over within three of your steps; how it dies is not looked at.");
     if (slow * scene.fastest.omega * 60 < 0.01)
@@ -48,12 +48,13 @@ void print_scene(const timestep::SpringScene& scene, const Step& asked) {
                                     (scene.found.find("/I") == std::string::npos ? "" : "for springs near their rest length, ") +
                                     "and at least " + number(scene.least.omega) + " rad/s." : "."));
     if (scene.is_net)
-        line("(A chain has two springs at each point, a cloth four; --springs says otherwise. If the links must only keep their length, at no "
-             "stiffness of yours, use Verlet and put them right after each step: the first line of \"Which method?\".)");
+        line("(A chain is taken to have two springs at each point and a cloth four; change that with --springs. If the links only have to keep "
+             "their length and you choose no stiffness, use Verlet and correct the links after each step: see the first line of \"Which method?\".)");
     if (scene.several && spring.zeta > 0)
-        line("Several dampers, with new damping: swept there and back, dividing by a root each way, or solved for all at once. Its numbers are those of all at once.");
+        line("With several dampers, the verdict for new damping holds if they are swept there and back, dividing by a square root each way, "
+             "or solved all at once. The numbers are for solving them all at once.");
     if (scene.only_pulls)
-        line("A tether only pulls: limit and numbers are those of a taut one. Except under implicit Euler it may still gain, "
+        line("A tether only pulls: the limit and the numbers are for a taut tether. Except under implicit Euler, its energy may still rise "
              "each time it goes taut between two steps; short steps gain less.");
     if (scene.varying())
         line("Frames from " + number(scene.shortest_frame) + " to " + number(scene.longest_frame) +

@@ -131,7 +131,7 @@ void print_recommended(const timestep::Recommendation& answer, const Step& asked
     if (!varying) words += " at " + (asked.given ? "your step" : std::string("1/60 s"));
     words += ": " + take;
     if (answer.substeps > 1) words += ", in " + number(double(answer.substeps)) + " substeps";
-    if (answer.substeps == 0) words += ", though no million substeps would do";
+    if (answer.substeps == 0) words += ", though even a million substeps are not enough";
     words += "; " + answer.why + " (chapter " + answer.choice->where.substr(answer.choice->where.find('_') - 1, 1) + ").";
     if (!std::isnan(answer.position_error)) {
         words += (answer.swept ? " With all dampers solved for at once: off by " : " Off by ") + off(answer.position_error) + " " + where;

@@ -37,8 +37,8 @@ bool is_folder(const fs::directory_entry& entry) {
 // Why a file named after an exercise is no answer to it; nothing where it is not meant as one.
 std::string why_not(const fs::path& file, const std::string& exercise) {
     static const std::set<std::string> texts{"", ".c", ".h", ".hh", ".hpp", ".txt"};
-    if (is_source(file)) return "is to be named " + exercise + ".cpp, in just these letters: rename it";
-    if (texts.contains(in_small_letters(file.extension().string()))) return "is no C++ file by its name: rename it " + exercise + ".cpp";
+    if (is_source(file)) return "must be named " + exercise + ".cpp, in exactly these letters: rename it";
+    if (texts.contains(in_small_letters(file.extension().string()))) return "does not have the name of a C++ file: rename it to " + exercise + ".cpp";
     return "";
 }
 
@@ -124,9 +124,9 @@ HandedIn choose(Search& search, std::size_t at, const Exercise& exercise) {
     if (files.size() > 1)
         std::erase_if(files, [&](const fs::path& file) { return !is_at_its_place(file, exercise); });
     if (files.size() != 1)
-        return {found[0], std::to_string(found.size()) + " files answer it, " + search.below_root(found[0]) + " and " +
-                              search.below_root(found[1]) + (found.size() > 2 ? " among them" : "") +
-                              ", and not just one of them is in exercises/" + exercise.chapter + ": leave one"};
+        return {found[0], std::to_string(found.size()) + " files answer it, " + (found.size() > 2 ? "among them " : "") +
+                              search.below_root(found[0]) + " and " + search.below_root(found[1]) + ", and exercises/" +
+                              exercise.chapter + " does not hold exactly one of them: keep only one"};
     for (const fs::path& file : found)
         if (file != files[0]) search.aside[at].push_back({file, ""});
     return {files[0], ""};
@@ -236,10 +236,14 @@ Answers answers_in(const Submission& submission, const std::vector<Exercise>& ex
         HandedIn& answer = answers.all[i];
         auto& aside = search.aside[i];
         if (!answer.file.empty()) {
+            std::string others;
+            int count = 0;
             for (const Aside& other : aside)
                 if (!other.in_left_out && answer.refused.empty())
-                    answer.beside += (answer.beside.empty() ? exercises[i].name + ": graded is " + search.below_root(answer.file) +
-                                                                  ", left out " : ", ") + search.below_root(other.file);
+                    others += (count++ > 0 ? ", " : "") + search.below_root(other.file);
+            if (count > 0)
+                answer.beside = exercises[i].name + ": " + search.below_root(answer.file) + " is graded, " + others +
+                                (count == 1 ? " is" : " are") + " left out";
             continue;
         }
         std::sort(aside.begin(), aside.end());

@@ -287,7 +287,7 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) 
 }
 
 void make_again(const std::vector<Exercise>& exercises, bool header, ProgressLine& progress) {
-    progress.say("What a check of " + exercises.front().name + " needs is damaged; it is made again");
+    progress.say("The files for checking " + exercises.front().name + " are damaged; building them again");
     std::error_code ignored;
     const std::string build = places().build.string() + "/";  // what comes built with a learner's edition stays
     for (const Exercise& exercise : exercises) {

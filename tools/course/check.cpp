@@ -31,7 +31,7 @@ void bring_up_to_date(const std::vector<Exercise>& exercises) {
     make_ready(exercises, progress);
 }
 
-// Where what the build has made for a check is damaged, it is made again, once.
+// If the built files for a check are damaged, they are built again, once.
 Verdict check_or_mend(const Exercise& exercise, const fs::path& file, std::uint64_t seed, bool sanitize = false) {
     const auto check = [&] { return sanitize ? check_sanitized(exercise, file, seed) : check_file(exercise, file, seed); };
     try {

@@ -59,7 +59,7 @@ std::string no_double(const std::string& word) {
 template <class Number>
 void declare_springs(CLI::App& advise, Question& question, const Number& number) {
     advise.add_option("--kind", question.kind, "spring, chain, cloth, tether (it only pulls) or hinge")->type_name("NAME");
-    number("--springs", question.springs, "N", "so many springs on the body; at each point of a chain (2) or a cloth (4)");
+    number("--springs", question.springs, "N", "number of springs on the body, or at each point of a chain (default 2) or a cloth (default 4)");
     number("--arm", question.arm, "M", "from its centre of mass to where they take hold, with --turning");
     number("--turning", question.turning, "KG*M^2", "the body's least moment of inertia");
     number("--other-mass", question.other_mass, "KG", "a hinge's other body; none given: like the first");
@@ -92,7 +92,8 @@ void declare_advise(CLI::App& app, Asked& asked) {
         ->delimiter(',')
         ->expected(2)
         ->check(no_double);
-    number("--accuracy", question.accuracy, "PERCENT", "off by at most this in the first period, at the least cost; not given: the list decides, and the table is for 1");
+    number("--accuracy", question.accuracy, "PERCENT",
+           "recommend the cheapest method with at most this error in the first period; without it the list decides, and the table uses 1");
     declare_springs(*advise, question, number);
     // Of a body.
     number("--count", question.count, "NUMBER", "so many bodies like this one (1)");

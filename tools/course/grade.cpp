@@ -153,7 +153,7 @@ Pile gather(const Grading& grading) {
     return some;
 }
 
-// Verdicts between the processes of a grading: what the build has made is to be made again.
+// Verdicts between the processes of a grading: the built files for a check are damaged, build them again.
 const std::string damaged_header = "damaged header", damaged_worker = "damaged worker";
 
 // In a process of its own, on a copy: what was handed in is read only once.

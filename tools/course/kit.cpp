@@ -185,7 +185,7 @@ fs::path wanted(const std::string& name) {
 
 // Says what in the learner's edition does not fit this machine, before anything is to be built.
 void setup_kit() {
-    if (!is_kit()) throw Stop(Status::bad_use, "setup is for the front door: ./course setup");
+    if (!is_kit()) throw Stop(Status::bad_use, "run this command as ./course setup");
     {
         ProgressLine progress;
         build({}, progress);

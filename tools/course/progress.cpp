@@ -33,8 +33,8 @@ std::map<std::string, Remembered> read_progress() {
             (state != "passed" && state != "open") || remembered.hints < 0)
             throw Stop(Status::bad_use, file().string() + ":" + std::to_string(number) + ": '" +
                                             line +
-                                            "' is not 'exercise, passed or open, number of hints'; delete the line or the "
-                                            "file: ./course check marks again what passes");
+                                            "' is not 'exercise, passed or open, number of hints'. Delete the line or the "
+                                            "file; ./course check then marks the exercises that pass again");
         remembered.passed = state == "passed";
         progress[name] = remembered;
     }

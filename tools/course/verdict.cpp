@@ -46,7 +46,7 @@ Commands read_commands(const Exercise& exercise) {
                 json.at("workers").at(exercise.name),
                 json.at("worker")};
     } catch (const nlohmann::json::exception&) {
-        throw Stop(Status::missing, file.string() + ": is damaged; delete the folder build, and ./course makes it again");
+        throw Stop(Status::missing, file.string() + " is damaged; delete the folder build, and ./course will make it again");
     }
 }
 
@@ -176,8 +176,8 @@ Words linking(Words words, const Commands& commands, const fs::path& object, con
     return words;
 }
 
-// An answer does not compile, or not link. Where the file that everybody begins with does not, either, that is no
-// answer's fault.
+// Called when an answer does not compile or link. If the stub that everybody starts with does not either, the answer is
+// not at fault.
 void stop_if_damaged(const Exercise& exercise, const Commands& commands, const Sandbox* sandbox,
                      const TemporaryFolder& temporary, bool links, int patience) {
     const fs::path object = temporary.folder() / "own.o";
@@ -211,8 +211,8 @@ bool meddled_with(const Outcome& outcome, const std::string& verdict) {
 }  // namespace
 
 Damaged::Damaged(bool header, const std::string& compiler)
-    : Stop(Status::missing, "the compiler refuses the course's own file, so no answer was checked; if that stays so, delete "
-                            "the folder build. It says: " + compiler.substr(0, compiler.find('\n'))),
+    : Stop(Status::missing, "the compiler refuses the course's own file, so no answer was checked. If this happens again, "
+                            "delete the folder build. The compiler says: " + compiler.substr(0, compiler.find('\n'))),
       header_(header) {}
 
 std::uint64_t new_seed() {

@@ -40,7 +40,7 @@ inline constexpr const char* too_much_work_for_the_tests = "the hidden tests";
 /// builds in; valgrind's memcheck.
 enum class Watch { nobody, sanitizers, memcheck };
 
-/// What the build has made for a check is damaged: the compiler refuses the course's own file, too.
+/// The built files for a check are damaged: the compiler refuses the course's own file, too.
 class Damaged : public Stop {
 public:
     Damaged(bool header, const std::string& compiler);
@@ -56,11 +56,10 @@ std::uint64_t new_seed();
 /// The program that holds the hidden tests of the exercise.
 std::filesystem::path hidden_tests_of(const Exercise& exercise);
 
-/// What a check of the exercise compiles and links an answer with, as the build has made it; last the header that is
-/// compiled beforehand.
+/// The built files that a check compiles and links an answer with; the precompiled header comes last.
 std::vector<std::filesystem::path> parts_of_check(const Exercise& exercise);
 
-/// Is what CMake writes of how to compile and link there, and whole?
+/// Are CMake's compile and link commands present and complete?
 bool commands_are_whole(const Exercise& exercise);
 
 /// Checks `file` as an answer to the exercise, with inputs drawn from `seed`; a stranger's in a
