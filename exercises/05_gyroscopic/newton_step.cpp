@@ -10,8 +10,8 @@
 //
 // One iteration lays the tangent to f at the guess and goes to where the tangent is zero.
 //
-//   inertia  tensor I in the body's axes, kg m^2: symmetric, any body's whose largest moment is at
-//            most 100 times the least; all nine numbers count
+//   inertia  tensor I in the body's axes, kg m^2: symmetric, of any body whose largest moment is
+//            at most 100 times the least; all nine numbers count
 //   omega1   spin at the beginning of the step, in the body's axes, rad/s
 //   guess    of the spin at the end of the step, in the body's axes, rad/s
 //   h        length of the step, s (zero or more; h |omega1| and h |guess| are at most 0.5)

@@ -10,7 +10,7 @@
 //
 // The torque on the right is at right angles to w2, so the energy w.Iw/2 never grows. Solve it.
 //
-//   inertia  the three moments about the ship's own axes, in kg m^2 (1e-5 to 1e6; any body's whose
+//   inertia  the three moments about the ship's own axes, in kg m^2 (1e-5 to 1e6; of any body whose
 //            largest moment is at most 1000 times the least)
 //   wheel    angular momentum of the wheel, in the ship's axes, in kg m^2/s; may be zero, or much
 //            larger than the ship's own, up to 1e12

@@ -11,8 +11,8 @@
 // by itself you can solve exactly. Put them together so that the step has order two and reads the
 // same from both ends, gravity first and last, then x, then y, and z in the middle.
 //
-//   inertia  the moments about the tip, along the top's own axes, in kg m^2 (1e-5 to 1e3; any
-//            body's whose largest moment is at most ten times the least)
+//   inertia  the moments about the tip, along the top's own axes, in kg m^2 (1e-5 to 1e3; of
+//            any body whose largest moment is at most ten times the least)
 //   mgl      mass times gravity times the height of the centre of mass above the tip, when the top
 //            stands upright, in N m; may be zero, or below zero: then it hangs
 //   L        angular momentum about the tip, in the top's axes, in kg m^2/s; may be zero

@@ -166,10 +166,11 @@ Advice advise(const Method& method, const SpringScene& scene, double h, double w
 /// **The error that counts is the one that is seen**: let the spring go at rest, and compare the positions after
 /// every step of the first period, 2π/ω, with the exact ones. The largest distance, as a share of the start, is
 /// Advice::position_error. (Beyond ζ = 1 the time looked at is 2π over the slow decay's rate; one step at least,
-/// and eight where fewer than three would fit.) Beyond ζ = 5.1 the fast decay is hidden in these positions. Where at
-/// least three steps `h` fit into its 2π/q, with its rate q, a second start counts as well: the body is thrown from
-/// its place of rest, and the largest error of its velocity, over the throw's, may be the larger one. A velocity that belongs half a step earlier, as semi-implicit
-/// Euler's, moves the whole motion in time: that is seen, and it counts.
+/// and eight where fewer than three would fit.) Beyond ζ = 5.1 the fast decay is hidden in these positions. If at
+/// least three steps `h` fit into 2π/q, where q is the rate of that decay, a second start counts as well: the body is
+/// thrown from its rest position. Advice::position_error is then the larger of the two errors; the second is that of the
+/// velocity, relative to the throw's. A velocity that belongs half a step earlier, as semi-implicit Euler's, moves the
+/// whole motion in time: that is seen, and it counts.
 ///
 /// Growth, period and energy are those of the step's eigenvalues, in the long run. Of the motion e^(μt) a step
 /// makes e^((ln λ / h) t), so |ln λ / h − μ| / |μ| is how wrong its rate is, frequency and decay together:

@@ -245,10 +245,10 @@ inline bool passes_for_ball(const PrincipalInertia<double>& inertia, double spin
     return a <= nearly_equal && a * (2 * spin) * (2 * spin) / 3 <= right_orientation;
 }
 
-// Two moments that are all but equal count as equal where the step that equal ones get is right for this body. In the
-// air that is ball and remainder 2, with the body's true moments. The throw that is asked about decides: about the length
-// it may be right, across wrong. For a callback it is one Newton step, which must add next to no energy in any direction,
-// as contacts turn the spin. With contacts alone the calm half-step of three moments is all but that of two.
+// Two nearly equal moments count as equal if the step for equal moments is accurate for this body. In the air that step
+// is ball and remainder 2, with the true moments, and the given throw decides: the step may be accurate about the length
+// and wrong across it. For a callback the step is one Newton step, which must add next to no energy in any direction, as
+// contacts turn the spin. With contacts alone the calm half-step of three moments is all but that of two.
 inline bool passes_for_symmetric(const PrincipalInertia<double>& inertia, const Vector3<double>& omega,
                                  const Frames& frames, bool contacts, bool callback) {
     if (!closest_moments(inertia).all_but_equal() || contacts != callback) return false;
@@ -261,9 +261,8 @@ inline bool passes_for_symmetric(const PrincipalInertia<double>& inertia, const 
 }  // namespace detail
 /// \endcond
 
-/// The way down the tree for this body, spun with `omega`, rad/s in its own axes. Throws `std::invalid_argument` where the
-/// spin is not above zero and finite, or so fast that 1e9 substeps of what is fair to a free body would not do: nobody waits
-/// for them.
+/// The recommendation for this body, spun with `omega` (rad/s, in the body's axes). Throws `std::invalid_argument` if the
+/// spin is not above zero and finite, or so fast that a free body would need more than 1e9 substeps.
 TIMESTEP_WHERE_CALLED
 BodyRecommendation recommend(const PrincipalInertia<double>& inertia, const Vector3<double>& omega, const Frames& frames,
                              bool contacts = false, long count = 1, bool callback = false) {

@@ -159,8 +159,8 @@ double position_error(const Method& method, long double zeta, long double s) {
 // go at rest, p/(q − p) with the rates p and q: its positions do not show what becomes of a velocity.
 inline constexpr double hidden_decay = 5.1;
 
-// Is the fast decay hidden, and seen all the same by who throws the body: do three steps or more fit into its 2π/q? (Where
-// roundoff takes all of the slow motion no step is right anyway.)
+// Is the fast decay hidden in the positions but visible after a throw, with at least three steps in its 2π/q? (If roundoff
+// swallows the slow motion, no step is right anyway.)
 inline bool thrown_counts(double zeta, double s) {
     if (zeta <= hidden_decay || roundoff(zeta, s) >= 1) return false;
     return static_cast<double>(s / std::abs(exact_rate(zeta))) <= 2 * 3.14159265358979323846 / 3;  // 1/p is q, as ω is 1

@@ -67,9 +67,9 @@ inline ClosestMoments closest_moments(const PrincipalInertia<double>& inertia) {
     return found;
 }
 
-/// May this be a body of revolution? Two of its moments are then all but equal, and the third is not: its axis.
-/// −1 where there is none such. Nobody sees how far such a body has rolled about that axis, if it is round; a bar
-/// with a flat profile may have such moments, too, and there the roll is seen.
+/// The axis (0, 1 or 2) if this may be a body of revolution: two moments nearly equal, the third different. −1 if there
+/// is no such axis. If the body is round, its roll about that axis is invisible; a bar with a flat profile may have such
+/// moments, too, and there the roll is seen.
 inline int axis_of_revolution(const PrincipalInertia<double>& inertia) {
     const ClosestMoments closest = closest_moments(inertia);
     const Vector3<double>& I = inertia.moments;

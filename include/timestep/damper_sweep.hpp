@@ -34,8 +34,9 @@ namespace timestep {
 /// which is never positive. For ω h < 2 that energy bounds u and the springs' stretch. Directions that turn are not
 /// proven.
 ///
-/// A single damper, and dampers any two of which are perpendicular or share no mass, are one system to roundoff. Other
-/// dampers are stable, not accurate, once h c/m is near 1: then shorten the step, or solve all of them as one system.
+/// For a single damper, or if every two dampers are perpendicular or share no mass, the sweep equals one system of
+/// equations up to roundoff. With other dampers it is stable but not accurate once h c/m is near 1: then shorten the
+/// step, or solve all of them as one system.
 /// The sweep costs two divisions and two square roots for each damper.
 ///
 /// `X` is a real number (masses on a line) or a fixed-size Eigen vector.
@@ -44,7 +45,7 @@ class DamperSweep {
 public:
     using Real = real_of<X>;  ///< the real number type
 
-    /// Of masses given by their inverses, 1/kg, zero or more. A mass of inverse zero is held: no damper changes its
+    /// Takes the inverses of the masses, 1/kg, zero or more. A mass with inverse zero is held: no damper changes its
     /// velocity, whatever that is. Throws `std::invalid_argument`.
     explicit DamperSweep(std::vector<Real> inverse_masses) : inverse_masses_(std::move(inverse_masses)) {
         for (const Real one : inverse_masses_) not_negative("inverse mass", one);
@@ -62,8 +63,8 @@ public:
         dampers_.push_back({a, b, direction(along), rate, share(a), share(b)});
     }
 
-    /// Turns damper i to another direction. Two masses in one place have none: along zero the damper does nothing. Throws
-    /// `std::invalid_argument`.
+    /// Turns damper i to another direction. Two masses in one place have no direction: if `along` is zero, the
+    /// damper does nothing. Throws `std::invalid_argument`.
     void turn(std::size_t i, const X& along) {
         if (i >= dampers_.size()) refuse("damper: must be one of those added");
         if (!is_finite(along)) refuse("direction of a damper: must be finite");

@@ -31,11 +31,11 @@ struct Root {
 /// It stops when a correction is some ε times the largest size that x has had on the way: near a root
 /// at zero, x itself would be no measure. It is meant for starts of about the size of the root, as a
 /// time step gives them. Where f is made of large terms that cancel, as at rest on a stiff spring, f
-/// stops shrinking sooner, at the roundoff of those terms. There halving ends it, or it goes to and fro
-/// until 50 corrections are over, as with a pendulum after a hundred turns, whose angle rounds by far more
-/// than its velocity. Either is a root if the tangent's last way, before halving, was short: at most √ε of
-/// that largest size. For near a simple root of a smooth f the next way is its square, some ε, and the loop
-/// would have ended: what is left is roundoff.
+/// stops shrinking sooner, at the roundoff of those terms. There halving ends the iteration, or
+/// the iterates alternate until 50 corrections are used up. The latter happens for a pendulum after a hundred
+/// turns, whose angle has far more roundoff than its velocity. Either end counts as a root if the last full
+/// correction was short: at most √ε of that largest size. Near a simple root of a smooth f the next correction
+/// would be about the square of this one, some ε, and the loop would have ended: what is left is roundoff.
 /// [newton]
 template <class X, class Function, class Jacobian>
 Root<X> newton_raphson(X x, const Function& f, const Jacobian& jacobian) {

@@ -10,8 +10,8 @@
 //
 // This has order two. It runs backwards, too: a step of -h leads to where a step of h came from.
 //
-//   inertia  the principal moments (I1, I2, I3), kg m^2 (any body's; the largest is at most 1000
-//            times the least)
+//   inertia  the principal moments (I1, I2, I3), kg m^2 (of any body; the largest is at most
+//            1000 times the least)
 //   omega    spin at the beginning of the step, in the principal axes, rad/s
 //   h        length of the step, s (may be zero, or below zero for a step back; the length of
 //            h omega is below one, for near two the equations may have no solution)

@@ -4,7 +4,7 @@
 // thrusters. Only the moments of inertia are known along the ship's own axes. How fast does the
 // spin change? Use Euler's equations, with the gyroscopic torque in them.
 //
-//   inertia   the three moments along the body's own axes, in kg m²: any body's, also a long rod's,
+//   inertia   the three moments along the body's own axes, in kg m²: of any body, also a long rod,
 //             whose largest moment is up to a million times the least
 //   q         orientation, of length one: q * v is in world coordinates what v is in the body's. In
 //             Eigen q.conjugate() turns back

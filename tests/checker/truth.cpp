@@ -123,7 +123,7 @@ TEST_CASE("what cancels and is cut off below zero is roundoff, too") {
     CHECK(refused == 0);
 }
 
-TEST_CASE("another right way is right where it loses what the roundings of a way that is known cost, and no more") {
+TEST_CASE("another right way passes if it loses no more digits than the roundings of a known way cost") {
     const std::vector<Answer> ways{answer_of(&root_first_that_rounds)};
     using Peaks = double(double, double, double);
     const auto is_right_beside = [&](const Numbers& peaks, double found, const std::vector<Answer>* known) {

@@ -138,7 +138,7 @@ TEST_CASE("it says whether what it returns is a root", "[library]") {
 
 // Implicit Euler's equation for a pendulum's new velocity. Its angle rounds by ε times its size, which moves the root by
 // that over h: far more than the roundoff of the velocity.
-TEST_CASE("a pendulum after hundreds of turns: the root that it has found, it knows", "[library]") {
+TEST_CASE("after hundreds of turns of a pendulum Newton-Raphson reports that it has found the root", "[library]") {
     const double epsilon = std::numeric_limits<double>::epsilon(), h = 1.0 / 60, pi = 3.141592653589793;
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> from(-1, 1);

@@ -129,7 +129,7 @@ PROPERTY("intervals from a billionth of a millisecond to ages, and ways of atoms
     }
 }
 
-PROPERTY("a body far from the origin has its acceleration, however slow it is") {
+PROPERTY("the acceleration of a body far from the origin is right, however slow the body is") {
     Draw draw;
     for (int i = 0; i < 60; ++i) {
         const double h0 = draw.spread(1e-4, 1e4, i, 21), h1 = h0 * draw.log(0.1, 10);

@@ -156,7 +156,9 @@ PROPERTY("no time, no noise and no jerk is too small or too large for it") {
 }
 
 // The two ends that the task names, with everything that it allows beside them.
-PROPERTY("without noise neighbouring frames, and without jerk the farthest, however many are kept and however long they are") {
+PROPERTY(
+    "without noise the best frames are neighbours, without jerk the farthest apart, for all numbers and lengths of "
+    "frames") {
     Draw draw;
     Every all;
     for (int i = 0; i < 60; ++i) {

@@ -76,7 +76,7 @@ PROPERTY(
 
 // All three positions lie as far from the origin as they like, beside the way between them: a level of some kilometres, and
 // a body that creeps. What roundoff of the positions leaves must be right.
-PROPERTY("a body far from the origin has its velocity, however slow it is") {
+PROPERTY("the velocity of a body far from the origin is right, however slow the body is") {
     Draw draw;
     for (int i = 0; i < 60; ++i) {
         const double h = draw.spread(1e-4, 1e4, i, 21), far = draw.sign() * draw.spread(1e-6, 1e9, i, 20);
