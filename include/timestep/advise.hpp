@@ -63,7 +63,7 @@ inline Said judge(const Judged& method, const SpringScene& scene, double h, cons
     const Said constant = sweep ? several_dampers(scene, h, method.at_once, method.least_limit)
                                 : constant_step(scene, h, method.limit, method.least_limit);
     if (scene.only_pulls) {
-        const Said taut = tether(constant, method.implicit_euler);
+        const Said taut = tether(constant, method.implicit_euler && !scene.turns);
         const bool surely_grows = taut.verdict == Verdict::grows && !scene.varying();
         if (taut.verdict == Verdict::stable || surely_grows || !scene.varying()) return taut;
         return {Verdict::not_proven, taut.reason};

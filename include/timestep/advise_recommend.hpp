@@ -105,7 +105,7 @@ inline Right right_frames(const Judged& method, const SpringScene& scene, double
     if (!method.one_pattern || method.two_steps) return {method.name};
     const auto right = [&](long n) {
         const Advice advice = in_substeps(method, scene, h, n, wanted);
-        const bool holds = !scene.only_pulls || method.implicit_euler || scene.fastest.omega * h / double(n) <= tether_turn;
+        const bool holds = !scene.only_pulls || (method.implicit_euler && !scene.turns) || scene.fastest.omega * h / double(n) <= tether_turn;
         return advice.right && holds ? Right{method.name, n, advice.cost} : Right{method.name};
     };
     if (const Right once = right(1); once.substeps) return once;
@@ -186,6 +186,8 @@ inline Recommendation of_tether(const Choice& choice, const SpringScene& scene, 
         return {&choice, n, semi_implicit_euler_new_damping.name, "**semi-implicit Euler**, with the damping at the new velocity",
                 "with ωh at most " + plain(tether_turn) + " none of 400 undamped throws got above 1.25 times its energy in 100,000 steps, "
                 "though nothing proves that none does"};
+    if (scene.turns)
+        return {&choice, 1, implicit_euler.name, "**implicit Euler**", "a step may raise the energy where the tether turns a body, and nothing proves how far"};
     return {&choice, 1, implicit_euler.name, "**implicit Euler**", "in no step does its energy rise, slack or taut" +
             std::string(keeps_size ? "; nothing that bounces on is known to be safe here" : "")};
 }
@@ -239,12 +241,13 @@ Recommendation recommend(SpringScene scene, double h, const Wish& wish, const st
     if (made.choice->name == "net") made.take = "**semi-implicit Euler**";
     if (made.choice->name == "swing" && !scene.several && !wish.precise)
         made.why = std::string("one force and one division per step; ") +
-                   (spring.zeta > 0 ? "with ωh below 2 its damper cannot make it blow up"
-                                    : "the energy of a spring oscillates, but does not drift. It may drift where a force depends on the velocity: see chapter 6");
+                   (spring.zeta > 0 ? "with ωh below 2 its damper does not make it blow up while it keeps its direction"
+                                    : "the energy of a linear spring oscillates, but does not drift. With other forces it may drift: see chapter 6");
     if (sweeps && wish.precise) made.take += ", all dampers solved for at once";
     if (sweeps && !wish.precise && !scene.varying()) {
         made.swept = true, made.take = "**semi-implicit Euler**, the dampers swept there and back, dividing by a square root each way";
-        made.why = "with ωh below 2 no damping makes that blow up; a step costs one force per spring and two divisions per damper";
+        made.why = "with ωh below 2 that does not blow up while the springs keep their directions; where they turn, hard dampers add energy: "
+                   "shorten the step until hc/m is at most 1. A step costs one force per spring and two divisions per damper";
     }
     if (made.choice->name == "net" && (made.substeps == 0 || made.substeps > net_substeps)) {
         const std::string many = made.substeps ? std::to_string(made.substeps) : "more than a million";

@@ -19,6 +19,7 @@ struct Pull {
     double least;       ///< 1/kg
     std::string found;  ///< the formula, in words
     bool several;       ///< several springs or directions, each with a damper of its own
+    bool turns = false; ///< does a spring take hold off a centre of mass, so that it turns a body?
 };
 
 /// What a spring feels of a body that it takes hold of at the distance `arm` from its centre of mass: 1/m + r²/I
@@ -40,7 +41,7 @@ inline Pull springs_on_body(double mass, double springs, double arm = 0, double 
     if (springs == 1 && arm == 0) return {each, each, "k/m", false};
     const std::string count = springs == 1 ? "" : detail::number(springs) + "·";
     const std::string body = arm == 0 ? "k/m" : "k(1/m + r²/I)";
-    return {springs * each, std::max(1.0, springs / 3) / mass, count + body + ", if all pull at one end, one way", springs > 1};
+    return {springs * each, std::max(1.0, springs / 3) / mass, count + body + ", if all pull at one end, one way", springs > 1, arm > 0};
 }
 
 /// Points of equal mass, each with `springs` springs to its neighbours: two in a chain, four in a cloth. Two
@@ -54,7 +55,8 @@ inline Pull springs_between(double mass, double springs) {
 
 /// One spring that holds two bodies together; `one` and `other` are their lightness() at its ends.
 inline Pull hinge(double one_mass, double one, double other_mass, double other) {
-    return {one + other, 1 / one_mass + 1 / other_mass, "k(1/m₁ + r₁²/I₁ + 1/m₂ + r₂²/I₂), pulling across both arms", true};
+    return {one + other, 1 / one_mass + 1 / other_mass, "k(1/m₁ + r₁²/I₁ + 1/m₂ + r₂²/I₂), pulling across both arms", true,
+            one > 1 / one_mass || other > 1 / other_mass};
 }
 
 /// The scene of these springs, each with the damper `damping`, N·s/m, beside it: an oscillation of ω has ζ = cω/2k.
@@ -67,6 +69,7 @@ inline SpringScene scene_of(const Pull& pull, double stiffness, double damping) 
     };
     SpringScene scene(swing(pull.most), swing(pull.least), pull.found);
     scene.several = pull.several;
+    scene.turns = pull.turns;
     return scene;
 }
 
@@ -76,6 +79,7 @@ inline SpringScene scene_of_zeta(const Pull& pull, double stiffness, double zeta
     SpringScene scene(DampedSpring<double>(root * std::sqrt(pull.most), zeta),
                       DampedSpring<double>(root * std::sqrt(pull.least), zeta), pull.found);
     scene.several = pull.several;
+    scene.turns = pull.turns;
     return scene;
 }
 

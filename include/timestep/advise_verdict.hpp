@@ -48,6 +48,7 @@ struct SpringScene {
     bool is_net = false;           ///< many springs, between many masses
     bool is_joint = false;         ///< a hinge: one place of two bodies, held together
     bool several = false;          ///< several springs, each with the damper beside it
+    bool turns = false;            ///< a spring takes hold off a centre of mass, so that it turns a body
     bool kicks = false;            ///< do impulses come between the steps?
     double shortest_frame = 0;     ///< s; 0: every step is as long as the last
     double longest_frame = 0;      ///< s
@@ -107,8 +108,9 @@ inline Said several_dampers(const SpringScene& scene, double h, const StabilityL
 }
 
 // A tether that lets go and takes hold between two steps can be stretched, when it takes hold, by more than its
-// speed ever paid for. Implicit Euler alone has a proof: the force is the slope of a potential that is convex,
-// slack or taut, and by each of its steps the energy falls.
+// speed ever paid for. Implicit Euler alone has a proof: between points the force is the slope of a potential that is
+// convex, slack or taut, and by each of its steps the energy falls. Off a centre of mass the potential is not convex in
+// the body's angle, and a step of implicit Euler may gain.
 inline Said tether(const Said& taut, bool implicit_euler) {
     if (implicit_euler) return {Verdict::stable, "stable for every step, slack or taut"};
     if (taut.verdict != Verdict::stable) return {taut.verdict, "taut: " + taut.reason};

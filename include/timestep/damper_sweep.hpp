@@ -32,7 +32,7 @@ namespace timestep {
 /// step is u₂ = u₁ − h K y₁ − G u₂, y₂ = y₁ + h u₂, and it changes the modified energy
 ///     ½ u·(1 + ½G) u + ½ y·K y − ½ h u·K y   by   −¼ (u₁ + u₂)·G (u₁ + u₂),
 /// which is never positive. For ω h < 2 that energy bounds u and the springs' stretch. Directions that turn are not
-/// proven.
+/// proven, and a turning wheel of springs gains energy with hard dampers: there keep h c/m at most about 1.
 ///
 /// For a single damper, or if every two dampers are perpendicular or share no mass, the sweep equals one system of
 /// equations up to roundoff. With other dampers it is stable but not accurate once h c/m is near 1: then shorten the

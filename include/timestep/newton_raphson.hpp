@@ -35,7 +35,8 @@ struct Root {
 /// the iterates alternate until 50 corrections are used up. The latter happens for a pendulum after a hundred
 /// turns, whose angle has far more roundoff than its velocity. Either end counts as a root if the last full
 /// correction was short: at most √ε of that largest size. Near a simple root of a smooth f the next correction
-/// would be about the square of this one, some ε, and the loop would have ended: what is left is roundoff.
+/// would be about the square of this one, some ε, and the loop would have ended: what is left is
+/// roundoff. A least |f| that is as near to zero as that counts as a root, too.
 /// [newton]
 template <class X, class Function, class Jacobian>
 Root<X> newton_raphson(X x, const Function& f, const Jacobian& jacobian) {

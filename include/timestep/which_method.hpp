@@ -84,9 +84,9 @@ inline const std::vector<Choice>& choices() {
          "ch4_rope", "Verlet"},
         {"bumps", "things that do little else than bump into each other", "**semi-implicit Euler**, with shorter steps where it shows",
          "a bounce takes the order of every other method away", "ch7_bounces", "semi-implicit Euler, new damping"},
-        {"tether", "a tether: one leash between two things, a spring that only pulls",
+        {"tether", "a tether: one leash between two points, a spring that only pulls",
          "**implicit Euler**; where it must bounce on, semi-implicit Euler in substeps of ωh at most " + tether,
-         "by implicit Euler the energy never rises, slack or taut; of the substeps nothing proves that. The library's `Tether` is a different thing: it pushes when it is short, and there implicit Euler may gain", "more6_tether", "implicit Euler"},
+         "with implicit Euler the energy never rises, slack or taut, unless the tether is tied off a centre of mass and turns a body; of the substeps nothing proves that. The library's `Tether` is a different thing: it pushes when it is short, and there implicit Euler may gain", "more6_tether", "implicit Euler"},
         {"uneven", "steps of uneven length, where chapter 2's game loop cannot be used",
          "**Runge–Kutta 4**, in substeps of ωh and ζωh at most " + alive +
          ". For anything faster or more damped, implicit Euler; where an oscillation must keep its size, implicit midpoint",
@@ -99,10 +99,11 @@ inline const std::vector<Choice>& choices() {
          "its steps follow the slow part, the fast one dies; the first step after a kick may be off by nearly all that the kick does", "ch6_stiff", "BDF2"},
         {"swing", "most of a game: ωh at most " + twice + " per frame, cut into equal steps with ωh at most " + alive + " (" + pendulum + " for a pendulum that swings far)",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "one force and one division per step. With ωh below 2 the damper of a spring cannot make it blow up. Several dampers cannot either "
-         "if you sweep over them there and back, dividing by a square root each way, or solve them all at once. Swept one way only, they can. "
-         "On springs and pendulums, whose force depends on the position only, the energy oscillates but does not drift. Where a force depends on the velocity in "
-         "other ways, as in a double pendulum in angles, the energy may drift: chapter 6", "ch3_energy",
+         "one force and one division per step. With ωh below 2 the damper of a spring that keeps its direction does not make it blow up. Several dampers do not either "
+         "if you sweep over them there and back, dividing by a square root each way, or solve them all at once. Swept one way only, they may. "
+         "Where springs turn, hard dampers add energy: shorten the step until hc/m is at most 1. "
+         "The energy of a linear spring oscillates but does not drift. Under other forces it may drift: of the position, beyond ωh of about " + pendulum + "; "
+         "of the velocity, with short steps too (chapter 6)", "ch3_energy",
          "semi-implicit Euler, new damping"},
         {"net", "many stiff springs between many masses, a net, a cloth, ωh above " + twice,
          "**semi-implicit Euler**, in substeps of ωh below 2, with the dampers swept there and back as in the line above. If that takes too many substeps, use **implicit Euler** and solve the step's equations by factorisation (elimination)",
@@ -110,7 +111,7 @@ inline const std::vector<Choice>& choices() {
          "ch6_cloth", "semi-implicit Euler, new damping"},
         {"joint", "two bodies held together by a stiff spring, a hinge or a drive, ωh above " + twice,
          "**implicit Euler**: the joint as a soft constraint, all its directions in one small system of equations",
-         "near the joint's rest position its energy never rises, whatever the step. An oscillation faster than the frame is not shown: it is damped out. "
+         "while the bodies do not turn, the joint's energy falls at every step. Bodies that turn stretch it a little in each step, and a stiff joint makes that energy. An oscillation faster than the frame is not shown: it is damped out. "
          "Several stiff joints at one body, solved one after another, may blow up: solve them at once, or use substeps", "ch3_soft", "implicit Euler"},
         {"pull", "a stiff pull to a target: ωh above " + twice + ", ζωh at least " + ended + ". Or a decay, whose rate times h is above " + ended + " (a damper alone decays at the rate c/m)", "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},

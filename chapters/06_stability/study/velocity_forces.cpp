@@ -9,6 +9,7 @@
 
 #include <timestep/methods/runge_kutta_4.hpp>
 #include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/models/pendulum.hpp>
 #include <timestep/run.hpp>
 
 #include "sections.hpp"
@@ -96,6 +97,28 @@ void pendulums(lab::Findings& out) {
               "semi-implicit Euler, with one step per frame and with four, and under Runge-Kutta 4 stays within two percent");
 }
 
+// One pendulum, whose force depends on the position alone, with long steps and with short ones.
+void one_pendulum(lab::Findings& out) {
+    const double from = 2.5, long_turn = 1.1, short_turn = 0.5;
+    const auto most = [&](double turn) {
+        const Pendulum pendulum(1.0);
+        const State<double> start{0, from, 0};
+        double energy = 0;
+        run(semi_implicit_euler, pendulum, start, turn, 100'000L,
+            [&](const State<double>& s) { energy = std::max(energy, pendulum.energy(s) / pendulum.energy(start)); });
+        return energy;
+    };
+    const double seen = most(long_turn), still = most(short_turn);
+    std::printf("  a pendulum let go at %.1f rad, most energy over the first in 100,000 steps: omega h = %.1f: %.4g, %.1f: %.4g\n", from,
+                long_turn, seen, short_turn, still);
+    out.number("pendulum_from", from, "rad", "where the pendulum is let go");
+    out.number("pendulum_turn", long_turn, "", "its ωh, the long step");
+    out.number("pendulum_most", seen, "", "its most energy in 100,000 long steps, over the first", 2);
+    out.check("pendulum_needs_short_steps", seen > 10 && still < 1.5,
+              "let go at 2.5 rad, a pendulum has more than ten times its energy within 100,000 steps of ωh = 1.1, and with ωh = 0.5 less than 1.5 "
+              "times as much");
+}
+
 // A velocity that turns, as in a magnetic field or, apart from the other terms, in a frame that turns: a = Ω × v.
 struct Turning {
     double rate;  // rad/s
@@ -119,6 +142,7 @@ void turning(lab::Findings& out) {
 
 void velocity_forces(const Settings&, lab::Findings& out) {
     out.section("Forces that depend on the velocity");
+    one_pendulum(out);
     pendulums(out);
     turning(out);
 }
