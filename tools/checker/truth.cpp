@@ -19,7 +19,7 @@ constexpr unsigned trials = 24;
 constexpr double some_ways = 8;
 
 // The roundings of each way that the course knows are drawn so often.
-constexpr unsigned drawn = 6;
+constexpr unsigned drawn = 4;
 
 // Its digits are lost to other roundings in each variation: so far the arguments must lie apart.
 constexpr double apart_enough = 0.3;
