@@ -99,11 +99,8 @@ inline const std::vector<Choice>& choices() {
          "its steps follow the slow part, the fast one dies; the first step after a kick may be off by nearly all that the kick does", "ch6_stiff", "BDF2"},
         {"swing", "most of a game: ωh at most " + twice + " per frame, cut into equal steps with ωh at most " + alive + " (" + pendulum + " for a pendulum that swings far)",
          "**semi-implicit Euler**, with the damping at the new velocity",
-         "one force and one division per step. With ωh below 2 the damper of a spring that keeps its direction does not make it blow up. Several dampers do not either "
-         "if you sweep over them there and back, dividing by a square root each way, or solve them all at once. Swept one way only, they may. "
-         "Where springs turn, hard dampers add energy: shorten the step until hc/m is at most 1. "
-         "The energy of a linear spring oscillates but does not drift. Under other forces it may drift: of the position, beyond ωh of about " + pendulum + "; "
-         "of the velocity, with short steps too (chapter 6)", "ch3_energy",
+         "one force and one division per step. Below ωh = 2 one damper does not make it blow up, nor do several that keep their directions, if you sweep over them there and back (chapter 3). "
+         "The energy of a linear spring does not drift; under other forces it may (chapter 6)", "ch3_energy",
          "semi-implicit Euler, new damping"},
         {"net", "many stiff springs between many masses, a net, a cloth, ωh above " + twice,
          "**semi-implicit Euler**, in substeps of ωh below 2, with the dampers swept there and back as in the line above. If that takes too many substeps, use **implicit Euler** and solve the step's equations by factorisation (elimination)",
@@ -124,14 +121,13 @@ inline const std::vector<Choice>& choices() {
         {"jumps", "a slow motion with sudden jumps", "an **adaptive step**", "one length does not fit both", "ch6_jumps", ""},
         {"typed", "numbers that others type", "checks where models and runs are made", "no method survives everything",
          "ch6_extremes", ""},
-        {"ball", "a body with three equal moments, or so nearly equal that two seconds do not show it: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
+        {"ball", "a body with three equal moments, or so nearly that nobody sees it: a ball, a cube", "**nothing**: leave the gyroscopic torque out",
          "it is zero, or next to it; `turn_by` turns the body by h|ω| about ω, to roundoff", "ch5_orientation", "dropped"},
         {"callback_light", "a light body with two equal moments (or within " + within + " %), a coin, a bottle: the cube root of the product of its moments is at most " + guard +
          " kg m². It touches others, and all you can do is change ω before the engine's step",
          "in Box3D the engine's own one Newton step: leave it on. In Bullet and elsewhere **passive**, by its formula for three moments (`PrincipalInertia`)",
          "in `float` Bullet's own step is silently off for so light a body. Losing energy helps here: it hides the energy that the engine's contacts add", "ch8_contacts", "passive"},
-        {"callback_symmetric", "a body with two equal moments, a capsule, a wheel, that touches others, and all you can do is change ω before the engine's step. "
-         "(Two moments within " + within + " % of each other count as equal as long as no Newton step adds more than 0.1 % of energy; `./course advise` checks that)",
+        {"callback_symmetric", "a body with two equal moments, a capsule, a wheel, that touches others, and all you can do is change ω before the engine's step (nearly equal moments: ask `./course advise`)",
          "in Bullet and Box3D the engine's own **one Newton step**: leave it on. Elsewhere **passive**, by its formula for three moments (`PrincipalInertia`)",
          "here losing energy is wanted: it hides what the engine's contacts add. The price: spins fade too soon, and with passive a spin about the length tips over",
          "ch8_contacts", "one Newton step"},
@@ -148,9 +144,9 @@ inline const std::vector<Choice>& choices() {
         {"contacts", "a body that touches others", "the **calm half-step**, called twice with h/2: before contacts and joints, and after them, before the engine turns the body",
          "energy and |L| stay from one impulse to the next, at any spin, with any steps. Contacts may still add energy to fast throws (in Box3D and Jolt they do): "
          "the page In your engine has a test of that for your engine, and the cure", "ch8_contacts", "calm half-step"},
-        {"symmetric_free", "a freely flying body with two equal moments; or with two moments within " + within + " % of each other, if this step is accurate for the throw (`./course advise` tests yours)",
+        {"symmetric_free", "two equal moments, flying freely; or two within " + within + " %, for a throw that `./course advise` finds right",
          "**ball and remainder 2**, a splitting of order 2 into a spherical top and a remainder",
-         "with two equal moments it is the exact motion but for rounding, orientation and all, at any spin and step; with nearly equal ones it was off by at most 0.01 % in two seconds of that throw", "ch8_splitting", "ball and remainder 2"},
+         "with two equal moments it is the exact motion but for rounding, at any spin and step", "ch8_splitting", "ball and remainder 2"},
         {"many_uneven", "thousands of flying bodies, in frames of uneven length; or thousands of flying bodies with two moments within " + within + " % of each other and h|ω| above " + calm,
          "the **calm half-step**, one body at a time",
          "energy and |L| stay, also when steps vary, and no spin fades; the orientation is rough. Its price is in the table at the end of chapter 8. (With a constant step inside the frames, chapter 2's, slow bodies can take the half-step Jacobian in lanes, for less)", "ch8_fails", "calm half-step"},
