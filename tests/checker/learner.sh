@@ -65,7 +65,7 @@ test_is_told_of_whole_numbers_that_are_divided() {
         says out '1.0 / 2'
     done
     says out 'Line 3 divides'
-    silent_on out 'none of the usual'
+    silent_on out 'none of the mistakes'
     printf 'double zeta_from_swings(double first, double later, int swings) { return 1 / swings; }\n' >answer.cpp
     add_chapter 02_first_order_form
     expect 1 course check zeta_from_swings --file answer.cpp

@@ -115,7 +115,7 @@ std::string wrong(const Exercise& exercise, const Verdict& verdict, const fs::pa
     const std::string seen = seen_in_answer(exercise, verdict, file);
     if (!mistake.empty()) return text + mistake + seen;
     if (!seen.empty()) return text + seen.substr(1);  // a blank line is there
-    return text + wrapped("This is none of the usual mistakes. Work the property out by hand for the numbers above.", 2);
+    return text + wrapped("Your answer matches none of the mistakes that the course knows. Work the property out by hand for the numbers above.", 2);
 }
 
 std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {

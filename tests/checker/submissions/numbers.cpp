@@ -2,7 +2,7 @@
 // what the checker must say of it:  // EXERCISE VERDICT: words that the message must hold, if any
 
 // ---- a mistake nobody planted
-// velocity_now wrong: This is none of the usual mistakes
+// velocity_now wrong: Your answer matches none of the mistakes
 #include "exercise.hpp"
 
 double velocity_now(double x0, double x1, double x2, double h) {
