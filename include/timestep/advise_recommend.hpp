@@ -247,7 +247,7 @@ Recommendation recommend(SpringScene scene, double h, const Wish& wish, const st
     if (sweeps && !wish.precise && !scene.varying()) {
         made.swept = true, made.take = "**semi-implicit Euler**, the dampers swept there and back, dividing by a square root each way";
         made.why = "with ωh below 2 that does not blow up while the springs keep their directions; where they turn, hard dampers add energy: "
-                   "shorten the step until hc/m is at most 1. A step costs one force per spring and two divisions per damper";
+                   "shorten the step until hc/m, added up over the dampers at a mass, is at most 1. A step costs one force per spring and two divisions per damper";
     }
     if (made.choice->name == "net" && (made.substeps == 0 || made.substeps > net_substeps)) {
         const std::string many = made.substeps ? std::to_string(made.substeps) : "more than a million";

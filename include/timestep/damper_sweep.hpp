@@ -32,7 +32,8 @@ namespace timestep {
 /// step is u₂ = u₁ − h K y₁ − G u₂, y₂ = y₁ + h u₂, and it changes the modified energy
 ///     ½ u·(1 + ½G) u + ½ y·K y − ½ h u·K y   by   −¼ (u₁ + u₂)·G (u₁ + u₂),
 /// which is never positive. For ω h < 2 that energy bounds u and the springs' stretch. Directions that turn are not
-/// proven, and a turning wheel of springs gains energy with hard dampers: there keep h c/m at most about 1.
+/// proven, and a turning wheel of springs gains energy with hard dampers. There keep the sum of h c/m over
+/// the dampers at each mass at most 1: with that, no body that was tried gained more than it does without dampers.
 ///
 /// For a single damper, or if every two dampers are perpendicular or share no mass, the sweep equals one system of
 /// equations up to roundoff. With other dampers it is stable but not accurate once h c/m is near 1: then shorten the
@@ -82,12 +83,14 @@ public:
     /// [sweep]
 
 private:
+    /// \cond
     struct Damper {
         std::size_t a, b;
         X along;                // of length 1
         Real rate;              // c (1/m_a + 1/m_b), 1/s
         Real share_a, share_b;  // of the change of velocity: the lighter mass changes more
     };
+    /// \endcond
 
     static Real product(const X& n, const X& v) {
         if constexpr (is_number<X>)

@@ -108,7 +108,7 @@ inline const std::vector<Choice>& choices() {
          "ch6_cloth", "semi-implicit Euler, new damping"},
         {"joint", "two bodies held together by a stiff spring, a hinge or a drive, ωh above " + twice,
          "**implicit Euler**: the joint as a soft constraint, all its directions in one small system of equations",
-         "while the bodies do not turn, the joint's energy falls at every step. Bodies that turn stretch it a little in each step, and a stiff joint makes that energy. An oscillation faster than the frame is not shown: it is damped out. "
+         "while its directions stay, the joint's energy falls at every step. When they turn, each step stretches it, and a stiff joint makes that energy. An oscillation faster than the frame is not shown: it is damped out. "
          "Several stiff joints at one body, solved one after another, may blow up: solve them at once, or use substeps", "ch3_soft", "implicit Euler"},
         {"pull", "a stiff pull to a target: ωh above " + twice + ", ζωh at least " + ended + ". Or a decay, whose rate times h is above " + ended + " (a damper alone decays at the rate c/m)", "**implicit Euler**", "the decay dies, as it should",
          "ch6_stiff", "implicit Euler"},
@@ -126,7 +126,7 @@ inline const std::vector<Choice>& choices() {
         {"callback_light", "a light body with two equal moments (or within " + within + " %), a coin, a bottle: the cube root of the product of its moments is at most " + guard +
          " kg m². It touches others, and all you can do is change ω before the engine's step",
          "in Box3D the engine's own one Newton step: leave it on. In Bullet and elsewhere **passive**, by its formula for three moments (`PrincipalInertia`)",
-         "in `float` Bullet's own step is silently off for so light a body. Losing energy helps here: it hides the energy that the engine's contacts add", "ch8_contacts", "passive"},
+         "in `float` Bullet's own step is silently off for so light a body, unless it spins fast. Losing energy helps here: it hides the energy that the engine's contacts add", "ch8_contacts", "passive"},
         {"callback_symmetric", "a body with two equal moments, a capsule, a wheel, that touches others, and all you can do is change ω before the engine's step (nearly equal moments: ask `./course advise`)",
          "in Bullet and Box3D the engine's own **one Newton step**: leave it on. Elsewhere **passive**, by its formula for three moments (`PrincipalInertia`)",
          "here losing energy is wanted: it hides what the engine's contacts add. The price: spins fade too soon, and with passive a spin about the length tips over",

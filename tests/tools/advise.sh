@@ -38,7 +38,7 @@ test_bad_input_is_refused_by_its_name_and_rule() {
     refuses 'moment of inertia = 9: must be at most the sum of the other two' --inertia 1,2,9 --spin 1,0,0
     refuses 'spin = 0: must be finite and greater than zero' --inertia 1,2,3 --spin 0,0,0
     refuses 'spin = inf: must be a finite number' --inertia 1,2,3 --spin inf,0,0
-    refuses 'At least 3 required' --inertia 1,2 --spin 1,0,0
+    refuses '--inertia needs 3 values, with commas between' --inertia 1,2 --spin 1,0,0
 }
 
 test_an_empty_word_is_no_number() {
@@ -315,7 +315,7 @@ test_a_damper_alone_is_answered() {
     silent_on out 'the cheapest is explicit Euler'
     joined
     says joined 'For the damper alone give --mass and --damping without --stiffness.'
-    says joined 'the velocity must not be off by more than 1 %'
+    says joined 'its velocity must not be off by more than 1 %'
 }
 
 test_several_dampers_are_swept_there_and_back() {

@@ -33,8 +33,8 @@ const std::vector<std::string> taken_words{
     "static_cast", "struct", "switch", "template", "this", "thread_local", "throw", "true", "try", "typedef", "typeid",
     "typename", "union", "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq",
     // Of what the checker compiles together with a learner's function.
-    "checker", "close", "correct", "draw_direction", "draw_moments", "draw_rotation", "draw_vector", "exercise",
-    "exercise_tag", "is_within", "known", "learner", "main", "mistakes", "not_started", "order", "solution",
+    "checker", "close", "correct", "draw_direction", "draw_moments", "draw_rod", "draw_rotation", "draw_vector", "exercise",
+    "exercise_tag", "is_of_a_body", "is_within", "known", "learner", "main", "mistakes", "not_started", "order", "solution",
     "solve_linear", "std", "stub", "timestep",
     // Macros and types of the system's headers, which are no functions.
     "assert", "errno", "fpclassify", "isfinite", "isgreater", "isgreaterequal", "isinf", "isless", "islessequal",

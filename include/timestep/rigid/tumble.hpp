@@ -10,7 +10,7 @@ namespace timestep {
 
 /// `Solver` gives the new ω; the orientation is turned by the mean of the old ω and the new one, in
 /// body coordinates. A solver of order two keeps its order in the orientation, too. With the new ω
-/// alone, as in the talk (N42), the orientation has order one whatever the solver.
+/// alone, as in the talk (N42), the orientation of a body that tumbles has order one with each of the solvers.
 template <class Solver>
 struct Tumble {
     static constexpr const char* name = Solver::name;            ///< for tables and keys
