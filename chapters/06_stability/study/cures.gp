@@ -39,7 +39,7 @@ set yrange [0.05:20]
 set key outside bottom center horizontal reverse Left
 @key_below
 plot "drift.tsv" using 1:2 with lines @semi_implicit_euler title "semi-implicit Euler", \
-     "" using 1:3 with lines @first title "the same, four steps per frame", \
+     "" using 1:3 with lines @new_damping title "the same, four steps per frame", \
      "" using 1:4 with lines @runge_kutta_4 title "RK4"
 unset logscale
 
