@@ -185,6 +185,8 @@ double velocity_now(double x0, double x1, double x2, double h) {
 #include <thread>
 
 double velocity_now(double, double, double, double) {
+    static int threads = 0;
+    if (++threads > 8) return 0;
     std::thread([] {
         for (volatile int i = 0;; i = i + 1) {
         }
