@@ -183,7 +183,7 @@ test_an_answer_in_other_letters_is_named() {
     is "$(verdict_of gus)" pass
     cp $solved class/gus/main.cpp
     expect 1 course grade class --exercise velocity_now
-    refused_with gus 'Velocity_Now.CPP is to be named'
+    refused_with gus 'Velocity_Now.CPP must be named'
 }
 
 test_other_endings_of_cpp_are_taken_and_others_named() {
