@@ -162,8 +162,9 @@ inline constexpr double hidden_decay = 5.1;
 // Is the fast decay hidden in the positions but visible after a throw, with at least three steps in its 2π/q? (If roundoff
 // swallows the slow motion, no step is right anyway.)
 inline bool thrown_counts(double zeta, double s) {
-    if (zeta <= hidden_decay || roundoff(zeta, s) >= 1) return false;
-    return static_cast<double>(s / std::abs(exact_rate(zeta))) <= 2 * 3.14159265358979323846 / 3;  // 1/p is q, as ω is 1
+    const long double exact_zeta = static_cast<long double>(zeta), exact_s = static_cast<long double>(s);
+    if (zeta <= hidden_decay || roundoff(exact_zeta, exact_s) >= 1) return false;
+    return exact_s / std::abs(exact_rate(exact_zeta)) <= 2 * 3.14159265358979323846L / 3;  // 1/p is q, as ω is 1
 }
 
 // The largest error of the velocity, over the throw's, until the fast decay is over, 2π/q.

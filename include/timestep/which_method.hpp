@@ -44,7 +44,7 @@ inline constexpr long net_substeps = 100;
 /// Two moments that differ by no more than this share: by passive a spin about the third axis fades within seconds.
 inline constexpr double nearly_equal = 0.05;
 /// Bullet's own Newton step, in `float`, is off where the product of the moments, (kg m²)³, is at most this.
-inline constexpr double bullet_guard = std::numeric_limits<float>::epsilon();
+inline constexpr double bullet_guard = static_cast<double>(std::numeric_limits<float>::epsilon());
 /// From so many bodies on it pays to step them in lanes.
 inline constexpr int many_bodies = 1000;
 

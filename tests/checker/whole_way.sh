@@ -29,6 +29,8 @@ trap 'rm -rf "$work"' EXIT
 sample() {
     for name in $(sed -n 's/^namespace \([A-Za-z0-9_]*\) {$/\1/p' "$2"); do
         sh "$source/tests/exercises/variant.sh" "$2" "$name" >"$work/$name.cpp"
+        # One that calls another mistake is no file of its own.
+        ! grep -q "[a-z_]::$exercise(" "$work/$name.cpp" || rm "$work/$name.cpp"
     done
     (cd "$work" && cksum ./*.cpp) | sort -n | head -n "$1" | sed 's/.*\.\/\(.*\)\.cpp$/\1/'
 }
