@@ -33,7 +33,7 @@ namespace timestep {
 ///     ½ u·(1 + ½G) u + ½ y·K y − ½ h u·K y   by   −¼ (u₁ + u₂)·G (u₁ + u₂),
 /// which is never positive. For ω h < 2 that energy bounds u and the springs' stretch. Directions that turn are not
 /// proven, and a turning wheel of springs gains energy with hard dampers. There keep the sum of h c/m over
-/// the dampers at each mass at most 1: with that, no body that was tried gained more than it does without dampers.
+/// the dampers at each mass at most 1: with that, the wheel of the tests gains no more than it does without dampers.
 ///
 /// For a single damper, or if every two dampers are perpendicular or share no mass, the sweep equals one system of
 /// equations up to roundoff. With other dampers it is stable but not accurate once h c/m is near 1: then shorten the
