@@ -8,12 +8,12 @@
 #include <iostream>
 
 // Play with these.
-const int links = 20;         // two metres of them
-const double link = 0.1;      // m
-const int sweeps = 20;        // iterations over all links in a step
-const double h = 1.0 / 60;    // s
-const int frames = 90;        // a second and a half
-const int every = 15;         // frames from one picture to the next: a quarter of a second
+const int links = 20;       // two metres of them
+const double link = 0.1;    // m
+const int sweeps = 20;      // iterations over all links in a step
+const double h = 1.0 / 60;  // s
+const int frames = 90;      // a second and a half
+const int every = 15;       // frames from one picture to the next: a quarter of a second
 
 struct Point {
     double x, y;            // where it is, m
@@ -28,7 +28,8 @@ void fall(Point& p) {
 }
 
 // Both ends of a link share what is too long: its constraint, projected.
-// A point that is moved has its velocity changed with it. Two points in one place have no direction and stay.
+// A point that is moved has its velocity changed with it. Two points in one place have no direction
+// and stay.
 void put_right(Point& a, Point& b, bool a_is_held) {
     const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
     if (length == 0) return;
@@ -39,7 +40,8 @@ void put_right(Point& a, Point& b, bool a_is_held) {
 
 int main() {
     std::array<Point, links + 1> rope;
-    for (int i = 0; i <= links; ++i) rope[i] = {i * link, 0, i * link, 0};  // held out level, at rest
+    for (int i = 0; i <= links; ++i)
+        rope[i] = {i * link, 0, i * link, 0};  // held out level, at rest
 
     std::ofstream data("rope.dat");
     data << "# x y time\n";
@@ -55,8 +57,9 @@ int main() {
     }
 
     double length = 0;
-    for (int i = 1; i <= links; ++i) length += std::hypot(rope[i].x - rope[i - 1].x, rope[i].y - rope[i - 1].y);
-    std::cout << "after " << frames * h << " s the rope is " << length << " m long, and should be " << links * link
-              << "\n";
+    for (int i = 1; i <= links; ++i)
+        length += std::hypot(rope[i].x - rope[i - 1].x, rope[i].y - rope[i - 1].y);
+    std::cout << "after " << frames * h << " s the rope is " << length << " m long, and should be "
+              << links * link << "\n";
     if (!data.flush()) return std::cerr << "rope.dat: cannot be written\n", 2;
 }

@@ -17,11 +17,11 @@
 using namespace timestep;
 
 // Play with these.
-const int steps = 10000;     // so long we watch
-const double least = 0.01;   // damping ratio: from next to none
-const double most = 10;      // to a lot
+const int steps = 10000;    // so long we watch
+const double least = 0.01;  // damping ratio: from next to none
+const double most = 10;     // to a lot
 
-const double omega = 100;    // rad/s: whichever it is, only omega h counts
+const double omega = 100;  // rad/s: whichever it is, only omega h counts
 
 // Does it swing farther in the end than at the start?
 template <class Method>
@@ -58,7 +58,8 @@ int main() {
             const double formula = stability_limit(method, zeta).value;
             data << zeta << ' ' << tried << ' ' << formula << '\n';
             if (i % 13 == 0)
-                std::cout << "  zeta " << zeta << ": omega h up to " << tried << ", by formula " << formula << '\n';
+                std::cout << "  zeta " << zeta << ": omega h up to " << tried << ", by formula "
+                          << formula << '\n';
         }
         data << "\n\n";
     };

@@ -19,10 +19,9 @@ struct Account {
 // more than one, the step is refused. The next one is as long as that fits. Kept
 // is the halves minus d: chapter 1's Richardson extrapolation, of order two.
 template <class System, class Y, class Observe>
-timestep::FirstOrder<Y> run_adaptive(const System& f,
-                                     timestep::FirstOrder<Y> state, double end,
-                                     double relative, double absolute,
-                                     Account& account, const Observe& observe) {
+timestep::FirstOrder<Y> run_adaptive(const System& f, timestep::FirstOrder<Y> state, double end,
+                                     double relative, double absolute, Account& account,
+                                     const Observe& observe) {
     double h = 1e-6;
     while (state.t < end) {
         h = std::min(h, end - state.t);
@@ -31,8 +30,7 @@ timestep::FirstOrder<Y> run_adaptive(const System& f,
         const auto middle = timestep::implicit_euler.step(f, state, h / 2);
         const auto halves = timestep::implicit_euler.step(f, middle, h / 2);
         const Y d = whole.y - halves.y;
-        const Y wanted =
-            (relative * halves.y.array().abs() + absolute).matrix();
+        const Y wanted = (relative * halves.y.array().abs() + absolute).matrix();
         const double error = d.cwiseQuotient(wanted).cwiseAbs().sum();
         if (error <= 1) {
             account.shortest = std::min(account.shortest, h);

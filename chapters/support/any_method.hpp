@@ -18,8 +18,8 @@ void for_all_methods(const Visit& visit) {
 }
 
 // Does the method step this kind of state under this force? Verlet's kind has no velocity to hand
-// to the force, new damping wants one that is linear in it, and a first-order system is not for methods that
-// treat position and velocity differently.
+// to the force, new damping wants one that is linear in it, and a first-order system is not for
+// methods that treat position and velocity differently.
 template <class Method, class Model, class S>
 constexpr bool takes() {
     using namespace timestep;
@@ -47,7 +47,7 @@ struct AnyMethod {
     using Real = timestep::real_of<S>;
 
     const char* name;
-    S (*from_one)
+    S(*from_one)
     (const Model&, const S&, Real) = nullptr;  // stays null where the force is not taken
     S (*from_two)(const Model&, const S&, const S&, Real) = nullptr;
 

@@ -38,8 +38,8 @@ public:
         Vector d(normal(random_), normal(random_), normal(random_));
         return d.normalized();
     }
-    // Any body, one in three with two moments within five percent, or equal, one in three all but flat; each with
-    // its axes in any order.
+    // Any body, one in three with two moments within five percent, or equal, one in three all but
+    // flat; each with its axes in any order.
     Body body() {
         double moments[3];
         const double kind = even(0, 3);
@@ -50,7 +50,8 @@ public:
         } else if (kind < 2) {
             moments[0] = 1, moments[1] = even(0, 4) < 1 ? 1 : 1 - even(0, timestep::nearly_equal);
             // Between the difference of the two and their sum.
-            moments[2] = even_in_log(std::max(1e-3, 1.01 * (1 - moments[1])), moments[0] + moments[1]);
+            moments[2] =
+                even_in_log(std::max(1e-3, 1.01 * (1 - moments[1])), moments[0] + moments[1]);
         } else {
             const double thin = even_in_log(1e-9, 1e-2) * std::min(A, B);
             moments[0] = B + thin, moments[1] = thin + A, moments[2] = A + B;
@@ -58,11 +59,13 @@ public:
         std::shuffle(moments, moments + 3, random_);
         return {moments[0], moments[1], moments[2]};
     }
-    // Off the axis of the middle moment by a hundredth to a ten-thousandth: there errors grow fastest.
+    // Off the axis of the middle moment by a hundredth to a ten-thousandth: there errors grow
+    // fastest.
     Vector near_middle(const Body& body) {
         int least, most;
         body.moments.minCoeff(&least), body.moments.maxCoeff(&most);
-        return (Vector::Unit(3 - least - most) + even_in_log(1e-4, 1e-2) * direction()).normalized();
+        return (Vector::Unit(3 - least - most) + even_in_log(1e-4, 1e-2) * direction())
+            .normalized();
     }
 
 private:
@@ -71,32 +74,42 @@ private:
 
 // h|ω| from 1e-3 to 30.
 inline Question any(Random& random) {
-    return {random.body(), random.direction(), random.even_in_log(1e-3, 30), random.even(0, 3) > 1, 1};
+    return {random.body(), random.direction(), random.even_in_log(1e-3, 30), random.even(0, 3) > 1,
+            1};
 }
 
-inline timestep::Frames frames(const Question& q) { return {q.even ? 1 : 1.0 / 3, 1}; }  // so |ω| is the turn
+inline timestep::Frames frames(const Question& q) {
+    return {q.even ? 1 : 1.0 / 3, 1};
+}  // so |ω| is the turn
 
-// Is the verdict true of the solver's own steps? One step in a thousand directions, and runs of three hundred.
+// Is the verdict true of the solver's own steps? One step in a thousand directions, and runs of
+// three hundred.
 template <class Rule>
-bool true_of_steps(const timestep::BodyAdvice& said, const Rule& rule, const Question& q, Random& random) {
+bool true_of_steps(const timestep::BodyAdvice& said, const Rule& rule, const Question& q,
+                   Random& random) {
     using timestep::AddsEnergy;
     Body body = q.inertia;
     body.moments = body.unit;
     const auto mine = timestep::detail::prepared(rule, body);
     double most = 0;
     const auto step = [&](const Vector& direction) {
-        const timestep::SpinState<double> s{0, timestep::Quaternion<double>::Identity(), q.turn * direction};
-        const double after = kinetic_energy(body, Vector(rule.step(mine, s, 1.0).omega)) / kinetic_energy(body, s.omega);
+        const timestep::SpinState<double> s{0, timestep::Quaternion<double>::Identity(),
+                                            q.turn * direction};
+        const double after = kinetic_energy(body, Vector(rule.step(mine, s, 1.0).omega)) /
+                             kinetic_energy(body, s.omega);
         most = std::isnan(after) ? INFINITY : std::max(most, after);
     };
     if (said.adds == AddsEnergy::one_step_can) {
         if (!said.worst_spin.isZero()) step(said.worst_spin.normalized());
-        for (int i = 0; i < 1000 && !(most > 1 + 1e-12); ++i) step(i % 2 ? random.direction() : random.near_middle(body));
+        for (int i = 0; i < 1000 && !(most > 1 + 1e-12); ++i)
+            step(i % 2 ? random.direction() : random.near_middle(body));
         return most > 1 + 1e-12;
     }
     for (int i = 0; i < 1000; ++i) step(i % 2 ? random.direction() : random.near_middle(body));
     for (int i = 0; i < 6; ++i) {
-        const Vector direction = i == 0 ? q.direction : i % 2 ? random.direction() : random.near_middle(body);
+        const Vector direction = i == 0  ? q.direction
+                                 : i % 2 ? random.direction()
+                                         : random.near_middle(body);
         const auto thrown = throw_body(rule, body, Vector(q.turn * direction), frames(q), 1e9, 300);
         most = std::max(most, thrown.most_energy);
     }
@@ -110,13 +123,15 @@ struct Tally {
         using timestep::AddsEnergy;
         ++asked;
         never += said.adds == AddsEnergy::never, bounded += said.adds == AddsEnergy::bounded;
-        can += said.adds == AddsEnergy::one_step_can, close += said.adds == AddsEnergy::too_close_to_call;
+        can += said.adds == AddsEnergy::one_step_can,
+            close += said.adds == AddsEnergy::too_close_to_call;
         if (said.adds == AddsEnergy::too_close_to_call || right) return;
         ++wrong;
         char line[300];
         const Vector& I = q.inertia.moments;
-        std::snprintf(line, sizeof line, "%s: %s, moments %.17g %.17g %.17g, turn %.17g, %s", said.method.c_str(),
-                      words(said.adds), I.x(), I.y(), I.z(), q.turn, q.even ? "even" : "uneven");
+        std::snprintf(line, sizeof line, "%s: %s, moments %.17g %.17g %.17g, turn %.17g, %s",
+                      said.method.c_str(), words(said.adds), I.x(), I.y(), I.z(), q.turn,
+                      q.even ? "even" : "uneven");
         missed.push_back(line);
     }
 };
@@ -129,12 +144,15 @@ inline Tally verdicts(long how_many, unsigned long seed) {
         timestep::for_each_body_solver([&](const auto& rule, const timestep::BodyPrice& price) {
             if (tally.asked >= how_many) return;
             Question q = any(random);
-            if (random.even(0, 3) < 1) {  // within a tenth of its own limit, or of another's where it has none
-                const double own = timestep::detail::judged(rule, price, q.inertia, 1, 1e-3).longest_step;
+            if (random.even(0, 3) <
+                1) {  // within a tenth of its own limit, or of another's where it has none
+                const double own =
+                    timestep::detail::judged(rule, price, q.inertia, 1, 1e-3).longest_step;
                 const double limit =
-                    own > 0 && own < 1e3 ? own
-                                         : std::min(1e3, (random.even(0, 2) < 1 ? 1 : 2) *
-                                                             timestep::detail::longest_safe_step(q.inertia, 1));
+                    own > 0 && own < 1e3
+                        ? own
+                        : std::min(1e3, (random.even(0, 2) < 1 ? 1 : 2) *
+                                            timestep::detail::longest_safe_step(q.inertia, 1));
                 q.turn = limit * random.even(0.9, 1.1);
                 ++tally.near;
             }
@@ -146,10 +164,11 @@ inline Tally verdicts(long how_many, unsigned long seed) {
 
 // The recommended line against all others of its price, over throws in free flight.
 struct Contest {
-    std::string name;     // of the line
+    std::string name;                     // of the line
     long asked = 0, wrong = 0, lost = 0;  // off by more than 1 % in two seconds, and lost
     double worst = 0;
-    long beaten = 0;         // by another one of its price or cheaper, each in as many substeps as that buys
+    long beaten =
+        0;  // by another one of its price or cheaper, each in as many substeps as that buys
     long beaten_visibly = 0;  // and was off by more than 1 % itself
     double worst_beaten = 0;  // how far it was off, at most, where another was nearer by half
 };
@@ -160,10 +179,11 @@ inline std::vector<Contest> recommended(long how_many, unsigned long seed, doubl
     std::vector<Contest> all;
     const double h = 1.0 / 60;
     for (long n = 0; n < how_many; ++n) {
-        Question q{random.body(), random.direction(), random.even_in_log(0.01, fastest), random.even(0, 3) > 1,
-                   random.even(0, 3) < 1 ? 5000L : 1L};
+        Question q{random.body(), random.direction(), random.even_in_log(0.01, fastest),
+                   random.even(0, 3) > 1, random.even(0, 3) < 1 ? 5000L : 1L};
         if (random.even(0, 10) < 1) q.inertia = Body(1, 1, random.even_in_log(1e-3, 2));
-        if (random.even(0, 2) < 1 && !(q.inertia.ratio.array() == 0).any()) q.direction = random.near_middle(q.inertia);
+        if (random.even(0, 2) < 1 && !(q.inertia.ratio.array() == 0).any())
+            q.direction = random.near_middle(q.inertia);
         const Frames frames(q.even ? h : h / 3, h);
         const Vector omega = q.turn / h * q.direction;
         const BodyRecommendation take = recommend(q.inertia, omega, frames, false, q.count);
@@ -183,19 +203,22 @@ inline std::vector<Contest> recommended(long how_many, unsigned long seed, doubl
             const long substeps = each.all() > 0 ? std::max(1L, long(price / each.all())) : 1;
             nearest = std::min(nearest, run(rule, substeps));
         });
-        auto line = std::find_if(all.begin(), all.end(), [&](const Contest& c) { return c.name == take.choice.name; });
+        auto line = std::find_if(all.begin(), all.end(),
+                                 [&](const Contest& c) { return c.name == take.choice.name; });
         if (line == all.end()) line = all.insert(all.end(), Contest{take.choice.name});
         ++line->asked, line->wrong += off > 0.01, line->lost += off > lost_orientation;
         line->worst = std::max(line->worst, off);
         // Of an orientation that is right already a nearer one is of no use to anybody.
-        if (nearest < off && off > right_orientation) ++line->beaten, line->beaten_visibly += off > 0.01;
+        if (nearest < off && off > right_orientation)
+            ++line->beaten, line->beaten_visibly += off > 0.01;
         if (nearest < off / 2) line->worst_beaten = std::max(line->worst_beaten, off);
     }
     return all;
 }
 
-// Of bodies with two moments so far apart: the share of two hundred throws that are nearer in ω, over ten seconds at
-// 60 Hz and 5 to 30 rad/s, if the two are declared equal than by passive with three.
+// Of bodies with two moments so far apart: the share of two hundred throws that are nearer in ω,
+// over ten seconds at 60 Hz and 5 to 30 rad/s, if the two are declared equal than by passive with
+// three.
 inline double nearer_declared(double apart, bool about_axis) {
     using namespace timestep;
     Random random(5);
@@ -222,7 +245,8 @@ inline double nearer_declared(double apart, bool about_axis) {
     return double(nearer) / all;
 }
 
-// Throws near the middle axis in uneven frames, h|ω| of a frame up to `fastest`: the share that is lost, and the worst.
+// Throws near the middle axis in uneven frames, h|ω| of a frame up to `fastest`: the share that is
+// lost, and the worst.
 struct Uneven {
     double lost = 0, worst = 0;
 };

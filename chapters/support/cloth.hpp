@@ -196,9 +196,8 @@ private:
     void fill(const Cloth& cloth, const Tangent& tangent, double h) {
         matrix_.coeffs().setZero();
         auto place = where_.begin();
-        entries(cloth, tangent, h, [&](int, int, double value) {
-            matrix_.valuePtr()[*place++] += value;
-        });
+        entries(cloth, tangent, h,
+                [&](int, int, double value) { matrix_.valuePtr()[*place++] += value; });
     }
     // The numbers on the diagonal and below it. A corner that is held has the row of m alone.
     template <class Add>

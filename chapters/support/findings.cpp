@@ -41,7 +41,8 @@ std::string formatted(double value, int digits) {
 
 std::string id(const std::string& name) {
     std::string word;
-    for (const char c : name) word += std::isalnum(static_cast<unsigned char>(c)) ? char(std::tolower(c)) : '_';
+    for (const char c : name)
+        word += std::isalnum(static_cast<unsigned char>(c)) ? char(std::tolower(c)) : '_';
     return word;
 }
 
@@ -95,7 +96,8 @@ void Findings::text(const std::string& name, const std::string& words, const std
     add_number(name, words, "", meaning, from);
 }
 
-void Findings::check(const std::string& name, bool holds, const std::string& statement, Place from) {
+void Findings::check(const std::string& name, bool holds, const std::string& statement,
+                     Place from) {
     add_place("check", name, from);
     checks_ += join({name, statement});
     if (!holds) failed_.push_back(statement);
@@ -112,7 +114,8 @@ namespace {
 std::vector<fs::path> make_folder(const fs::path& folder) {
     std::vector<fs::path> made;
     std::error_code error;
-    for (fs::path path = folder; !path.empty() && !fs::exists(path, error); path = path.parent_path())
+    for (fs::path path = folder; !path.empty() && !fs::exists(path, error);
+         path = path.parent_path())
         made.push_back(path);
     fs::create_directories(folder, error);
     if (!error) return made;
@@ -140,9 +143,8 @@ fs::path make_staging(const fs::path& target) {
 // between two moves can leave old files beside new ones, each of them whole.
 void Findings::save(const std::string& folder) const {
     const fs::path target(folder);
-    std::vector<std::pair<std::string, const std::string*>> files{{"numbers.tsv", &numbers_},
-                                                                  {"checks.tsv", &checks_},
-                                                                  {"places.tsv", &places_}};
+    std::vector<std::pair<std::string, const std::string*>> files{
+        {"numbers.tsv", &numbers_}, {"checks.tsv", &checks_}, {"places.tsv", &places_}};
     for (const auto& table : tables_) files.emplace_back(table.file(), &table.text());
 
     const std::vector<fs::path> made = make_folder(target);
@@ -152,7 +154,8 @@ void Findings::save(const std::string& folder) const {
         staging = make_staging(target);
         for (const auto& [name, text] : files) {
             if (fs::is_directory(target / name, error))
-                throw std::runtime_error((target / name).string() + ": must be a file, not a folder");
+                throw std::runtime_error((target / name).string() +
+                                         ": must be a file, not a folder");
             std::ofstream file(staging / name, std::ios::binary);
             file << *text;
             file.close();
@@ -169,8 +172,8 @@ void Findings::save(const std::string& folder) const {
     }
 }
 
-// Refuses, as save() would, a folder that cannot be made or written to: tries it in the innermost one that is there, with
-// a name that no other run has, and leaves all as it was.
+// Refuses, as save() would, a folder that cannot be made or written to: tries it in the innermost
+// one that is there, with a name that no other run has, and leaves all as it was.
 void try_folder(const fs::path& folder) {
     std::error_code error;
     fs::path there = folder;

@@ -22,8 +22,8 @@ double cache_bytes(int level);
 /// The compiler that made this program.
 std::string compiler();
 
-/// A line of a source. As the default of an argument it is the caller's. (It does what std::source_location
-/// does, which clang 14 has not got.)
+/// A line of a source. As the default of an argument it is the caller's. (It does what
+/// std::source_location does, which clang 14 has not got.)
 struct Place {
     const char* file;
     int line;
@@ -54,9 +54,9 @@ private:
 };
 
 /// What a run found: its data files, the numbers that the page names, and the checks that the
-/// page's sentences rest on. All of it stays in memory until the run is over. Of each the run keeps, in
-/// places.tsv, which line wrote it: that of the call, or where a function calls for others and passes
-/// their `from` on, theirs.
+/// page's sentences rest on. All of it stays in memory until the run is over. Of each the run
+/// keeps, in places.tsv, which line wrote it: that of the call, or where a function calls for
+/// others and passes their `from` on, theirs.
 class Findings {
 public:
     /// Prints a heading; `{{run: title}}` on a page quotes what is printed below it.
@@ -71,7 +71,8 @@ public:
     void check(const std::string& name, bool holds, const std::string& statement,
                Place from = Place::here());
     /// A data file with the columns named.
-    Table& table(const std::string& file, std::vector<std::string> columns, Place from = Place::here());
+    Table& table(const std::string& file, std::vector<std::string> columns,
+                 Place from = Place::here());
 
     const std::vector<std::string>& failed() const { return failed_; }
     /// Writes every file into `folder`, each of them whole. A disk that is full changes nothing
@@ -112,7 +113,8 @@ public:
     Program(std::string name, std::string summary);
     void option(const std::string& flag, double& value, Rule rule, const std::string& help);
     /// A whole number between `least` and `most`.
-    void option(const std::string& flag, long& value, long least, long most, const std::string& help);
+    void option(const std::string& flag, long& value, long least, long most,
+                const std::string& help);
     /// One of a few words.
     void option(const std::string& flag, std::string& value, std::vector<std::string> choices,
                 const std::string& help);

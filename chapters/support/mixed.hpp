@@ -101,9 +101,7 @@ inline Motion<double> motion(int i) {
             Vector3<double>(i, 0, 1),
             Vector3<double>(0, 1, i % 2)};
 }
-inline double size(int i) {
-    return 1 + 0.1 * (i % 11);
-}
+inline double size(int i) { return 1 + 0.1 * (i % 11); }
 
 template <class Crowd>
 void add_ball(Crowd& crowd, int i) {

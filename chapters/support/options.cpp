@@ -7,9 +7,7 @@ namespace lab {
 namespace {
 
 // What was typed, as it is shown.
-std::string shown(const std::string& word) {
-    return word.empty() ? "\"\"" : word;
-}
+std::string shown(const std::string& word) { return word.empty() ? "\"\"" : word; }
 
 void set(const std::string& flag, const Options::Setter& setter, const std::string& value) {
     const std::string wrong = setter(value);
@@ -41,7 +39,8 @@ bool Options::parse(int argc, char** argv) const {
         for (std::size_t k = 0; k < options_.size() && !known; ++k) {
             const auto& [flag, setter, has_value, often] = options_[k];
             if (word == flag) {
-                if (has_value && i + 1 == argc) throw std::invalid_argument(flag + ": needs a value");
+                if (has_value && i + 1 == argc)
+                    throw std::invalid_argument(flag + ": needs a value");
                 given[k].push_back(has_value ? argv[++i] : "");
             } else if (has_value && word.starts_with(flag + "=")) {
                 given[k].push_back(word.substr(flag.size() + 1));
@@ -54,7 +53,8 @@ bool Options::parse(int argc, char** argv) const {
     }
     for (const std::string& word : unknown) {
         if (word == "--help" || word == "-h") return false;
-        throw std::invalid_argument(shown(word) + ": unknown option (" + program_ + " --help lists them)");
+        throw std::invalid_argument(shown(word) + ": unknown option (" + program_ +
+                                    " --help lists them)");
     }
     for (std::size_t k = 0; k < options_.size(); ++k) {
         const Option& option = options_[k];

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The options of a small program, refused in one line. (CLI11, which reads the course program's, would take longer to
-/// compile than all else that the first page needs.)
+/// The options of a small program, refused in one line. (CLI11, which reads the course program's,
+/// would take longer to compile than all else that the first page needs.)
 
 #include <functional>
 #include <string>

@@ -31,8 +31,8 @@ private:
     };
     static Slope slope_of(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s) {
         const Quaternion<Real> spin(0, s.omega.x(), s.omega.y(), s.omega.z());
-        return {(s.q * spin).coeffs() / 2, -s.omega.cross(Vector3<Real>(inertia.unit.cwiseProduct(s.omega)))
-                                                .cwiseQuotient(inertia.unit)};
+        return {(s.q * spin).coeffs() / 2,
+                -s.omega.cross(Vector3<Real>(inertia.unit.cwiseProduct(s.omega))).cwiseQuotient(inertia.unit)};
     }
     /// [step]
     SpinState<Real> extrapolated(const SpinState<Real>& s1, const Slope& slope, Real h) const {

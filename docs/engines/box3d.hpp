@@ -18,9 +18,8 @@ struct Box3dGyroscopic {
 
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     template <class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const {
+    TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
+                                       Real h) const {
         return guarded_newton(inertia, omega, h, [](Real determinant) -> Real {
             const bool solved = std::abs(determinant) > 1000 * std::numeric_limits<Real>::min();
             return solved ? 1 / determinant : 0;
@@ -37,9 +36,8 @@ struct Box3dSpin {
 
     /// One step of `h` seconds.
     template <class Real>
-    TIMESTEP_INLINE
-    SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1,
-                         Real h) const {
+    TIMESTEP_INLINE SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1,
+                                         Real h) const {
         using std::abs;
         const Real cap = Real(0.785398163397448309616L) / abs(h), part = h / 4;
         SpinState<Real> s = s1;

@@ -19,9 +19,8 @@ struct BulletGyroscopic {
 
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     template <class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const {
+    TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
+                                       Real h) const {
         return guarded_newton(inertia, omega, h, [](Real determinant) -> Real {
             const bool inverted = std::abs(determinant) > std::numeric_limits<Real>::epsilon();
             return inverted ? 1 / determinant : determinant;

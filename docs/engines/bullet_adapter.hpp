@@ -21,8 +21,9 @@ namespace timestep {
 /// and neither happens in any scene of the course's benchmark.
 ///
 /// A rule acts in each of Bullet's own substeps. It leaves alone what is static, kinematic or asleep, has
-/// a locked axis (a zero in the inertia), or an angular factor other than (1, 1, 1): axes locked in the world. Bullet turns no body by more than π/4 a step: beyond, at
-/// 47 rad/s and 60 Hz, the spin is right and the orientation lags behind it, as it does without a rule.
+/// a locked axis (a zero in the inertia), or an angular factor other than (1, 1, 1): axes locked in the world. Bullet
+/// turns no body by more than π/4 a step: beyond, at 47 rad/s and 60 Hz, the spin is right and the orientation lags
+/// behind it, as it does without a rule.
 template <class Rule = CalmInEngine, class World = btDiscreteDynamicsWorld>
 class GyroscopicWorld : public World {
 public:
@@ -58,8 +59,8 @@ private:
         Vector3<btScalar> inverse_moments = Vector3<btScalar>::Zero();
         decltype(Rule::body(Vector3<btScalar>())) body = Rule::body(Vector3<btScalar>::Zero().eval());
     };
-    // `known` is that of the body that stood at its place in the step before: nearly always this one. Other moments make
-    // it anew, so that nothing need be told when bodies come and go, or change their mass.
+    // `known` is that of the body that stood at its place in the step before: nearly always this one. Other moments
+    // make it anew, so that nothing need be told when bodies come and go, or change their mass.
     static void act(btRigidBody& body, btScalar h, Known&& known) { act(body, h, known); }
     static void act(btRigidBody& body, btScalar h, Known& known) {
         if (!body.isActive() || body.isStaticOrKinematicObject()) return;
@@ -78,8 +79,9 @@ private:
             act(*this->m_nonStaticRigidBodies[i], h, known_[std::size_t(i)]);
     }
     static void switch_off(btRigidBody& body) {
-        body.setFlags(body.getFlags() & ~(BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT | BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD |
-                                          BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY));
+        body.setFlags(body.getFlags() &
+                      ~(BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT | BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD |
+                        BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY));
     }
     static Vector3<btScalar> numbers(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
     std::vector<Known> known_;

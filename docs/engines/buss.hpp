@@ -13,14 +13,13 @@ namespace timestep {
 template <bool Augmented>
 struct BussSpin {
     static constexpr const char* name = Augmented ? "Buss augmented" : "Buss 2";  ///< for tables and keys
-    static constexpr int order = 2;  ///< of the error after a whole run
+    static constexpr int order = 2;                                               ///< of the error after a whole run
 
     /// One step of `h` seconds.
     /// [step]
     template <class Real>
-    TIMESTEP_INLINE
-    SpinState<Real> step(const PrincipalInertia<Real>& inertia,
-                         const SpinState<Real>& s1, Real h) const {
+    TIMESTEP_INLINE SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1,
+                                         Real h) const {
         const Vector3<Real>& w1 = s1.omega;
         const Vector3<Real> L1 = inertia.unit.cwiseProduct(w1);
         const Vector3<Real> slope = -w1.cross(L1).cwiseQuotient(inertia.unit);

@@ -11,9 +11,8 @@ namespace timestep {
 /// as long has one 32,000 times smaller. `one_over(determinant)` says what to divide by when that
 /// is small.
 template <class Real, class OneOver>
-TIMESTEP_INLINE
-Vector3<Real> guarded_newton(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
-                             Real h, const OneOver& one_over) {
+TIMESTEP_INLINE Vector3<Real> guarded_newton(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega, Real h,
+                                             const OneOver& one_over) {
     const Vector3<Real> L = inertia.momentum(omega);
     const Matrix3<Real> I = inertia.moments.asDiagonal();
     const Matrix3<Real> J = I + h * (skew(omega) * I - skew(L));

@@ -16,9 +16,8 @@ struct JoltGyroscopic {
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     /// [step]
     template <class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const PrincipalInertia<Real>& inertia,
-                       const Vector3<Real>& omega, Real h) const {
+    TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
+                                       Real h) const {
         const Vector3<Real> L = inertia.unit.cwiseProduct(omega);
         const Vector3<Real> after = L - h * omega.cross(L);
         const Real length = after.norm();

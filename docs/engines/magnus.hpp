@@ -19,22 +19,18 @@ struct MagnusTaylor {
     /// One step of `h` seconds.
     /// [step]
     template <class Real>
-    TIMESTEP_INLINE
-    SpinState<Real> step(const PrincipalInertia<Real>& inertia,
-                         const SpinState<Real>& s1, Real h) const {
+    TIMESTEP_INLINE SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1,
+                                         Real h) const {
         using V = Vector3<Real>;
         const V &a = inertia.ratio, &U = inertia.unit;
         const auto both = [&](const V& u, const V& v) -> V {
-            const V pairs(u.y() * v.z() + u.z() * v.y(),
-                          u.z() * v.x() + u.x() * v.z(),
-                          u.x() * v.y() + u.y() * v.x());
+            const V pairs(u.y() * v.z() + u.z() * v.y(), u.z() * v.x() + u.x() * v.z(), u.x() * v.y() + u.y() * v.x());
             return -a.cwiseProduct(pairs);
         };
         const V w = h * s1.omega;
         const V w1 = both(w, w) / 2, w2 = both(w, w1);
         const V w3 = both(w, w2) + both(w1, w1);
-        const V turn = w + w1 / 2 + w2 / 6 + w3 / 24 +
-                       w.cross(w1) / 12 + w.cross(w2) / 24;
+        const V turn = w + w1 / 2 + w2 / 6 + w3 / 24 + w.cross(w1) / 12 + w.cross(w2) / 24;
         const Quaternion<Real> rho = turn_by(turn);
         const V L = rho.conjugate() * V(U.cwiseProduct(s1.omega));
         return {s1.t + h, (s1.q * rho).normalized(), L.cwiseQuotient(U)};

@@ -21,18 +21,15 @@ struct MidpointSpin {
     /// One step of `h` seconds. Calls `iterated()` after each Newton step.
     /// [step]
     template <class Real, class Iterated>
-    SpinState<Real> step(const PrincipalInertia<Real>& inertia,
-                         const SpinState<Real>& s1, Real h,
+    SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1, Real h,
                          const Iterated& iterated) const {
-        const Vector3<Real> m =
-            converged_gyroscopic.step(inertia, s1.omega, h / 2, iterated);
+        const Vector3<Real> m = converged_gyroscopic.step(inertia, s1.omega, h / 2, iterated);
         return {s1.t + h, turned_in_body(s1.q, m, h), 2 * m - s1.omega};
     }
     /// [step]
     /// The same, and nobody counts.
     template <class Real>
-    SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1,
-                         Real h) const {
+    SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1, Real h) const {
         return step(inertia, s1, h, [] {});
     }
 };

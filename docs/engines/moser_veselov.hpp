@@ -23,14 +23,12 @@ namespace timestep {
 template <int Order>
 struct MoserVeselov {
     static_assert(Order == 2 || Order == 4, "timestep: Moser-Veselov has order two or four here");
-    static constexpr const char* name =
-        Order == 2 ? "Moser-Veselov 2" : "Moser-Veselov 4";  ///< for tables and keys
-    static constexpr int order = Order;                      ///< of the error after a whole run
+    static constexpr const char* name = Order == 2 ? "Moser-Veselov 2" : "Moser-Veselov 4";  ///< for tables and keys
+    static constexpr int order = Order;  ///< of the error after a whole run
 
     /// One step of `h` seconds. NaN where a step has more than a million parts.
     template <class Real>
-    SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1,
-                         Real h) const {
+    SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1, Real h) const {
         using std::abs, std::ceil;
         SpinState<Real> s = s1;
         for (Real left = h; left != 0;) {
@@ -51,8 +49,7 @@ struct MoserVeselov {
     /// One part: a step that is not cut up, and goes wrong where there is no ρ.
     /// [step]
     template <class Real>
-    static SpinState<Real> whole(const PrincipalInertia<Real>& inertia,
-                                 const SpinState<Real>& s, Real h) {
+    static SpinState<Real> whole(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s, Real h) {
         using V = Vector3<Real>;
         const V& U = inertia.unit;
         const V L = U.cwiseProduct(s.omega);
@@ -63,12 +60,9 @@ struct MoserVeselov {
         V c = w;
         for (int i = 0; i < 8; ++i) {
             const V pairs(c.y() * c.z(), c.z() * c.x(), c.x() * c.y());
-            const V residual =
-                c + a.cwiseProduct(pairs) - (1 + c.squaredNorm()) * w;
+            const V residual = c + a.cwiseProduct(pairs) - (1 + c.squaredNorm()) * w;
             Matrix3<Real> J;
-            J << 1, a.x() * c.z(), a.x() * c.y(),
-                 a.y() * c.z(), 1, a.y() * c.x(),
-                 a.z() * c.y(), a.z() * c.x(), 1;
+            J << 1, a.x() * c.z(), a.x() * c.y(), a.y() * c.z(), 1, a.y() * c.x(), a.z() * c.y(), a.z() * c.x(), 1;
             J -= 2 * w * c.transpose();
             const V change = solve3(J, residual);
             c -= change;
@@ -77,8 +71,7 @@ struct MoserVeselov {
         }
         const Quaternion<Real> cayley(1, c.x(), c.y(), c.z());
         const Quaternion<Real> rho = cayley.normalized();
-        return {s.t + h, (s.q * rho).normalized(),
-                (rho.conjugate() * L).cwiseQuotient(U)};
+        return {s.t + h, (s.q * rho).normalized(), (rho.conjugate() * L).cwiseQuotient(U)};
     }
     /// [step]
 

@@ -37,8 +37,8 @@ public:
         const FullInertia<double> inertia(I);
         dBodySetGyroscopicMode(body, 0);
         remove(body);
-        bodies_.push_back({body, Quaternion<double>(inertia.axes), Rule::body(inertia.principal.moments.cwiseInverse().eval()),
-                           orientation(body)});
+        bodies_.push_back({body, Quaternion<double>(inertia.axes),
+                           Rule::body(inertia.principal.moments.cwiseInverse().eval()), orientation(body)});
     }
     /// Lets a body go, without its own term.
     void remove(dBodyID body) {
@@ -60,9 +60,9 @@ public:
 private:
     struct Body {
         dBodyID id;
-        Quaternion<double> axes;    // of the principal moments, in the body
+        Quaternion<double> axes;                        // of the principal moments, in the body
         decltype(Rule::body(Vector3<double>())) known;  // what the rule has computed of them
-        Quaternion<double> before;  // the orientation before the step
+        Quaternion<double> before;                      // the orientation before the step
     };
     static Quaternion<double> orientation(dBodyID body) {
         const dReal* q = dBodyGetQuaternion(body);

@@ -24,16 +24,15 @@ namespace timestep {
 template <class Visit>
 void for_each_engine(const Visit& visit) {
     std::apply([&](const auto&... method) { (visit(method), ...); },
-               std::tuple{box3d_spin, bullet_spin, mujoco_spin, jolt_spin, ode_spin, godot_spin,
-                          explicit_spin});
+               std::tuple{box3d_spin, bullet_spin, mujoco_spin, jolt_spin, ode_spin, godot_spin, explicit_spin});
 }
 
 /// Calls `visit(method)` for each method from a book.
 template <class Visit>
 void for_each_book(const Visit& visit) {
     std::apply([&](const auto&... method) { (visit(method), ...); },
-               std::tuple{midpoint_spin, moser_veselov_2, moser_veselov_4, magnus_taylor,
-                          buss_2, buss_augmented, AdamsBashforthSpin<double>{}, spiers_spin, avian_spin});
+               std::tuple{midpoint_spin, moser_veselov_2, moser_veselov_4, magnus_taylor, buss_2, buss_augmented,
+                          AdamsBashforthSpin<double>{}, spiers_spin, avian_spin});
 }
 
 /// Calls `visit(method)` for each method of the appendix.

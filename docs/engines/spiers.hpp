@@ -37,9 +37,8 @@ struct AvianGyroscopic {
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     /// [step]
     template <class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const PrincipalInertia<Real>& inertia,
-                       const Vector3<Real>& omega, Real h) const {
+    TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
+                                       Real h) const {
         const SymmetricGuess<Real> guess(inertia, omega);
         const Vector3<Real> turn = h * guess.about;
         return (turn_by(turn).conjugate() * guess.L).cwiseQuotient(inertia.unit);
@@ -58,9 +57,8 @@ struct SpiersSpin {
     /// One step of `h` seconds.
     /// [whole]
     template <class Real>
-    TIMESTEP_INLINE
-    SpinState<Real> step(const PrincipalInertia<Real>& inertia,
-                         const SpinState<Real>& s1, Real h) const {
+    TIMESTEP_INLINE SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1,
+                                         Real h) const {
         const SymmetricGuess<Real> guess(inertia, s1.omega);
         const Quaternion<Real> first = turn_by(Vector3<Real>(h * guess.about));
         const Vector3<Real> L2 = first.conjugate() * guess.L;

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// Which method, what does it cost, will my simulation blow up, how far is it from the truth? For a spring with a
-/// damper, what every method makes of it at a given step: predicted, without a single step of simulation (I13).
+/// Which method, what does it cost, will my simulation blow up, how far is it from the truth? For a
+/// spring with a damper, what every method makes of it at a given step: predicted, without a single
+/// step of simulation (I13).
 
 #include <algorithm>
 #include <cmath>
@@ -21,29 +22,34 @@ namespace timestep {
 
 /// What one method makes of a spring. Numbers that mean nothing here are NaN.
 struct Advice {
-    std::string method;            ///< its name
-    Verdict verdict;               ///< will it blow up?
-    std::string reason;            ///< the formula that says so, with its numbers
-    double longest_step;           ///< the longest stable step, s; infinite where there is no limit
-    double growth_per_step;        ///< what a step multiplies the amplitude by in the long run
-    double growth_per_second;      ///< the same for a second of game time
-    double energy_ratio;           ///< the energy after a second over what it should be
-    double energy_drift;           ///< that minus one
-    double period_error;           ///< the period over the exact one, minus one
-    double position_error;         ///< the farthest from the true place in the first period, over the start: see advise()
-    double rate_error;             ///< how wrong the motion's frequency and decay are: see advise()
-    double cost;                   ///< force evaluations and solves in a second of game time
-    double accurate_step = 0;      ///< the end of the first stretch of right steps, s; 0: there is none
-    double accurate_cost = 0;      ///< what that costs, evaluations and solves a second; 0 if there is none
-    double ringing = 0;            ///< what a step multiplies the part by that rings, below −1/2; 0: none does
-    double accurate_from = 0;      ///< where that stretch begins, s: below roundoff is too much
-    double step = 0;               ///< the step that was asked about, s
-    bool right = false;            ///< is that one stable and as near as wanted, and nothing rings?
+    std::string method;        ///< its name
+    Verdict verdict;           ///< will it blow up?
+    std::string reason;        ///< the formula that says so, with its numbers
+    double longest_step;       ///< the longest stable step, s; infinite where there is no limit
+    double growth_per_step;    ///< what a step multiplies the amplitude by in the long run
+    double growth_per_second;  ///< the same for a second of game time
+    double energy_ratio;       ///< the energy after a second over what it should be
+    double energy_drift;       ///< that minus one
+    double period_error;       ///< the period over the exact one, minus one
+    double position_error;     ///< the farthest from the true place in the first period, over the
+                               ///< start: see advise()
+    double rate_error;         ///< how wrong the motion's frequency and decay are: see advise()
+    double cost;               ///< force evaluations and solves in a second of game time
+    double accurate_step = 0;  ///< the end of the first stretch of right steps, s; 0: there is none
+    double accurate_cost =
+        0;  ///< what that costs, evaluations and solves a second; 0 if there is none
+    double ringing =
+        0;  ///< what a step multiplies the part by that rings, below −1/2; 0: none does
+    double accurate_from = 0;  ///< where that stretch begins, s: below roundoff is too much
+    double step = 0;           ///< the step that was asked about, s
+    bool right = false;        ///< is that one stable and as near as wanted, and nothing rings?
 };
 
-/// Stable, and yet it keeps four times the energy that it should, twice the amplitude, while a hundredth of the start is
-/// there to be seen.
-inline bool lingers(const Advice& advice) { return advice.energy_ratio > 4 && advice.growth_per_second >= 0.01; }
+/// Stable, and yet it keeps four times the energy that it should, twice the amplitude, while a
+/// hundredth of the start is there to be seen.
+inline bool lingers(const Advice& advice) {
+    return advice.energy_ratio > 4 && advice.growth_per_second >= 0.01;
+}
 
 /// The verdict in words, and beside "stable" what is alarming all the same: stable is not right.
 inline std::string told_verdict(const Advice& advice) {
@@ -74,7 +80,8 @@ inline Said judge(const Judged& method, const SpringScene& scene, double h, cons
     // Of the slower oscillations that the fastest one may be nothing more is known.
     if (scene.bounded() && said.verdict == Verdict::grows) said.verdict = Verdict::not_proven;
     // One ellipse holds one oscillation.
-    if ((scene.bounded() || scene.several) && !method.one_pattern && said.verdict == Verdict::stable && std::isfinite(method.limit.value))
+    if ((scene.bounded() || scene.several) && !method.one_pattern &&
+        said.verdict == Verdict::stable && std::isfinite(method.limit.value))
         return {Verdict::not_proven, "proven for the fastest oscillation alone"};
     return said;
 }
@@ -84,8 +91,18 @@ inline Advice at_step(const Judged& method, const SpringScene& scene, double h, 
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const DampedSpring<double>& spring = scene.fastest;
     if (!method.takes_damping && spring.zeta > 0)
-        return {method.name, Verdict::refused, "takes forces of the position only",
-                nan, nan, nan, nan, nan, nan, nan, nan, nan};
+        return {method.name,
+                Verdict::refused,
+                "takes forces of the position only",
+                nan,
+                nan,
+                nan,
+                nan,
+                nan,
+                nan,
+                nan,
+                nan,
+                nan};
 
     const double s = spring.omega * h, zeta = spring.zeta;
     const auto all = method.multipliers(s);
@@ -103,18 +120,21 @@ inline Advice at_step(const Judged& method, const SpringScene& scene, double h, 
     Growth growth{0, 0};
     std::vector<StepMatrix<double>> steps;
     if (scene.varying()) {
-        const double shortest = spring.omega * scene.shortest_frame, longest = spring.omega * scene.longest_frame;
+        const double shortest = spring.omega * scene.shortest_frame,
+                     longest = spring.omega * scene.longest_frame;
         steps = steps_of(method.matrix, shortest, longest);
         growth = method.one_pattern ? mean_growth(steps, zeta) : random_products(steps);
         growth_per_step = growth.mean;
         mean_step = (scene.shortest_frame + scene.longest_frame) / 2;
-        advice.position_error = random_position_error(method.matrix, method.position_error,
-                                                      DampedSpring<long double>(1, zeta), shortest, longest);
+        advice.position_error =
+            random_position_error(method.matrix, method.position_error,
+                                  DampedSpring<long double>(1, zeta), shortest, longest);
     }
     const Said said = judge(method, scene, h, growth, steps);
     advice.verdict = said.verdict;
     advice.reason = said.reason;
-    // What a tether does when it is slack, and what is not known of the springs, is not the oscillation's affair.
+    // What a tether does when it is slack, and what is not known of the springs, is not the
+    // oscillation's affair.
     const bool taut = scene.only_pulls && advice.verdict == Verdict::not_proven;
     if (advice.verdict == Verdict::stable || taut) {
         const long double most = ringing(all, zeta, s);
@@ -134,7 +154,8 @@ inline Advice at_step(const Judged& method, const SpringScene& scene, double h, 
                               : nan;
     advice.cost = method.work / mean_step;
     advice.step = h;
-    if (scene.kicks && method.two_steps) advice.reason += "; restart it after each kick, or 1 m/s becomes 1.5";
+    if (scene.kicks && method.two_steps)
+        advice.reason += "; restart it after each kick, or 1 m/s becomes 1.5";
     advice.right = (advice.verdict == Verdict::stable || taut) && advice.ringing == 0 &&
                    advice.position_error <= wanted;
     return advice;
@@ -153,44 +174,47 @@ inline Advice advise(const Judged& method, const SpringScene& scene, double h, d
 }
 template <class Method>
 Advice advise(const Method& method, const SpringScene& scene, double h, double wanted) {
-    return advise(judged(method, scene.fastest.zeta, scene.least.zeta, scene.several, scene.thrown), scene, h, wanted);
+    return advise(judged(method, scene.fastest.zeta, scene.least.zeta, scene.several, scene.thrown),
+                  scene, h, wanted);
 }
 
 }  // namespace detail
 /// \endcond
 
-/// What every method of the course makes of the fastest oscillation of `scene`, which may be just one DampedSpring, at
-/// steps of `h` seconds, in the order in which the course meets them. With frames of uneven length `h` is the
-/// longest of them.
+/// What every method of the course makes of the fastest oscillation of `scene`, which may be just
+/// one DampedSpring, at steps of `h` seconds, in the order in which the course meets them. With
+/// frames of uneven length `h` is the longest of them.
 ///
-/// **The error that counts is the one that is seen**: let the spring go at rest, and compare the positions after
-/// every step of the first period, 2π/ω, with the exact ones. The largest distance, as a share of the start, is
-/// Advice::position_error. (Beyond ζ = 1 the time looked at is 2π over the slow decay's rate; one step at least,
-/// and eight where fewer than three would fit.) Beyond ζ = 5.1 the fast decay is hidden in these positions. If at
-/// least three steps `h` fit into 2π/q, where q is the rate of that decay, a second start counts as well: the body is
-/// thrown from its rest position. Advice::position_error is then the larger of the two errors; the second is that of the
-/// velocity, relative to the throw's. A velocity that belongs half a step earlier, as semi-implicit Euler's, moves the
-/// whole motion in time: that is seen, and it counts.
+/// **The error that counts is the one that is seen**: let the spring go at rest, and compare the
+/// positions after every step of the first period, 2π/ω, with the exact ones. The largest distance,
+/// as a share of the start, is Advice::position_error. (Beyond ζ = 1 the time looked at is 2π over
+/// the slow decay's rate; one step at least, and eight where fewer than three would fit.) Beyond ζ
+/// = 5.1 the fast decay is hidden in these positions. If at least three steps `h` fit into 2π/q,
+/// where q is the rate of that decay, a second start counts as well: the body is thrown from its
+/// rest position. Advice::position_error is then the larger of the two errors; the second is that
+/// of the velocity, relative to the throw's. A velocity that belongs half a step earlier, as
+/// semi-implicit Euler's, moves the whole motion in time: that is seen, and it counts.
 ///
-/// Growth, period and energy are those of the step's eigenvalues, in the long run. Of the motion e^(μt) a step
-/// makes e^((ln λ / h) t), so |ln λ / h − μ| / |μ| is how wrong its rate is, frequency and decay together:
-/// Advice::rate_error. Near ζ = 1 the two rates of a spring meet, and tiny changes of it drive them far apart.
-/// There the step's motion is compared as a whole: it is that of another spring, ω' and ζ', and the error is
-/// |ω' − ω|/ω and |ζ'ω' − ζω|/ω together (beyond ζ = 1 the latter is |ζ'ω' − ζω|/(ζω)). The smaller of the two
-/// counts. In both errors roundoff counts: in double, a step that changes the state only by a share δ is off by
-/// up to 2⁻⁵³/δ.
+/// Growth, period and energy are those of the step's eigenvalues, in the long run. Of the motion
+/// e^(μt) a step makes e^((ln λ / h) t), so |ln λ / h − μ| / |μ| is how wrong its rate is,
+/// frequency and decay together: Advice::rate_error. Near ζ = 1 the two rates of a spring meet, and
+/// tiny changes of it drive them far apart. There the step's motion is compared as a whole: it is
+/// that of another spring, ω' and ζ', and the error is |ω' − ω|/ω and |ζ'ω' − ζω|/ω together
+/// (beyond ζ = 1 the latter is |ζ'ω' − ζω|/(ζω)). The smaller of the two counts. In both errors
+/// roundoff counts: in double, a step that changes the state only by a share δ is off by up to
+/// 2⁻⁵³/δ.
 ///
-/// `wanted` is how large the position error may be. A step is **right** if it is stable, the error is no larger,
-/// and nothing rings. Told are whether the step `h` is, and the end of the first stretch of right steps. Longer
-/// ones may be right again, by errors that happen to cancel; of those only `h` itself is looked at. (A tether is
-/// judged right while it is taut.)
+/// `wanted` is how large the position error may be. A step is **right** if it is stable, the error
+/// is no larger, and nothing rings. Told are whether the step `h` is, and the end of the first
+/// stretch of right steps. Longer ones may be right again, by errors that happen to cancel; of
+/// those only `h` itself is looked at. (A tether is judged right while it is taut.)
 ///
-/// A stable method may still **ring**: a step multiplies a part that should decay by less than −1/2, and it
-/// shakes from step to step. Then the advice says so.
+/// A stable method may still **ring**: a step multiplies a part that should decay by less than
+/// −1/2, and it shakes from step to step. Then the advice says so.
 ///
-/// A force evaluation and a solve are counted as equal in cost. Throws `std::invalid_argument` where
-/// ω or h is not above zero and finite, where ωh is below 1e-12 (a step then changes nothing but the last
-/// digits) or not finite, or `wanted` is not between 1e-8 and 0.5.
+/// A force evaluation and a solve are counted as equal in cost. Throws `std::invalid_argument`
+/// where ω or h is not above zero and finite, where ωh is below 1e-12 (a step then changes nothing
+/// but the last digits) or not finite, or `wanted` is not between 1e-8 and 0.5.
 TIMESTEP_WHERE_CALLED
 std::vector<Advice> advise(SpringScene scene, double h, double wanted = 0.01) {
     const double omega = scene.fastest.omega;
@@ -198,7 +222,8 @@ std::vector<Advice> advise(SpringScene scene, double h, double wanted = 0.01) {
     positive("step", h);
     if (!std::isfinite(omega * h)) refuse("step", h, "so short that omega times it is finite");
     const double shortest = scene.varying() ? scene.shortest_frame : h;
-    if (omega * shortest < 1e-12) refuse("step", shortest, "so long that omega times it is 1e-12 or more");
+    if (omega * shortest < 1e-12)
+        refuse("step", shortest, "so long that omega times it is 1e-12 or more");
     if (!(wanted >= 1e-8 && wanted <= 0.5)) refuse("accuracy", wanted, "from 1e-8 to 0.5");
     scene.thrown = detail::thrown_counts(scene.fastest.zeta, omega * h);
     std::vector<Advice> all;

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Frames of uneven length: what products of a step's matrices do, one matrix for each length (I13).
+/// Frames of uneven length: what products of a step's matrices do, one matrix for each length
+/// (I13).
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,8 @@ inline double length(double shortest, double longest, int i) {
 }
 
 // The steps of all lengths, in double.
-inline std::vector<StepMatrix<double>> steps_of(const MatrixOf& matrix, double shortest, double longest) {
+inline std::vector<StepMatrix<double>> steps_of(const MatrixOf& matrix, double shortest,
+                                                double longest) {
     std::vector<StepMatrix<double>> all;
     for (int i = 0; i < lengths; ++i) {
         const auto a = matrix(length(shortest, longest, i));
@@ -40,7 +42,8 @@ inline std::vector<StepMatrix<double>> steps_of(const MatrixOf& matrix, double s
     return all;
 }
 
-// The square of a state's size, x² + 2c xv + d v²: an ellipse. What does a step multiply it by at most?
+// The square of a state's size, x² + 2c xv + d v²: an ellipse. What does a step multiply it by at
+// most?
 struct Ellipse {
     double c, d;
     bool proper() const { return d > 1e-12 && c * c < 0.999999 * d; }
@@ -51,7 +54,8 @@ struct Ellipse {
         const double det = d - c * c, half = (p * d + r - 2 * q * c) / (2 * det);
         return half + std::sqrt(std::max(0.0, half * half - a.determinant() * a.determinant()));
     }
-    // Of all the steps, with what the curve may rise between two lengths added: an eighth of its bend.
+    // Of all the steps, with what the curve may rise between two lengths added: an eighth of its
+    // bend.
     double worst(const std::vector<StepMatrix<double>>& steps) const {
         double most = 0, bend = 0, before = 0, last = 0;
         for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -63,8 +67,9 @@ struct Ellipse {
     }
 };
 
-// Is there an ellipse that no step of any of the lengths leaves? Then no order of them lets anything grow. We
-// go to the one whose worst gain is least by smaller and smaller moves; the first to have none will do.
+// Is there an ellipse that no step of any of the lengths leaves? Then no order of them lets
+// anything grow. We go to the one whose worst gain is least by smaller and smaller moves; the first
+// to have none will do.
 inline bool common_ellipse(const std::vector<StepMatrix<double>>& steps) {
     Ellipse best{0, 1};
     double least = best.worst(steps);
@@ -84,10 +89,11 @@ inline bool common_ellipse(const std::vector<StepMatrix<double>>& steps) {
     return least <= 1;
 }
 
-// How fast a state grows when every frame may be as long as any other: the mean of the logarithm a step, and
-// how well a thousand runs of a thousand steps know it. The seed is fixed: the advice is the same each time. Sizes
-// are those of the ellipse on which the step of the middle length goes round, if it does: x² + v² swings by itself,
-// and where in its oscillation a run begins and ends would be taken for growth. For the same reason runs begin anywhere.
+// How fast a state grows when every frame may be as long as any other: the mean of the logarithm a
+// step, and how well a thousand runs of a thousand steps know it. The seed is fixed: the advice is
+// the same each time. Sizes are those of the ellipse on which the step of the middle length goes
+// round, if it does: x² + v² swings by itself, and where in its oscillation a run begins and ends
+// would be taken for growth. For the same reason runs begin anywhere.
 struct Growth {
     double mean, deviation;
 };
@@ -109,7 +115,8 @@ inline Growth random_products(const std::vector<StepMatrix<double>>& steps) {
                 const double size = size_of(x, v);
                 x /= size, v /= size, log_size = 0;
             }
-            const StepMatrix<double>& a = steps[(numbers() % (2 * (lengths - 1)) + 1) / 2];  // the two ends half as often
+            const StepMatrix<double>& a =
+                steps[(numbers() % (2 * (lengths - 1)) + 1) / 2];  // the two ends half as often
             const double next = a.xx * x + a.xv * v;
             v = a.vx * x + a.vv * v, x = next;
             if (n % 8 == 0) {
@@ -125,9 +132,10 @@ inline Growth random_products(const std::vector<StepMatrix<double>>& steps) {
     return {mean, std::sqrt(std::max(0.0, squares / runs - mean * mean) / runs)};
 }
 
-// The same where all steps have the same patterns, those of the equation's own matrix F = (0, 1; −1, −2ζ), each
-// multiplied by its own factor: the mean over all lengths. A step is αI + βF, and so are its factors α + βμ. (Which
-// of a step's two eigenvalues is the larger changes with the length, so by size they cannot be told apart.)
+// The same where all steps have the same patterns, those of the equation's own matrix F = (0, 1;
+// −1, −2ζ), each multiplied by its own factor: the mean over all lengths. A step is αI + βF, and so
+// are its factors α + βμ. (Which of a step's two eigenvalues is the larger changes with the length,
+// so by size they cannot be told apart.)
 inline Growth mean_growth(const std::vector<StepMatrix<double>>& steps, double zeta) {
     const Complex rate = exact_rate(zeta);
     long double most = -INFINITY;
@@ -135,7 +143,8 @@ inline Growth mean_growth(const std::vector<StepMatrix<double>>& steps, double z
         long double sum = 0;
         for (std::size_t i = 0; i < steps.size(); ++i) {
             const long double weight = i == 0 || i + 1 == steps.size() ? 0.5L : 1;
-            sum += weight * std::log(std::abs(static_cast<long double>(steps[i].xx) + static_cast<long double>(steps[i].xv) * mu));
+            sum += weight * std::log(std::abs(static_cast<long double>(steps[i].xx) +
+                                              static_cast<long double>(steps[i].xv) * mu));
         }
         most = std::max(most, sum / (lengths - 1));
     }
@@ -145,33 +154,39 @@ inline Growth mean_growth(const std::vector<StepMatrix<double>>& steps, double z
 // So slow a growth a step is not told from none.
 inline constexpr double slowest_growth = 2e-6;
 
-// Frames between two lengths, as ωh. A Runge–Kutta step of any length is a function of one matrix, that of the
-// equation. So all lengths share their patterns, and a product of steps is stable when each is, which is when
-// the longest one is. Where the limit is infinite that holds for every length: no step raises the energy.
-// (BDF2 begins anew when the length changes, and then is implicit midpoint.) Others turn the patterns with the
-// length, and steps that are stable one by one may grow together: there only an ellipse that none of them
-// leaves is a proof.
-inline Said varying_steps(bool one_pattern, const StabilityLimit& limit, double shortest, double longest,
-                          const std::vector<StepMatrix<double>>& steps, const Growth& growth) {
+// Frames between two lengths, as ωh. A Runge–Kutta step of any length is a function of one matrix,
+// that of the equation. So all lengths share their patterns, and a product of steps is stable when
+// each is, which is when the longest one is. Where the limit is infinite that holds for every
+// length: no step raises the energy. (BDF2 begins anew when the length changes, and then is
+// implicit midpoint.) Others turn the patterns with the length, and steps that are stable one by
+// one may grow together: there only an ellipse that none of them leaves is a proof.
+inline Said varying_steps(bool one_pattern, const StabilityLimit& limit, double shortest,
+                          double longest, const std::vector<StepMatrix<double>>& steps,
+                          const Growth& growth) {
     if (!std::isfinite(limit.value)) return {Verdict::stable, "whatever order the frames come in"};
     const bool sure = growth.mean > slowest_growth + 5 * growth.deviation;
     if (one_pattern) {
-        const Verdict at_most = verdict(longest, limit.value), at_least = verdict(shortest, limit.value);
-        if (at_most == Verdict::stable) return {at_most, reason(limit, longest) + ", at the longest frame"};
-        if (at_least == Verdict::grows) return {at_least, reason(limit, shortest) + ", at the shortest frame"};
+        const Verdict at_most = verdict(longest, limit.value),
+                      at_least = verdict(shortest, limit.value);
+        if (at_most == Verdict::stable)
+            return {at_most, reason(limit, longest) + ", at the longest frame"};
+        if (at_least == Verdict::grows)
+            return {at_least, reason(limit, shortest) + ", at the shortest frame"};
     } else if (limit.value > longest && common_ellipse(steps)) {
         return {Verdict::stable, "one ellipse holds every step, in any order"};
     }
     if (sure) return {Verdict::grows, "frames at random between the two lengths make it grow"};
     const std::string at = "its limit, ωh = " + number(limit.value);
-    return {Verdict::not_proven, at + (one_pattern ? ", lies between the frames" : ", holds for a constant step")};
+    return {Verdict::not_proven,
+            at + (one_pattern ? ", lies between the frames" : ", holds for a constant step")};
 }
 
-// The largest distance from the true place in the first period, of thirty runs with frames at random; and of two
-// with constant ones, the shortest and the longest.
+// The largest distance from the true place in the first period, of thirty runs with frames at
+// random; and of two with constant ones, the shortest and the longest.
 template <class Constant>
-double random_position_error(const MatrixOf& matrix, const Constant& constant, const DampedSpring<long double>& spring,
-                             double shortest, double longest) {
+double random_position_error(const MatrixOf& matrix, const Constant& constant,
+                             const DampedSpring<long double>& spring, double shortest,
+                             double longest) {
     double most = std::max(constant(shortest), constant(longest));
     const long double end = 2 * 3.14159265358979323846L / std::abs(exact_rate(spring.zeta));
     if (end / shortest > 2000) return most;  // so many frames even out

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Which steps are right? The first stretch of steps that are stable, as near as wanted, and free of ringing (I13).
+/// Which steps are right? The first stretch of steps that are stable, as near as wanted, and free
+/// of ringing (I13).
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,8 @@
 /// \cond
 namespace timestep::detail {
 
-// A method on one spring, and its type forgotten: what is said of it is compiled once for all of them.
+// A method on one spring, and its type forgotten: what is said of it is compiled once for all of
+// them.
 struct Judged {
     const char* name;
     int work;  // evaluations and solves in a step
@@ -29,8 +31,9 @@ struct Judged {
     bool two_steps;       // it takes the last two states for one curve
     bool implicit_euler;  // the one with a proof for tethers
     bool new_damping;     // semi-implicit Euler with the damping at the new velocity
-    StabilityLimit limit, least_limit;  // for the fastest oscillation, and for the slowest that it can be
-    StabilityLimit at_once;             // the first of them where all dampers are solved for at once
+    StabilityLimit limit,
+        least_limit;         // for the fastest oscillation, and for the slowest that it can be
+    StabilityLimit at_once;  // the first of them where all dampers are solved for at once
     std::function<std::vector<Complex>(long double s)> multipliers;
     std::function<double(long double s)> position_error;
     MatrixOf matrix;  // of a step that is not like the one before
@@ -60,7 +63,8 @@ inline const auto& when_step_changes(const Bdf2&) { return implicit_midpoint; }
 
 // `several`: several dampers. `thrown`: the start that counts besides, see advise().
 template <class Method>
-Judged judged(const Method& method, double zeta, double least_zeta, bool several = false, bool thrown = false) {
+Judged judged(const Method& method, double zeta, double least_zeta, bool several = false,
+              bool thrown = false) {
     constexpr bool new_damping = std::is_same_v<Method, SemiImplicitEulerNewDamping>;
     const StabilityLimit at_once = stability_limit(method, zeta);
     return {method.name,
@@ -83,7 +87,8 @@ Judged judged(const Method& method, double zeta, double least_zeta, bool several
 
 // The position error of a constant step with ωh = s; infinite where it is not stable or rings.
 inline double error_of(const Judged& method, double zeta, double s) {
-    const bool fine = verdict(s, method.limit.value) == Verdict::stable && ringing(method.multipliers(s), zeta, s) == 0;
+    const bool fine = verdict(s, method.limit.value) == Verdict::stable &&
+                      ringing(method.multipliers(s), zeta, s) == 0;
     return fine ? method.position_error(s) : std::numeric_limits<double>::infinity();
 }
 
@@ -92,11 +97,12 @@ struct Stretch {
     double from = 0, to = 0;
 };
 
-// The error first rises from zero, but it need not go on rising: at longer steps errors of frequency and
-// damping may come to cancel. Those steps are not searched for. We begin where roundoff alone is as much as
-// wanted. The error has teeth: as s grows the last step leaves the first period, and what was farthest off is no
-// longer looked at. It is largest at the end of a tooth, s = end/n, where n steps just fit into the period. So
-// we go from such end to such end, skipping some where they are close or the error far below, then back to the first tooth that goes
+// The error first rises from zero, but it need not go on rising: at longer steps errors of
+// frequency and damping may come to cancel. Those steps are not searched for. We begin where
+// roundoff alone is as much as wanted. The error has teeth: as s grows the last step leaves the
+// first period, and what was farthest off is no longer looked at. It is largest at the end of a
+// tooth, s = end/n, where n steps just fit into the period. So we go from such end to such end,
+// skipping some where they are close or the error far below, then back to the first tooth that goes
 // wrong, and within it by bisection.
 inline Stretch first_right(const Judged& method, double zeta, double wanted) {
     const double slow = static_cast<double>(std::abs(exact_rate(zeta)));
@@ -104,9 +110,11 @@ inline Stretch first_right(const Judged& method, double zeta, double wanted) {
     const auto error = [&](double s) { return error_of(method, zeta, s); };
     const auto good = [&](double s) { return error(s) <= wanted; };
     const auto end_of = [&](double n) { return swing / n; };
-    const double end = std::min(method.limit.value, 100 * (1 + zeta));  // by then the slow decay is over in a step
+    const double end =
+        std::min(method.limit.value, 100 * (1 + zeta));  // by then the slow decay is over in a step
     double from = 1.0001 * static_cast<double>(rounded) / (wanted * slow);
-    const double shortest = std::max(from, wanted / (10 + 20 * zeta));  // up to here the error rises
+    const double shortest =
+        std::max(from, wanted / (10 + 20 * zeta));  // up to here the error rises
     const bool from_there = shortest < end && good(shortest);
     while (!from_there && from < end && !good(from)) from *= 1.05;
     if (!(from < end)) return {};

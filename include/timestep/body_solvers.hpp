@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Every way of the course to turn a body that flies freely, for programs and tests that go through all of them.
+/// Every way of the course to turn a body that flies freely, for programs and tests that go through
+/// all of them.
 
 #include <limits>
 
@@ -18,8 +19,8 @@ namespace timestep {
 
 /// LaggedInertia as a step of the whole body.
 struct LaggedInertiaSpin {
-    static constexpr const char* name = LaggedInertia::name;    ///< for tables and keys
-    static constexpr int order = LaggedInertia::order;          ///< of the error after a whole run
+    static constexpr const char* name = LaggedInertia::name;  ///< for tables and keys
+    static constexpr int order = LaggedInertia::order;        ///< of the error after a whole run
     /// One step of `h` seconds.
     template <class Inertia, class Real>
     SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s, Real h) const {
@@ -33,8 +34,8 @@ struct RungeKuttaSpin {
     static constexpr int order = RungeKutta4::order;        ///< of the error after a whole run
     /// One step of `h` seconds.
     template <class Inertia, class Real>
-    TIMESTEP_INLINE
-    SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s, Real h) const {
+    TIMESTEP_INLINE SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s,
+                                         Real h) const {
         using Model = FreeBody<Inertia>;
         typename Model::Y y;
         y << s.q.coeffs(), s.omega;
@@ -47,16 +48,18 @@ struct RungeKuttaSpin {
 
 /// What a step computes, whichever the body.
 struct BodyPrice {
-    int torques = 0;    ///< gyroscopic torques
-    int solves = 0;     ///< 3×3 equations solved, or a closed form that stands for them
-    int turns = 0;      ///< turns with a sine and a cosine
-    bool told = true;   ///< no: as many as it takes
+    int torques = 0;   ///< gyroscopic torques
+    int solves = 0;    ///< 3×3 equations solved, or a closed form that stands for them
+    int turns = 0;     ///< turns with a sine and a cosine
+    bool told = true;  ///< no: as many as it takes
     /// All of them; no number where it is not told.
-    double all() const { return told ? torques + solves + turns : std::numeric_limits<double>::quiet_NaN(); }
+    double all() const {
+        return told ? torques + solves + turns : std::numeric_limits<double>::quiet_NaN();
+    }
 };
 
-/// Calls `visit(rule, price)` for each, in the order in which the course meets them. A rule of chapter 5 gives ω
-/// only; the mean of the old and the new one turns the body (Tumble).
+/// Calls `visit(rule, price)` for each, in the order in which the course meets them. A rule of
+/// chapter 5 gives ω only; the mean of the old and the new one turns the body (Tumble).
 template <class Visit>
 void for_each_body_solver(const Visit& visit) {
     visit(tumble<ExplicitGyroscopic>, BodyPrice{1, 0, 0});

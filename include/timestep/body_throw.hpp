@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// A throw: what one body, spun in one way and left alone, does by a solver, against its exact motion.
+/// A throw: what one body, spun in one way and left alone, does by a solver, against its exact
+/// motion.
 
 #include <algorithm>
 #include <array>
@@ -20,18 +21,20 @@ namespace timestep {
 /// Lengths of frames: all the same, or drawn between two. The same ones for everybody.
 class Frames {
 public:
-    /// From `shortest` to `longest`, s. Throws `std::invalid_argument` unless 0 < shortest ≤ longest.
+    /// From `shortest` to `longest`, s. Throws `std::invalid_argument` unless 0 < shortest ≤
+    /// longest.
     Frames(double shortest, double longest)
-        : shortest_(positive("shortest frame", shortest)), longest_(positive("longest frame", longest)) {
+        : shortest_(positive("shortest frame", shortest)),
+          longest_(positive("longest frame", longest)) {
         if (shortest > longest) refuse("shortest frame", shortest, "at most the longest");
     }
     /// The next one, s.
     double operator()() {
         return shortest_ + (longest_ - shortest_) * (double(random_() >> 11) / 9007199254740992.0);
     }
-    double shortest() const { return shortest_; }                ///< s
-    double longest() const { return longest_; }                  ///< s
-    bool even() const { return shortest_ == longest_; }          ///< are all the same?
+    double shortest() const { return shortest_; }        ///< s
+    double longest() const { return longest_; }          ///< s
+    bool even() const { return shortest_ == longest_; }  ///< are all the same?
 
 private:
     double shortest_, longest_;
@@ -45,9 +48,9 @@ inline constexpr double right_orientation = 1e-4;
 
 /// The two moments that are closest to each other.
 struct ClosestMoments {
-    int odd;                       ///< the axis of the third one, 0, 1 or 2
-    double apart;                  ///< by which share of the larger they differ
-    std::array<double, 3> equal;   ///< the moments with their mean for both, kg m²
+    int odd;                      ///< the axis of the third one, 0, 1 or 2
+    double apart;                 ///< by which share of the larger they differ
+    std::array<double, 3> equal;  ///< the moments with their mean for both, kg m²
     /// Do they differ by no more than nearly_equal?
     bool all_but_equal() const { return apart <= nearly_equal; }
 };
@@ -67,9 +70,9 @@ inline ClosestMoments closest_moments(const PrincipalInertia<double>& inertia) {
     return found;
 }
 
-/// The axis (0, 1 or 2) if this may be a body of revolution: two moments nearly equal, the third different. −1 if there
-/// is no such axis. If the body is round, its roll about that axis is invisible; a bar with a flat profile may have such
-/// moments, too, and there the roll is seen.
+/// The axis (0, 1 or 2) if this may be a body of revolution: two moments nearly equal, the third
+/// different. −1 if there is no such axis. If the body is round, its roll about that axis is
+/// invisible; a bar with a flat profile may have such moments, too, and there the roll is seen.
 inline int axis_of_revolution(const PrincipalInertia<double>& inertia) {
     const ClosestMoments closest = closest_moments(inertia);
     const Vector3<double>& I = inertia.moments;
@@ -83,12 +86,15 @@ struct Thrown {
     double seconds = 0;      ///< how long it was watched
     double energy = 1;       ///< at the end, over that at the start
     double most_energy = 1;  ///< the most that it ever was
-    double spin_left = 1;    ///< the spin about the axis of the body it was thrown about, at the end
-    double off = 0;          ///< the orientation's largest error in the first two seconds: 2 sin(α/2) of an angle α;
-                             ///< no number where the spin is so fast that the exact one is not known
-    double axis_off = 0;     ///< the same of the direction of axis_of_revolution(): without the roll about it;
-                             ///< no number where there is no such axis, or where `off` is none
-    bool lost = false;       ///< was the axis off by more than lost_orientation or, without an axis, the orientation?
+    double spin_left = 1;  ///< the spin about the axis of the body it was thrown about, at the end
+    double off =
+        0;  ///< the orientation's largest error in the first two seconds: 2 sin(α/2) of an angle α;
+            ///< no number where the spin is so fast that the exact one is not known
+    double axis_off =
+        0;  ///< the same of the direction of axis_of_revolution(): without the roll about it;
+            ///< no number where there is no such axis, or where `off` is none
+    bool lost = false;  ///< was the axis off by more than lost_orientation or, without an axis, the
+                        ///< orientation?
 };
 
 /// \cond
@@ -96,13 +102,15 @@ namespace detail {
 // The splittings divide the body beforehand.
 template <class Rule>
 auto prepared(const Rule&, const PrincipalInertia<double>& inertia) {
-    if constexpr (std::is_same_v<Rule, SymmetricRemainder2> || std::is_same_v<Rule, SymmetricRemainder4>)
+    if constexpr (std::is_same_v<Rule, SymmetricRemainder2> ||
+                  std::is_same_v<Rule, SymmetricRemainder4>)
         return RemainderInertia<double>(inertia);
     else
         return inertia;
 }
 
-// ExactFreeBody is off by up to 60 ε for each radian and each of the moments' ratio: is a thousandth of it right?
+// ExactFreeBody is off by up to 60 ε for each radian and each of the moments' ratio: is a
+// thousandth of it right?
 inline bool exact_is_known(const PrincipalInertia<double>& inertia, double radians) {
     const double ratio = inertia.moments.maxCoeff() / inertia.moments.minCoeff();
     return 60 * std::numeric_limits<double>::epsilon() * ratio * radians < 1e-3;
@@ -110,8 +118,9 @@ inline bool exact_is_known(const PrincipalInertia<double>& inertia, double radia
 }  // namespace detail
 /// \endcond
 
-/// No hand throws a body about one of its axes to the last digit, and then all solvers look alike. A spin that is
-/// off its axis by less than a hundredth comes back tilted by a hundredth, equally fast.
+/// No hand throws a body about one of its axes to the last digit, and then all solvers look alike.
+/// A spin that is off its axis by less than a hundredth comes back tilted by a hundredth, equally
+/// fast.
 inline Vector3<double> as_thrown(const Vector3<double>& omega) {
     int axis;
     const double most = omega.cwiseAbs().maxCoeff(&axis), tilt = 0.01;
@@ -123,11 +132,12 @@ inline Vector3<double> as_thrown(const Vector3<double>& omega) {
     return omega.norm() * tilted.normalized();
 }
 
-/// Throws the body with `omega`, rad/s in its own axes, and steps it by `rule` for `seconds`, or for
-/// `most_steps` if these are over before.
+/// Throws the body with `omega`, rad/s in its own axes, and steps it by `rule` for `seconds`, or
+/// for `most_steps` if these are over before.
 template <class Rule>
-Thrown throw_body(const Rule& rule, const PrincipalInertia<double>& inertia, const Vector3<double>& omega,
-                  Frames frames, double seconds = 10, long most_steps = 60'000) {
+Thrown throw_body(const Rule& rule, const PrincipalInertia<double>& inertia,
+                  const Vector3<double>& omega, Frames frames, double seconds = 10,
+                  long most_steps = 60'000) {
     const double orientation_seconds = 2, spin = omega.norm();
     PrincipalInertia<double> body = inertia;
     body.moments = body.unit;  // moments of any size: no energy overflows
@@ -135,7 +145,8 @@ Thrown throw_body(const Rule& rule, const PrincipalInertia<double>& inertia, con
     const ExactFreeBody<double> exact(body, in_world(start));
     const auto mine = detail::prepared(rule, body);
     const double energy = kinetic_energy(body, omega), between = orientation_seconds / 30;
-    const bool known = detail::exact_is_known(inertia, spin * std::max(orientation_seconds, frames.longest()));
+    const bool known =
+        detail::exact_is_known(inertia, spin * std::max(orientation_seconds, frames.longest()));
     const int axis = axis_of_revolution(inertia);
     Thrown thrown;
     if (!known) thrown.off = std::numeric_limits<double>::quiet_NaN();
@@ -174,10 +185,11 @@ Thrown throw_body(const Rule& rule, const PrincipalInertia<double>& inertia, con
 /// The exact motion after so many seconds, as a throw.
 TIMESTEP_WHERE_CALLED
 Thrown throw_exactly(const PrincipalInertia<double>& inertia, const Vector3<double>& omega,
-                            double seconds = 10) {
+                     double seconds = 10) {
     PrincipalInertia<double> body = inertia;
     body.moments = body.unit;
-    const ExactFreeBody<double> exact(body, RigidState<double>{0, Quaternion<double>::Identity(), omega});
+    const ExactFreeBody<double> exact(body,
+                                      RigidState<double>{0, Quaternion<double>::Identity(), omega});
     Thrown thrown;
     thrown.seconds = seconds;
     const bool known = detail::exact_is_known(inertia, omega.norm() * seconds);

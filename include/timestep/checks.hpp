@@ -1,8 +1,8 @@
 #pragma once
 /// \file
 /// Inputs are checked once, where models and runs are made, so that a step stays a bare formula.
-/// Each check returns the value it was given, or refuses (refuse.hpp: throws `std::invalid_argument`) with
-/// one line that names the value and the rule it breaks.
+/// Each check returns the value it was given, or refuses (refuse.hpp: throws
+/// `std::invalid_argument`) with one line that names the value and the rule it breaks.
 
 #include <cmath>
 #include <cstdio>
@@ -34,12 +34,14 @@ constexpr bool is_finite_parameter(Real value) {
     static_assert(!std::is_integral_v<Real>,
                   "timestep: parameters are real numbers: write 1.0 instead of 1");
     // What std::isfinite says, which can do so when compiling from C++23 on only.
-    return std::numeric_limits<Real>::lowest() <= value && value <= std::numeric_limits<Real>::max();
+    return std::numeric_limits<Real>::lowest() <= value &&
+           value <= std::numeric_limits<Real>::max();
 }
 
 // Refuses the first number, of one or of a pack, for which `holds` is false.
 template <class Real, class Holds>
-constexpr const Real& ask(const char* name, const Real& value, const char* rule, const Holds& holds) {
+constexpr const Real& ask(const char* name, const Real& value, const char* rule,
+                          const Holds& holds) {
     for_each_number(
         [&](auto number) {
             if (!(is_finite_parameter(number) && holds(number))) refuse(name, number, rule);

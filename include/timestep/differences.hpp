@@ -72,9 +72,8 @@ struct CentralDifference {
 };
 
 /// Two steps to either side (N08). A central difference over 2h errs four times as much as one
-/// over h, so four thirds of the narrow one less a third of the wide one removes the third derivative
-/// too (Richardson extrapolation). The fifth point is `x`
-/// itself, with weight zero.
+/// over h, so four thirds of the narrow one less a third of the wide one removes the third
+/// derivative too (Richardson extrapolation). The fifth point is `x` itself, with weight zero.
 struct FivePointDifference {
     static constexpr const char* name = "five-point";  ///< for tables and keys
     static constexpr int order = 4;                    ///< p: truncation goes with hᵖ

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// The eigenvalues and eigenvectors of a symmetric matrix. Eigen is used where the caller brings its
-/// matrices, and not included here. (Its own solver takes a second or more to compile, in every file.)
+/// The eigenvalues and eigenvectors of a symmetric matrix. Eigen is used where the caller brings
+/// its matrices, and not included here. (Its own solver takes a second or more to compile, in every
+/// file.)
 
 #include <cmath>
 #include <utility>
@@ -10,15 +11,14 @@
 
 namespace timestep {
 
-/// Turns symmetric `a` into a diagonal matrix, its eigenvalues, rising; returns its eigenvectors, in
-/// columns at right angles, of length one: eigenvectors · a · eigenvectorsᵀ is the matrix that was.
-/// `a` has a size known at compile time, and finite numbers.
+/// Turns symmetric `a` into a diagonal matrix, its eigenvalues, rising; returns its eigenvectors,
+/// in columns at right angles, of length one: eigenvectors · a · eigenvectorsᵀ is the matrix that
+/// was. `a` has a size known at compile time, and finite numbers.
 ///
-/// Jacobi's method: turn the axes i and j by the angle that makes a(i, j) zero, for each pair of them,
-/// and again, as each turn brings a little back where an earlier one has been. From the third round on
-/// the little is squared each time; five or six rounds leave nothing. What is found is off by some ε of
-/// the LARGEST eigenvalue.
-/// [jacobi]
+/// Jacobi's method: turn the axes i and j by the angle that makes a(i, j) zero, for each pair of
+/// them, and again, as each turn brings a little back where an earlier one has been. From the third
+/// round on the little is squared each time; five or six rounds leave nothing. What is found is off
+/// by some ε of the LARGEST eigenvalue. [jacobi]
 template <class Matrix>
 Matrix eigenvectors(Matrix& a) {
     using Real = real_of<Matrix>;

@@ -85,9 +85,7 @@ struct FirstOrderForm {
 
     /// ∂f/∂y: on top the ones of ẋ = v, below them the slopes of the force.
     template <class Y>
-    auto slope_y(real_of<Y> t, const Y& y) const
-        requires SmoothForce<Model, detail::Half<Y>>
-    {
+    auto slope_y(real_of<Y> t, const Y& y) const requires SmoothForce<Model, detail::Half<Y>> {
         constexpr int n = detail::size_of<Y>() / 2;
         using Block = Eigen::Matrix<real_of<Y>, n, n>;
         const FirstOrder<detail::Whole<Y>> state{t, y};

@@ -16,17 +16,22 @@ namespace timestep {
 
 /// The acceleration is the same everywhere and always.
 template <class Model>
-concept ConstantForce = requires(const Model& m) { m.acceleration(); };
+concept ConstantForce = requires(const Model& m) {
+    m.acceleration();
+};
 
 /// The acceleration depends on the position at most.
 template <class Model, class X>
-concept PositionForce =
-    ConstantForce<Model> || requires(const Model& m, const X& x) { m.acceleration(x); };
+concept PositionForce = ConstantForce<Model> || requires(const Model& m, const X& x) {
+    m.acceleration(x);
+};
 
 /// The acceleration depends on position and velocity at most.
 template <class Model, class X>
 concept VelocityForce = PositionForce<Model, X> ||
-                        requires(const Model& m, const X& x, const X& v) { m.acceleration(x, v); };
+    requires(const Model& m, const X& x, const X& v) {
+    m.acceleration(x, v);
+};
 
 /// \cond
 namespace detail {
@@ -57,14 +62,15 @@ X acceleration(const Model& model, const X& x, const X& v) {
     }
 }
 
-/// The acceleration of `model` at position `x`, m/s²: for methods of Verlet's kind, which need the force
-/// where they do not know the velocity yet, or never (I08).
+/// The acceleration of `model` at position `x`, m/s²: for methods of Verlet's kind, which need the
+/// force where they do not know the velocity yet, or never (I08).
 template <class X, class Model>
 X acceleration(const Model& model, const X& x) {
     static_assert(PositionForce<Model, X>,
                   "timestep: Verlet has no velocity to hand to a force: it needs acceleration() or "
                   "acceleration(x)");
-    if constexpr (PositionForce<Model, X>) return acceleration(model, x, x);  // no force reads the third
+    if constexpr (PositionForce<Model, X>)
+        return acceleration(model, x, x);  // no force reads the third
 }
 
 /// The rate of change of a body's state, Newton's law in first-order form (N16, I04):
@@ -77,7 +83,8 @@ Rate<X> rate(const Model& model, const State<X>& s) {
 /// The rate of change of a first-order system: f(t, y).
 template <class System, class Y>
 Y rate(const System& f, const FirstOrder<Y>& s) {
-    static_assert(requires { f(s.t, s.y); }, "timestep: a first-order system needs f(t, y)");
+    static_assert(
+        requires { f(s.t, s.y); }, "timestep: a first-order system needs f(t, y)");
     return f(s.t, s.y);
 }
 
@@ -89,38 +96,42 @@ inline constexpr bool parts_are_linear = true;
 template <class Model, class X>
 inline constexpr bool parts_are_smooth = true;
 template <class Model, class X>
-inline constexpr bool parts_damp_linearly = requires(const Model& m) { m.slope_v(); };
+inline constexpr bool parts_damp_linearly = requires(const Model& m) {
+    m.slope_v();
+};
 
 template <class Model, class X>
-concept HasSlopeX = requires(const Model& m) { m.slope_x(); } ||
-                    requires(const Model& m, const X& x) { m.slope_x(x); } ||
-                    requires(const Model& m, const X& x, const X& v) { m.slope_x(x, v); };
+concept HasSlopeX = requires(const Model& m) {
+    m.slope_x();
+}
+|| requires(const Model& m, const X& x) { m.slope_x(x); }
+|| requires(const Model& m, const X& x, const X& v) { m.slope_x(x, v); };
 template <class Model, class X>
-concept HasSlopeV = requires(const Model& m) { m.slope_v(); } ||
-                    requires(const Model& m, const X& x, const X& v) { m.slope_v(x, v); };
+concept HasSlopeV = requires(const Model& m) {
+    m.slope_v();
+}
+|| requires(const Model& m, const X& x, const X& v) { m.slope_v(x, v); };
 }  // namespace detail
 /// \endcond
 
 /// A force whose derivatives are constant: a = a₀ + slope_x·x + slope_v·v.
 /// For such models implicit methods need one linear solve and no iteration.
 template <class Model, class X>
-concept LinearForce =
-    ConstantForce<Model> ||
+concept LinearForce = ConstantForce<Model> ||
     (requires(const Model& m) { m.slope_x(); } &&
      (PositionForce<Model, X> || requires(const Model& m) { m.slope_v(); }) &&
      detail::parts_are_linear<Model, X>);
 
-/// A force that the velocity enters linearly, if at all: a = a(x, 0) + slope_v·v with the same slope_v
-/// everywhere. What it does with the position is its own affair.
+/// A force that the velocity enters linearly, if at all: a = a(x, 0) + slope_v·v with the same
+/// slope_v everywhere. What it does with the position is its own affair.
 template <class Model, class X>
 concept LinearDamping = PositionForce<Model, X> || detail::parts_damp_linearly<Model, X>;
 
 /// A force that carries its derivatives, constant or not.
 template <class Model, class X>
-concept SmoothForce =
-    ConstantForce<Model> ||
-    (detail::HasSlopeX<Model, X> && (PositionForce<Model, X> || detail::HasSlopeV<Model, X>) &&
-     detail::parts_are_smooth<Model, X>);
+concept SmoothForce = ConstantForce<Model> ||
+    (detail::HasSlopeX<Model, X> &&
+     (PositionForce<Model, X> || detail::HasSlopeV<Model, X>)&&detail::parts_are_smooth<Model, X>);
 
 /// ∂a/∂x at (x, v), 1/s²: a number or a matrix.
 template <class X, class Model>

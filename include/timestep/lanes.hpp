@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Several real numbers in one, a SIMD vector: the formulas of a step, unchanged, take many bodies at once.
+/// Several real numbers in one, a SIMD vector: the formulas of a step, unchanged, take many bodies
+/// at once.
 ///
 /// A processor adds eight or sixteen numbers as fast as one. `Lanes<float, 8>` is eight of them
 /// that add, multiply and divide as one number does, lane by lane. So `Spring<Lanes<float, 8>>` is

@@ -58,7 +58,8 @@ real_of<X> magnitude(const X& x) {
         return norm(x);
 }
 
-/// The same where the squares of the parts are too large or too small for numbers, at twice the cost.
+/// The same where the squares of the parts are too large or too small for numbers, at twice the
+/// cost.
 template <class X>
 real_of<X> safe_magnitude(const X& x) {
     if constexpr (is_number<X>)
@@ -74,9 +75,9 @@ real_of<X> safe_magnitude(const X& x) {
     }
 }
 
-/// The x with A x = b by Gauss's elimination, for few equations. In each column the largest number left
-/// is the pivot, by which the others are divided; so no share of a row that is taken from another
-/// exceeds one. (Eigen does the same, for any size, and takes seconds to compile.)
+/// The x with A x = b by Gauss's elimination, for few equations. In each column the largest number
+/// left is the pivot, by which the others are divided; so no share of a row that is taken from
+/// another exceeds one. (Eigen does the same, for any size, and takes seconds to compile.)
 /// [eliminate]
 template <class Matrix, class X>
 X eliminate(Matrix a, X b) {
@@ -117,8 +118,8 @@ X solve(const A& a, const X& b) {
         return a.partialPivLu().solve(b);
 }
 
-/// x / |x|, the direction of x: for a number its sign. Zero has none and stays zero. Right for short
-/// vectors too: divided by their largest part first, as their squares would underflow.
+/// x / |x|, the direction of x: for a number its sign. Zero has none and stays zero. Right for
+/// short vectors too: divided by their largest part first, as their squares would underflow.
 template <class X>
 X direction(const X& x) {
     if constexpr (is_number<X>)

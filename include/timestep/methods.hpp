@@ -20,8 +20,9 @@
 namespace timestep {
 
 /// The methods that step any smooth force, in the order in which the course meets them.
-inline constexpr std::tuple all_methods{explicit_euler, implicit_euler,    semi_implicit_euler, midpoint,
-                                        heun,           implicit_midpoint, bdf2,                runge_kutta_4};
+inline constexpr std::tuple all_methods{explicit_euler, implicit_euler, semi_implicit_euler,
+                                        midpoint,       heun,           implicit_midpoint,
+                                        bdf2,           runge_kutta_4};
 
 /// Calls `visit(method)` for each of them.
 template <class Visit>

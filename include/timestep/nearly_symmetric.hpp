@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Two moments that are all but equal: what a game should declare them, and what it loses if it does not.
+/// Two moments that are all but equal: what a game should declare them, and what it loses if it
+/// does not.
 
 #include <cmath>
 #include <limits>
@@ -11,8 +12,8 @@
 
 namespace timestep {
 
-/// The passive step of a body whose two closest moments are declared equal, whatever the order of its axes;
-/// the mean of the old and the new ω turns it.
+/// The passive step of a body whose two closest moments are declared equal, whatever the order of
+/// its axes; the mean of the old and the new ω turns it.
 class DeclaredEqual {
 public:
     static constexpr const char* name = "declared equal";  ///< for tables and keys
@@ -21,7 +22,8 @@ public:
         : odd_(closest_moments(inertia).odd), equal_(declared(inertia)) {}
 
     /// One step of `h` seconds. The inertia has been declared.
-    SpinState<double> step(const PrincipalInertia<double>&, const SpinState<double>& s, double h) const {
+    SpinState<double> step(const PrincipalInertia<double>&, const SpinState<double>& s,
+                           double h) const {
         const int i = (odd_ + 1) % 3, j = (odd_ + 2) % 3;
         const Vector3<double> along_z(s.omega[i], s.omega[j], s.omega[odd_]);
         const Vector3<double> after = passive_gyroscopic.step(equal_, along_z, h);
@@ -35,15 +37,16 @@ private:
         PrincipalInertia<double> body = inertia;
         body.moments = body.unit;
         const ClosestMoments closest = closest_moments(body);
-        return {closest.equal[std::size_t((closest.odd + 1) % 3)], closest.equal[std::size_t(closest.odd)]};
+        return {closest.equal[std::size_t((closest.odd + 1) % 3)],
+                closest.equal[std::size_t(closest.odd)]};
     }
     int odd_;
     SymmetricInertia<double> equal_;
 };
 
-/// After how many seconds the passive step has taken half of the spin about the axis of the odd moment, of a body
-/// spun about it at `spin` rad/s and tilted by a hundredth; infinite if it leaves it so long as we watch, an hour
-/// or a million steps.
+/// After how many seconds the passive step has taken half of the spin about the axis of the odd
+/// moment, of a body spun about it at `spin` rad/s and tilted by a hundredth; infinite if it leaves
+/// it so long as we watch, an hour or a million steps.
 TIMESTEP_WHERE_CALLED
 double half_gone_by_passive(const PrincipalInertia<double>& inertia, double spin, Frames frames) {
     const int odd = closest_moments(inertia).odd;

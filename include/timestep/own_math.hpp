@@ -27,7 +27,8 @@ inline SineCosine<float> sine_cosine(float x) {
     timestep_sine_cosinef(x, &of.sine, &of.cosine);
     return of;
 }
-/// Of other kinds of numbers, by their own functions: `long double` differs from machine to machine anyway.
+/// Of other kinds of numbers, by their own functions: `long double` differs from machine to machine
+/// anyway.
 template <class Real>
 SineCosine<Real> sine_cosine(const Real& x) {
     using std::cos, std::sin;

@@ -29,7 +29,7 @@ struct RealOf {
     using type = typename X::Scalar;  // an Eigen vector, a State: they name their real number
 };
 template <class X>
-    requires is_number<X>
+requires is_number<X>
 struct RealOf<X> {
     using type = X;
 };
@@ -44,10 +44,11 @@ struct Kept {
     using type = NumberAndVector;
 };
 template <class A, class B>
-    requires is_number<A> && is_number<B>
-struct Kept<A, B> : std::common_type<A, B> {};
+requires is_number<A> && is_number<B>
+struct Kept<A, B> : std::common_type<A, B> {
+};
 template <class A, class B>
-    requires std::same_as<typename A::PlainObject, typename B::PlainObject>
+requires std::same_as<typename A::PlainObject, typename B::PlainObject>
 struct Kept<A, B> {
     using type = typename A::PlainObject;
 };
@@ -56,7 +57,7 @@ struct Kept<A, B> {
 template <class X>
 inline constexpr bool is_expression = false;
 template <class X>
-    requires requires { typename X::PlainObject; }
+requires requires { typename X::PlainObject; }
 inline constexpr bool is_expression<X> = !std::same_as<X, typename X::PlainObject>;
 }  // namespace detail
 /// \endcond

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// What the library does with what it cannot take: one function, and one macro for those who want something else.
+/// What the library does with what it cannot take: one function, and one macro for those who want
+/// something else.
 
 #include <cstdio>
 #include <cstdlib>
@@ -9,7 +10,8 @@
 
 // The checks ask whether numbers are finite, and -ffast-math answers that they all are.
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-#error "timestep: not with -ffast-math or -ffinite-math-only: its checks could not see what is not finite"
+#error \
+    "timestep: not with -ffast-math or -ffinite-math-only: its checks could not see what is not finite"
 #endif
 // Without NOMINMAX <windows.h> makes macros of these.
 #if defined(min) || defined(max)
@@ -20,11 +22,12 @@ namespace timestep {
 
 /// Refuses, by one line that names the value and the rule it breaks, and does not return.
 ///
-/// Where `TIMESTEP_REFUSED(line)` is defined before the first header of the library, it is called with that line, a
-/// `const char*`; if it returns, the program is aborted. Otherwise `std::invalid_argument` is thrown, and where there
-/// are no exceptions (-fno-exceptions) the line is printed and the program aborted. Define it alike everywhere.
-/// With `TIMESTEP_REFUSED_BRIEFLY` the line is the rule alone: to put name and value into it takes C's `printf`, 14 kB of
-/// a module of WebAssembly.
+/// Where `TIMESTEP_REFUSED(line)` is defined before the first header of the library, it is called
+/// with that line, a `const char*`; if it returns, the program is aborted. Otherwise
+/// `std::invalid_argument` is thrown, and where there are no exceptions (-fno-exceptions) the line
+/// is printed and the program aborted. Define it alike everywhere. With `TIMESTEP_REFUSED_BRIEFLY`
+/// the line is the rule alone: to put name and value into it takes C's `printf`, 14 kB of a module
+/// of WebAssembly.
 [[noreturn]] inline void refuse(const char* line) {
 #if defined(TIMESTEP_REFUSED)
     TIMESTEP_REFUSED(line);

@@ -20,22 +20,24 @@ namespace detail {
 // What can be wrong with the types that are handed to run().
 template <class Method, class Model, class S, class Count, class Observe>
 struct RunTypes {
-    static_assert(requires(const S& s) { s.t; },
-                  "timestep: a run starts from a State{t, x, v} or a FirstOrder{t, y}");
-    static_assert(TwoStepMethod<Method, Model, S> ||
-                      requires(const Method& m, const Model& f, const S& s, real_of<S> h) {
-                          { m.step(f, s, h) } -> std::same_as<S>;
-                      },
-                  "timestep: in run(method, model, start, h, steps) this method does not step this "
-                  "kind of state");
+    static_assert(
+        requires(const S& s) { s.t; },
+        "timestep: a run starts from a State{t, x, v} or a FirstOrder{t, y}");
+    static_assert(
+        TwoStepMethod<Method, Model, S> ||
+            requires(const Method& m, const Model& f, const S& s, real_of<S> h) {
+                { m.step(f, s, h) } -> std::same_as<S>;
+            },
+        "timestep: in run(method, model, start, h, steps) this method does not step this "
+        "kind of state");
     static_assert(std::is_integral_v<Count> && !std::is_same_v<Count, bool>,
                   "timestep: in run(method, model, start, h, steps) steps is a whole number");
     static_assert(std::is_invocable_v<Observe&, const S&>,
                   "timestep: observe is called with each state, as in [](const auto& state) { }");
 };
 
-// The numbers that a step's formulas hold: h²; of a linear force 1 − h ∂a/∂v − h² ∂a/∂x, by which an
-// implicit step divides; of a first-order system that has a slope, 1 − h ∂f/∂y at the start. (A
+// The numbers that a step's formulas hold: h²; of a linear force 1 − h ∂a/∂v − h² ∂a/∂x, by which
+// an implicit step divides; of a first-order system that has a slope, 1 − h ∂f/∂y at the start. (A
 // slope that is itself no number, as that of √y at zero, harms no explicit method.)
 template <class Model, class S>
 void check_step(const Model& model, const S& s, real_of<S> h) {
@@ -57,10 +59,10 @@ void check_step(const Model& model, const S& s, real_of<S> h) {
 /// `observe(state)` with the start and after each step.
 ///
 /// The inputs are looked at once, here: throws `std::invalid_argument` when the step is not a
-/// finite number above zero, the count is negative or the start is not finite; and when h², or for a
-/// linear force 1 − h ∂a/∂v − h² ∂a/∂x, or for a first-order system h ∂f/∂y at the start, is too large
-/// for a number. Whether the result is finite is for the caller to ask, with is_finite(): some methods
-/// blow up, and a course shows it.
+/// finite number above zero, the count is negative or the start is not finite; and when h², or for
+/// a linear force 1 − h ∂a/∂v − h² ∂a/∂x, or for a first-order system h ∂f/∂y at the start, is too
+/// large for a number. Whether the result is finite is for the caller to ask, with is_finite():
+/// some methods blow up, and a course shows it.
 template <class Method, class Model, class S, class Count, class Observe>
 S run(const Method& method, const Model& model, const S& start, real_of<S> h, Count steps,
       Observe&& observe) {
@@ -108,14 +110,13 @@ struct CheckedRun {
     long blew_up_at;  ///< the first step after which the state was not finite; 0 if it always was
 };
 
-/// The same run, and one look at its result. One is enough: a step adds to what is there, and of what
-/// is not a finite number no sum is one again. Only a run that has blown up is repeated, with a look at
-/// each state, to say when. (Verlet's velocity is no part of the sum, and may come back: its runs are
-/// looked at state by state.)
-/// [checked]
+/// The same run, and one look at its result. One is enough: a step adds to what is there, and of
+/// what is not a finite number no sum is one again. Only a run that has blown up is repeated, with
+/// a look at each state, to say when. (Verlet's velocity is no part of the sum, and may come back:
+/// its runs are looked at state by state.) [checked]
 template <class Method, class Model, class S, class Count>
-CheckedRun<S> checked_run(const Method& method, const Model& model,
-                          const S& start, real_of<S> h, Count steps) {
+CheckedRun<S> checked_run(const Method& method, const Model& model, const S& start, real_of<S> h,
+                          Count steps) {
     if constexpr (!std::is_same_v<Method, Verlet>) {
         const S end = run(method, model, start, h, steps);
         if (is_finite(end)) return {end, 0};

@@ -36,9 +36,13 @@ auto sum(const A& a, const B& b, const More&... more) {
 }
 
 template <class Model>
-concept ConstantSlopeX = requires(const Model& m) { m.slope_x(); };
+concept ConstantSlopeX = requires(const Model& m) {
+    m.slope_x();
+};
 template <class Model>
-concept ConstantSlopeV = requires(const Model& m) { m.slope_v(); };
+concept ConstantSlopeV = requires(const Model& m) {
+    m.slope_v();
+};
 
 }  // namespace detail
 /// \endcond
@@ -61,7 +65,7 @@ class Scene {
     template <class X>
     static constexpr bool smooth = (SmoothForce<Parts, X> && ...);
     static constexpr bool constant_slope_x =
-        ((ConstantForce<Parts> || detail::ConstantSlopeX<Parts>) && ...);
+        ((ConstantForce<Parts> || detail::ConstantSlopeX<Parts>)&&...);
 
 public:
     /// Copies the parts, which have checked their parameters themselves.
@@ -69,9 +73,7 @@ public:
 
     /// The sum of constant forces, per unit of mass.
     /// [sum]
-    auto acceleration() const
-        requires constant
-    {
+    auto acceleration() const requires constant {
         return of_parts([](const auto& first, const auto&... more) {
             using X = std::remove_cvref_t<decltype(first.acceleration())>;
             return X((first.acceleration() + ... + more.acceleration()));
@@ -79,55 +81,41 @@ public:
     }
     /// The sum, where it depends on the position at most.
     template <class X>
-    X acceleration(const X& x) const
-        requires(position_only<X> && !constant)
-    {
-        return of_parts([&](const auto&... part) -> X {
-            return (... + timestep::acceleration(part, x));
-        });
+    X acceleration(const X& x) const requires(position_only<X> && !constant) {
+        return of_parts(
+            [&](const auto&... part) -> X { return (... + timestep::acceleration(part, x)); });
     }
     /// The sum, where it depends on the velocity too.
     template <class X>
     X acceleration(const X& x, const X& v) const
-        requires((VelocityForce<Parts, X> && ...) && !position_only<X>)
-    {
-        return of_parts([&](const auto&... part) -> X {
-            return (... + timestep::acceleration(part, x, v));
-        });
+        requires((VelocityForce<Parts, X> && ...) && !position_only<X>) {
+        return of_parts(
+            [&](const auto&... part) -> X { return (... + timestep::acceleration(part, x, v)); });
     }
     /// [sum]
 
     /// ∂a/∂x, 1/s², where it is the same everywhere.
-    auto slope_x() const
-        requires(constant_slope_x && !constant)
-    {
+    auto slope_x() const requires(constant_slope_x && !constant) {
         return of_parts([](const auto&... part) { return detail::sum(part_slope_x(part)...); });
     }
     /// ∂a/∂v, 1/s, of a scene that is a LinearForce.
-    auto slope_v() const
-        requires(constant_slope_x && (detail::ConstantSlopeV<Parts> || ...))
-    {
+    auto slope_v() const requires(constant_slope_x && (detail::ConstantSlopeV<Parts> || ...)) {
         return of_parts([](const auto&... part) { return detail::sum(part_slope_v(part)...); });
     }
 
     /// ∂a/∂x at (x, v), 1/s².
     template <class X>
-    auto slope_x(const X& x, const X& v) const
-        requires(!linear<X> && smooth<X>)
-    {
-        return of_parts([&](const auto&... part) {
-            return detail::sum(part_slope_x(part, x, v)...);
-        });
+    auto slope_x(const X& x, const X& v) const requires(!linear<X> && smooth<X>) {
+        return of_parts(
+            [&](const auto&... part) { return detail::sum(part_slope_x(part, x, v)...); });
     }
     /// ∂a/∂v at (x, v), 1/s.
     template <class X>
     auto slope_v(const X& x, const X& v) const
         requires(!linear<X> && !position_only<X> &&
-                 ((PositionForce<Parts, X> || detail::HasSlopeV<Parts, X>) && ...))
-    {
-        return of_parts([&](const auto&... part) {
-            return detail::sum(part_slope_v(part, x, v)...);
-        });
+                 ((PositionForce<Parts, X> || detail::HasSlopeV<Parts, X>)&&...)) {
+        return of_parts(
+            [&](const auto&... part) { return detail::sum(part_slope_v(part, x, v)...); });
     }
 
 private:

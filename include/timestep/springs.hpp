@@ -73,15 +73,14 @@ private:
 
     /// [together]
     template <std::size_t Packs, class Method>
-    TIMESTEP_INLINE void together(const Method& method, Pack h, long steps,
-                                  std::size_t first) {
+    TIMESTEP_INLINE void together(const Method& method, Pack h, long steps, std::size_t first) {
         [&]<std::size_t... i>(std::index_sequence<i...>) {
             const Spring<Pack> spring[] = {springs_[first + i]...};
             State<Pack> s[] = {State<Pack>{0, x_[first + i], v_[first + i]}...};
-            for (long n = 0; n < steps; ++n)
-                ((s[i] = method.step(spring[i], s[i], h)), ...);
+            for (long n = 0; n < steps; ++n) ((s[i] = method.step(spring[i], s[i], h)), ...);
             ((x_[first + i] = s[i].x, v_[first + i] = s[i].v), ...);
-        }(std::make_index_sequence<Packs>());
+        }
+        (std::make_index_sequence<Packs>());
     }
     /// [together]
 

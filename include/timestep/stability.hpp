@@ -30,9 +30,7 @@ struct StepMatrix {
 /// are what a step makes of the states (1, 0) and (0, 1).
 /// [matrix]
 template <class Method, class Model, class Real>
-requires requires(const Method& m, const Model& f, State<Real> s, Real h) {
-    m.step(f, s, h);
-}
+requires requires(const Method& m, const Model& f, State<Real> s, Real h) { m.step(f, s, h); }
 StepMatrix<Real> step_matrix(const Method& method, const Model& model, Real h) {
     const State<Real> a = method.step(model, State<Real>{0, 1, 0}, h);
     const State<Real> b = method.step(model, State<Real>{0, 0, 1}, h);
@@ -40,8 +38,8 @@ StepMatrix<Real> step_matrix(const Method& method, const Model& model, Real h) {
 }
 /// [matrix]
 
-/// The two roots of the characteristic polynomial λ² − trace λ + determinant = 0. What stands under the
-/// root, (trace/2)² − determinant, is multiplied out, so that short steps lose no digits.
+/// The two roots of the characteristic polynomial λ² − trace λ + determinant = 0. What stands under
+/// the root, (trace/2)² − determinant, is multiplied out, so that short steps lose no digits.
 /// [eigenvalues]
 template <class Real>
 std::pair<std::complex<Real>, std::complex<Real>> eigenvalues(const StepMatrix<Real>& a) {

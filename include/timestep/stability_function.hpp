@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// What a step does to a decay: the stability function R(z) of every method that has one (N60, N62).
+/// What a step does to a decay: the stability function R(z) of every method that has one (N60,
+/// N62).
 ///
 /// On ẏ = λ y a step of length h is a multiplication, y₂ = R(z) y₁, and all that it depends on is
 /// z = hλ, a complex number. The exact motion multiplies by e^z. A linear scene is a sum of such
@@ -61,9 +62,8 @@ inline Complex stability_function(const ImplicitMidpoint&, Complex z) {
 
 // 3y₂ − 4y₁ + y₀ = 2z y₂ is solved by yₙ = Rⁿ where (3 − 2z) R² − 4R + 1 = 0. The roots are
 // (2 ± w)/(3 − 2z) with w = √(1 + 2z); and 3 − 2z = 4 − w² = (2 + w)(2 − w).
-/// BDF2, over two steps: there are two factors, and this is the larger one, which is left in the long
-/// run.
-/// [bdf2]
+/// BDF2, over two steps: there are two factors, and this is the larger one, which is left in the
+/// long run. [bdf2]
 inline Complex stability_function(const Bdf2&, Complex z) {
     return 1.0 / (2.0 - std::sqrt(1.0 + 2.0 * z));
 }
@@ -71,7 +71,9 @@ inline Complex stability_function(const Bdf2&, Complex z) {
 
 /// Has the method a stability function?
 template <class Method>
-concept HasStabilityFunction = requires(const Method& m, Complex z) { stability_function(m, z); };
+concept HasStabilityFunction = requires(const Method& m, Complex z) {
+    stability_function(m, z);
+};
 
 /// Calls `visit(method)` for each method that has one: the explicit ones, then those that solve.
 template <class Visit>

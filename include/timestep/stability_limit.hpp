@@ -6,8 +6,9 @@
 /// A step is a 2×2 matrix. Its eigenvalues are the roots of λ² − Tλ + D with the trace T and the
 /// determinant D, and both lie in the unit disk when (Jury's conditions)
 ///     D ≤ 1,    1 − T + D ≥ 0,    1 + T + D ≥ 0.
-/// The second holds for every method here, the first is broken by an oscillation that grows, the third by a
-/// state that flips over and over. Below, s = ωh, positions are measured in x and velocities in ω x.
+/// The second holds for every method here, the first is broken by an oscillation that grows, the
+/// third by a state that flips over and over. Below, s = ωh, positions are measured in x and
+/// velocities in ω x.
 ///
 /// ζ is that of a DampedSpring: finite, and zero or more. It is not looked at again here; of a
 /// negative ζ or a NaN the formulas say nothing.
@@ -32,9 +33,7 @@ namespace detail {
 inline constexpr StabilityLimit no_limit{std::numeric_limits<double>::infinity(), "no limit"};
 
 // Of ζ ± √(ζ² − 1) the larger: the fast one of the two decays of an overdamped spring, over ω.
-inline double fast_decay(double zeta) {
-    return zeta + std::sqrt(zeta - 1) * std::sqrt(zeta + 1);
-}
+inline double fast_decay(double zeta) { return zeta + std::sqrt(zeta - 1) * std::sqrt(zeta + 1); }
 
 // The one root of f, which is below zero at 0 and rises through it once.
 template <class Function>
@@ -51,8 +50,8 @@ double rising_root(const Function& f) {
 }  // namespace detail
 /// \endcond
 
-/// Explicit Euler: T = 2 − 2ζs, D = 1 − 2ζs + s². An oscillation grows from D = 1 on, s = 2ζ. Beyond ζ = 1
-/// nothing swings; the fast decay flips from 1 + T + D = 4 − 4ζs + s² = 0 on.
+/// Explicit Euler: T = 2 − 2ζs, D = 1 − 2ζs + s². An oscillation grows from D = 1 on, s = 2ζ.
+/// Beyond ζ = 1 nothing swings; the fast decay flips from 1 + T + D = 4 − 4ζs + s² = 0 on.
 inline StabilityLimit stability_limit(const ExplicitEuler&, double zeta) {
     if (zeta <= 1) return {2 * zeta, "2ζ"};
     return {2 / detail::fast_decay(zeta), "2 / (ζ + √(ζ² − 1))"};
@@ -72,8 +71,8 @@ inline StabilityLimit stability_limit(const SemiImplicitEulerNewDamping&, double
     return {2 * (std::hypot(1, zeta) + zeta), "2 (√(1 + ζ²) + ζ)"};
 }
 
-/// The constant-acceleration step: T = 2 − 2ζs − s²/2, D = 1 − 2ζs + s²/2. It swings too far from s = 4ζ
-/// on, and flips from 1 + T + D = 4 − 4ζs = 0 on.
+/// The constant-acceleration step: T = 2 − 2ζs − s²/2, D = 1 − 2ζs + s²/2. It swings too far from s
+/// = 4ζ on, and flips from 1 + T + D = 4 − 4ζs = 0 on.
 inline StabilityLimit stability_limit(const Newton&, double zeta) {
     if (zeta <= 0.5) return {4 * zeta, "4ζ"};
     return {1 / zeta, "1/ζ"};
@@ -96,9 +95,8 @@ namespace detail {
 // for −2 ≤ z.
 inline StabilityLimit two_stages_limit(double zeta) {
     if (zeta > 1) return {2 / fast_decay(zeta), "2 / (ζ + √(ζ² − 1))"};
-    return {rising_root([&](double s) {
-                return ((s / 4 - zeta) * s + 2 * zeta * zeta) * s - 2 * zeta;
-            }),
+    return {rising_root(
+                [&](double s) { return ((s / 4 - zeta) * s + 2 * zeta * zeta) * s - 2 * zeta; }),
             "the s = ωh with s³/4 − ζs² + 2ζ²s = 2ζ"};
 }
 }  // namespace detail
@@ -112,9 +110,9 @@ inline StabilityLimit stability_limit(const Heun&, double zeta) {
     return detail::two_stages_limit(zeta);
 }
 
-/// RK4: |R(z)| = 1 for R(z) = 1 + z + z²/2 + z³/6 + z⁴/24, along the ray of z = −s (ζ + i √(1 − ζ²)), or of
-/// the fast decay. It is left once. Expanded, |R|² − 1 loses the common factor s, by which the rest
-/// keeps its digits for small s.
+/// RK4: |R(z)| = 1 for R(z) = 1 + z + z²/2 + z³/6 + z⁴/24, along the ray of z = −s (ζ + i √(1 −
+/// ζ²)), or of the fast decay. It is left once. Expanded, |R|² − 1 loses the common factor s, by
+/// which the rest keeps its digits for small s.
 inline StabilityLimit stability_limit(const RungeKutta4&, double zeta) {
     if (zeta >= 1) {
         // R = 1 again at the z with 1 + z/2 + z²/6 + z³/24 = 0, some −2.785.
@@ -124,8 +122,10 @@ inline StabilityLimit stability_limit(const RungeKutta4&, double zeta) {
     }
     // |R|² is the sum of all zʲ z̄ᵏ / (j! k!), and Re zʲ z̄ᵏ = s^(j+k) cos (j − k)φ with cos φ = −ζ.
     const double c1 = -zeta, c2 = 2 * c1 * c1 - 1, c3 = 2 * c1 * c2 - c1, c4 = 2 * c1 * c3 - c2;
-    const double sum[] = {2 * c1,           1 + c2,         c1 + c3 / 3, 1.0 / 4 + c2 / 3 + c4 / 12,
-                          c1 / 6 + c3 / 12, 1.0 / 36 + c2 / 24, c1 / 72,     1.0 / 576};
+    const double sum[] = {2 * c1,           1 + c2,
+                          c1 + c3 / 3,      1.0 / 4 + c2 / 3 + c4 / 12,
+                          c1 / 6 + c3 / 12, 1.0 / 36 + c2 / 24,
+                          c1 / 72,          1.0 / 576};
     return {detail::rising_root([&](double s) {
                 double value = 0;
                 for (int i = 7; i >= 0; --i) value = value * s + sum[i];
@@ -136,7 +136,8 @@ inline StabilityLimit stability_limit(const RungeKutta4&, double zeta) {
 
 /// Implicit Euler: D = 1/(1 + 2ζs + s²). There is no limit.
 inline StabilityLimit stability_limit(const ImplicitEuler&, double) { return detail::no_limit; }
-/// Implicit midpoint: no limit either, as |R(z)| = |1 + z/2|/|1 − z/2| ≤ 1 left of the imaginary axis.
+/// Implicit midpoint: no limit either, as |R(z)| = |1 + z/2|/|1 − z/2| ≤ 1 left of the imaginary
+/// axis.
 inline StabilityLimit stability_limit(const ImplicitMidpoint&, double) { return detail::no_limit; }
 /// BDF2: no limit. Its factor R solves (3 − 2z) R² − 4R + 1 = 0, so z = (3 − 4/R + 1/R²)/2; on the
 /// unit circle, R = e^(iθ), Re z = (1 − cos θ)² ≥ 0. So left of the imaginary axis no factor is on

@@ -33,8 +33,8 @@ struct State {
 template <class X>
 State(real_of<X>, X, X) -> State<typename detail::Kept<X, X>::type>;
 template <class T, class A, class B>
-    requires(!std::same_as<A, B>)
-State(T, A, B) -> State<typename detail::Kept<A, B>::type>;
+requires(!std::same_as<A, B>) State(T, A, B)
+->State<typename detail::Kept<A, B>::type>;
 /// \endcond
 
 /// The rate of change of a State: ẋ and v̇. Rates add and scale as vectors do.

@@ -2,9 +2,10 @@
 /// \file
 /// Sums of products in one order, on every machine: of vectors, matrices and quaternions.
 ///
-/// (a + b) + c is not a + (b + c). Eigen adds in the order that suits the processor: with SSE2 another one than with
-/// AVX, NEON or none, and with AVX2 it contracts a product and a sum, too. What a step computes takes these instead.
-/// Eigen is used where the caller brings its types, and not included here.
+/// (a + b) + c is not a + (b + c). Eigen adds in the order that suits the processor: with SSE2
+/// another one than with AVX, NEON or none, and with AVX2 it contracts a product and a sum, too.
+/// What a step computes takes these instead. Eigen is used where the caller brings its types, and
+/// not included here.
 
 #include <cmath>
 
@@ -15,14 +16,15 @@ namespace timestep {
 
 /// \cond
 namespace detail {
-// Row i of A by column j of B, from k on so many of the products: the sums of the two halves. A tree of sums takes no
-// longer than a row of them.
+// Row i of A by column j of B, from k on so many of the products: the sums of the two halves. A
+// tree of sums takes no longer than a row of them.
 template <int k, int count, class A, class B>
 TIMESTEP_INLINE real_of<A> row_by_column(const A& a, int i, const B& b, int j) {
     if constexpr (count == 1)
         return a.coeff(i, k) * b.coeff(k, j);
     else
-        return row_by_column<k, count / 2>(a, i, b, j) + row_by_column<k + count / 2, count - count / 2>(a, i, b, j);
+        return row_by_column<k, count / 2>(a, i, b, j) +
+               row_by_column<k + count / 2, count - count / 2>(a, i, b, j);
 }
 template <int k, int count, class A, class B>
 TIMESTEP_INLINE real_of<A> dot_part(const A& a, const B& b) {
@@ -53,7 +55,8 @@ TIMESTEP_INLINE typename B::PlainObject times(const A& a, const B& b) {
     constexpr int n = A::RowsAtCompileTime;
     typename B::PlainObject product;
     for (int j = 0; j < B::ColsAtCompileTime; ++j)
-        for (int i = 0; i < n; ++i) product.coeffRef(i, j) = detail::row_by_column<0, n>(a, i, b, j);
+        for (int i = 0; i < n; ++i)
+            product.coeffRef(i, j) = detail::row_by_column<0, n>(a, i, b, j);
     return product;
 }
 

@@ -14,9 +14,8 @@ namespace timestep {
 /// After the term in hⁿ the series is off by h⁽ⁿ⁺¹⁾/(n+1)! times the next derivative at some point
 /// in between.
 ///
-/// Added up from the far end, f + h (f′ + h/2 (f″ + …)): no power of h stands alone, so none can be too
-/// large for a number where its term is not.
-/// [series]
+/// Added up from the far end, f + h (f′ + h/2 (f″ + …)): no power of h stands alone, so none can be
+/// too large for a number where its term is not. [series]
 template <std::floating_point Real, std::size_t Extent>
 Real taylor(std::span<const Real, Extent> derivatives, Real h) {
     Real sum = 0;

@@ -17,15 +17,14 @@ using namespace timestep;
 class Hash {
 public:
     template <class Real>
-        requires std::is_floating_point_v<Real>
+    requires std::is_floating_point_v<Real>
     void add(Real value) {
         using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
         const auto bits = value != value ? Bits(-1) : std::bit_cast<Bits>(value);
-        for (std::size_t i = 0; i < sizeof bits; ++i)
-            value_ = (value_ ^ ((bits >> 8 * i) & 255)) * 1099511628211u;
+        for (std::size_t i = 0; i < sizeof bits; ++i) value_ = (value_ ^ ((bits >> 8 * i) & 255)) * 1099511628211u;
     }
     template <class Vector>
-        requires requires(const Vector& v) { v.coeff(0); }
+    requires requires(const Vector& v) { v.coeff(0); }
     void add(const Vector& v) {
         for (int i = 0; i < v.size(); ++i) add(v.coeff(i));
     }

@@ -33,8 +33,8 @@ void print(const char* scene, const Method& method, const Model& model, const St
 }
 
 template <class Method>
-inline constexpr bool for_position_forces = std::is_same_v<Method, Verlet> || std::is_same_v<Method, VelocityVerlet> ||
-                                            std::is_same_v<Method, Leapfrog>;
+inline constexpr bool for_position_forces =
+    std::is_same_v<Method, Verlet> || std::is_same_v<Method, VelocityVerlet> || std::is_same_v<Method, Leapfrog>;
 
 template <class Real, class Method>
 void print_all(const Method& method) {
@@ -51,7 +51,8 @@ void print_all(const Method& method) {
     print("spring", method, Spring<Real>(Real(3.1)), start);
     print("spring in space", method, Spring<Real>(Real(3.1)), space);
     print("projectile", method, Projectile<V3>(V3(0, 0, Real(-9.81))), space);
-    print("coupled springs", method, CoupledSprings(V4(Real(1.1), Real(0.7), Real(2.3), Real(0.9)), stiff), row_of_four);
+    print("coupled springs", method, CoupledSprings(V4(Real(1.1), Real(0.7), Real(2.3), Real(0.9)), stiff),
+          row_of_four);
     if constexpr (!std::is_same_v<Method, SemiImplicitEulerNewDamping>) {
         print("stiffening spring", method, StiffeningSpring<Real>(), start);
         print("tether", method, Tether<Real>(Real(2.9), Real(0.6)), flat);

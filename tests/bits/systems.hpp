@@ -22,7 +22,8 @@ struct Cooling {
 template <class Method, class System, class Y>
 void print(const char* scene, const Method& method, const System& f, const FirstOrder<Y>& start, double h) {
     const auto step = real_of<Y>(h);
-    if constexpr (requires { method.step(f, start, step); } || requires { method.step(f, start, start, step); }) {
+    if constexpr (
+        requires { method.step(f, start, step); } || requires { method.step(f, start, start, step); }) {
         Hash hash;
         run(method, f, start, step, bits_steps, [&](const auto& s) { hash.add(s); });
         row(hash, name_of<real_of<Y>>, scene, Method::name);

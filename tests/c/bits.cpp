@@ -53,7 +53,8 @@ extern "C" const Callsf callsf_one_by_one;  // compiled without the vectors of l
 TEST_CASE("in C three numbers one by one have the bits that they have in a vector", "[c]") {
     for_each_throw<float>(1, [&](const auto& I, const auto& three, const Vector3<float>& w, const auto& q, float h) {
         const float across = I.moments.x(), along = std::min(I.moments.y(), 2 * across);
-        for (const auto& body : {three, of<float>().from_moments(across, along, across), of<float>().from_moments(1, 1, 1)})
+        for (const auto& body :
+             {three, of<float>().from_moments(across, along, across), of<float>().from_moments(1, 1, 1)})
             for (int i = 0; i < 3; ++i) {
                 Vector3<float> lanes = w, single = w;
                 of<float>().rule[i](&body, lanes.data(), h);
@@ -93,7 +94,8 @@ TEMPLATE_TEST_CASE("in C a rule has the library's bits, in the body and in the w
     CHECK(compared > 50000);
 }
 
-TEMPLATE_TEST_CASE("in C two equal moments have the library's bits, whichever axis is the odd one", "[c]", float, double) {
+TEMPLATE_TEST_CASE("in C two equal moments have the library's bits, whichever axis is the odd one", "[c]", float,
+                   double) {
     using Vec = Vector3<TestType>;
     for_each_throw<TestType>(2, [&](const auto& I, const auto&, const Vec& w, const auto&, TestType h) {
         const TestType across = I.moments.x(), along = std::min(I.moments.y(), 2 * across);
@@ -130,7 +132,8 @@ TEMPLATE_TEST_CASE("in C what flies has the library's bits", "[c]", float, doubl
             of<TestType>().fly[four](&body, turned.coeffs().data(), after.data(), h);
             if (of<TestType>().idle(&body, w.data())) {
                 REQUIRE(after == w);
-                // The angle of a long step is rounded, too: each of its parts some ten times, with the moments' root and A.
+                // The angle of a long step is rounded, too: each of its parts some ten times, with the moments' root
+                // and A.
                 REQUIRE(apart(turned, expected.q) < (16 + 16 * std::fabs(h) * w.norm()) * epsilon);
                 continue;
             }

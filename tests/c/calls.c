@@ -3,16 +3,15 @@
 
 #include "calls.h"
 
-const Calls calls = {
-    gyroscopic_from_moments,
-    gyroscopic_from_inverse_moments,
-    gyroscopic_idle,
-    {gyroscopic_passive, gyroscopic_half_step, gyroscopic_calm_half_step},
-    {gyroscopic_passive_in_world, gyroscopic_half_step_in_world, gyroscopic_calm_half_step_in_world},
-    {gyroscopic_ball_and_remainder_2, gyroscopic_ball_and_remainder_4},
-    {gyroscopic_ball_and_remainder_2_in_world, gyroscopic_ball_and_remainder_4_in_world},
-    gyroscopic_fastest,
-    gyroscopic_half_step_limit};
+const Calls calls = {gyroscopic_from_moments,
+                     gyroscopic_from_inverse_moments,
+                     gyroscopic_idle,
+                     {gyroscopic_passive, gyroscopic_half_step, gyroscopic_calm_half_step},
+                     {gyroscopic_passive_in_world, gyroscopic_half_step_in_world, gyroscopic_calm_half_step_in_world},
+                     {gyroscopic_ball_and_remainder_2, gyroscopic_ball_and_remainder_4},
+                     {gyroscopic_ball_and_remainder_2_in_world, gyroscopic_ball_and_remainder_4_in_world},
+                     gyroscopic_fastest,
+                     gyroscopic_half_step_limit};
 
 const Callsf callsf = {
     gyroscopic_from_momentsf,

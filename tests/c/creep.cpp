@@ -20,12 +20,8 @@ struct Calm {
     static void in_world(const gyroscopic_body& b, const double* q, double* w, double h) {
         gyroscopic_calm_half_step_in_world(&b, q, w, h);
     }
-    static void step(const gyroscopic_bodyf& b, float* w, float h) {
-        gyroscopic_calm_half_stepf(&b, w, h);
-    }
-    static void step(const gyroscopic_body& b, double* w, double h) {
-        gyroscopic_calm_half_step(&b, w, h);
-    }
+    static void step(const gyroscopic_bodyf& b, float* w, float h) { gyroscopic_calm_half_stepf(&b, w, h); }
+    static void step(const gyroscopic_body& b, double* w, double h) { gyroscopic_calm_half_step(&b, w, h); }
 };
 struct HalfStep {
     static void in_world(const gyroscopic_bodyf& b, const float* q, float* w, float h) {
@@ -34,19 +30,11 @@ struct HalfStep {
     static void in_world(const gyroscopic_body& b, const double* q, double* w, double h) {
         gyroscopic_half_step_in_world(&b, q, w, h);
     }
-    static void step(const gyroscopic_bodyf& b, float* w, float h) {
-        gyroscopic_half_stepf(&b, w, h);
-    }
-    static void step(const gyroscopic_body& b, double* w, double h) {
-        gyroscopic_half_step(&b, w, h);
-    }
+    static void step(const gyroscopic_bodyf& b, float* w, float h) { gyroscopic_half_stepf(&b, w, h); }
+    static void step(const gyroscopic_body& b, double* w, double h) { gyroscopic_half_step(&b, w, h); }
 };
-gyroscopic_bodyf body(float) {
-    return gyroscopic_from_momentsf(13, 10, 5);
-}
-gyroscopic_body body(double) {
-    return gyroscopic_from_moments(13, 10, 5);
-}
+gyroscopic_bodyf body(float) { return gyroscopic_from_momentsf(13, 10, 5); }
+gyroscopic_body body(double) { return gyroscopic_from_moments(13, 10, 5); }
 
 struct Minute {
     double energy, right, most = 1;  // left, over the first; s until the orientation is off by half
@@ -63,11 +51,10 @@ Minute minute(int n, double tilt, bool all_of_omega = false) {
     Eigen::Vector3<R> w(R(tilt), 10, R(tilt));
     Q q = Q::Identity();
     const Eigen::Vector3d I(13, 10, 5);
-    const timestep::ExactFreeBody<double> exact(
-        {13, 10, 5}, {0, Eigen::Quaterniond::Identity(), w.template cast<double>()});
+    const timestep::ExactFreeBody<double> exact({13, 10, 5},
+                                                {0, Eigen::Quaterniond::Identity(), w.template cast<double>()});
     const auto energy = [&] {
-        const Eigen::Vector3d v =
-            q.template cast<double>().normalized().conjugate() * w.template cast<double>();
+        const Eigen::Vector3d v = q.template cast<double>().normalized().conjugate() * w.template cast<double>();
         return v.dot(I.cwiseProduct(v));
     };
     const double first = energy();
@@ -92,8 +79,7 @@ Minute minute(int n, double tilt, bool all_of_omega = false) {
         q = turned * q;
         q.coeffs() *= 1 / std::sqrt(q.squaredNorm());
         m.most = std::max(m.most, energy() / first);
-        right = right &&
-                exact(tick / 60.0).q.angularDistance(q.template cast<double>().normalized()) < 0.5;
+        right = right && exact(tick / 60.0).q.angularDistance(q.template cast<double>().normalized()) < 0.5;
         if (right) m.right = tick / 60.0;
     }
     m.energy = energy() / first;
@@ -111,8 +97,7 @@ TEST_CASE(
         double shortest = 60, early = 60, late = 0;
         for (const double tilt : {0.1, 0.10005, 0.1001, 0.1002, 0.10025, 0.1003}) {
             CAPTURE(substeps, tilt);
-            const Minute in_float = minute<float>(substeps, tilt),
-                         in_double = minute<double>(substeps, tilt);
+            const Minute in_float = minute<float>(substeps, tilt), in_double = minute<double>(substeps, tilt);
             CHECK(std::fabs(in_float.energy - 1) < 2e-4);
             CHECK(std::fabs(in_double.energy - 1) < 1e-9);
             CHECK(in_double.right == 60);
@@ -132,13 +117,11 @@ TEST_CASE(
 TEST_CASE(
     "with the half-step Jacobian the energy swings a little; it creeps up in float where all of "
     "the spin is turned, and not where its change is") {
-    for (const auto& [substeps, swing] :
-         {std::pair(1, 0.0017), std::pair(4, 0.00012), std::pair(8, 0.00004)}) {
+    for (const auto& [substeps, swing] : {std::pair(1, 0.0017), std::pair(4, 0.00012), std::pair(8, 0.00004)}) {
         const Minute in_double = minute<double, HalfStep>(substeps, 0.1),
                      change = minute<float, HalfStep>(substeps, 0.1),
                      all = minute<float, HalfStep>(substeps, 0.1, true);
-        CAPTURE(substeps, in_double.most, in_double.energy, change.most, change.energy, all.most,
-                all.energy);
+        CAPTURE(substeps, in_double.most, in_double.energy, change.most, change.energy, all.most, all.energy);
         CHECK(in_double.most < 1 + swing);
         CHECK(in_double.most > 1 + swing / 2);
         CHECK(change.most < 1 + swing + 2e-4);
@@ -158,10 +141,10 @@ TEST_CASE(
             for (const bool four : {false, true})
                 for (const bool world : {false, true}) {
                     const auto body = gyroscopic_from_momentsf(I.x(), I.y(), I.z());
-                    const auto fly = four    ? world ? gyroscopic_ball_and_remainder_4_in_worldf
-                                                     : gyroscopic_ball_and_remainder_4f
-                                     : world ? gyroscopic_ball_and_remainder_2_in_worldf
-                                             : gyroscopic_ball_and_remainder_2f;
+                    const auto fly =
+                        four    ? world ? gyroscopic_ball_and_remainder_4_in_worldf : gyroscopic_ball_and_remainder_4f
+                        : world ? gyroscopic_ball_and_remainder_2_in_worldf
+                                : gyroscopic_ball_and_remainder_2f;
                     Eigen::Quaternionf q = Eigen::Quaternionf::Identity();
                     Eigen::Vector3f w(tilt, 10, tilt);
                     const auto in_body = [&]() -> Eigen::Vector3d {
@@ -170,12 +153,9 @@ TEST_CASE(
                         return v;
                     };
                     const Eigen::Vector3d J = I.cast<double>(), first = in_body();
-                    for (int step = 0; step < 3600 * 60; ++step)
-                        fly(&body, q.coeffs().data(), w.data(), 1 / 60.0f);
-                    const double energy = in_body().dot(J.cwiseProduct(in_body())) /
-                                          first.dot(J.cwiseProduct(first)),
-                                 momentum = J.cwiseProduct(in_body()).norm() /
-                                            J.cwiseProduct(first).norm();
+                    for (int step = 0; step < 3600 * 60; ++step) fly(&body, q.coeffs().data(), w.data(), 1 / 60.0f);
+                    const double energy = in_body().dot(J.cwiseProduct(in_body())) / first.dot(J.cwiseProduct(first)),
+                                 momentum = J.cwiseProduct(in_body()).norm() / J.cwiseProduct(first).norm();
                     CAPTURE(I, tilt, four, world, energy - 1, momentum - 1);
                     CHECK(std::fabs(energy - 1) < 5e-4);
                     CHECK(std::fabs(momentum - 1) < 2.5e-4);

@@ -37,7 +37,8 @@ long double momentum(const Body<Real>& body, const Vector3<Real>& w) {
 template <class Real>
 std::vector<Real> numbers() {
     using Numbers = std::numeric_limits<Real>;
-    return {0, Numbers::denorm_min(), Numbers::min(), Real(1e-25), Real(1e-3), 1, Real(1e6), Real(1e20), Real(3e24), Numbers::max()};
+    return {0,          Numbers::denorm_min(), Numbers::min(), Real(1e-25), Real(1e-3), 1, Real(1e6), Real(1e20),
+            Real(3e24), Numbers::max()};
 }
 
 template <class Real, class Look>
@@ -69,7 +70,8 @@ TEMPLATE_TEST_CASE("in C finite input gives finite output", "[c]", float, double
         {1, 0, 0, 0}, Quaternion<TestType>(1, TestType(0.2), -3, 2).normalized(), {0, 0, 0, 0}};
     for_each_body<TestType>([&](const Body<TestType>& body) {
         for (const Vec& w : spins)
-            for (const TestType size : {TestType(0), TestType(1e-30), TestType(0.02), TestType(1), TestType(1e30), std::numeric_limits<TestType>::max()})
+            for (const TestType size : {TestType(0), TestType(1e-30), TestType(0.02), TestType(1), TestType(1e30),
+                                        std::numeric_limits<TestType>::max()})
                 for (const TestType h : {size, -size}) {
                     bool finite = true;
                     for (int i = 0; i < 3; ++i) {
@@ -101,7 +103,8 @@ TEMPLATE_TEST_CASE("in C finite input gives finite output", "[c]", float, double
 }
 
 // To the world and back numbers grow by √3 at most.
-TEMPLATE_TEST_CASE("in C the rules give finite output near the largest numbers, too, in the body and in the world", "[c]", float, double) {
+TEMPLATE_TEST_CASE("in C the rules give finite output near the largest numbers, too, in the body and in the world",
+                   "[c]", float, double) {
     using Vec = Vector3<TestType>;
     RandomInertia random(9);
     std::mt19937 numbers(9);
@@ -115,12 +118,15 @@ TEMPLATE_TEST_CASE("in C the rules give finite output near the largest numbers, 
         for (int i = 0; i < 3; ++i)
             if ((n >> i) % 2) w[i] /= 2;
         if (n % 3 == 0) w[n % 2] = 1;
-        Quaternion<TestType> q(TestType(normal(numbers)), TestType(normal(numbers)), TestType(normal(numbers)), TestType(normal(numbers)));
+        Quaternion<TestType> q(TestType(normal(numbers)), TestType(normal(numbers)), TestType(normal(numbers)),
+                               TestType(normal(numbers)));
         q.normalize();
         // So short that ω turns by a few radians at most.
         const TestType h = TestType(normal(numbers)) / std::numeric_limits<TestType>::max();
-        for (const auto& body : {of<TestType>().from_moments(I.moments.x(), I.moments.y(), I.moments.z()), of<TestType>().from_moments(across, across, along),
-                                 of<TestType>().from_moments(across, along, across), of<TestType>().from_moments(along, across, across)}) {
+        for (const auto& body :
+             {of<TestType>().from_moments(I.moments.x(), I.moments.y(), I.moments.z()),
+              of<TestType>().from_moments(across, across, along), of<TestType>().from_moments(across, along, across),
+              of<TestType>().from_moments(along, across, across)}) {
             CAPTURE(I.moments, w, q.coeffs(), h, body.kind, body.odd);
             bool finite = std::isfinite(of<TestType>().fastest(&body, w.data()));
             for (int i = 0; i < 3; ++i) {
@@ -138,7 +144,8 @@ TEMPLATE_TEST_CASE("in C the rules give finite output near the largest numbers, 
 
 // Roundoff: a few ε a part of the step, of which there are 32 at most, and each passive step rounds its energy some ten
 // times.
-TEMPLATE_TEST_CASE("in C the passive step never adds energy and the calm one keeps it, at any spin", "[c]", float, double) {
+TEMPLATE_TEST_CASE("in C the passive step never adds energy and the calm one keeps it, at any spin", "[c]", float,
+                   double) {
     using Vec = Vector3<TestType>;
     const TestType epsilon = std::numeric_limits<TestType>::epsilon();
     RandomInertia random(5);
@@ -166,7 +173,8 @@ TEMPLATE_TEST_CASE("in C an axis that is locked leaves the spin as it is", "[c]"
     const TestType none = std::numeric_limits<TestType>::infinity();
     const Quaternion<TestType> q = Quaternion<TestType>(1, 2, 3, 4).normalized();
     std::vector<Body<TestType>> bodies;
-    for (const TestType locked : {TestType(0), none, TestType(-1), std::numeric_limits<TestType>::min() / 2, std::numeric_limits<TestType>::quiet_NaN()}) {
+    for (const TestType locked : {TestType(0), none, TestType(-1), std::numeric_limits<TestType>::min() / 2,
+                                  std::numeric_limits<TestType>::quiet_NaN()}) {
         bodies.push_back(of<TestType>().from_moments(locked, 1, 2));
         bodies.push_back(of<TestType>().from_moments(1, locked, 2));
         bodies.push_back(of<TestType>().from_moments(1, 2, locked));
@@ -197,14 +205,16 @@ TEMPLATE_TEST_CASE("in C an axis that is locked leaves the spin as it is", "[c]"
             CHECK(after == w);
             CHECK(world == w);
             CHECK(apart(turned, Quaternion<TestType>(q * turn_by(w))) < 32 * std::numeric_limits<TestType>::epsilon());
-            CHECK(apart(turned_in_world, Quaternion<TestType>(turn_by(w) * q)) < 32 * std::numeric_limits<TestType>::epsilon());
+            CHECK(apart(turned_in_world, Quaternion<TestType>(turn_by(w) * q)) <
+                  32 * std::numeric_limits<TestType>::epsilon());
         }
     }
 }
 
 TEMPLATE_TEST_CASE("in C nothing changes for h = 0, for omega = 0, and about a principal axis", "[c]", float, double) {
     using Vec = Vector3<TestType>;
-    const auto box = of<TestType>().from_moments(1, 2, TestType(2.5)), pill = of<TestType>().from_moments(1, TestType(0.3), 1);
+    const auto box = of<TestType>().from_moments(1, 2, TestType(2.5)),
+               pill = of<TestType>().from_moments(1, TestType(0.3), 1);
     const auto stays = [&](const Body<TestType>& body, const Vec& w, TestType h) {
         for (int i = 0; i < 3; ++i) {
             Vec after = w;
@@ -241,9 +251,12 @@ TEMPLATE_TEST_CASE("in C a spin that is no number or infinite comes back as it w
         CHECK(turned.coeffs() == q.coeffs());
         for (int i = 0; i < 3; ++i) CHECK((after[i] == w[i] || (std::isnan(after[i]) && std::isnan(w[i]))));
     };
-    for (const TestType none : {std::numeric_limits<TestType>::quiet_NaN(), std::numeric_limits<TestType>::infinity(), -std::numeric_limits<TestType>::infinity()})
-        for (const auto& body : {of<TestType>().from_moments(13, 10, 5), of<TestType>().from_moments(1, 1, TestType(0.3)), of<TestType>().from_moments(1, TestType(0.3), 1),
-                                 of<TestType>().from_moments(TestType(0.3), 1, 1), of<TestType>().from_moments(3, 3, 3), of<TestType>().from_moments(0, 1, 2)})
+    for (const TestType none : {std::numeric_limits<TestType>::quiet_NaN(), std::numeric_limits<TestType>::infinity(),
+                                -std::numeric_limits<TestType>::infinity()})
+        for (const auto& body :
+             {of<TestType>().from_moments(13, 10, 5), of<TestType>().from_moments(1, 1, TestType(0.3)),
+              of<TestType>().from_moments(1, TestType(0.3), 1), of<TestType>().from_moments(TestType(0.3), 1, 1),
+              of<TestType>().from_moments(3, 3, 3), of<TestType>().from_moments(0, 1, 2)})
             for (int axis = 0; axis < 3; ++axis)
                 for (const Vec& others : {Vec(1, 2, 3), Vec(0, 0, 0)}) {
                     Vec w = others;
@@ -252,11 +265,17 @@ TEMPLATE_TEST_CASE("in C a spin that is no number or infinite comes back as it w
                     for (const TestType h : {TestType(1) / 60, TestType(-1), TestType(1e7)}) {
                         for (int i = 0; i < 3; ++i) {
                             stays([&](auto*, auto* omega) { of<TestType>().rule[i](&body, omega, h); }, w);
-                            stays([&](auto* orientation, auto* omega) { of<TestType>().rule_in_world[i](&body, orientation, omega, h); }, w);
+                            stays([&](auto* orientation,
+                                      auto* omega) { of<TestType>().rule_in_world[i](&body, orientation, omega, h); },
+                                  w);
                         }
                         for (int i = 0; i < 2; ++i) {
-                            stays([&](auto* orientation, auto* omega) { of<TestType>().fly[i](&body, orientation, omega, h); }, w);
-                            stays([&](auto* orientation, auto* omega) { of<TestType>().fly_in_world[i](&body, orientation, omega, h); }, w);
+                            stays([&](auto* orientation,
+                                      auto* omega) { of<TestType>().fly[i](&body, orientation, omega, h); },
+                                  w);
+                            stays([&](auto* orientation,
+                                      auto* omega) { of<TestType>().fly_in_world[i](&body, orientation, omega, h); },
+                                  w);
                         }
                     }
                 }
@@ -271,8 +290,8 @@ TEST_CASE("in C a body of any size is the same body, in float", "[c]") {
         const float moments[] = {std::ldexp(0.3f, power), std::ldexp(0.41f, power), std::ldexp(0.52f, power)};
         const auto body = of<float>().from_moments(moments[0], moments[1], moments[2]);
         const int upwards = std::min(power, 123);  // one over them is normal, too
-        const auto inverse = of<float>().from_inverse_moments(std::ldexp(1 / 0.3f, upwards), std::ldexp(1 / 0.41f, upwards),
-                                                              std::ldexp(1 / 0.52f, upwards));
+        const auto inverse = of<float>().from_inverse_moments(
+            std::ldexp(1 / 0.3f, upwards), std::ldexp(1 / 0.41f, upwards), std::ldexp(1 / 0.52f, upwards));
         for (int i = 0; i < 3; ++i) {
             Vector3<float> after = w, expected = w, by_inverse = w;
             of<float>().rule[i](&body, after.data(), 1 / 60.0f);

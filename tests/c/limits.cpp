@@ -52,12 +52,16 @@ TEST_CASE("in C the fastest spin is never passed, and nearly met", "[c]") {
         const float expected = std::ldexp(gyroscopic_fastestf(&body, one), power);
         CHECK(std::fabs(gyroscopic_fastestf(&body, scaled) / expected - 1) < 4 * std::numeric_limits<float>::epsilon());
         const float limit = std::ldexp(gyroscopic_half_step_limitf(&body, one), -power);
-        CHECK(std::fabs(gyroscopic_half_step_limitf(&body, scaled) / limit - 1) < 4 * std::numeric_limits<float>::epsilon());
+        CHECK(std::fabs(gyroscopic_half_step_limitf(&body, scaled) / limit - 1) <
+              4 * std::numeric_limits<float>::epsilon());
     }
 }
 
 // In equal steps E/(1 − h²p/4) stays, and p is |ω|² at most.
-TEST_CASE("in C the half step adds at most a percent, 7 % or a third where the first step turns by 0.2, 0.5 or 1; beyond two there is no bound", "[c]") {
+TEST_CASE(
+    "in C the half step adds at most a percent, 7 % or a third where the first step turns by 0.2, 0.5 or 1; beyond two "
+    "there is no bound",
+    "[c]") {
     RandomInertia random(8);
     double most[4] = {};
     const double turns[] = {0.2, 0.5, 1, 2.2};

@@ -25,8 +25,9 @@ float energy(const Body& b) {  // with ω in the body: q* ω q
 void solve_contacts_and_joints(Body*, float h) { solved += h; }
 void turn(Body* b, float h) {
     const Eigen::Vector3f w(b->omega[0], b->omega[1], b->omega[2]);
-    const Eigen::Quaternionf q = (Eigen::AngleAxisf(h * w.norm(), w.normalized()) *
-                                  Eigen::Quaternionf(b->q[3], b->q[0], b->q[1], b->q[2])).normalized();
+    const Eigen::Quaternionf q =
+        (Eigen::AngleAxisf(h * w.norm(), w.normalized()) * Eigen::Quaternionf(b->q[3], b->q[0], b->q[1], b->q[2]))
+            .normalized();
     b->q[0] = q.x(), b->q[1] = q.y(), b->q[2] = q.z(), b->q[3] = q.w();
 }
 

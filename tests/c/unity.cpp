@@ -21,18 +21,14 @@ struct {
 
 #include "passive_in_unity.cs"
 
-float energy(Vector3 I, Vector3 w) {
-    return I.x * w.x * w.x + I.y * w.y * w.y + I.z * w.z * w.z;
-}
+float energy(Vector3 I, Vector3 w) { return I.x * w.x * w.x + I.y * w.y * w.y + I.z * w.z * w.z; }
 
 }  // namespace
 
 TEST_CASE("the C# for Unity is the passive step; and two equal moments in any order are a turn") {
-    for (const Vector3 I :
-         {Vector3{1, 2, 2.5f}, Vector3{2.5f, 1, 2}, Vector3{0.002f, 0.0025f, 0.001f},
-          Vector3{1, 1, 0.2f}, Vector3{0.2f, 1, 1}, Vector3{1, 0.2f, 1}})
-        for (const Vector3 start :
-             {Vector3{3, 5, -4}, Vector3{-10, 0.1f, 0.2f}, Vector3{0, 0, 7}}) {
+    for (const Vector3 I : {Vector3{1, 2, 2.5f}, Vector3{2.5f, 1, 2}, Vector3{0.002f, 0.0025f, 0.001f},
+                            Vector3{1, 1, 0.2f}, Vector3{0.2f, 1, 1}, Vector3{1, 0.2f, 1}})
+        for (const Vector3 start : {Vector3{3, 5, -4}, Vector3{-10, 0.1f, 0.2f}, Vector3{0, 0, 7}}) {
             const gyroscopic_bodyf body = gyroscopic_from_momentsf(I.x, I.y, I.z);
             Vector3 w = start;
             float theirs[3] = {w.x, w.y, w.z};
@@ -41,8 +37,8 @@ TEST_CASE("the C# for Unity is the passive step; and two equal moments in any or
                 gyroscopic_passivef(&body, theirs, 1 / 60.0f);
             }
             CAPTURE(I.x, I.y, I.z, start.x, w.x, w.y, w.z, theirs[0], theirs[1], theirs[2]);
-            CHECK(std::max({std::fabs(w.x - theirs[0]), std::fabs(w.y - theirs[1]),
-                            std::fabs(w.z - theirs[2])}) < 1e-4f);
+            CHECK(std::max({std::fabs(w.x - theirs[0]), std::fabs(w.y - theirs[1]), std::fabs(w.z - theirs[2])}) <
+                  1e-4f);
         }
 }
 
@@ -76,10 +72,8 @@ TEST_CASE(
         for (int n = 0; n < 3600; ++n) tips = Passive(moments, tips, 1 / 60.0f);
         CHECK(energy(moments, tips) < 0.8f * energy(moments, start));
     }
-    const gyroscopic_bodyf body =
-        gyroscopic_from_momentsf(1, 1.02f, 0.18f);  // which the passive step alone tips over
+    const gyroscopic_bodyf body = gyroscopic_from_momentsf(1, 1.02f, 0.18f);  // which the passive step alone tips over
     float w[3] = {0.1f, 0.1f, 10};
     for (int n = 0; n < 3600; ++n) gyroscopic_passivef(&body, w, 1 / 60.0f);
-    CHECK(energy({1, 1.02f, 0.18f}, {w[0], w[1], w[2]}) <
-          0.8f * energy({1, 1.02f, 0.18f}, {0.1f, 0.1f, 10}));
+    CHECK(energy({1, 1.02f, 0.18f}, {w[0], w[1], w[2]}) < 0.8f * energy({1, 1.02f, 0.18f}, {0.1f, 0.1f, 10}));
 }

@@ -75,8 +75,7 @@ double largest_error(double h) {
     double largest = 0;
     for (int i = 0; i < 1000; ++i) {
         const Real x = static_cast<Real>(1 + i * 1e-5);
-        const long double slope =
-            forward_difference(exponential, x, step_taken(x, static_cast<Real>(h)));
+        const long double slope = forward_difference(exponential, x, step_taken(x, static_cast<Real>(h)));
         const long double error = slope - std::exp(static_cast<long double>(x));
         largest = std::max(largest, static_cast<double>(std::fabs(error)));
     }
@@ -85,8 +84,7 @@ double largest_error(double h) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("the chord's slope comes to the tangent's with order 1", "[N01][N07][ch1]",
-                   float, double) {
+TEMPLATE_TEST_CASE("the chord's slope comes to the tangent's with order 1", "[N01][N07][ch1]", float, double) {
     // h/2 f″ and h²/6 f‴, in size
     const Case on_exp{exponential, 1, e, e, {1, e / 2}, {2, e / 6}};
     const Case on_sin{sine, 1, sin1, cos1, {1, sin1 / 2}, {2, cos1 / 6}};
@@ -105,8 +103,8 @@ TEST_CASE("where the second derivative is zero the chord's slope has order 2", "
     CHECK_THAT(order_of<double>(forward_difference, flat), WithinAbs(2, 0.05));
 }
 
-TEMPLATE_TEST_CASE("the chord's error stays below truncation plus rounding at every step",
-                   "[N01][ch1]", float, double, long double) {
+TEMPLATE_TEST_CASE("the chord's error stays below truncation plus rounding at every step", "[N01][ch1]", float, double,
+                   long double) {
     const TestType x = 1;
     const long double exact = std::exp(1.0L);
     for (TestType h = 0.5; step_taken(x, h) == h; h /= 2) {
@@ -114,16 +112,14 @@ TEMPLATE_TEST_CASE("the chord's error stays below truncation plus rounding at ev
         // the subtraction and the quotient are rounded too, by ε/2 each.
         const double most = std::exp(1 + static_cast<double>(h));
         const double eps = static_cast<double>(epsilon<TestType>);
-        const double bound =
-            error_bound(forward_difference, static_cast<double>(h), eps * most, most) + eps * most;
+        const double bound = error_bound(forward_difference, static_cast<double>(h), eps * most, most) + eps * most;
         const long double error = std::fabs(forward_difference(exponential, x, h) - exact);
         INFO("h = " << h);
         CHECK(static_cast<double>(error) <= bound);
     }
 }
 
-TEMPLATE_TEST_CASE("below the square root of epsilon the chord's error rises again", "[N01][ch1]",
-                   float, double) {
+TEMPLATE_TEST_CASE("below the square root of epsilon the chord's error rises again", "[N01][ch1]", float, double) {
     // At h = √ε truncation and rounding are at most (e/2 + 2e) √ε together, the values being right
     // to one digit. At √ε/32 the slopes that the rounded values allow lie ulp/h = 64 √ε apart, so
     // among neighbours whose exact slope goes through several of them one errs by nearly 32 √ε.
@@ -133,8 +129,7 @@ TEMPLATE_TEST_CASE("below the square root of epsilon the chord's error rises aga
     CHECK(largest_error<TestType>(h / 32) > 4 * at_root);
 }
 
-TEMPLATE_TEST_CASE("a line has one slope, a horizontal line none", "[N02][ch1]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("a line has one slope, a horizontal line none", "[N02][ch1]", float, double, long double) {
     const auto line = [](auto x) { return x / 2 + 1; };
     const auto level = [](auto x) { return 0 * x + 5 / static_cast<TestType>(3); };
     for (int i = 0; i <= 500; ++i) {
@@ -142,15 +137,14 @@ TEMPLATE_TEST_CASE("a line has one slope, a horizontal line none", "[N02][ch1]",
         for (TestType h = static_cast<TestType>(1 / 3.0); h > 10 * epsilon<TestType>; h /= 3) {
             // Two values are rounded (ε/2 of each), x + h is (ε/2 of it, and |x + h| ≤ 2f), and so
             // is the quotient: at most 2.75 ε|f|/h, since f(x + h) ≤ 2 f(x) here.
-            CHECK(std::fabs(forward_difference(line, x, h) - TestType(0.5)) <=
-                  4 * epsilon<TestType> * line(x) / h);
+            CHECK(std::fabs(forward_difference(line, x, h) - TestType(0.5)) <= 4 * epsilon<TestType> * line(x) / h);
             CHECK(forward_difference(level, x, h) == 0);
         }
     }
 }
 
-TEMPLATE_TEST_CASE("a parabola's slopes lie on a line, and the central difference finds them",
-                   "[N03][ch1]", float, double, long double) {
+TEMPLATE_TEST_CASE("a parabola's slopes lie on a line, and the central difference finds them", "[N03][ch1]", float,
+                   double, long double) {
     for (const double factor : {1.0, -2.5, 0.3}) {
         const TestType a = static_cast<TestType>(factor);
         const auto parabola = [a](TestType x) { return a * x * x; };
@@ -164,16 +158,15 @@ TEMPLATE_TEST_CASE("a parabola's slopes lie on a line, and the central differenc
                 // The tangent with that slope parts from the curve by a (distance)².
                 const TestType away = TestType(0.25);
                 const TestType tangent = parabola(x) + slope * away;
-                const TestType rounding = 8 * epsilon<TestType> * largest * (1 + away / h) +
-                                          4 * epsilon<TestType> * std::fabs(a);
+                const TestType rounding =
+                    8 * epsilon<TestType> * largest * (1 + away / h) + 4 * epsilon<TestType> * std::fabs(a);
                 CHECK(std::fabs(parabola(x + away) - tangent - a * away * away) <= rounding);
             }
         }
     }
 }
 
-TEST_CASE("an exponential's slope is the exponential times its rate, growing or decaying",
-          "[N04][ch1]") {
+TEST_CASE("an exponential's slope is the exponential times its rate, growing or decaying", "[N04][ch1]") {
     const double h = std::exp2(-10);
     for (const double a : {1.0, 1.5, -1.5, -0.25}) {
         const auto f = [a](double x) { return std::exp(a * x); };
@@ -181,8 +174,8 @@ TEST_CASE("an exponential's slope is the exponential times its rate, growing or 
             const double x = i / 32.0;  // −2 … 1
             // The third derivative is a³f, largest at one end. a·x is rounded by ε/2 · 3, exp to ε.
             const double most = std::max(f(x - h), f(x + h));
-            const double bound = error_bound(central_difference, h, 2.5 * epsilon<double> * most,
-                                             std::fabs(a * a * a) * most);
+            const double bound =
+                error_bound(central_difference, h, 2.5 * epsilon<double> * most, std::fabs(a * a * a) * most);
             CHECK(std::fabs(central_difference(f, x, h) - a * f(x)) <= bound);
         }
     }
@@ -207,16 +200,14 @@ TEST_CASE("one dot is the slope of the position, two dots the slope of the slope
         const double t = i / 64.0;
         // x⃛ is at most 4. Written out, the second one is (x(t + 2h) − 2x(t) + x(t − 2h))/(4h²),
         // which leaves out (2h)²/12 x⁗ with x⁗ ≤ 8; four values, each right to ε/2.
-        CHECK(std::fabs(x_dot(t) - std::cos(2 * t)) <=
-              error_bound(central_difference, h, epsilon<double> / 2, 4));
-        CHECK(std::fabs(x_dot_dot(t) - (-4 * x(t))) <= 4 * h * h / 12 * 8 +
-                                                           4 * (epsilon<double> / 2) / (4 * h * h) +
-                                                           2 * epsilon<double> / h);
+        CHECK(std::fabs(x_dot(t) - std::cos(2 * t)) <= error_bound(central_difference, h, epsilon<double> / 2, 4));
+        CHECK(std::fabs(x_dot_dot(t) - (-4 * x(t))) <=
+              4 * h * h / 12 * 8 + 4 * (epsilon<double> / 2) / (4 * h * h) + 2 * epsilon<double> / h);
     }
 }
 
-TEMPLATE_TEST_CASE("the backward difference is the forward one with the step turned round",
-                   "[N07][ch1]", float, double, long double) {
+TEMPLATE_TEST_CASE("the backward difference is the forward one with the step turned round", "[N07][ch1]", float, double,
+                   long double) {
     for (int i = 1; i <= 200; ++i) {
         const TestType x = static_cast<TestType>(std::sin(i) * 5);
         const TestType h = static_cast<TestType>(std::exp(-i % 12) / 3);
@@ -225,8 +216,7 @@ TEMPLATE_TEST_CASE("the backward difference is the forward one with the step tur
     }
 }
 
-TEST_CASE("on a hilltop the forward difference is too low and the backward one too high",
-          "[N07][ch1]") {
+TEST_CASE("on a hilltop the forward difference is too low and the backward one too high", "[N07][ch1]") {
     // sin bends down between 0 and π: the error is h/2 f″ at some point of the chord.
     for (const double x : {0.7, 1.2, 2.0, 2.4})
         for (const double h : {0.5, 0.1, 0.01}) {
@@ -235,8 +225,7 @@ TEST_CASE("on a hilltop the forward difference is too low and the backward one t
             const double behind = backward_difference(sine, x, h) - exact;
             const auto [low, high] = std::minmax({std::sin(x), std::sin(x + h), std::sin(x - h)});
             const double rounding = 3 * epsilon<double> / h;
-            const double top =
-                x - h < 1.58 && x + h > 1.57 ? 1 : high;  // the hilltop is within reach
+            const double top = x - h < 1.58 && x + h > 1.57 ? 1 : high;  // the hilltop is within reach
             CHECK(ahead >= h / 2 * low - rounding);
             CHECK(ahead <= h / 2 * top + rounding);
             CHECK(behind >= h / 2 * low - rounding);
@@ -284,16 +273,15 @@ TEST_CASE("positions on a grid give a velocity within truncation plus noise", "[
         for (int i = 0; i < 600; ++i) {
             const double t = i / 60.0, middle = t - gap / 2;
             now = std::max(now, std::fabs(backward_difference(received, t, gap) - std::cos(2 * t)));
-            between = std::max(between, std::fabs(central_difference(received, middle, gap / 2) -
-                                                  std::cos(2 * middle)));
+            between =
+                std::max(between, std::fabs(central_difference(received, middle, gap / 2) - std::cos(2 * middle)));
         }
         CHECK(now <= error_bound(backward_difference, gap, grid / 2, 2) + rounding);
         CHECK(between <= error_bound(central_difference, gap / 2, grid / 2, 4) + rounding);
     }
 }
 
-TEST_CASE("subtracting two second-order Taylor series leaves the central difference",
-          "[N08][ch1]") {
+TEST_CASE("subtracting two second-order Taylor series leaves the central difference", "[N08][ch1]") {
     const double x = 0.8;
     const std::array<double, 3> terms{std::sin(x), std::cos(x), -std::sin(x)};
     const std::span<const double, 3> here(terms);
@@ -302,13 +290,11 @@ TEST_CASE("subtracting two second-order Taylor series leaves the central differe
         const double slope = (taylor(here, h) - taylor(here, -h)) / (2 * h);
         CHECK(std::fabs(slope - std::cos(x)) <= 4 * epsilon<double> * (1 + 1 / h));
         // With the true values instead of the series f‴/6 h² is left, |f‴| ≤ 1.
-        CHECK(std::fabs(central_difference(sine, x, h) - slope) <=
-              h * h / 6 + 4 * epsilon<double> * (1 + 1 / h));
+        CHECK(std::fabs(central_difference(sine, x, h) - slope) <= h * h / 6 + 4 * epsilon<double> * (1 + 1 / h));
     }
 }
 
-TEST_CASE("a sine's Taylor series cut after order 1, 3, 5, 7, 9 errs with order 3, 5, 7, 9, 11",
-          "[N09][ch1]") {
+TEST_CASE("a sine's Taylor series cut after order 1, 3, 5, 7, 9 errs with order 3, 5, 7, 9, 11", "[N09][ch1]") {
     const std::array<double, 10> sine_at_0{0, 1, 0, -1, 0, 1, 0, -1, 0, 1};
     for (const int n : {1, 3, 5, 7, 9}) {
         // The next terms are tⁿ⁺²/(n + 2)! and −tⁿ⁺⁴/(n + 4)!: the local order n + 2 − 2t²/((n +
@@ -323,8 +309,7 @@ TEST_CASE("a sine's Taylor series cut after order 1, 3, 5, 7, 9 errs with order 
             const double t = low * std::pow(high / low, i / 24.0);
             steps.push_back(t);
             errors.push_back(
-                std::fabs(taylor(std::span(sine_at_0).first(static_cast<std::size_t>(n) + 1), t) -
-                          std::sin(t)));
+                std::fabs(taylor(std::span(sine_at_0).first(static_cast<std::size_t>(n) + 1), t) - std::sin(t)));
             // The series alternates: what is cut off is less than its first term.
             CHECK(errors.back() <= std::pow(t, n + 2) / factorial + 2 * epsilon<double>);
         }
@@ -332,8 +317,8 @@ TEST_CASE("a sine's Taylor series cut after order 1, 3, 5, 7, 9 errs with order 
     }
 }
 
-TEMPLATE_TEST_CASE("the first-order Taylor series with the forward difference in it is exact",
-                   "[N10][ch1]", float, double, long double) {
+TEMPLATE_TEST_CASE("the first-order Taylor series with the forward difference in it is exact", "[N10][ch1]", float,
+                   double, long double) {
     for (int i = 1; i <= 200; ++i) {
         const TestType x = static_cast<TestType>(std::sin(i) * 2);
         const TestType h = static_cast<TestType>(std::exp2(-i % 10));

@@ -73,30 +73,25 @@ template <class Model, class X>
 void same_as_array(const Model& model, const State<X>& start) {
     const auto start_array = stacked(start);
     using Array = decltype(start_array.y);
-    same_bits(AnyForce<X>(model), start,
-              AnySystem<std::remove_const_t<Array>>(FirstOrderForm{model}), start_array);
+    same_bits(AnyForce<X>(model), start, AnySystem<std::remove_const_t<Array>>(FirstOrderForm{model}), start_array);
 }
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("n masses in one array are the n masses alone, bit for bit", "[N16][ch2]", float,
-                   double) {
+TEMPLATE_TEST_CASE("n masses in one array are the n masses alone, bit for bit", "[N16][ch2]", float, double) {
     constexpr int n = 5;
     using Array = Eigen::Matrix<TestType, 2 * n, 1>;
     using One = Eigen::Matrix<TestType, 2, 1>;
     std::vector<AnySystem<One>> springs;
     for (int i = 0; i < n; ++i)
-        springs.push_back(
-            FirstOrderForm{DampedSpring<TestType>(TestType(1.7) * (i + 1), TestType(0.1) * i)});
+        springs.push_back(FirstOrderForm{DampedSpring<TestType>(TestType(1.7) * (i + 1), TestType(0.1) * i)});
     const AnySystem<Array> all = [&](TestType t, const Array& y) -> Array {
         Array rate;
-        for (int i = 0; i < n; ++i)
-            rate.template segment<2>(2 * i) = springs[i](t, y.template segment<2>(2 * i));
+        for (int i = 0; i < n; ++i) rate.template segment<2>(2 * i) = springs[i](t, y.template segment<2>(2 * i));
         return rate;
     };
     Array start;
-    for (int i = 0; i < n; ++i)
-        start.template segment<2>(2 * i) << TestType(1) / (i + 1), TestType(0.3) * i;
+    for (int i = 0; i < n; ++i) start.template segment<2>(2 * i) << TestType(1) / (i + 1), TestType(0.3) * i;
 
     const TestType h = TestType(1) / 60;
     for_each_general_method([&](const auto& method) {
@@ -111,10 +106,8 @@ TEMPLATE_TEST_CASE("n masses in one array are the n masses alone, bit for bit", 
 }
 
 TEST_CASE("a character and a grenade go through the same solver in one array", "[N16][ch2]") {
-    const AnySystem<Vector2> legs =
-        FirstOrderForm{Scene{DampedSpring(8.0, 0.1), Projectile(-9.81)}};
-    const AnySystem<Vector4> shell =
-        FirstOrderForm{Scene{Projectile(Vector2(0, -9.81)), Drag(0.006)}};
+    const AnySystem<Vector2> legs = FirstOrderForm{Scene{DampedSpring(8.0, 0.1), Projectile(-9.81)}};
+    const AnySystem<Vector4> shell = FirstOrderForm{Scene{Projectile(Vector2(0, -9.81)), Drag(0.006)}};
     const AnySystem<Vector6> both = [&](double t, const Vector6& y) -> Vector6 {
         Vector6 rate;
         rate << legs(t, y.head<2>()), shell(t, y.tail<4>());
@@ -130,15 +123,13 @@ TEST_CASE("a character and a grenade go through the same solver in one array", "
 }
 
 TEST_CASE("coupled masses follow the sum of their normal modes", "[N16][ch2]") {
-    const CoupledSprings row(Vector4(80, 40, 10, 60),
-                             Eigen::Matrix<double, 5, 1>(5000, 300, 800, 100, 2000));
+    const CoupledSprings row(Vector4(80, 40, 10, 60), Eigen::Matrix<double, 5, 1>(5000, 300, 800, 100, 2000));
     const State start{0, Vector4(0.25, 0, -0.1, 0), Vector4(0, 1, 0, -0.5)};
 
     // Exact: ẋ = v and v̇ = −M⁻¹K x, with the derivatives of calculus.
     using Duals = Eigen::Matrix<Dual, 4, 1>;
     for (const double t : {0.0, 0.1, 1.0, 10.0}) {
-        const State<Duals> s =
-            row.exact(State<Duals>{0, start.x.cast<Dual>(), start.v.cast<Dual>()}, Dual(t, 1));
+        const State<Duals> s = row.exact(State<Duals>{0, start.x.cast<Dual>(), start.v.cast<Dual>()}, Dual(t, 1));
         Vector4 x, v, x_dot, v_dot;
         for (int i = 0; i < 4; ++i) {
             x(i) = s.x(i).value;
@@ -175,8 +166,7 @@ TEST_CASE("masses that act on each other do not move as they would alone", "[N16
     CHECK(row.exact(start, 0.1).x(1) > 0);  // the first one, up, pulls the second one up
     const State<Vector2> s = row.exact(start, half_beat);
     const double first = std::hypot(s.x(0), s.v(0) / 8), second = std::hypot(s.x(1), s.v(1) / 8);
-    CHECK(first <
-          0.03);  // not nothing: v/ω takes the mean of two frequencies that differ by a tenth
+    CHECK(first < 0.03);  // not nothing: v/ω takes the mean of two frequencies that differ by a tenth
     CHECK(second > 0.24);
 }
 
@@ -185,11 +175,9 @@ TEST_CASE("one solver runs every scene and knows no position from a velocity", "
     same_as_array(Spring(8.0), State{0, 0.25, 0.0});
     same_as_array(DampedSpring(8.0, 0.3), State{0, 0.25, 0.0});
     same_as_array(Scene{DampedSpring(8.0, 0.1), Projectile(-9.81)}, State{0, 0.0, -3.0});
-    same_as_array(Scene{Projectile(Vector2(0, -9.81)), Drag(0.006)},
-                  State{0, Vector2(0, 0), Vector2(20, 20)});
+    same_as_array(Scene{Projectile(Vector2(0, -9.81)), Drag(0.006)}, State{0, Vector2(0, 0), Vector2(20, 20)});
     same_as_array(Tether(6.0, 1.0), State{0, Vector3(1.5, 0, 0.5), Vector3(0, 3, 1)});
-    same_as_array(CoupledSprings(Vector2(80, 80), Vector3(5120, 512, 5120)),
-                  State{0, Vector2(0.25, 0), Vector2(0, 0)});
+    same_as_array(CoupledSprings(Vector2(80, 80), Vector3(5120, 512, 5120)), State{0, Vector2(0.25, 0), Vector2(0, 0)});
     same_as_array(DampedSpring(8.0f, 0.3f), State{0, 0.25f, 0.0f});
 
     // A first-order equation that is no body at all goes the same way.
@@ -210,8 +198,7 @@ TEST_CASE("an implicit solver takes the first-order form, too", "[I04][ch2]") {
     const Scene grenade{Projectile(Vector2(0, -9.81)), Drag(0.006)};
     const State start{0, Vector2(0, 0), Vector2(20, 20)};
     const State<Vector2> flown = run(implicit_euler, grenade, start, 0.01, 100);
-    const FirstOrder<Vector4> flat =
-        run(implicit_euler, FirstOrderForm{grenade}, stacked(start), 0.01, 100);
+    const FirstOrder<Vector4> flat = run(implicit_euler, FirstOrderForm{grenade}, stacked(start), 0.01, 100);
     CHECK((flat.y.head<2>() - flown.x).norm() < 100 * 20 * 30 * eps<double>);
 }
 
@@ -232,8 +219,7 @@ TEST_CASE("with air resistance two independent references agree", "[I03][ch2]") 
     CHECK(apart < error / 100);
 
     // Straight up and down there is an exact answer: v = −v_t tanh(g t / v_t), fallen from rest.
-    const AnyForce<double> fall(
-        Scene{Projectile(-9.81), Drag<double>::from_terminal_speed(40, 9.81)});
+    const AnyForce<double> fall(Scene{Projectile(-9.81), Drag<double>::from_terminal_speed(40, 9.81)});
     const State end = run(runge_kutta_4, fall, State{0, 0.0, 0.0}, 1.0 / 256, 5 * 256);
     CHECK(std::fabs(end.v + 40 * std::tanh(9.81 * 5 / 40)) < 1e-9);
     CHECK(std::fabs(end.x + 40 * 40 / 9.81 * std::log(std::cosh(9.81 * 5 / 40))) < 1e-9);
@@ -286,12 +272,10 @@ TEST_CASE("in space a tethered mass keeps its angular momentum and its energy", 
     CHECK((other - stacked(fine).y).norm() < (stacked(shown).y - stacked(fine).y).norm() / 100);
 }
 
-TEST_CASE("a spring without rest length is three springs that know nothing of each other",
-          "[I03][ch2]") {
+TEST_CASE("a spring without rest length is three springs that know nothing of each other", "[I03][ch2]") {
     const State start{0, Vector3(1.6, 0, 0.4), Vector3(0, 3, 1.5)};
     const State<Vector3> s = Spring(6.0).exact(start, 0.7);
-    for (int i = 0; i < 3; ++i)
-        CHECK(s.x(i) == Spring(6.0).exact(State{0, start.x(i), start.v(i)}, 0.7).x);
+    for (int i = 0; i < 3; ++i) CHECK(s.x(i) == Spring(6.0).exact(State{0, start.x(i), start.v(i)}, 0.7).x);
     CHECK((s.x.cross(s.v) - start.x.cross(start.v)).norm() < 20 * eps<double> * 6);
     // The tether of rest length zero is that spring.
     CHECK((Tether(6.0, 0.0).acceleration(start.x) - Spring(6.0).acceleration(start.x)).norm() == 0);

@@ -47,8 +47,7 @@ State<Wide> by_matrix(Wide omega, Wide zeta, Wide x0, Wide v0, Wide t) {
     return {t, y(0), y(1)};
 }
 
-int crossings(const DampedSpring<double>& legs, const State<double>& start, double seconds,
-              int samples) {
+int crossings(const DampedSpring<double>& legs, const State<double>& start, double seconds, int samples) {
     int count = 0;
     double before = start.x;
     for (int i = 1; i <= samples; ++i) {
@@ -63,8 +62,7 @@ int crossings(const DampedSpring<double>& legs, const State<double>& start, doub
 }  // namespace
 
 TEST_CASE("the damped solution solves the equation, for zeta below, at and above 1", "[N17][ch2]") {
-    const double zeta =
-        GENERATE(0.0, 0.1, 0.9, 1 - 1e-8, 1 - 1e-16, 1.0, 1 + 3e-16, 1 + 1e-8, 1.1, 3.0, 1e4);
+    const double zeta = GENERATE(0.0, 0.1, 0.9, 1 - 1e-8, 1 - 1e-16, 1.0, 1 + 3e-16, 1 + 1e-8, 1.1, 3.0, 1e4);
     const double omega = GENERATE(0.01, 1.0, 8.0, 300.0);
     const double wt = GENERATE(0.0, 0.1, 1.0, 5.0, 30.0);
     const double x0 = GENERATE(0.0, 0.25), v0 = GENERATE(-2.0, 0.0, 1.0);
@@ -78,8 +76,7 @@ TEST_CASE("the damped solution solves the equation, for zeta below, at and above
     const double speed = std::fabs(v0) + omega * std::fabs(x0);
     const double force = omega * (1 + 2 * zeta) * speed;
     CHECK(std::fabs(s.x.slope - s.v.value) <= 20 * eps<double> * speed);
-    CHECK(std::fabs(s.v.slope - acceleration(legs, s.x.value, s.v.value)) <=
-          20 * eps<double> * force);
+    CHECK(std::fabs(s.v.slope - acceleration(legs, s.x.value, s.v.value)) <= 20 * eps<double> * force);
 
     const State at_start = legs.exact(State{0, x0, v0}, 0.0);
     CHECK(at_start.x == x0);
@@ -107,8 +104,7 @@ TEST_CASE("near zeta = 1 no digits are lost, from either side", "[N17][ch2]") {
     CHECK(std::fabs(s.v - static_cast<double>(exact.v)) <= tolerance * omega);
 }
 
-TEMPLATE_TEST_CASE("the three formulas meet at zeta = 1", "[N17][ch2]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("the three formulas meet at zeta = 1", "[N17][ch2]", float, double, long double) {
     const TestType omega = 2, t = TestType(1.5);
     const State<TestType> start{0, 1, TestType(0.5)};
     const auto x = [&](TestType zeta) { return DampedSpring(omega, zeta).exact(start, t).x; };
@@ -116,10 +112,8 @@ TEMPLATE_TEST_CASE("the three formulas meet at zeta = 1", "[N17][ch2]", float, d
     const TestType critical = (1 + TestType(2.5) * t) * std::exp(-omega * t);
     CHECK(std::fabs(x(1) - critical) <= 8 * eps<TestType> * critical);
     // The neighbours: dx/dζ is below 2 here, and ζ moves by ε.
-    CHECK(std::fabs(x(std::nextafter(TestType(1), TestType(0))) - critical) <=
-          10 * eps<TestType> * critical);
-    CHECK(std::fabs(x(std::nextafter(TestType(1), TestType(2))) - critical) <=
-          12 * eps<TestType> * critical);
+    CHECK(std::fabs(x(std::nextafter(TestType(1), TestType(0))) - critical) <= 10 * eps<TestType> * critical);
+    CHECK(std::fabs(x(std::nextafter(TestType(1), TestType(2))) - critical) <= 12 * eps<TestType> * critical);
 }
 
 TEST_CASE("strong damping and long times neither overflow nor cancel", "[N17][ch2]") {
@@ -153,8 +147,7 @@ TEST_CASE("strong damping and long times neither overflow nor cancel", "[N17][ch
 
 TEST_CASE("without damping it is the spring, without a spring it drifts", "[N17][ch2]") {
     const State start{0, 0.5, -1.0};
-    const State damped = DampedSpring(3.0, 0.0).exact(start, 2.0),
-                plain = Spring(3.0).exact(start, 2.0);
+    const State damped = DampedSpring(3.0, 0.0).exact(start, 2.0), plain = Spring(3.0).exact(start, 2.0);
     CHECK(std::fabs(damped.x - plain.x) <= 4 * eps<double>);
     CHECK(std::fabs(damped.v - plain.v) <= 12 * eps<double>);
     for (const double zeta : {0.0, 1.0, 5.0}) {
@@ -169,11 +162,9 @@ TEST_CASE("m, k and c become omega and zeta", "[N17][ch2]") {
     CHECK(std::fabs(legs.omega - 8) <= 2 * eps<double> * 8);
     CHECK(std::fabs(legs.zeta - 0.1) <= 4 * eps<double> * 0.1);
     // m ẍ = −k x − c v
-    CHECK(std::fabs(80 * legs.acceleration(0.3, -2.0) - (-5120 * 0.3 + 128 * 2.0)) <=
-          10 * eps<double> * 1536);
+    CHECK(std::fabs(80 * legs.acceleration(0.3, -2.0) - (-5120 * 0.3 + 128 * 2.0)) <= 10 * eps<double> * 1536);
     // Critical damping is c = 2√(k m).
-    CHECK(std::fabs(DampedSpring<double>::from_stiffness(5120, 1280, 80).zeta - 1) <=
-          2 * eps<double>);
+    CHECK(std::fabs(DampedSpring<double>::from_stiffness(5120, 1280, 80).zeta - 1) <= 2 * eps<double>);
     CHECK_THROWS_AS(DampedSpring<double>::from_stiffness(0, 1, 1), std::invalid_argument);
     CHECK_THROWS_AS(DampedSpring<double>::from_stiffness(1, -1, 1), std::invalid_argument);
     CHECK_THROWS_AS(DampedSpring<double>::from_stiffness(1, 1, 0), std::invalid_argument);
@@ -208,8 +199,7 @@ TEST_CASE("erratum: beyond zeta = 1 it crosses zero once if thrown fast enough",
         const State start{0, 1.0, -factor * q};
         CHECK(crossings(legs, start, 40, 4000) == 1);
         // x = 0 where e^((q − p)t) = (v₀ + p)/(v₀ + q); at ζ = 1 that tends to t = −1/(v₀ + 1).
-        const double when =
-            zeta == 1 ? -1 / (start.v + 1) : std::log((start.v + p) / (start.v + q)) / (q - p);
+        const double when = zeta == 1 ? -1 / (start.v + 1) : std::log((start.v + p) / (start.v + q)) / (q - p);
         CHECK(std::fabs(legs.exact(start, when).x) <= 20 * eps<double> * factor);
     }
 }
@@ -235,8 +225,7 @@ TEST_CASE("RK4 in small steps finds the damped solution, too", "[N17][ch2]") {
     const double zeta = GENERATE(0.1, 1.0, 1.2);
     const DampedSpring legs(2.0, zeta);
     const State start{0, 0.25, -1.0};
-    const State exact = legs.exact(start, 1.0),
-                stepped = run(runge_kutta_4, legs, start, 1.0 / 256, 256);
+    const State exact = legs.exact(start, 1.0), stepped = run(runge_kutta_4, legs, start, 1.0 / 256, 256);
     // The rates are below q = 2 · 1.86: (qh)⁵/120 a step, 256 steps, of an amplitude below 1.
     CHECK(std::fabs(stepped.x - exact.x) < 256 * std::pow(3.8 / 256, 5) / 120);
 }

@@ -37,8 +37,7 @@ struct Residual {
 template <class Exact, class Force>
 Residual residual(const Exact& model, const Force& force, double x0, double v0, double t) {
     const State<Dual> s = model.exact(State<Dual>{0, x0, v0}, Dual(t, 1));
-    return {std::fabs(s.x.slope - s.v.value),
-            std::fabs(s.v.slope - acceleration(force, s.x.value, s.v.value))};
+    return {std::fabs(s.x.slope - s.v.value), std::fabs(s.v.slope - acceleration(force, s.x.value, s.v.value))};
 }
 
 }  // namespace
@@ -46,8 +45,7 @@ Residual residual(const Exact& model, const Force& force, double x0, double v0, 
 TEST_CASE("a constant rate gives a line, a rate of time alone an integral", "[N11][ch2]") {
     const auto constant = [](double, double) { return 0.5; };
     // Each step rounds the sum once: 16 · ε/2 · 3 at most.
-    CHECK(std::fabs(run(runge_kutta_4, constant, FirstOrder{0, -1.0}, 0.25, 16).y - 1) <
-          24 * eps<double>);
+    CHECK(std::fabs(run(runge_kutta_4, constant, FirstOrder{0, -1.0}, 0.25, 16).y - 1) < 24 * eps<double>);
 
     // With f(t) alone the four rates of RK4 are those of Simpson's rule, which is exact for cubics.
     const auto cubic = [](double t, double) { return 4 * t * t * t - 6 * t; };
@@ -68,8 +66,7 @@ TEST_CASE("the exponential solves y' = lambda y", "[N11][ch2]") {
     CHECK(decay.exact(FirstOrder{1.5, 2.0}, 0.0).y == 2);
 }
 
-TEMPLATE_TEST_CASE("decay is the same for numbers and vectors", "[N11][ch2]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("decay is the same for numbers and vectors", "[N11][ch2]", float, double, long double) {
     using Vector = Eigen::Matrix<TestType, 2, 1>;
     const Decay decay(TestType(-2));
     const FirstOrder<Vector> both{0, Vector(1, 3)};
@@ -91,8 +88,7 @@ TEST_CASE("under gravity a body flies a parabola", "[N12][ch2]") {
     const Projectile fall(-9.81);
     const State s = fall.exact(State{1.0, 2.0, 15.0}, t);
     CHECK(s.t == 1 + t);
-    CHECK(std::fabs(s.x - (2 + 15 * t - 9.81 * t * t / 2)) <=
-          8 * eps<double> * (2 + 15 * t + 5 * t * t));
+    CHECK(std::fabs(s.x - (2 + 15 * t - 9.81 * t * t / 2)) <= 8 * eps<double> * (2 + 15 * t + 5 * t * t));
     CHECK(std::fabs(fall.exact(State{0, 2.0, 15.0}, 15.0 / 9.81).v) <= 15 * eps<double>);
 }
 
@@ -171,8 +167,7 @@ TEST_CASE("velocity runs a quarter of a turn ahead of position", "[N14][ch2]") {
     CHECK(best == n / 4);
 }
 
-TEMPLATE_TEST_CASE("the phase portrait is walked clockwise and closes", "[N15][ch2]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("the phase portrait is walked clockwise and closes", "[N15][ch2]", float, double, long double) {
     const TestType omega = 8;
     const Spring spring(omega);
     const State<TestType> start{0, TestType(0.25), TestType(-1)};
@@ -197,8 +192,7 @@ TEMPLATE_TEST_CASE("the phase portrait is walked clockwise and closes", "[N15][c
     CHECK(std::hypot(end.x - start.x, (end.v - start.v) / omega) < 10 * eps<TestType> * radius);
 }
 
-TEST_CASE("the state goes round at omega, in an ellipse when velocity keeps its own unit",
-          "[N15][ch2]") {
+TEST_CASE("the state goes round at omega, in an ellipse when velocity keeps its own unit", "[N15][ch2]") {
     const Spring spring(8.0);
     const State start{0, 0.25, 0.0};
     for (int i = 0; i < 40; ++i) {
@@ -225,12 +219,10 @@ TEST_CASE("the types carry the names of the anatomy: state, start, model", "[I01
     const Rate<double> slope = rate(model, start);
     CHECK(slope.x == start.v);
     CHECK(slope.v == -4);
-    STATIC_REQUIRE(
-        std::is_same_v<decltype(run(runge_kutta_4, model, start, 0.1, 10)), State<double>>);
+    STATIC_REQUIRE(std::is_same_v<decltype(run(runge_kutta_4, model, start, 0.1, 10)), State<double>>);
 }
 
-TEMPLATE_TEST_CASE("a standing character gives way by g / omega^2", "[I14][ch2]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("a standing character gives way by g / omega^2", "[I14][ch2]", float, double, long double) {
     const TestType mass = 80, stiffness = 5120, g = TestType(9.81), leg = 1;
     const auto spring = Spring<TestType>::from_stiffness(stiffness, mass);
     const Scene scene{spring, Projectile{-g}};
@@ -251,8 +243,7 @@ TEMPLATE_TEST_CASE("a standing character gives way by g / omega^2", "[I14][ch2]"
     CHECK(std::fabs(end.x + sag - alone.x) < 2000 * eps<TestType>);
 
     // With a damper it comes to rest there.
-    const Scene damped{DampedSpring<TestType>::from_stiffness(stiffness, 1280, mass),
-                       Projectile{-g}};
+    const Scene damped{DampedSpring<TestType>::from_stiffness(stiffness, 1280, mass), Projectile{-g}};
     const State<TestType> rest = run(runge_kutta_4, damped, start, h, 8 * 512);
     CHECK(std::fabs(rest.x + sag) < 10 * eps<TestType>);
 }

@@ -31,8 +31,7 @@ constexpr Real eps = std::numeric_limits<Real>::epsilon();
 template <class Real>
 std::vector<std::vector<Real>> frame_rates() {
     std::vector<std::vector<Real>> all;
-    for (const int rate : {144, 60, 59, 30, 24})
-        all.push_back(std::vector<Real>(4 * rate, Real(1) / rate));
+    for (const int rate : {144, 60, 59, 30, 24}) all.push_back(std::vector<Real>(4 * rate, Real(1) / rate));
     for (const unsigned seed : {1u, 2u, 3u}) {
         std::mt19937 random(seed);
         std::vector<Real> frames;
@@ -66,8 +65,8 @@ bool same(const State<Real>& a, const State<Real>& b) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a fixed step finds the same states at any frame rate, bit for bit",
-                   "[I02][ch2]", float, double, long double) {
+TEMPLATE_TEST_CASE("a fixed step finds the same states at any frame rate, bit for bit", "[I02][ch2]", float, double,
+                   long double) {
     const auto compare = [](const auto& method) {
         const auto rates = frame_rates<TestType>();
         const auto first = states(method, rates[0]);
@@ -94,8 +93,7 @@ TEST_CASE("with the frame's time as the step, the frame rate decides the motion"
     const Scene character{DampedSpring(8.0, 0.1), Projectile(-9.81)};
     const auto swing_after = [&](int rate, int seconds) {
         State<double> state{0, 0, -3};
-        for (int i = 0; i < seconds * rate; ++i)
-            state = explicit_euler.step(character, state, 1.0 / rate);
+        for (int i = 0; i < seconds * rate; ++i) state = explicit_euler.step(character, state, 1.0 / rate);
         return std::hypot(state.x + 9.81 / 64, state.v / 8);
     };
     // A step multiplies the swing by √(1 − 2ζωh + (ωh)²): below one for h < 2ζ/ω = 1/40 s only.
@@ -111,12 +109,10 @@ TEST_CASE("frames that take turns blow up what each frame rate alone keeps", "[I
     const auto radius = [&](double omega, double h1, double h2) {
         const auto one = step_matrix(semi_implicit_euler, Spring(omega), h1);
         const auto two = step_matrix(semi_implicit_euler, Spring(omega), h2);
-        const StepMatrix<double> both{
-            two.xx * one.xx + two.xv * one.vx, two.xx * one.xv + two.xv * one.vv,
-            two.vx * one.xx + two.vv * one.vx, two.vx * one.xv + two.vv * one.vv};
+        const StepMatrix<double> both{two.xx * one.xx + two.xv * one.vx, two.xx * one.xv + two.xv * one.vv,
+                                      two.vx * one.xx + two.vv * one.vx, two.vx * one.xv + two.vv * one.vv};
         const double a = omega * h1, b = omega * h2;
-        CHECK(std::fabs(both.trace() - (2 - (a + b) * (a + b) + a * a * b * b)) <
-              100 * eps<double>);
+        CHECK(std::fabs(both.trace() - (2 - (a + b) * (a + b) + a * a * b * b)) < 100 * eps<double>);
         return spectral_radius(both);
     };
     // |λ| = 1 up to the root of roundoff, as the two eigenvalues are conjugate.
@@ -124,16 +120,14 @@ TEST_CASE("frames that take turns blow up what each frame rate alone keeps", "[I
     CHECK(std::fabs(radius(50, 2 * h, 2 * h) - 1) < 1e-7);
     CHECK(radius(50, h, 2 * h) > 1.5);
     // The band of ωh in which taking turns is fatal: 4u² − 9u + 4 < 0 for u = (ωh)².
-    const double low = std::sqrt((9 - std::sqrt(17.0)) / 8),
-                 high = std::sqrt((9 + std::sqrt(17.0)) / 8);
+    const double low = std::sqrt((9 - std::sqrt(17.0)) / 8), high = std::sqrt((9 + std::sqrt(17.0)) / 8);
     CHECK(std::fabs(radius(0.999 * low / h, h, 2 * h) - 1) < 1e-7);
     CHECK(radius(1.001 * low / h, h, 2 * h) > 1.01);
     CHECK(low * 60 < 50);
     CHECK(high > 1);  // so it lasts up to the limit of the longer frame, ω · 2h = 2
 }
 
-TEMPLATE_TEST_CASE("the cap drops what cannot be paid, and nothing else", "[I02][ch2]", float,
-                   double, long double) {
+TEMPLATE_TEST_CASE("the cap drops what cannot be paid, and nothing else", "[I02][ch2]", float, double, long double) {
     const TestType h = TestType(1) / 60;
     GameLoop<TestType> loop(h, 5);
     long calls = 0;
@@ -179,8 +173,8 @@ TEST_CASE("steps dearer than the time they simulate kill a loop without a cap", 
     CHECK(std::fabs((capped.time() - before) / passed - 1 / 1.2) < 40 * eps<double>);
 }
 
-TEMPLATE_TEST_CASE("what is drawn lies between the last two states, one step behind the clock",
-                   "[I02][ch2]", float, double, long double) {
+TEMPLATE_TEST_CASE("what is drawn lies between the last two states, one step behind the clock", "[I02][ch2]", float,
+                   double, long double) {
     const State<TestType> before{1, 2, -3}, now{2, 6, 5};
     CHECK(same(interpolate(before, now, TestType(0)), before));
     CHECK(same(interpolate(before, now, TestType(1)), now));

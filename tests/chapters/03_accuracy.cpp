@@ -1,6 +1,5 @@
 // The claims of chapter 3 about order, cost and collisions.
 
-
 #include <catch2/catch_test_macros.hpp>
 
 #include <algorithm>
@@ -160,19 +159,22 @@ TEST_CASE("a collision brings every order down to one", "[N36][ch3]") {
     // In the air for 0.4 s: the order that each declares.
     CHECK(std::fabs(order(runge_kutta_4, 0.4, 32, 256) - 4) < 0.1);
     CHECK(std::fabs(order(semi_implicit_euler, 0.4, 32, 256) - 1) < 0.1);
-    // After 0.7 s all have bounced once and still rise. A single error lies anywhere between 0 and some h; the mean of 60
-    // jitters by 1/√(3·60), 7 %, so two of them seven octaves apart leave the slope within 0.1.
+    // After 0.7 s all have bounced once and still rise. A single error lies anywhere between 0 and some h; the mean of
+    // 60 jitters by 1/√(3·60), 7 %, so two of them seven octaves apart leave the slope within 0.1.
     CHECK(std::fabs(order(runge_kutta_4, 0.7, 32, 4096) - 1) < 0.1);
     CHECK(std::fabs(order(midpoint, 0.7, 32, 4096) - 1) < 0.1);
     CHECK(std::fabs(order(semi_implicit_euler, 0.7, 32, 4096) - 1) < 0.1);
 }
 
-// By when a step has ended that goes below the ground, at 60 Hz. From rest the exact landing is (w/g) arcosh exp(g x₀/w²).
+// By when a step has ended that goes below the ground, at 60 Hz. From rest the exact landing is (w/g) arcosh exp(g
+// x₀/w²).
 TEST_CASE("RK4 turns a ball too late every time, semi-implicit Euler now early, now late", "[N36][ch3]") {
     const double g = 9.81, w = 4;
     const Scene ball{Projectile(-g), Drag<double>::from_terminal_speed(w, g)};
     const auto late = [&](const auto& method) {
-        struct { double least = 1, most = -1, mean = 0; } by;
+        struct {
+            double least = 1, most = -1, mean = 0;
+        } by;
         for (int phase = 0; phase < 60; ++phase) {
             State s{0, 1 + 0.3 * phase / 60, 0.0};
             const double landing = w / g * std::acosh(std::exp(s.x * g / (w * w)));

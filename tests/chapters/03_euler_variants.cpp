@@ -75,8 +75,8 @@ TEST_CASE("one step of each Euler is what hand arithmetic gives", "[N21][ch3]") 
     CHECK(std::fabs(i.x - 1.4) <= 2 * eps<double>);
 }
 
-TEMPLATE_TEST_CASE("explicit Euler multiplies the amplitude by sqrt(1 + (omega h)^2) a step", "[N22][ch3]",
-                   float, double, long double) {
+TEMPLATE_TEST_CASE("explicit Euler multiplies the amplitude by sqrt(1 + (omega h)^2) a step", "[N22][ch3]", float,
+                   double, long double) {
     using Real = TestType;
     for (const Real wh : {Real(0.01), Real(0.1), Real(0.5), Real(2)}) {
         const Real omega = 3, h = wh / omega;
@@ -138,8 +138,7 @@ TEST_CASE("the growth that a run shows is the magnitude of the eigenvalue", "[N2
         CHECK(growth > 1);
         // The n-th root takes the roundoff of n steps, 12 n ε, down to that of one.
         CHECK(std::fabs(growth - std::sqrt(1 + omega * omega * h * h)) < 20 * eps<double>);
-        CHECK(std::fabs(spectral_radius(step_matrix(explicit_euler, Spring(omega), h)) - growth) <
-              40 * eps<double>);
+        CHECK(std::fabs(spectral_radius(step_matrix(explicit_euler, Spring(omega), h)) - growth) < 40 * eps<double>);
     }
 }
 

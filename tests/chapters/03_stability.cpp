@@ -27,8 +27,8 @@ constexpr double pi = 3.141592653589793;
 
 template <class Method, class Model>
 double limit(const Method& method, const Model& model, double longest = 50) {
-    return largest_stable_step(
-        [&](double h) { return spectral_radius(step_matrix(method, model, h)) <= 1 + 8 * eps; }, longest);
+    return largest_stable_step([&](double h) { return spectral_radius(step_matrix(method, model, h)) <= 1 + 8 * eps; },
+                               longest);
 }
 
 template <class Model>
@@ -48,8 +48,7 @@ TEST_CASE("damping sets explicit Euler's longest step", "[N25][ch3]") {
     }
 }
 
-TEST_CASE("damping the old velocity shortens semi-implicit Euler's longest step, the new lengthens it",
-          "[N25][ch3]") {
+TEST_CASE("damping the old velocity shortens semi-implicit Euler's longest step, the new lengthens it", "[N25][ch3]") {
     double last_old = 3, last_new = 1;
     for (const double zeta : {0.0, 0.1, 0.5, 1.0, 1.5, 3.0}) {
         const DampedSpring model(1.0, zeta);
@@ -93,9 +92,7 @@ TEST_CASE("semi-implicit Euler keeps its own energy, and the true one stays in a
         const double omega = 10, h = wh / omega;
         const Spring spring(omega);
         const State start{0, 1.0, 0.0};
-        const auto kept = [&](const State<double>& s) {
-            return spring.energy(s) - h * omega * omega * s.x * s.v / 2;
-        };
+        const auto kept = [&](const State<double>& s) { return spring.energy(s) - h * omega * omega * s.x * s.v / 2; };
         double drift = 0, least = 1e9, most = 0, sum = 0;
         const long steps = 1000000;
         run(semi_implicit_euler, spring, start, h, steps, [&](const auto& s) {
@@ -119,9 +116,12 @@ TEST_CASE("semi-implicit Euler keeps its own energy, and the true one stays in a
 }
 
 // Stepped by hand, with v = h ẋ: of the pendulum's ωh only the square is left.
-TEST_CASE("a pendulum keeps its energy in the spring's band at half the advised step, and not at all of it", "[N31][ch3]") {
+TEST_CASE("a pendulum keeps its energy in the spring's band at half the advised step, and not at all of it",
+          "[N31][ch3]") {
     const auto swing = [](double start, double wh, long steps) {
-        struct { double least = 1, most = 1, farthest = 0; } found;
+        struct {
+            double least = 1, most = 1, farthest = 0;
+        } found;
         double x = start, v = 0;
         const auto energy = [&] { return v * v / (wh * wh) / 2 + 1 - std::cos(x); };
         const double first = energy();

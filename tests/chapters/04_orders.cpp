@@ -17,9 +17,7 @@ namespace {
 
 const State<double> start{0, 1.0, 0.5};
 
-double distance(const State<double>& a, const State<double>& b) {
-    return std::hypot(a.x - b.x, a.v - b.v);
-}
+double distance(const State<double>& a, const State<double>& b) { return std::hypot(a.x - b.x, a.v - b.v); }
 
 // 400, 800 and 1600 steps over 1.5 s: the next term of each error is below a percent of it.
 template <class Method, class Model>
@@ -27,8 +25,7 @@ double global_order(const Method& method, const Model& model) {
     std::vector<double> h, error;
     for (const long steps : {400L, 800L, 1600L}) {
         h.push_back(1.5 / double(steps));
-        error.push_back(
-            distance(run(method, model, start, h.back(), steps), model.exact(start, 1.5)));
+        error.push_back(distance(run(method, model, start, h.back(), steps), model.exact(start, 1.5)));
     }
     return measured_order(h, error);
 }
@@ -77,8 +74,7 @@ double order_with_changing_steps(const Step& step, int fewest = 1000) {
 
 }  // namespace
 
-TEST_CASE("Verlet in all its forms and the constant-force method have the order they declare",
-          "[I10][I09][ch4]") {
+TEST_CASE("Verlet in all its forms and the constant-force method have the order they declare", "[I10][I09][ch4]") {
     for_each_verlet_method([](const auto& method) {
         INFO(method.name);
         CHECK(std::fabs(global_order(method, Spring(1.3)) - method.order) < 0.05);
@@ -86,8 +82,7 @@ TEST_CASE("Verlet in all its forms and the constant-force method have the order 
     CHECK(std::fabs(global_order(newton, DampedSpring(1.3, 0.2)) - newton.order) < 0.05);
 }
 
-TEST_CASE("a single step of velocity Verlet, leapfrog and Newton errs by one order more",
-          "[I10][ch4]") {
+TEST_CASE("a single step of velocity Verlet, leapfrog and Newton errs by one order more", "[I10][ch4]") {
     const Spring spring(1.3);
     const auto local = [&](const auto& method) {
         std::vector<double> h, error;
@@ -102,8 +97,7 @@ TEST_CASE("a single step of velocity Verlet, leapfrog and Newton errs by one ord
     CHECK(std::fabs(local(newton) - 2) < 0.05);
 }
 
-TEST_CASE("a single step of plain Verlet errs by two orders more: its errors add up twice",
-          "[I10][ch4]") {
+TEST_CASE("a single step of plain Verlet errs by two orders more: its errors add up twice", "[I10][ch4]") {
     const Spring spring(1.3);
     std::vector<double> h, error;
     for (const double step : {0.04, 0.02, 0.01}) {  // h⁴ω⁴/12 from 6e-7 to 2e-9, far above rounding
@@ -115,9 +109,7 @@ TEST_CASE("a single step of plain Verlet errs by two orders more: its errors add
 }
 
 TEST_CASE("a careless first step takes the order of Verlet's whole run down to one", "[I10][ch4]") {
-    CHECK(std::fabs(order_from([](const auto& model, const auto& s, double h) {
-                        return verlet.start(model, s, h);
-                    }) -
+    CHECK(std::fabs(order_from([](const auto& model, const auto& s, double h) { return verlet.start(model, s, h); }) -
                     2) < 0.02);
     CHECK(std::fabs(order_from([](const auto&, const auto& s, double h) {
                         return State{s.t + h, s.x + h * s.v, s.v};
@@ -129,24 +121,20 @@ TEST_CASE("a careless first step takes the order of Verlet's whole run down to o
                     1) < 0.02);
 }
 
-TEST_CASE(
-    "plain Verlet does not converge when the step changes, and two repairs have orders one and two",
-    "[I10][ch4]") {
+TEST_CASE("plain Verlet does not converge when the step changes, and two repairs have orders one and two",
+          "[I10][ch4]") {
     // Mean steps of 3/1000 s and less: the next term of an error is ωh = 0.006 of it, or less. That
     // of the scaled step is larger: the two cancel near a step of 0.08 s, where its curve in the
     // chapter dips. At 3/8000 s the second is 0.5 % of the first.
-    CHECK(std::fabs(order_with_changing_steps(
-              [](const auto& model, const auto& s0, const auto& s1, double, double h2) {
-                  return verlet.step(model, s0, s1, h2);
-              })) < 0.02);
-    CHECK(std::fabs(order_with_changing_steps(
-                        [](const auto& model, const auto& s0, const auto& s1, double h1,
-                           double h2) { return verlet.scaled_step(model, s0, s1, h1, h2); },
-                        8000) -
+    CHECK(std::fabs(order_with_changing_steps([](const auto& model, const auto& s0, const auto& s1, double, double h2) {
+              return verlet.step(model, s0, s1, h2);
+          })) < 0.02);
+    CHECK(std::fabs(order_with_changing_steps([](const auto& model, const auto& s0, const auto& s1, double h1,
+                                                 double h2) { return verlet.scaled_step(model, s0, s1, h1, h2); },
+                                              8000) -
                     1) < 0.02);
-    CHECK(std::fabs(order_with_changing_steps(
-                        [](const auto& model, const auto& s0, const auto& s1, double h1,
-                           double h2) { return verlet.corrected_step(model, s0, s1, h1, h2); }) -
+    CHECK(std::fabs(order_with_changing_steps([](const auto& model, const auto& s0, const auto& s1, double h1,
+                                                 double h2) { return verlet.corrected_step(model, s0, s1, h1, h2); }) -
                     2) < 0.02);
 }
 

@@ -45,8 +45,7 @@ double apart(double wh, long steps) {
 
 }  // namespace
 
-TEST_CASE("the position equation holds for any velocity that is constant over the step",
-          "[I06][ch4]") {
+TEST_CASE("the position equation holds for any velocity that is constant over the step", "[I06][ch4]") {
     // x(t + h) = x + h v is exact where v is constant: linear in v, so that two velocities give the
     // mean of their positions. Fractions of powers of two: no rounding.
     const Projectile still(0.0);
@@ -106,8 +105,8 @@ TEST_CASE("Verlet never looks at the velocity", "[I08][ch4]") {
     CHECK_FALSE(PositionForce<DampedSpring<double>, double>);
 }
 
-TEMPLATE_TEST_CASE("the constant-force method is exact on a projectile, for any step", "[I09][ch4]",
-                   float, double, long double) {
+TEMPLATE_TEST_CASE("the constant-force method is exact on a projectile, for any step", "[I09][ch4]", float, double,
+                   long double) {
     const Projectile<TestType> gravity(TestType(-9.81));
     const State<TestType> thrown{0, 2, 14};
     for (const long steps : {1L, 2L, 7L, 100L, 2800L}) {
@@ -117,8 +116,7 @@ TEMPLATE_TEST_CASE("the constant-force method is exact on a projectile, for any 
         // A step rounds v, 14 or less, and x, 12 or less, by no more than two ε of each; what v
         // lost moves x for the rest of the 2.8 s. h·steps is rounded too, by an ε of 2.8 s at
         // speeds of 14 or less.
-        const TestType bound =
-            (TestType(steps) + 2) * 2 * eps<TestType> * (12 + 14 * TestType(2.8));
+        const TestType bound = (TestType(steps) + 2) * 2 * eps<TestType> * (12 + 14 * TestType(2.8));
         CHECK(std::fabs(end.x - exact.x) < bound);
         CHECK(std::fabs(end.v - exact.v) < bound);
     }
@@ -137,9 +135,7 @@ TEST_CASE("the constant-force method blows up on every undamped spring", "[I09][
     for (const double wh : {4.5, 6.0, 20.0}) {
         const double radius = spectral_radius(step_matrix(newton, spring, wh));
         const double half_trace = 1 - wh * wh / 4, det = 1 + wh * wh / 2;
-        CHECK(std::fabs(
-                  radius / (std::fabs(half_trace) + std::sqrt(half_trace * half_trace - det)) - 1) <
-              1e-12);
+        CHECK(std::fabs(radius / (std::fabs(half_trace) + std::sqrt(half_trace * half_trace - det)) - 1) < 1e-12);
         CHECK(radius > std::sqrt(det));
     }
 }
@@ -156,16 +152,14 @@ TEST_CASE("stepping shows the constant-force method's growth", "[I09][ch4]") {
     }
 }
 
-TEST_CASE("plain Verlet, velocity Verlet and leapfrog step through the same positions",
-          "[I10][ch4]") {
+TEST_CASE("plain Verlet, velocity Verlet and leapfrog step through the same positions", "[I10][ch4]") {
     const double h = 0.05;
     const long steps = 2000;
     const State start{0, 1.0, 0.5};
     const Spring spring(1.0);
     std::vector<State<double>> plain, with_velocity, leaping;
     run(verlet, spring, start, h, steps, [&](const auto& s) { plain.push_back(s); });
-    run(velocity_verlet, spring, start, h, steps,
-        [&](const auto& s) { with_velocity.push_back(s); });
+    run(velocity_verlet, spring, start, h, steps, [&](const auto& s) { with_velocity.push_back(s); });
     run(leapfrog, spring, start, h, steps, [&](const auto& s) { leaping.push_back(s); });
     // As above: a step of plain Verlet rounds by 3 ε A, A = 1.2, which grows by 1/sin θ = 1/h; 2000
     // of them.
@@ -183,9 +177,7 @@ TEST_CASE("both demos of the talk run with every method", "[I11][ch4]") {
     const Projectile gravity(Eigen::Vector2d(0, -9.81));
     const State<Eigen::Vector2d> thrown{0, {0, 0}, {8, 12}};
     const Eigen::Vector2d lands = gravity.exact(thrown, 2.4).x;
-    const auto off = [&](const auto& method) {
-        return (run(method, gravity, thrown, 0.1, 24).x - lands).norm();
-    };
+    const auto off = [&](const auto& method) { return (run(method, gravity, thrown, 0.1, 24).x - lands).norm(); };
     // Any Euler misses by h g t/2, and by nothing else: 24 steps round below 1e-12.
     for (const double miss : {off(explicit_euler), off(implicit_euler), off(semi_implicit_euler)})
         CHECK(std::fabs(miss - 0.1 * 9.81 * 2.4 / 2) < 1e-12);
@@ -201,8 +193,8 @@ TEST_CASE("both demos of the talk run with every method", "[I11][ch4]") {
     };
     // ωh = 0.4. Semi-implicit Euler keeps x² + (v/ω)² − ωh x (v/ω), here 1: on the ellipse's axes,
     // x = ±v/ω, the amplitude is 1/√(1 ∓ ωh/2). The others swing on an upright one within it.
-    for (const double stays : {amplitude(semi_implicit_euler), amplitude(verlet),
-                               amplitude(velocity_verlet), amplitude(leapfrog)}) {
+    for (const double stays :
+         {amplitude(semi_implicit_euler), amplitude(verlet), amplitude(velocity_verlet), amplitude(leapfrog)}) {
         CHECK(stays > 1 / std::sqrt(1 + 0.2));
         CHECK(stays < 1 / std::sqrt(1 - 0.2));
     }

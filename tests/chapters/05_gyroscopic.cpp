@@ -22,9 +22,7 @@ using Spin = RigidState<double>;
 
 const double h = 1.0 / 60;
 
-Spin spinning(double x, double y, double z) {
-    return {0, Quaternion<double>::Identity(), {x, y, z}};
-}
+Spin spinning(double x, double y, double z) { return {0, Quaternion<double>::Identity(), {x, y, z}}; }
 
 template <class Solver, class Inertia>
 Spin after(const Solver& solver, const Inertia& inertia, Spin s, double step, long steps) {
@@ -37,14 +35,11 @@ double momentum(const Inertia& inertia, const Spin& s) {
     return angular_momentum(inertia, s).norm();
 }
 
-V in_body(const Spin& s) {
-    return s.q.conjugate() * s.omega;
-}
+V in_body(const Spin& s) { return s.q.conjugate() * s.omega; }
 
 // The times, to a step, at which the component about the middle axis changes its sign.
 template <class Solver>
-std::vector<double> flips(const Solver& solver, const PrincipalInertia<double>& inertia, Spin s,
-                          double seconds) {
+std::vector<double> flips(const Solver& solver, const PrincipalInertia<double>& inertia, Spin s, double seconds) {
     std::vector<double> at;
     while (s.t < seconds) {
         const double before = in_body(s).y();
@@ -59,8 +54,7 @@ struct RandomBodies {
     std::mt19937 random{7};
     PrincipalInertia<double> inertia() {
         std::uniform_real_distribution<double> even(-3, 0);
-        const double a = std::pow(10, even(random)), b = std::pow(10, even(random)),
-                     c = std::pow(10, even(random));
+        const double a = std::pow(10, even(random)), b = std::pow(10, even(random)), c = std::pow(10, even(random));
         return {b + c, c + a, a + b};
     }
     V direction() {
@@ -94,8 +88,7 @@ TEST_CASE("a solver without any code steps a ball", "[N41][ch5]") {
     CHECK(turn(Nothing{}, sphere(1.0, 1.0), spinning(1, 2, 3), h).omega == V(1, 2, 3));
 }
 
-TEST_CASE("the orientation of a tumbling box is of order one, its quaternion of length one",
-          "[N42][ch5]") {
+TEST_CASE("the orientation of a tumbling box is of order one, its quaternion of length one", "[N42][ch5]") {
     const auto brick = box(12.0, 1.0, 2.0, 3.0);
     const Spin start = spinning(1, 2, 2), end = ExactFreeBody<double>(brick, start)(1);
     std::vector<double> step, error;
@@ -114,8 +107,7 @@ TEST_CASE("explicit: a free capsule has a thousand times its energy within secon
     // there is half. A factor of 2000 needs ln 2000/ln(1 + θ²) ≈ 105 steps.
     const auto pill = capsule(1.0, 0.15, 0.6);
     const Spin start = spinning(5, 0, 20);
-    CHECK(kinetic_energy(pill, after(explicit_gyroscopic, pill, start, h, 150)) >
-          1000 * kinetic_energy(pill, start));
+    CHECK(kinetic_energy(pill, after(explicit_gyroscopic, pill, start, h, 150)) > 1000 * kinetic_energy(pill, start));
 }
 
 TEST_CASE("dropped: omega stands still in the world and the momentum swings", "[N44][ch5]") {
@@ -143,9 +135,7 @@ TEST_CASE("dropped: a thrown staff's axis goes round at |omega| instead of |L|/I
     // h|ω| = 0.17, and of what the tip moves in the half step by which the time is rounded, 0.02 m.
     const double half_turn = 3.141592653589793 / truth;
     const V tip =
-        ExactFreeBody<double>(PrincipalInertia<double>(stick.across, stick.across, stick.along),
-                              start)(half_turn)
-            .q *
+        ExactFreeBody<double>(PrincipalInertia<double>(stick.across, stick.across, stick.along), start)(half_turn).q *
         V(V::UnitZ());
     const long steps = std::lround(half_turn / h);
     CHECK((after(passive_gyroscopic, stick, start, h, steps).q * V(V::UnitZ()) - tip).norm() < 0.085 + 0.02);
@@ -155,12 +145,10 @@ TEST_CASE("dropped: a thrown staff's axis goes round at |omega| instead of |L|/I
 TEST_CASE("lagged inertia: the momentum stays, the energy does not", "[N45][ch5]") {
     const auto pill = capsule(1.0, 0.15, 0.6);
     const Spin start = spinning(5, 0, 20), end = after(lagged_inertia, pill, start, h, 600);
-    CHECK((angular_momentum(pill, end) - angular_momentum(pill, start)).norm() <
-          1e-10 * momentum(pill, start));
+    CHECK((angular_momentum(pill, end) - angular_momentum(pill, start)).norm() < 1e-10 * momentum(pill, start));
     CHECK(kinetic_energy(pill, end) > 1.5 * kinetic_energy(pill, start));
     // No more than |L|²/2I with the least moment: all of L along the capsule.
-    CHECK(kinetic_energy(pill, end) <
-          momentum(pill, start) * momentum(pill, start) / (2 * pill.along) * (1 + 1e-9));
+    CHECK(kinetic_energy(pill, end) < momentum(pill, start) * momentum(pill, start) / (2 * pill.along) * (1 + 1e-9));
 }
 
 TEST_CASE("one iteration solves the residual's tangent", "[N47][ch5]") {
@@ -178,23 +166,19 @@ TEST_CASE("one iteration solves the residual's tangent", "[N47][ch5]") {
 TEST_CASE("for a capsule one iteration is the converged solution", "[N48][ch5]") {
     const auto pill = capsule(1.0, 0.15, 0.6);
     const V w(5, 3, 60);
-    CHECK((implicit_gyroscopic.step(pill, w, h) - converged_gyroscopic.step(pill, w, h)).norm() <
-          1e-13 * w.norm());
+    CHECK((implicit_gyroscopic.step(pill, w, h) - converged_gyroscopic.step(pill, w, h)).norm() < 1e-13 * w.norm());
     const PrincipalInertia<double> same(pill.across, pill.across, pill.along);
-    CHECK((implicit_gyroscopic.step(pill, w, h) - converged_gyroscopic.step(same, w, h)).norm() <
-          1e-12 * w.norm());
+    CHECK((implicit_gyroscopic.step(pill, w, h) - converged_gyroscopic.step(same, w, h)).norm() < 1e-12 * w.norm());
 }
 
-TEST_CASE("one iteration misses the converged solution by the square of h|omega|, squared again",
-          "[N48][ch5]") {
+TEST_CASE("one iteration misses the converged solution by the square of h|omega|, squared again", "[N48][ch5]") {
     // Newton-Raphson starts a residual of order h off and squares it twice over: h · h · h in ω.
     const auto brick = box(12.0, 1.0, 2.0, 3.0);
     const V w = V(1, 2, 2) / 3;
     std::vector<double> step, apart;
     for (const double s : {0.02, 0.01, 0.005})
-        step.push_back(s), apart.push_back((implicit_gyroscopic.step(brick, w, s) -
-                                            converged_gyroscopic.step(brick, w, s))
-                                               .norm());
+        step.push_back(s),
+            apart.push_back((implicit_gyroscopic.step(brick, w, s) - converged_gyroscopic.step(brick, w, s)).norm());
     CHECK(std::fabs(measured_order(step, apart) - 3) < 0.1);
 }
 
@@ -218,10 +202,8 @@ TEST_CASE("a box about its intermediate axis: who turns over, and when", "[N50][
         CHECK(talk[i] < truth[i] + h);
         CHECK(talk[i] > truth[i] - h * sigma / 2 * truth[0]);
     }
-    CHECK(kinetic_energy(brick, after(implicit_gyroscopic, brick, start, h, 720)) <
-          0.8 * kinetic_energy(brick, start));
-    CHECK(kinetic_energy(brick, after(explicit_gyroscopic, brick, start, h, 720)) >
-          1.2 * kinetic_energy(brick, start));
+    CHECK(kinetic_energy(brick, after(implicit_gyroscopic, brick, start, h, 720)) < 0.8 * kinetic_energy(brick, start));
+    CHECK(kinetic_energy(brick, after(explicit_gyroscopic, brick, start, h, 720)) > 1.2 * kinetic_energy(brick, start));
 }
 
 // From a spin Ω about the middle axis to the plane of the other two, by E and L:
@@ -247,8 +229,7 @@ TEST_CASE("the passive step ends in a spin about the largest moment", "[N50][N51
     CHECK(w.x() > 1e3 * (w.y() + w.z()));
 }
 
-TEST_CASE("passive: a long body keeps its spin by its type alone; one iteration keeps it anyway",
-          "[N50][N51][ch5]") {
+TEST_CASE("passive: a long body keeps its spin by its type alone; one iteration keeps it anyway", "[N50][N51][ch5]") {
     const auto pill = capsule(1.0, 0.15, 0.6);
     const Spin start = spinning(0.5, 0, 20);
     const PrincipalInertia<double> uneven(pill.across, 1.02 * pill.across, pill.along),
@@ -262,8 +243,7 @@ TEST_CASE("passive: a long body keeps its spin by its type alone; one iteration 
     CHECK(std::fabs(in_body(after(implicit_gyroscopic, uneven, start, h, 600)).z() - 20) < 0.01);
 }
 
-TEST_CASE("one iteration adds energy to a body that could exist; passive and converged do not",
-          "[N51][ch5]") {
+TEST_CASE("one iteration adds energy to a body that could exist; passive and converged do not", "[N51][ch5]") {
     const PrincipalInertia<double> plank(0.758, 0.787, 0.0313);
     const V w(-0.973, -0.137, -0.184);
     const double E = kinetic_energy(plank, w);
@@ -285,8 +265,7 @@ TEST_CASE("passive: never more energy, never less momentum, whatever the step", 
     }
 }
 
-TEST_CASE("among random bodies with h|omega| = 1 some gain by one iteration, with h|omega| = 0.01 none",
-          "[N51][ch5]") {
+TEST_CASE("among random bodies with h|omega| = 1 some gain by one iteration, with h|omega| = 0.01 none", "[N51][ch5]") {
     RandomBodies bodies;
     int fast = 0, slow = 0;
     for (int n = 0; n < 5000; ++n) {

@@ -25,9 +25,8 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double h = 1.0 / 60;
 
 template <class Solver, class Inertia, class Look>
-plane::Motion run(const Solver& solver, const plane::Capsule<Inertia>& body,
-                  const plane::Ground& ground, plane::Motion m, long steps, const Look& look,
-                  double step_length = h) {
+plane::Motion run(const Solver& solver, const plane::Capsule<Inertia>& body, const plane::Ground& ground,
+                  plane::Motion m, long steps, const Look& look, double step_length = h) {
     Contacts contacts;
     for (long n = 0; n < steps; ++n) {
         const plane::Motion before = m;
@@ -38,9 +37,7 @@ plane::Motion run(const Solver& solver, const plane::Capsule<Inertia>& body,
 }
 
 const auto to_the_end = [](const auto&...) { return true; };
-bool at_rest(const plane::Motion& m) {
-    return m.turning.omega.norm() < 1e-3 && m.v.norm() < 1e-3;
-}
+bool at_rest(const plane::Motion& m) { return m.turning.omega.norm() < 1e-3 && m.v.norm() < 1e-3; }
 
 // The time at which it lies still, −1 if that does not happen within 20 s.
 template <class Solver>
@@ -54,15 +51,13 @@ double rest(const Solver& solver, Arms arms, double step_length = h) {
 
 }  // namespace
 
-TEST_CASE("a step turns a point about the middle between its old and its new place",
-          "[N42][N46][ch5]") {
+TEST_CASE("a step turns a point about the middle between its old and its new place", "[N42][N46][ch5]") {
     // e₂ − e = h ω × (e + e₂)/2: what makes the gap at the end of a step linear in the velocities.
     // All of it is of size h|ω||e| < 20, and some ten roundings.
     std::mt19937 random(1);
     const auto number = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
     for (int i = 0; i < 1000; ++i) {
-        const Quaternion<double> q =
-            Quaternion<double>(number(), number(), number(), 1).normalized();
+        const Quaternion<double> q = Quaternion<double>(number(), number(), number(), 1).normalized();
         const V omega(2000 * number(), 2000 * number(), 2000 * number()), e(0, 0, 1);
         const V before = q * e, after = turned(q, omega, h) * e;
         REQUIRE((after - before - h * omega.cross((before + after) / 2)).norm() < 20 * 16 * eps);
@@ -87,8 +82,7 @@ TEST_CASE("the capsule does not sink into the plane", "[N49][ch5]") {
                     // a hundredth of that and a tenth of a millimetre.
                     const double chord = h * m.turning.omega.norm();
                     if (arms == Arms::start)
-                        REQUIRE(contacts.sunk <=
-                                1.01 * chord * chord * body.half_length / 2 + 1e-4);
+                        REQUIRE(contacts.sunk <= 1.01 * chord * chord * body.half_length / 2 + 1e-4);
                     return true;
                 });
     }
@@ -98,12 +92,10 @@ TEST_CASE("the capsule does not sink into the plane", "[N49][ch5]") {
     CHECK(sunk_start > 0.01 * body.radius);
 }
 
-TEST_CASE("friction, rolling resistance and the passive step bring the capsule to rest",
-          "[N49][ch5]") {
+TEST_CASE("friction, rolling resistance and the passive step bring the capsule to rest", "[N49][ch5]") {
     for (const Arms arms : {Arms::start, Arms::middle}) {
         const double fine = rest(passive_gyroscopic, arms, h / 32);
-        const double passive = rest(passive_gyroscopic, arms),
-                     implicit = rest(implicit_gyroscopic, arms);
+        const double passive = rest(passive_gyroscopic, arms), implicit = rest(implicit_gyroscopic, arms);
         CHECK(fine > 0);
         // The throw is wild, so no step of 60 Hz follows it closely. Half and double of the time
         // are what a player would not notice.
@@ -111,8 +103,7 @@ TEST_CASE("friction, rolling resistance and the passive step bring the capsule t
         CHECK(passive < fine * 2);
         CHECK(implicit > fine / 2);
         CHECK(implicit < fine * 2);
-        CHECK(rest(converged_gyroscopic, arms) ==
-              implicit);  // symmetric: one iteration is the solution
+        CHECK(rest(converged_gyroscopic, arms) == implicit);  // symmetric: one iteration is the solution
     }
 }
 
@@ -121,11 +112,10 @@ TEST_CASE("the dropped torque is stable, and the capsule stands up and spins", "
     const plane::Ground ground = scene::ground(0.1, Arms::start);
     const auto start = scene::thrown(body);
     const double first = energy(body, ground, start);
-    const auto end = run(no_gyroscopic, body, ground, start, 20 * 60,
-                           [&](const auto&, const auto& m, const Contacts&) {
-                               REQUIRE(energy(body, ground, m) <= first);
-                               return true;
-                           });
+    const auto end = run(no_gyroscopic, body, ground, start, 20 * 60, [&](const auto&, const auto& m, const Contacts&) {
+        REQUIRE(energy(body, ground, m) <= first);
+        return true;
+    });
     CHECK(end.turning.omega.norm() > scene::spin / 2);
     // Upright: the axis within ten degrees of the vertical, where the real one has long been lying.
     CHECK(std::fabs((end.turning.q * V::UnitZ()).z()) > std::cos(0.17));
@@ -143,8 +133,7 @@ TEST_CASE("the explicit torque blows the capsule up on the plane too", "[N43][ch
         run(explicit_gyroscopic, body, scene::ground(0.1, arms), scene::thrown(body), 20 * 60,
             [&](const auto&, const auto& m, const Contacts&) {
                 const double spin = m.turning.omega.norm();
-                most = std::isfinite(spin) ? std::max(most, spin)
-                                           : std::numeric_limits<double>::infinity();
+                most = std::isfinite(spin) ? std::max(most, spin) : std::numeric_limits<double>::infinity();
                 return most < 1000;
             });
         CHECK(most >= 1000);
@@ -153,13 +142,12 @@ TEST_CASE("the explicit torque blows the capsule up on the plane too", "[N43][ch
 
 TEST_CASE("the lagged inertia makes the capsule on the plane spin faster", "[N45][ch5]") {
     const auto body = scene::capsule();
-    const auto end = run(lagged_inertia, body, scene::ground(0.1, Arms::start), scene::thrown(body),
-                           20 * 60, to_the_end);
+    const auto end =
+        run(lagged_inertia, body, scene::ground(0.1, Arms::start), scene::thrown(body), 20 * 60, to_the_end);
     CHECK(end.turning.omega.norm() > scene::spin);
 }
 
-TEST_CASE("with arms in the middle a step adds no energy, with those of its start it does",
-          "[N46][ch5]") {
+TEST_CASE("with arms in the middle a step adds no energy, with those of its start it does", "[N46][ch5]") {
     const auto body = scene::capsule();
     std::mt19937 random(5);
     int gained_start = 0;
@@ -169,11 +157,10 @@ TEST_CASE("with arms in the middle a step adds no energy, with those of its star
             const plane::Ground ground = scene::ground(0.1, arms);
             const double first = energy(body, ground, start);
             double most = 0;
-            run(passive_gyroscopic, body, ground, start, 600,
-                [&](const auto&, const auto& m, const Contacts&) {
-                    most = std::max(most, energy(body, ground, m) / first);
-                    return !at_rest(m);
-                });
+            run(passive_gyroscopic, body, ground, start, 600, [&](const auto&, const auto& m, const Contacts&) {
+                most = std::max(most, energy(body, ground, m) / first);
+                return !at_rest(m);
+            });
             if (arms == Arms::middle)
                 CHECK(most <= 1);
             else
@@ -198,18 +185,15 @@ TEST_CASE("a motor explicitly and the gyroscopic torque by its solver: order one
     const auto motor = [](double t) { return V(3 * std::cos(2 * t), 3 * std::sin(3 * t), 1.5); };
     const auto after = [&](const auto& solver, long rate) {
         RigidState<double> s{0, Quaternion<double>::Identity(), V(1, 2, 2)};
-        for (long n = 0; n < rate / 2; ++n)
-            s = turn(solver, inertia, s, motor(s.t), 1.0 / static_cast<double>(rate));
+        for (long n = 0; n < rate / 2; ++n) s = turn(solver, inertia, s, motor(s.t), 1.0 / static_cast<double>(rate));
         return s;
     };
     // Half a second. The reference: explicit steps, extrapolated three times to h = 0, so of order
     // 4 in 1/7680: far below the errors of 1/1920 looked at here.
     std::vector<V> row;
-    for (const long rate : {7680, 15360, 30720, 61440})
-        row.push_back(after(explicit_gyroscopic, rate).omega);
+    for (const long rate : {7680, 15360, 30720, 61440}) row.push_back(after(explicit_gyroscopic, rate).omega);
     for (int power = 2; power <= 8; power *= 2) {
-        for (std::size_t i = 0; i + 1 < row.size(); ++i)
-            row[i] = (power * row[i + 1] - row[i]) / (power - 1);
+        for (std::size_t i = 0; i + 1 < row.size(); ++i) row[i] = (power * row[i + 1] - row[i]) / (power - 1);
         row.pop_back();
     }
     const V exact = row[0];

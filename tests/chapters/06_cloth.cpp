@@ -26,9 +26,7 @@ Cloth pulled(int n, double stiffness) {
     return cloth;
 }
 
-double reach(const Cloth& cloth) {
-    return cloth.x().cwiseAbs().maxCoeff();
-}
+double reach(const Cloth& cloth) { return cloth.x().cwiseAbs().maxCoeff(); }
 
 }  // namespace
 
@@ -47,8 +45,7 @@ TEST_CASE("the cloth's links pull with equal and opposite forces", "[ch6]") {
 TEST_CASE("the tangent of the cloth's force is its derivative where every link is taut", "[ch6]") {
     const Cloth cloth = pulled(4, 50);
     for (const auto& link : cloth.links())
-        REQUIRE((cloth.x().segment<3>(3 * link.a) - cloth.x().segment<3>(3 * link.b)).norm() >
-                link.length);
+        REQUIRE((cloth.x().segment<3>(3 * link.a) - cloth.x().segment<3>(3 * link.b)).norm() > link.length);
     const Tangent tangent(cloth, frame);
     Vector y(cloth.x().size());
     for (int i = 0; i < y.size(); ++i) y(i) = std::sin(3.0 * i + 1);
@@ -134,8 +131,7 @@ TEST_CASE("the cloth's fastest oscillation is the root of 8k/m, and half of h ti
     CHECK(!survives(0.9));
 }
 
-TEST_CASE("implicit Euler's cloth stands for ten seconds at any stiffness, solved well or roughly",
-          "[I12][ch6]") {
+TEST_CASE("implicit Euler's cloth stands for ten seconds at any stiffness, solved well or roughly", "[I12][ch6]") {
     for (const double stiffness : {1e2, 1e4, 1e8}) {
         CAPTURE(stiffness);
         Cloth cloth(8, stiffness), rough(8, stiffness), one(8, stiffness);

@@ -62,11 +62,9 @@ TEST_CASE("a cell that ends otherwise than theory says is wrong", "[ch6]") {
 TEST_CASE("a size that is no number is below no bound, though it be one at the end", "[ch6]") {
     const auto word = [](double from, double to) {
         return cell<Spring<double>>(
-                   "", implicit_euler, [] { return Spring<double>(6); }, State<double>{0, 1, 0},
-                   1.0 / 64, 100, {Outcome::bounded, 2},
-                   [=](const State<double>& s) {
-                       return s.t < from || s.t > to ? 1 : std::nan("");
-                   })
+                   "", implicit_euler, [] { return Spring<double>(6); }, State<double>{0, 1, 0}, 1.0 / 64, 100,
+                   {Outcome::bounded, 2},
+                   [=](const State<double>& s) { return s.t < from || s.t > to ? 1 : std::nan(""); })
             .found;
     };
     CHECK(word(0, 2) == Outcome::wrong);

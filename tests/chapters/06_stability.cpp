@@ -31,8 +31,8 @@ struct Always42 {
 };
 
 template <class Method, class Model>
-double order(const Method& method, const Model& model, const State<double>& start,
-             const State<double>& exact, double seconds) {
+double order(const Method& method, const Model& model, const State<double>& start, const State<double>& exact,
+             double seconds) {
     std::vector<double> h, error;
     for (const int steps : {64, 128, 256, 512}) {
         h.push_back(seconds / steps);
@@ -67,17 +67,14 @@ TEST_CASE("every method converges with its order on smooth scenes", "[N60][ch6]"
                                -speed * std::tanh(g * t / speed)};
     const auto on_springs = [&](const auto& method) {
         INFO(method.name);
-        CHECK(std::fabs(order(method, spring, start, spring.exact(start, t), t) - method.order) <
-              0.1);
-        CHECK(std::fabs(order(method, damped, start, damped.exact(start, t), t) - method.order) <
-              0.1);
+        CHECK(std::fabs(order(method, spring, start, spring.exact(start, t), t) - method.order) < 0.1);
+        CHECK(std::fabs(order(method, damped, start, damped.exact(start, t), t) - method.order) < 0.1);
     };
     for_each_method(on_springs);
     on_springs(newton), on_springs(semi_implicit_euler_new_damping);
     for_each_verlet_method([&](const auto& method) {  // those take no damper
         INFO(method.name);
-        CHECK(std::fabs(order(method, spring, start, spring.exact(start, t), t) - method.order) <
-              0.1);
+        CHECK(std::fabs(order(method, spring, start, spring.exact(start, t), t) - method.order) < 0.1);
     });
     for_each_method([&](const auto& method) {
         INFO(method.name);
@@ -93,8 +90,7 @@ TEST_CASE("the answer 42 is bounded and does not converge", "[N60][N62][ch6]") {
 }
 
 // Bounded where every factor is one at most: a step matrix's, or R(z) of the spring's two decays.
-TEST_CASE("a run stays bounded where its step's factors say so, and grows elsewhere",
-          "[N62][ch6]") {
+TEST_CASE("a run stays bounded where its step's factors say so, and grows elsewhere", "[N62][ch6]") {
     for (const double zeta : {0.0, 0.2, 0.5, 1.5}) {
         for (const double wh : {0.3, 0.7, 1.1, 1.6, 2.4, 3.1, 6.3}) {
             const DampedSpring model(1.0, zeta);
@@ -109,15 +105,13 @@ TEST_CASE("a run stays bounded where its step's factors say so, and grows elsewh
                 CHECK((reach(method, model, wh) > 1e5) == grows);
             };
             for_each_stability_function([&](const auto& method) {
-                compare(method,
-                        std::max(std::abs(stability_function(method, wh * (-zeta + root))),
-                                 std::abs(stability_function(method, wh * (-zeta - root)))));
+                compare(method, std::max(std::abs(stability_function(method, wh * (-zeta + root))),
+                                         std::abs(stability_function(method, wh * (-zeta - root)))));
             });
             const auto by_matrix = [&](const auto& method) {
                 compare(method, spectral_radius(step_matrix(method, model, wh)));
             };
-            by_matrix(semi_implicit_euler), by_matrix(semi_implicit_euler_new_damping),
-                by_matrix(newton);
+            by_matrix(semi_implicit_euler), by_matrix(semi_implicit_euler_new_damping), by_matrix(newton);
         }
     }
     for (const double wh : {0.3, 1.1, 1.9, 2.1, 5.0}) {

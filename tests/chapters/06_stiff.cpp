@@ -48,8 +48,7 @@ double pull_error(const Method& method, double lambda, long steps, double uneven
 template <class Error>
 double order_of(const Error& error) {
     std::vector<double> steps, errors;
-    for (const long n : {10, 20, 40, 80})
-        steps.push_back(1.0 / double(n)), errors.push_back(error(n));
+    for (const long n : {10, 20, 40, 80}) steps.push_back(1.0 / double(n)), errors.push_back(error(n));
     return measured_order(steps, errors);
 }
 
@@ -89,8 +88,7 @@ TEST_CASE("implicit midpoint rings with a hard damper, implicit Euler and BDF2 d
     }
 }
 
-TEST_CASE("one fast oscillation decides the step of explicit methods, and costs implicit ones little",
-          "[N62][ch6]") {
+TEST_CASE("one fast oscillation decides the step of explicit methods, and costs implicit ones little", "[N62][ch6]") {
     // In step 1 rad/s, against each other 1e4 rad/s.
     const CoupledSprings<double, 2> row(Pair(1, 1), Shares(1, (1e8 - 1) / 2, 1));
     const State<Pair> start{0, Pair(1.001, 0.999), Pair(0, 0)};
@@ -102,9 +100,7 @@ TEST_CASE("one fast oscillation decides the step of explicit methods, and costs 
     const auto slow = [](const State<Pair>& s) {
         return std::hypot(s.x.mean() - std::cos(10.0), s.v.mean() + std::sin(10.0));
     };
-    const auto fast = [](const State<Pair>& s) {
-        return std::hypot(s.x(0) - s.x(1), (s.v(0) - s.v(1)) / 1e4) / 2;
-    };
+    const auto fast = [](const State<Pair>& s) { return std::hypot(s.x(0) - s.x(1), (s.v(0) - s.v(1)) / 1e4) / 2; };
     // 600 steps with h = 1/60 shrink a swing of 1 rad/s to (1 + h²)^(−300) = 0.920.
     const State<Pair> euler = after_ten(implicit_euler, 60);
     CHECK(std::fabs(slow(euler) - (1 - std::pow(1 + h * h, -300))) < 2e-3);
@@ -118,8 +114,7 @@ TEST_CASE("one fast oscillation decides the step of explicit methods, and costs 
 
 TEST_CASE("implicit midpoint swings a mass of 1 kg on a chain of 1e-12 kg", "[ch6]") {
     using Four = Eigen::Vector4d;
-    const CoupledSprings<double, 4> chain(Four(1e-12, 1e-12, 1e-12, 1),
-                                          Eigen::Matrix<double, 5, 1>(4, 4, 4, 4, 0));
+    const CoupledSprings<double, 4> chain(Four(1e-12, 1e-12, 1e-12, 1), Eigen::Matrix<double, 5, 1>(4, 4, 4, 4, 0));
     const State<Four> start{0, Four(0.25, 0.5, 0.75, 1), Four::Zero()};
     const State<Four> end = run(implicit_midpoint, chain, start, h, 600);
     // As a spring of 1 rad/s alone: its phase is 10 h²/12 late. 1 % is for the links' own swing.
@@ -128,19 +123,14 @@ TEST_CASE("implicit midpoint swings a mass of 1 kg on a chain of 1e-12 kg", "[ch
     CHECK(!is_finite(run(semi_implicit_euler, chain, start, h, 600)));
 }
 
-TEST_CASE("a stiff pull takes an order from SDIRK, and from implicit midpoint on uneven steps",
-          "[N60][ch6]") {
+TEST_CASE("a stiff pull takes an order from SDIRK, and from implicit midpoint on uneven steps", "[N60][ch6]") {
     CHECK(std::fabs(order_of([](long n) { return pull_error(sdirk_3, -1.0, n); }) - 3) < 0.1);
     CHECK(std::fabs(order_of([](long n) { return pull_error(sdirk_3, -1e6, n); }) - 2) < 0.1);
     // Away from stiffness both runs of implicit midpoint are of order two.
     for (const double uneven : {0.0, 0.25})
-        CHECK(std::fabs(
-                  order_of([&](long n) { return pull_error(implicit_midpoint, -1.0, n, uneven); }) -
-                  2) < 0.1);
-    CHECK(std::fabs(order_of([](long n) { return pull_error(implicit_midpoint, -1e6, n); }) - 2) <
-          0.1);
-    CHECK(std::fabs(order_of([](long n) { return pull_error(implicit_midpoint, -1e6, n, 0.25); }) -
-                    1) < 0.1);
+        CHECK(std::fabs(order_of([&](long n) { return pull_error(implicit_midpoint, -1.0, n, uneven); }) - 2) < 0.1);
+    CHECK(std::fabs(order_of([](long n) { return pull_error(implicit_midpoint, -1e6, n); }) - 2) < 0.1);
+    CHECK(std::fabs(order_of([](long n) { return pull_error(implicit_midpoint, -1e6, n, 0.25); }) - 1) < 0.1);
     // The step from t adds −h² y''/4 and turns the sign of what was off. Steps by turns 1 + u and 1
     // − u times h leave (1 − u)² − (1 + u)² = −4u of h²/4 a pair: u h/2 times ∫ −y'' dt over the
     // second.
@@ -209,9 +199,7 @@ TEST_CASE("Robertson's reaction to t = 40 and to t = 1e11", "[ch6]") {
 // moves by no more than its energy lets it: u² ≤ (1/m + r²/I) (m|v|² + I w²).
 TEST_CASE("twice the largest sum of k (1/m + r^2/I) is never below the fastest oscillation", "[ch6]") {
     std::mt19937 random(6);
-    const auto between = [&](double low, double high) {
-        return low * std::pow(high / low, random() / 4294967296.0);
-    };
+    const auto between = [&](double low, double high) { return low * std::pow(high / low, random() / 4294967296.0); };
     double nearest = 0;
     for (int scene = 0; scene < 300; ++scene) {
         const int bodies = 1 + int(random() % 5), springs = 1 + int(random() % 12);

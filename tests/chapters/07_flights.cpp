@@ -25,8 +25,7 @@ namespace {
 using Real = long double;
 
 auto air(double terminal_speed) {
-    return timestep::Drag<Real>(
-        timestep::Drag<double>::from_terminal_speed(terminal_speed, 9.81).k);
+    return timestep::Drag<Real>(timestep::Drag<double>::from_terminal_speed(terminal_speed, 9.81).k);
 }
 
 }  // namespace
@@ -43,8 +42,7 @@ TEST_CASE("the flight through air is known as well as a double can say it", "[N6
     double furthest = 0;
     for (int mark = 0; mark < marks; ++mark) {
         y = test_support::extrapolated(form, y, Real(0), h / 32, 32);
-        furthest = std::max(furthest,
-                            distance(scene, {double(y(0)), double(y(1))}, scene.reference[mark]));
+        furthest = std::max(furthest, distance(scene, {double(y(0)), double(y(1))}, scene.reference[mark]));
     }
     CHECK(furthest <= scene.reference_error);
     CHECK(scene.reference_error < 1e-14);
@@ -56,8 +54,7 @@ TEST_CASE("the flight through air is known as well as a double can say it", "[N6
 // kg² τ|τ|, and Simpson's rule misses the integral of τ|τ| by up to 0.011 h³. So wrong is the
 // velocity then, and four seconds times that the height. The rest is roundoff, of a height of up to
 // 5 m.
-TEST_CASE("the ball's bounces are where another way finds them, five, and none at a mark",
-          "[N61][ch7]") {
+TEST_CASE("the ball's bounces are where another way finds them, five, and none at a mark", "[N61][ch7]") {
     const Scene scene = bouncing_ball();
     const timestep::Scene model{timestep::Projectile(-Real(9.81)), air(8)};
     const auto stepped = [&](const timestep::State<Real>& s, Real h) {
@@ -67,8 +64,8 @@ TEST_CASE("the ball's bounces are where another way finds them, five, and none a
     std::vector<double> bounces;
     const int steps = 4096;  // from mark to mark
     const Real h = Real(duration) / marks / steps;
-    const Real bound = 0.011L * air(8).k * 9.81L * 9.81L * h * h * h * duration +
-                       5 * std::numeric_limits<double>::epsilon();
+    const Real bound =
+        0.011L * air(8).k * 9.81L * 9.81L * h * h * h * duration + 5 * std::numeric_limits<double>::epsilon();
     for (int mark = 0; mark < marks; ++mark) {
         for (int i = 0; i < steps; ++i) {
             timestep::State<Real> next = stepped(ball, h);

@@ -22,8 +22,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 std::vector<Scene> scenes_of_states() {
     std::vector<Scene> scenes;
-    for (const auto make :
-         {projectile, drag, spring, damped_spring, spring_3d, stiff_spring, two_time_scales})
+    for (const auto make : {projectile, drag, spring, damped_spring, spring_3d, stiff_spring, two_time_scales})
         scenes.push_back(make());
     return scenes;
 }
@@ -34,9 +33,7 @@ const Entry* ours(const Scene& scene, const std::string& method) {
     return nullptr;
 }
 
-double size(const Scene& scene, const Place& place) {
-    return distance(scene, place, Place(place.size(), 0.0));
-}
+double size(const Scene& scene, const Place& place) { return distance(scene, place, Place(place.size(), 0.0)); }
 
 // Two programs that do the same sums in different orders drift apart by roundoff. A step is some
 // ten roundings in each, by half an ε of what is on its way in the step: that is no more than 10 ε
@@ -72,22 +69,19 @@ TEST_CASE("where a library has a method of ours, it goes where ours goes", "[N61
         }
 }
 
-TEST_CASE("GSL's Runge-Kutta 4 ends where ours ends with half the step, for eleven evaluations",
-          "[N61][ch7]") {
+TEST_CASE("GSL's Runge-Kutta 4 ends where ours ends with half the step, for eleven evaluations", "[N61][ch7]") {
     for (const Scene& scene : scenes_of_states())
         for (const Entry& peer : scene.entries) {
             if (peer.method != "Runge-Kutta 4, doubled") continue;
             for (const long steps : {30L, 480L, 30L << 8}) {
                 CAPTURE(scene.id, steps);
-                check_same_motion(scene, ours(scene, "Runge-Kutta 4")->track(2 * steps),
-                                  peer.track(steps), 2 * steps);
+                check_same_motion(scene, ours(scene, "Runge-Kutta 4")->track(2 * steps), peer.track(steps), 2 * steps);
                 CHECK(peer.work(steps).evaluations == 11 * steps);
             }
         }
 }
 
-TEST_CASE("a method asks for the force as often as its cost says, whoever has written it",
-          "[I12][ch7]") {
+TEST_CASE("a method asks for the force as often as its cost says, whoever has written it", "[I12][ch7]") {
     std::map<std::string, timestep::Cost> costs;
     const auto add = [&](const auto& method) { costs[method.name] = method.cost; };
     timestep::for_each_method(add);
@@ -101,17 +95,16 @@ TEST_CASE("a method asks for the force as often as its cost says, whoever has wr
             CHECK(work.steps == steps);
             // Who keeps the force at the end of a step for the next one has one more at the start:
             // Boost's velocity Verlet, which so asks once a step, and SUNDIALS.
-            const bool keeps = e.library == "SUNDIALS" ||
-                               (e.library == "Boost.odeint" && e.method == "velocity Verlet");
-            const long each = costs[e.method].evaluations -
-                              (e.library == "Boost.odeint" && e.method == "velocity Verlet");
+            const bool keeps =
+                e.library == "SUNDIALS" || (e.library == "Boost.odeint" && e.method == "velocity Verlet");
+            const long each =
+                costs[e.method].evaluations - (e.library == "Boost.odeint" && e.method == "velocity Verlet");
             CHECK(work.evaluations == each * steps + keeps);
             CHECK(work.solves == costs[e.method].solves * steps);
         }
 }
 
-TEST_CASE("the run that is timed is the run whose error is shown, however often it is run",
-          "[N61][ch7]") {
+TEST_CASE("the run that is timed is the run whose error is shown, however often it is run", "[N61][ch7]") {
     auto scenes = scenes_of_states();
     scenes.push_back(bouncing_ball());
     for (const Scene& scene : scenes)
@@ -121,8 +114,7 @@ TEST_CASE("the run that is timed is the run whose error is shown, however often 
             e.run(60);
             e.run(480);
             const double end = sink;
-            const bool same =
-                end == track.back()[0] || (std::isnan(end) && std::isnan(track.back()[0]));
+            const bool same = end == track.back()[0] || (std::isnan(end) && std::isnan(track.back()[0]));
             CHECK(same);
         }
 }
@@ -141,8 +133,7 @@ TEST_CASE("methods that choose their steps keep to the tolerance", "[N61][ch7]")
                 const Track track = e.track(steps);
                 double largest = 0;
                 for (int mark = 0; mark < marks; ++mark)
-                    largest =
-                        std::max(largest, distance(scene, track[mark], scene.reference[mark]));
+                    largest = std::max(largest, distance(scene, track[mark], scene.reference[mark]));
                 return largest;
             };
             const long rough = 30L << 6, fine = 30L << 10;

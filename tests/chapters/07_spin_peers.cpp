@@ -28,8 +28,8 @@ namespace {
 
 #if defined(TIMESTEP_WITH_BULLET) || defined(TIMESTEP_WITH_ODE)
 // How far two entries of a scene are apart after the first `looked_at` marks.
-double apart(const Scene& scene, const std::string& method, const std::string& their_method,
-             const std::string& library, long steps, int looked_at) {
+double apart(const Scene& scene, const std::string& method, const std::string& their_method, const std::string& library,
+             long steps, int looked_at) {
     const Entry *ours = nullptr, *theirs = nullptr;
     for (const Entry& entry : scene.entries) {
         if (entry.method == method && entry.library == "Timestep") ours = &entry;
@@ -61,8 +61,7 @@ TEST_CASE("Bullet's solver is ours of one iteration, in body and in world coordi
         const Vector3<Real> omega = Real(10) * random.direction<Real>();
         const Real h = Real(1) / 60;
         const Quaternion<Real> q(Eigen::AngleAxis<Real>(Real(i) / 300, axis));
-        const Vector3<Real> after =
-            after_gyroscopic_torque(implicit_gyroscopic, inertia, q, omega, h);
+        const Vector3<Real> after = after_gyroscopic_torque(implicit_gyroscopic, inertia, q, omega, h);
 
         btRigidBody body(1, nullptr, nullptr, btVector3(I.x(), I.y(), I.z()));
         btTransform place = btTransform::getIdentity();
@@ -153,8 +152,7 @@ TEST_CASE("ODE solves the passive step's equation, and turns the body as we do",
                 // (I − h[L]) ω₂ = Iω₁ = L in world coordinates, at the old orientation. Two inverses and
                 // five products of 3×3, some 100 roundings, times the ratio of the moments.
                 const RigidState<double> mixed{0, s1.q, s2.omega};
-                const Vector3<double> left =
-                    angular_momentum(inertia, mixed) - h * L.cross(s2.omega);
+                const Vector3<double> left = angular_momentum(inertia, mixed) - h * L.cross(s2.omega);
                 CHECK((left - L).norm() < 100 * epsilon * ratio * L.norm());
                 // Ours, from the same state; the orientation too unless it is told to be finite: then
                 // a step turns by h|ω| instead of 2 atan(h|ω|/2), and ω is the same.

@@ -63,14 +63,12 @@ Track turned_by_momentum(const Vector3<Long>& moments, const Vector3<Long>& omeg
 }  // namespace
 
 TEST_CASE("the free bodies' references agree with an independent integration", "[N40][N61][ch7]") {
-    if (std::numeric_limits<Long>::digits == std::numeric_limits<double>::digits)
-        SKIP("long double is double");
+    if (std::numeric_limits<Long>::digits == std::numeric_limits<double>::digits) SKIP("long double is double");
     // The integration is of order 16 with steps of 3 ms. But the box amplifies: where it turns over, an
     // error grows by e^(4.8 t/s), and with it the integration's own roundoff.
     const Scene box_scene = dzhanibekov();
     const auto brick = turned_by_momentum(box(12.0L, 1.0L, 2.0L, 3.0L).moments, {0.25L, 10, 0.25L});
-    CHECK(largest_distance(box_scene, box_scene.reference, brick) <
-          box_scene.reference_error);
+    CHECK(largest_distance(box_scene, box_scene.reference, brick) < box_scene.reference_error);
 
     const Scene top = symmetric_top();
     const auto pill = capsule(1.0, 0.15, 0.6);
@@ -123,13 +121,11 @@ TEST_CASE("more Newton iterations gain nothing", "[N48][ch7]") {
     }
 }
 
-TEST_CASE("Runge-Kutta 4 at 15 Hz is nearer to the free body than the talk's solver at 960 Hz",
-          "[N35][N61][ch7]") {
+TEST_CASE("Runge-Kutta 4 at 15 Hz is nearer to the free body than the talk's solver at 960 Hz", "[N35][N61][ch7]") {
     const Scene scene = dzhanibekov();
     const Track rare = ours(scene, "Runge-Kutta 4").track(60);
     const Track often = ours(scene, "one Newton step").track(3840);
-    CHECK(largest_distance(scene, rare, scene.reference) <
-          largest_distance(scene, often, scene.reference) / 10);
+    CHECK(largest_distance(scene, rare, scene.reference) < largest_distance(scene, often, scene.reference) / 10);
 }
 
 TEST_CASE("the capsule on ice: the reference is where short steps of any method lead", "[N36][ch7]") {
@@ -151,9 +147,8 @@ TEST_CASE("the capsule on ice: the reference is where short steps of any method 
     // It slides off without leaving the ice.
     for (double t = exact.lands(); t < exact.lies(); t += 1e-3) CHECK(exact.pressure(t) > 0);
 
-    for (const std::string method :
-         {"explicit", "one Newton step", "passive", "passive, arms of the start",
-          "Runge-Kutta 4 in the air, passive"}) {
+    for (const std::string method : {"explicit", "one Newton step", "passive", "passive, arms of the start",
+                                     "Runge-Kutta 4 in the air, passive"}) {
         const Entry& entry = ours(scene, method);
         std::vector<double> steps, errors;
         std::vector<Track> tracks;

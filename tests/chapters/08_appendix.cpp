@@ -38,9 +38,8 @@ struct Rule {
 };
 template <class Method>
 Rule rule(const Method&) {
-    return {Method::name, Method::order, [](const Body& I, Spin s, double step, long steps) {
-                return after(Method{}, I, s, step, steps);
-            }};
+    return {Method::name, Method::order,
+            [](const Body& I, Spin s, double step, long steps) { return after(Method{}, I, s, step, steps); }};
 }
 
 double energy_off(const Body& I, const Spin& s, const V& omega) {
@@ -140,8 +139,7 @@ TEST_CASE("what keeps everything is reversible; a step is cut up no more than ne
     CHECK(after(moser_veselov_2, I, spinning(w), 1.0).q.coeffs() ==
           moser_veselov_2.whole(I, spinning(w), 1.0).q.coeffs());
     const Spin two = after(moser_veselov_2, I, spinning(2 * w), 0.5, 2);
-    CHECK((after(moser_veselov_2, I, spinning(2 * w), 1.0).q.coeffs() - two.q.coeffs()).norm() <
-          8 * epsilon);
+    CHECK((after(moser_veselov_2, I, spinning(2 * w), 1.0).q.coeffs() - two.q.coeffs()).norm() < 8 * epsilon);
 }
 
 TEST_CASE("Buss's steps keep L in the world, and a body that turns about its axis keeps turning", "[ch8]") {
@@ -171,7 +169,8 @@ TEST_CASE("Spiers's steps keep |L|, a symmetric body's whole motion, and of othe
         for (int n = 0; n < 40; ++n) {
             const Body I = random.inertia<double>(100);
             const V w = size * random.direction<double>();
-            const Spin whole = after(spiers_spin, I, spinning(w), 1.0, 50), spin = after(avian_spin, I, spinning(w), 1.0, 50);
+            const Spin whole = after(spiers_spin, I, spinning(w), 1.0, 50),
+                       spin = after(avian_spin, I, spinning(w), 1.0, 50);
             INFO("h|ω| = " << size << ", I = " << I.moments.transpose());
             CHECK(momentum_off(I, whole, w) < 50 * 32 * epsilon * (1 + size));  // an angle is rounded, too
             CHECK(std::fabs(I.momentum(spin.omega).norm() / I.momentum(w).norm() - 1) < 50 * 16 * epsilon);
@@ -194,7 +193,8 @@ TEST_CASE("Spiers's steps keep |L|, a symmetric body's whole motion, and of othe
     };
     CHECK(std::fabs(order(avian_spin) - 3) < 0.1);
     CHECK(std::fabs(order(jolt_spin) - 2) < 0.1);
-    for (const V& still : {V(0, 0, 0), V(0, 3, 0)}) CHECK((after(avian_spin, I, spinning(still), 1.0).omega - still).norm() <= 8 * epsilon * still.norm());
+    for (const V& still : {V(0, 0, 0), V(0, 3, 0)})
+        CHECK((after(avian_spin, I, spinning(still), 1.0).omega - still).norm() <= 8 * epsilon * still.norm());
 }
 
 TEST_CASE("Adams-Bashforth goes on from its last slope, and anew after an impulse", "[ch8]") {
@@ -202,9 +202,7 @@ TEST_CASE("Adams-Bashforth goes on from its last slope, and anew after an impuls
     const Spin start = spinning({1, 2, 3});
     AdamsBashforthSpin<double> rule;
     const Spin one = rule.step(I, start, h), two = rule.step(I, one, h);
-    const auto slope = [&](const Spin& s) -> V {
-        return I.momentum(s.omega).cross(s.omega).cwiseQuotient(I.moments);
-    };
+    const auto slope = [&](const Spin& s) -> V { return I.momentum(s.omega).cross(s.omega).cwiseQuotient(I.moments); };
     CHECK(one.omega == buss_2.step(I, start, h).omega);
     CHECK((two.omega - one.omega - h / 2 * (3 * slope(one) - slope(start))).norm() < 8 * epsilon);
     Spin pushed = two;
@@ -335,8 +333,7 @@ TEST_CASE("Bullet itself does what its rule here does, guard and all", "[ch8]") 
     using Real = btScalar;
     const Real least = std::cbrt(std::numeric_limits<Real>::epsilon());
     for (const Real size : {Real(0.1), Real(0.7), Real(1.3), Real(2), Real(100)}) {
-        const PrincipalInertia<Real> I(size * least, Real(0.8) * size * least,
-                                       Real(1.1) * size * least);
+        const PrincipalInertia<Real> I(size * least, Real(0.8) * size * least, Real(1.1) * size * least);
         const btVector3 moments(I.moments.x(), I.moments.y(), I.moments.z());
         btRigidBody body(1, nullptr, nullptr, moments);
         body.setAngularVelocity(btVector3(1, 10, 2));

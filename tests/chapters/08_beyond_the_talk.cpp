@@ -28,9 +28,7 @@ using Body = PrincipalInertia<double>;
 
 const double h = 1.0 / 60;
 
-Spin spinning(double x, double y, double z) {
-    return {0, Quaternion<double>::Identity(), {x, y, z}};
-}
+Spin spinning(double x, double y, double z) { return {0, Quaternion<double>::Identity(), {x, y, z}}; }
 
 template <class Method>
 Spin after(const Method& method, const Body& inertia, Spin s, double step, long steps) {
@@ -80,8 +78,7 @@ struct RandomBodies {
     std::mt19937_64 random{17};
     Body inertia() {
         std::uniform_real_distribution<double> even(-3, 0);
-        const double a = std::pow(10, even(random)), b = std::pow(10, even(random)),
-                     c = std::pow(10, even(random));
+        const double a = std::pow(10, even(random)), b = std::pow(10, even(random)), c = std::pow(10, even(random));
         return {b + c, c + a, a + b};
     }
     V direction() {
@@ -105,17 +102,14 @@ TEST_CASE("half the step in the Jacobian: no drift, and a tenth of the error", "
         b = tumble<HalfStepJacobian>.step(brick, b, h);
         const V truth = in_body(exact(a.t)).omega;
         talk += (a.omega - truth).squaredNorm(), half += (b.omega - truth).squaredNorm();
-        swing = std::max(
-            swing,
-            std::fabs(kinetic_energy(brick, b.omega) / kinetic_energy(brick, start.omega) - 1));
+        swing = std::max(swing, std::fabs(kinetic_energy(brick, b.omega) / kinetic_energy(brick, start.omega) - 1));
     }
     CHECK(half < talk / 100);
     CHECK(kinetic_energy(brick, a.omega) < 0.7 * kinetic_energy(brick, start.omega));
     CHECK(swing < 0.01);
     // After a quarter of an hour the swing is what it was.
     b = after(tumble<HalfStepJacobian>, brick, b, h, 54000);
-    CHECK(std::fabs(kinetic_energy(brick, b.omega) / kinetic_energy(brick, start.omega) - 1) <
-          0.01);
+    CHECK(std::fabs(kinetic_energy(brick, b.omega) / kinetic_energy(brick, start.omega) - 1) < 0.01);
 }
 
 TEST_CASE("the half-step Jacobian is singular where the page says", "[ch8]") {
@@ -147,8 +141,7 @@ TEST_CASE("at h|omega| = 10 it feeds a third of random bodies, Cayley and the ca
     CHECK(calm < 1 + 16 * 2.3e-16);
 }
 
-TEST_CASE("an uneven capsule keeps its spin by the splittings, longer by Cayley than by passive",
-          "[ch8]") {
+TEST_CASE("an uneven capsule keeps its spin by the splittings, longer by Cayley than by passive", "[ch8]") {
     const auto pill = capsule(1.0, 0.15, 0.6);
     const Body uneven(pill.across, 1.02 * pill.across, pill.along);
     const Spin start = spinning(0.5, 0, 20);
@@ -177,8 +170,7 @@ TEST_CASE("at 60 Hz, thrown in any direction: what the recommendation says", "[c
     CHECK(wrong > 60);
     // Close to the middle axis: there it is worse than the half-step Jacobian.
     const V middle(0.1, 10, 0.1);
-    CHECK(worst(symmetric_remainder_2, ruler, middle, 60) >
-          worst(tumble<HalfStepJacobian>, ruler, middle, 60));
+    CHECK(worst(symmetric_remainder_2, ruler, middle, 60) > worst(tumble<HalfStepJacobian>, ruler, middle, 60));
     CHECK(worst(RungeKutta{}, brick, 10, 60) < worst(symmetric_remainder_2, brick, 10, 60));
 }
 
@@ -193,15 +185,12 @@ TEST_CASE("the half-step Jacobian keeps E/Delta, which bounds the energy", "[ch8
             const Body I(p, r, q);
             const double fraction = (q - r) * (r - p) / (p * q);
             REQUIRE(fraction <= 1 + 1e-12);
-            const auto E_by_D = [&](const V& w) {
-                return kinetic_energy(I, w) / (1 - fraction * w.y() * w.y() / 4);
-            };
+            const auto E_by_D = [&](const V& w) { return kinetic_energy(I, w) / (1 - fraction * w.y() * w.y() / 4); };
             const V start = size * bodies.direction();
             V w = start;
             for (int i = 0; i < 100; ++i) {
                 w = half_step_jacobian.step(I, w, 1.0);
-                REQUIRE(kinetic_energy(I, w) <=
-                        kinetic_energy(I, start) / (1 - size * size / 4) * (1 + 1e-12));
+                REQUIRE(kinetic_energy(I, w) <= kinetic_energy(I, start) / (1 - size * size / 4) * (1 + 1e-12));
             }
             REQUIRE(std::fabs(E_by_D(w) / E_by_D(start) - 1) < 1e-11);
         }
@@ -234,8 +223,7 @@ TEST_CASE("ball and remainder 4 is nearer than Runge-Kutta 4 at three times its 
             for (const long rate : {15, 30, 60, 120, 240}) {
                 const double mine = worst(symmetric_remainder_4, I, spin, rate);
                 if (mine > 0.1 || mine < 1e-11) continue;  // lost, or roundoff
-                INFO("I = " << I.moments.transpose() << ", " << spin << " rad/s, " << rate
-                            << " Hz");
+                INFO("I = " << I.moments.transpose() << ", " << spin << " rad/s, " << rate << " Hz");
                 CHECK(mine < worst(RungeKutta{}, I, spin, 3 * rate));
             }
 }

@@ -23,10 +23,10 @@ double moved(double x, double v) { return x + v; }
 double moved_by_square(double x, double v);
 double moved_by_square(double x, double v) { return x + v * v; }
 
-#define TOLD(name, relative)                                                                                \
-    namespace of_##name {                                                                                   \
-    const bool is_known = checker::know_truth(#name, checker::function_of(&::name));                        \
-    EXERCISE_WITHIN(name, relative);
+#define TOLD(name, relative)                                                             \
+    namespace of_##name {                                                                \
+        const bool is_known = checker::know_truth(#name, checker::function_of(&::name)); \
+        EXERCISE_WITHIN(name, relative);
 
 TOLD(product, 1e-14)
 PROPERTY("a product, of numbers: large, small [and between]") {
@@ -115,18 +115,22 @@ checker::Answer counting(Function* function) {
 void expect(bool holds, const char* what, std::uint64_t seed, const checker::Verdict& verdict) {
     if (holds) return;
     ++failures;
-    std::printf("%s, seed %llu: %s, \"%s\", %s gives %s\n", what, static_cast<unsigned long long>(seed), checker::name_of(verdict.kind),
-                verdict.property.c_str(), verdict.arguments.c_str(), verdict.result.c_str());
+    std::printf("%s, seed %llu: %s, \"%s\", %s gives %s\n", what, static_cast<unsigned long long>(seed),
+                checker::name_of(verdict.kind), verdict.property.c_str(), verdict.arguments.c_str(),
+                verdict.result.c_str());
 }
 
 // Are they short, and is it the property that failed first?
-void expect_short(const char* what, const char* exercise, const checker::Answer& answer, const std::string& property, std::size_t length) {
+void expect_short(const char* what, const char* exercise, const checker::Answer& answer, const std::string& property,
+                  std::size_t length) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         const checker::Verdict verdict = checker::session().check(exercise, answer, seed);
         expect(verdict.kind == Kind::wrong && verdict.property == property, what, seed, verdict);
-        expect(checker::long_numbers(verdict.arguments) == 0 && verdict.arguments.size() <= length, what, seed, verdict);
+        expect(checker::long_numbers(verdict.arguments) == 0 && verdict.arguments.size() <= length, what, seed,
+               verdict);
         const checker::Verdict again = checker::session().check(exercise, answer, seed);
-        expect(again.arguments == verdict.arguments && again.result == verdict.result, "the same seed shows the same", seed, again);
+        expect(again.arguments == verdict.arguments && again.result == verdict.result, "the same seed shows the same",
+               seed, again);
     }
 }
 
@@ -134,37 +138,62 @@ void expect_short(const char* what, const char* exercise, const checker::Answer&
 
 int main() {
     const std::string everywhere = "the answer is the right one wherever the task allows the arguments, to roundoff";
-    expect_short("wrong everywhere", "product", counting(+[](double a, double b) { return a + b; }), "a product, of numbers: large, small [and between]", 7);
-    expect_short("wrong where a number is large", "product", counting(+[](double a, double b) { return a > 7 ? 0 : a * b; }),
+    expect_short("wrong everywhere", "product", counting(+[](double a, double b) { return a + b; }),
+                 "a product, of numbers: large, small [and between]", 7);
+    expect_short("wrong where a number is large", "product",
+                 counting(+[](double a, double b) { return a > 7 ? 0 : a * b; }),
                  "a product, of numbers: large, small [and between]", 8);
-    expect_short("wrong by less than a property sees", "product", counting(+[](double a, double b) { return a * b * (1 + 5e-13); }), everywhere, 8);
-    expect_short("no number", "root", counting(+[](double x) { return x / 2 + 0.6; }), "its square is what was given", 6);
+    expect_short("wrong by less than a property sees", "product",
+                 counting(+[](double a, double b) { return a * b * (1 + 5e-13); }), everywhere, 8);
+    expect_short("no number", "root", counting(+[](double x) { return x / 2 + 0.6; }), "its square is what was given",
+                 6);
     expect_short("many numbers", "doubled", counting(+[](std::vector<double> x) { return x; }), everywhere, 10);
 
     unsigned named = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-        checker::Verdict verdict = checker::session().check("over_gap", counting(+[](double x, double y) { return x == y ? 0 : 2 / (x - y); }), seed);
+        checker::Verdict verdict = checker::session().check(
+            "over_gap", counting(+[](double x, double y) { return x == y ? 0 : 2 / (x - y); }), seed);
         const std::string& shown = verdict.arguments;
         const std::size_t comma = shown.find(", ");
-        expect(shown.substr(1, comma - 1) != shown.substr(comma + 2, shown.size() - comma - 3), "what the right answer fails in, too, is no case", seed, verdict);
+        expect(shown.substr(1, comma - 1) != shown.substr(comma + 2, shown.size() - comma - 3),
+               "what the right answer fails in, too, is no case", seed, verdict);
 
         const std::string stays = "what stands, stays", moves = "what moves is moved";
-        verdict = checker::session().check("moved", counting(+[](double x, double v) { return v == 0 ? x + 1 : x + v * v; }), seed);
-        expect(verdict.property == stays && verdict.misconception.empty(), "what is shown is none of the mistake, which is not named", seed, verdict);
+        verdict = checker::session().check(
+            "moved", counting(+[](double x, double v) { return v == 0 ? x + 1 : x + v * v; }), seed);
+        expect(verdict.property == stays && verdict.misconception.empty(),
+               "what is shown is none of the mistake, which is not named", seed, verdict);
         // Another mistake at x = 1, which is not to be shown for the one that is named.
-        verdict = checker::session().check("moved", counting(+[](double x, double v) { return x == 1 ? v : v == 0 ? x : x + v * v; }), seed);
-        expect(verdict.misconception != "by_square" || (verdict.property == moves && verdict.arguments.substr(0, 3) != "(1,"), "what is shown is a case of the mistake that is named", seed, verdict);
+        verdict = checker::session().check(
+            "moved", counting(+[](double x, double v) { return x == 1   ? v
+                                                               : v == 0 ? x
+                                                                        : x + v * v; }), seed);
+        expect(verdict.misconception != "by_square" ||
+                   (verdict.property == moves && verdict.arguments.substr(0, 3) != "(1,"),
+               "what is shown is a case of the mistake that is named", seed, verdict);
         named += verdict.misconception == "by_square";
 
-        verdict = checker::session().check("moved", [](const checker::Numbers& given) { return given[1] == 0 ? checker::Numbers{given[0] + 1} : throw checker::Ended(Kind::wrong, "arguments stay"); }, seed);
-        expect(verdict.property == "arguments stay" && verdict.right.empty() && verdict.detail.empty(), "what is shown is the call that changed its arguments", seed, verdict);
+        verdict = checker::session().check(
+            "moved",
+            [](const checker::Numbers& given) {
+                return given[1] == 0 ? checker::Numbers{given[0] + 1}
+                                     : throw checker::Ended(Kind::wrong, "arguments stay");
+            },
+            seed);
+        expect(verdict.property == "arguments stay" && verdict.right.empty() && verdict.detail.empty(),
+               "what is shown is the call that changed its arguments", seed, verdict);
 
-        verdict = checker::session().check("product", counting(+[](double a, double b) { return b > 1e5 ? 0 : a * b; }), seed);
+        verdict = checker::session().check("product", counting(+[](double a, double b) { return b > 1e5 ? 0 : a * b; }),
+                                           seed);
         expect(asked <= 400, "an answer is asked at most twice as often", seed, verdict);
         expect(verdict.kind == Kind::wrong, "an answer is asked at most twice as often", seed, verdict);
 
-        verdict = checker::session().check("product", counting(+[](double a, double b) { return asked > 110 ? throw checker::Ended(Kind::crash, "late") : a + b; }), seed);
-        expect(verdict.kind == Kind::wrong && verdict.detail.empty(), "a crash while a simpler case is looked for is not told", seed, verdict);
+        verdict = checker::session().check("product", counting(+[](double a, double b) {
+                                               return asked > 110 ? throw checker::Ended(Kind::crash, "late") : a + b;
+                                           }),
+                                           seed);
+        expect(verdict.kind == Kind::wrong && verdict.detail.empty(),
+               "a crash while a simpler case is looked for is not told", seed, verdict);
     }
     expect(named > 20, "the mistake is named wherever there is a case of it", named, {});
     std::printf("%d failures\n", failures);

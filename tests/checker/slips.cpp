@@ -33,14 +33,16 @@ std::vector<double> slipping_sums(const std::vector<double>& x) {
     return sum;
 }
 double endless(double) {
-    while (slip::turn() && true) {}
+    while (slip::turn() && true) {
+    }
     return 0;
 }
 
 double last_two(const std::vector<double>& x) {
     double sum = 0;
     if (slip::keeps(10)) sum = 100;
-    for (std::size_t i = slip::down_from(11, x.size()); slip::turn() && (i-- > slip::More{12} > 1);) sum += slip::in(x)[i];
+    for (std::size_t i = slip::down_from(11, x.size()); slip::turn() && (i-- > slip::More{12} > 1);)
+        sum += slip::in(x)[i];
     return sum;
 }
 double inverse(double x) { return 1 / x; }
@@ -86,7 +88,9 @@ TEST_CASE("each place of an answer is noted once, and slips as often as it can")
     for (const Numbers& each : arguments()) slip::note(answer, each, slips);
     for (const Made& made : slips) {
         INFO(made.site << " " << made.number << " " << slip::name_of(made.form));
-        CHECK(std::count_if(slips.begin(), slips.end(), [&](const Made& other) { return other.site == made.site && other.number == made.number; }) == 1);
+        CHECK(std::count_if(slips.begin(), slips.end(), [&](const Made& other) {
+                  return other.site == made.site && other.number == made.number;
+              }) == 1);
         bool differs = false;
         for (const Numbers& each : arguments()) differs |= slip::answered(answer, each, made) != answer(each);
         CHECK((differs || made.form == Form::absolute));  // a square has lost no sign
@@ -99,7 +103,8 @@ TEST_CASE("a slip that leaves its vectors, or does not end, answers nothing") {
     CHECK(slip::answered(vectors, {3, 1, 2, 3}, {11, 2, Form::edge}).empty());
     CHECK(slip::answered(vectors, {3, 1, 2, 3}, {10, 1, Form::loop}) == Numbers{3, 0, 0, 3});
     CHECK(slip::answered(answer_of(&endless), {1}, {10, 1, Form::sign}).empty());
-    CHECK(slip::answered(vectors, {3, 1, 2, 3}, {10, 1, Form::loop}, nullptr, 3).empty());  // it passes more places than that
+    CHECK(slip::answered(vectors, {3, 1, 2, 3}, {10, 1, Form::loop}, nullptr, 3)
+              .empty());  // it passes more places than that
 }
 
 TEST_CASE("a line can be left out, and a loop that counts down begin one too low or end one too soon") {
@@ -117,14 +122,20 @@ TEST_CASE("an answer that does as a slip does is named by its kind") {
     CHECK(named([](double x, double v, double h) { return x - h * v / 2 + h * h / 8 * std::sin(v); }) == "slip_half");
     CHECK(named([](double x, double v, double h) { return x - h * v / 2; }) == "slip_term");
     CHECK(named([](double x, double v, double h) { return x - v / 2 + h * h / 4 * std::sin(v); }) == "slip_factor");
-    CHECK(named([](double x, double v, double h) { return x - h * v / 2 + h * h / 4 * std::cos(v); }) == "slip_function");
-    CHECK(named([](double x, double v, double h) { return x - h * v / 2 + h * h / 4 * std::sin(x); }) == "slip_variable");
-    CHECK(named([](double x, double v, double h) { return x - h * v / 2 + h * h / 4 * std::sin(v * 180 / std::numbers::pi); }) == "slip_degrees");
+    CHECK(named([](double x, double v, double h) { return x - h * v / 2 + h * h / 4 * std::cos(v); }) ==
+          "slip_function");
+    CHECK(named([](double x, double v, double h) { return x - h * v / 2 + h * h / 4 * std::sin(x); }) ==
+          "slip_variable");
+    CHECK(named([](double x, double v, double h) {
+              return x - h * v / 2 + h * h / 4 * std::sin(v * 180 / std::numbers::pi);
+          }) == "slip_degrees");
 }
 
 TEST_CASE("an absolute value, a limit, brackets and an or for an and are slips, too") {
-    CHECK(named([](double x, double v, double h) { return std::fabs(x - h * v / 2) + h * h / 4 * std::sin(v); }) == "slip_absolute");
-    CHECK(named([](double x, double v, double h) { return std::max(x - h * v / 2, 0.0) + h * h / 4 * std::sin(v); }) == "slip_limit");
+    CHECK(named([](double x, double v, double h) { return std::fabs(x - h * v / 2) + h * h / 4 * std::sin(v); }) ==
+          "slip_absolute");
+    CHECK(named([](double x, double v, double h) { return std::max(x - h * v / 2, 0.0) + h * h / 4 * std::sin(v); }) ==
+          "slip_limit");
     CHECK(slip::answered(answer_of(&mean), {1, 4, 0}, {10, 1, Form::brackets}) == Numbers{3});
     CHECK(slip::answered(answer_of(&mean), {1, 4, 0}, {10, 0, Form::none}) == Numbers{2.5});
     CHECK(slip::answered(answer_of(&both), {1, -1}, {10, 1, Form::joined}) == Numbers{1});
@@ -144,7 +155,8 @@ TEST_CASE("where one part twice as large and another half as large do the same, 
 }
 
 TEST_CASE("two slips at once are named, and what is none is not") {
-    CHECK(named([](double x, double v, double h) { return x + h * v / 2 + h * h / 8 * std::sin(v); }) == "slip_sign_and_half");
+    CHECK(named([](double x, double v, double h) { return x + h * v / 2 + h * h / 8 * std::sin(v); }) ==
+          "slip_sign_and_half");
     CHECK(named([](double x, double v, double h) { return x - h * v / 2 + h * h / 5 * std::sin(v); }).empty());
     CHECK(named([](double x, double v, double h) { return x * x - h * std::exp(-v); }).empty());
 }
@@ -153,7 +165,9 @@ TEST_CASE("a slip that is off in one number of two is not named for what is off 
     const auto two = +[](double x, double v) { return std::vector<double>{x, v}; };
     std::vector<Call> calls;
     for (double x = 1; x < 12; ++x) calls.push_back({{x, 1e-9 * x}, {2, 2 * x, 3e-9 * x}, false});
-    static const bool knows = know("two_test", {{"first_twice", function_of(+[](double x, double v) { return std::vector<double>{2 * x, v}; })}});
+    static const bool knows = know("two_test", {{"first_twice", function_of(+[](double x, double v) {
+                                                     return std::vector<double>{2 * x, v};
+                                                 })}});
     CHECK(knows);
     CHECK(diagnose("two_test", function_of(two), calls).empty());
 }
@@ -179,7 +193,8 @@ TEST_CASE("yes for no in every call is told") {
 }
 
 TEST_CASE("a mistake that shows in most calls is told, be there a guard more in some") {
-    static const bool knows = know("fair_test", {{"half_the_slope", function_of(+[](double x, double v, double h) { return x - h * v / 4; })}});
+    static const bool knows = know(
+        "fair_test", {{"half_the_slope", function_of(+[](double x, double v, double h) { return x - h * v / 4; })}});
     CHECK(knows);
     const auto with_guards = [](double most) {
         std::vector<Call> calls;
@@ -203,7 +218,8 @@ TEST_CASE("a count that is off by one wherever it is wrong is told, whatever it 
 }
 
 TEST_CASE("a mistake is not told that would have shown where the answer is right") {
-    static const bool knows = know("denied_test", {{"at_most_ten", function_of(+[](double x) { return std::min(x, 10.0); })}});
+    static const bool knows =
+        know("denied_test", {{"at_most_ten", function_of(+[](double x) { return std::min(x, 10.0); })}});
     CHECK(knows);
     const auto with = [](double wrong_from) {
         std::vector<Call> calls;

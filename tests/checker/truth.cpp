@@ -46,7 +46,8 @@ Eigen::Quaterniond its_minus(const Eigen::Quaterniond& q) { return Eigen::Quater
 using Function = double(double, double, double);
 
 bool right(Function* function, const Numbers& arguments) {
-    return is_right(function_of(&velocity), arguments, answer_of(function)(arguments), {2e-12}, SpokenOf<Function>::spoken);
+    return is_right(function_of(&velocity), arguments, answer_of(function)(arguments), {2e-12},
+                    SpokenOf<Function>::spoken);
 }
 
 // Twenty calls as the hidden tests make them, and the name that they get.
@@ -86,7 +87,8 @@ TEST_CASE("what is wrong by more than roundoff is wrong, however near") {
 
 TEST_CASE("a way that loses digits, and is right all the same, allows as many to be lost, and no more") {
     const auto allowed = [](double x, double found) {
-        return is_right(function_of(&logarithm), {x}, {found}, {2e-12, function_of(&one_too_many)}, SpokenOf<double(double)>::spoken);
+        return is_right(function_of(&logarithm), {x}, {found}, {2e-12, function_of(&one_too_many)},
+                        SpokenOf<double(double)>::spoken);
     };
     for (double x = 1e-12; x < 1; x *= 1.3) {
         INFO(x);
@@ -96,16 +98,16 @@ TEST_CASE("a way that loses digits, and is right all the same, allows as many to
     }
 }
 
-// What remains is the roundoff of the start, now and then none at all: where all that are tried are so lucky, one that is
-// not would be wrong.
+// What remains is the roundoff of the start, now and then none at all: where all that are tried are so lucky, one that
+// is not would be wrong.
 TEST_CASE("another way is right, also where those beside it lose nothing by luck") {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> goal(-5, 5), size(5, 7);
     int refused = 0;
     for (int i = 0; i < 1000000; ++i) {
         const Numbers arguments{-std::pow(10, size(random)), goal(random)};
-        refused += !is_right(function_of(&arrives), arguments, answer_of(&by_change)(arguments), {1e-10, function_of(&by_change)},
-                             SpokenOf<double(double, double)>::spoken);
+        refused += !is_right(function_of(&arrives), arguments, answer_of(&by_change)(arguments),
+                             {1e-10, function_of(&by_change)}, SpokenOf<double(double, double)>::spoken);
     }
     CHECK(refused == 0);
 }
@@ -118,7 +120,8 @@ TEST_CASE("what cancels and is cut off below zero is roundoff, too") {
     for (int i = 0; i < 100000; ++i) {
         const double x = stretch(random), k = stretch(random), c = stretch(random);
         const Numbers arguments{x, k, c, -k * x / c};
-        refused += !is_right(function_of(&tension), arguments, answer_of(&fused_tension)(arguments), {2e-12}, SpokenOf<double(double, double, double, double)>::spoken);
+        refused += !is_right(function_of(&tension), arguments, answer_of(&fused_tension)(arguments), {2e-12},
+                             SpokenOf<double(double, double, double, double)>::spoken);
     }
     CHECK(refused == 0);
 }
@@ -157,7 +160,8 @@ TEST_CASE("nine digits are enough where the task asks for no more, but where the
     const Within nine{nine_digits, {}, all_digits};
     const auto allowed = [&](const Numbers& arguments, double share) {
         const double right = velocity(arguments[0], arguments[1], arguments[2]);
-        return is_right(function_of(&velocity), arguments, {right * (1 + share)}, nine, SpokenOf<double(double, double, double)>::spoken);
+        return is_right(function_of(&velocity), arguments, {right * (1 + share)}, nine,
+                        SpokenOf<double(double, double, double)>::spoken);
     };
     CHECK(allowed({0, 1, 3}, 1.2e-9));  // 3.14159265 for pi
     CHECK_FALSE(allowed({0, 1, 3}, 1e-8));
@@ -198,7 +202,8 @@ TEST_CASE("a mistake is named where it answers as the learner does, and else by 
 }
 
 TEST_CASE("a number is written with ten digits, or with as many as make it the same again") {
-    for (const double number : {0.3, 1 / 3.0, 0.1 + 0.2, 1e-5, 5e-324, 1.7e308, 12345678901.0, 0.6 * (1 + 3e-13), -1.0, 100000.0, 0x1p60}) {
+    for (const double number :
+         {0.3, 1 / 3.0, 0.1 + 0.2, 1e-5, 5e-324, 1.7e308, 12345678901.0, 0.6 * (1 + 3e-13), -1.0, 100000.0, 0x1p60}) {
         INFO(number);
         CHECK(std::strtod(written(number, Digits::all).c_str(), nullptr) == number);
         CHECK(written(number, Digits::ten).size() <= 16);
@@ -243,7 +248,8 @@ TEST_CASE("a mistake that loses digits has its name in another spelling, too, an
         for (int i = 1; i <= 40; ++i) {
             const double x = 1e-9 * std::pow(1.7, i);
             const Numbers found = answer_of(function)({x});
-            calls.push_back({{x}, found, is_right(function_of(&logarithm), {x}, found, {2e-12}, SpokenOf<double(double)>::spoken)});
+            calls.push_back(
+                {{x}, found, is_right(function_of(&logarithm), {x}, found, {2e-12}, SpokenOf<double(double)>::spoken)});
         }
         return diagnose("digits_test", function_of(&logarithm), calls);
     };
@@ -256,11 +262,14 @@ TEST_CASE("a mistake that loses digits has its name in another spelling, too, an
 
 TEST_CASE("a guard by a hair is no guard at another place, though that loses the digits of nearly as much near by") {
     const auto mirrored = +[](double x, double floor) { return x >= floor ? x : 2 * floor - x; };
-    static const bool known = know("guard_test", {{"asks_for_zero", function_of(+[](double x, double floor) { return x >= 0 ? x : 2 * floor - x; })}});
+    static const bool known =
+        know("guard_test",
+             {{"asks_for_zero", function_of(+[](double x, double floor) { return x >= 0 ? x : 2 * floor - x; })}});
     CHECK(known);
     std::vector<Call> calls;
     for (int i = 1; i <= 60; ++i) {
-        const double floor = (i % 3 == 0 ? -0.3 : 0.3) * i, x = floor - 5e-4 * std::fabs(floor), above = floor + std::fabs(floor);
+        const double floor = (i % 3 == 0 ? -0.3 : 0.3) * i, x = floor - 5e-4 * std::fabs(floor),
+                     above = floor + std::fabs(floor);
         calls.push_back({{x, floor}, {x}, false});
         calls.push_back({{above, floor}, {above}, true});
     }

@@ -15,9 +15,7 @@ struct Spring {
 #endif
 };
 
-int main() {
-    timestep::run(timestep::runge_kutta_4, Spring{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10);
-}
+int main() { timestep::run(timestep::runge_kutta_4, Spring{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10); }
 
 // ---- acceleration returns nothing
 // A force that returns nothing.
@@ -33,9 +31,7 @@ struct Spring {
 #endif
 };
 
-int main() {
-    timestep::run(timestep::semi_implicit_euler, Spring{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10);
-}
+int main() { timestep::run(timestep::semi_implicit_euler, Spring{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10); }
 
 // ---- implicit system without derivative
 // The same for a first-order system.
@@ -50,9 +46,7 @@ struct Decay {
 #endif
 };
 
-int main() {
-    timestep::run(timestep::implicit_euler, Decay{}, timestep::FirstOrder{0.0, 1.0}, 0.1, 10);
-}
+int main() { timestep::run(timestep::implicit_euler, Decay{}, timestep::FirstOrder{0.0, 1.0}, 0.1, 10); }
 
 // ---- implicit without derivatives
 // An implicit method solves for the new state and needs the force's derivatives for that.
@@ -68,9 +62,7 @@ struct Cubic {
 #endif
 };
 
-int main() {
-    timestep::run(timestep::implicit_euler, Cubic{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10);
-}
+int main() { timestep::run(timestep::implicit_euler, Cubic{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10); }
 
 // ---- leapfrog with damper
 // A damper needs a velocity, and leapfrog has none yet where it asks for the force.
@@ -145,9 +137,7 @@ struct Ball {
 #endif
 };
 
-int main() {
-    timestep::run(timestep::explicit_euler, Ball{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10);
-}
+int main() { timestep::run(timestep::explicit_euler, Ball{}, timestep::State{0.0, 1.0, 0.0}, 0.1, 10); }
 
 // ---- number for model
 // A number where a model is due.

@@ -133,7 +133,8 @@ TEST_CASE("Where the rule has no business in Bullet, the spin stays", "[engines]
         CHECK(same(scene.body.getAngularVelocity(), spin));
     }
     SECTION("an axis locked in the world, or two: a body that turns about what is left, as it did") {
-        for (const btVector3& factor : {btVector3(0, 1, 1), btVector3(1, 0, 1), btVector3(1, 1, 0), btVector3(0, 1, 0)}) {
+        for (const btVector3& factor :
+             {btVector3(0, 1, 1), btVector3(1, 0, 1), btVector3(1, 1, 0), btVector3(0, 1, 0)}) {
             const btVector3 left = spin * factor;
             Alone<GyroscopicWorld<>> scene(left);
             scene.body.setWorldTransform(btTransform(btQuaternion(btVector3(1, 2, -1).normalized(), 1)));
@@ -203,7 +204,8 @@ namespace {
 // A rule whose numbers are none.
 struct Broken {
     template <class Real>
-    timestep::Vector3<Real> step(const timestep::PrincipalInertia<Real>&, const timestep::Vector3<Real>& omega, Real) const {
+    timestep::Vector3<Real> step(const timestep::PrincipalInertia<Real>&, const timestep::Vector3<Real>& omega,
+                                 Real) const {
         return omega * std::numeric_limits<Real>::quiet_NaN();
     }
 };
@@ -220,13 +222,18 @@ TEST_CASE("Of a rule of the library an engine gets no spin that is no number, an
     CHECK(!Rule::body(timestep::Vector3<float>(2, 2, 2)));
 }
 
-// Its turn for two equal moments keeps the energy; the formula for three loses some, and that hides what the contacts add.
-TEST_CASE("Before Bullet's contacts fast capsules gain energy by the plain passive step, and none by its formula for three moments", "[engines]") {
+// Its turn for two equal moments keeps the energy; the formula for three loses some, and that hides what the contacts
+// add.
+TEST_CASE(
+    "Before Bullet's contacts fast capsules gain energy by the plain passive step, and none by its formula for three "
+    "moments",
+    "[engines]") {
     std::vector<engines::Engine> all, passive;
     std::vector<std::string> missing;
     engines::enter_bullet(all, missing);
     for (const engines::Engine& engine : all)
-        if (engine.rule == "gyroscopic_passivef, before" || engine.rule == "passive, three moments, before") passive.push_back(engine);
+        if (engine.rule == "gyroscopic_passivef, before" || engine.rule == "passive, three moments, before")
+            passive.push_back(engine);
     REQUIRE(passive.size() == 2);
     engines::Numbers numbers;
     engines::throw_bodies(passive, {}, numbers);

@@ -36,8 +36,7 @@ struct Alone {
     }
     Alone(const Alone&) = delete;
     void steps(int n) {
-        for (int i = 0; i < n; ++i)
-            gyroscopic.step([](dWorldID w, dReal step) { dWorldQuickStep(w, step); }, world, h);
+        for (int i = 0; i < n; ++i) gyroscopic.step([](dWorldID w, dReal step) { dWorldQuickStep(w, step); }, world, h);
     }
     Vector3<double> omega() const {
         const dReal* w = dBodyGetAngularVel(body);
@@ -165,7 +164,7 @@ Hinged hinged(const Prepare& prepare) {
 TEST_CASE("In ODE, whose locks are joints, a hinged body keeps its spin best without a rule", "[engines]") {
     const Hinged with = hinged([](Alone& scene) { scene.gyroscopic.add(scene.body); });
     CHECK(with.left > 0.9);
-    CHECK(with.off < 0.01);  // half of the rule acts after the joint
+    CHECK(with.off < 0.01);                   // half of the rule acts after the joint
     CHECK(hinged([](Alone&) {}).left < 0.5);  // ODE's own
     const Hinged without = hinged([](Alone& scene) { dBodySetGyroscopicMode(scene.body, 0); });
     CHECK(std::fabs(without.left - 1) < 1e-9);

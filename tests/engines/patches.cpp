@@ -59,7 +59,8 @@ Minute minute(const Engine& engine, double spin, const Vector& axis = Vector(0.0
         world->step(1.0 / 60);
         s = world->state(0);
         m.most = std::max(m.most, energy(s) / first);
-        if (n < 180) m.off = std::max(m.off, (s.q.conjugate() * s.omega - in_body(exact((n + 1) / 60.0)).omega).norm() / spin);
+        if (n < 180)
+            m.off = std::max(m.off, (s.q.conjugate() * s.omega - in_body(exact((n + 1) / 60.0)).omega).norm() / spin);
         m.flipped = m.flipped || (s.q.conjugate() * s.omega).y() < -0.9 * spin;
     }
     m.energy = energy(s) / first;
@@ -69,7 +70,8 @@ Minute minute(const Engine& engine, double spin, const Vector& axis = Vector(0.0
 void keeps(const Engine& engine, double to = 0.02) {
     for (const double spin : {3.0, 10.0, 20.0, 30.0}) {
         const Minute m = minute(engine, spin);
-        INFO(engine.name << ", off by " << m.off << ", " << engine.rule << ", " << spin << " rad/s: energy x " << m.energy << ", at most " << m.most);
+        INFO(engine.name << ", off by " << m.off << ", " << engine.rule << ", " << spin << " rad/s: energy x "
+                         << m.energy << ", at most " << m.most);
         CHECK(m.flipped);
         if (spin == 10) CHECK(m.off < 0.03);  // as they are, the engines are off by more: see below
         CHECK(m.energy > 1 - to);
@@ -98,8 +100,8 @@ engines::State after_steps(const Engine& engine, const Vector& omega, int n, dou
 
 // What the library makes of it: in each of so many substeps the rule, in `parts`, and then the turn.
 template <class Rule>
-engines::State by_the_library(const Rule& rule, const engines::Shape& shape, const Vector& omega, double h, int substeps,
-                              int parts) {
+engines::State by_the_library(const Rule& rule, const engines::Shape& shape, const Vector& omega, double h,
+                              int substeps, int parts) {
     const timestep::PrincipalInertia<double> inertia(shape.moments.x(), shape.moments.y(), shape.moments.z());
     engines::State s;
     s.q = tilted, s.omega = omega;
@@ -131,7 +133,12 @@ void steps_as_the_library(const Engine& engine, double spin, double h, int subst
 
 // What is locked stays locked, and what is left turns as a body about those axes: here at the same rate, for good.
 void leaves_locked_bodies_alone(const Engine& engine) {
-    for (const std::array<bool, 3> locked : {std::array{true, false, true}, {false, true, true}, {true, true, false}, {false, true, false}, {true, false, false}, {false, false, true}}) {
+    for (const std::array<bool, 3> locked : {std::array{true, false, true},
+                                             {false, true, true},
+                                             {true, true, false},
+                                             {false, true, false},
+                                             {true, false, false},
+                                             {false, false, true}}) {
         engines::Shape shape = box;
         shape.locked = locked;
         Vector omega = 5 * askew;
@@ -150,7 +157,8 @@ void leaves_locked_bodies_alone(const Engine& engine) {
 #ifdef WITH_BOX3D
 TEST_CASE("Patched, Box3D's step is the library's in each substep, and half and half with a joint", "[engines]") {
     // So fast that each number of the Jacobian counts.
-    steps_as_the_library(engine("Box3D, 1 substep", "half-step Jacobian, before"), 40, 1.0 / 60, 1, 1, false, timestep::half_step_jacobian);
+    steps_as_the_library(engine("Box3D, 1 substep", "half-step Jacobian, before"), 40, 1.0 / 60, 1, 1, false,
+                         timestep::half_step_jacobian);
     for (const double spin : {3.0, 10.0}) {
         for (const int substeps : {1, 4}) {
             const std::string name = substeps == 1 ? "Box3D, 1 substep" : "Box3D, 4 substeps";
@@ -165,17 +173,20 @@ TEST_CASE("Patched, Box3D's step is the library's in each substep, and half and 
 TEST_CASE("Patched, Box3D leaves a body with locked rotations alone, and one at rest at rest", "[engines]") {
     for (const std::string name : {"Box3D, 4 substeps", "Box3D, 1 substep"}) {
         leaves_locked_bodies_alone(engine(name, "calm, after or in halves"));
-        CHECK(after_steps(engine(name, "calm, after or in halves"), Vector::Zero(), 3, 1.0 / 60).omega == Vector::Zero());
+        CHECK(after_steps(engine(name, "calm, after or in halves"), Vector::Zero(), 3, 1.0 / 60).omega ==
+              Vector::Zero());
         // The one token is before the locks, which then zero what they hold.
         engines::Shape shape = box;
         shape.locked = {true, false, true};
-        const Vector left = after_steps(engine(name, "half-step Jacobian, before"), Vector(0, 5, 0), 60, 1.0 / 60, shape).omega;
+        const Vector left =
+            after_steps(engine(name, "half-step Jacobian, before"), Vector(0, 5, 0), 60, 1.0 / 60, shape).omega;
         CHECK((left.x() == 0 && left.z() == 0));
     }
 }
 
 // Up to five radians a step. In one part the energy would stay, too, but the body tumble a twelfth too seldom.
-TEST_CASE("Patched, Box3D keeps energy and |L| of a body that may rotate fast, and lets it tumble as fast as it should", "[engines]") {
+TEST_CASE("Patched, Box3D keeps energy and |L| of a body that may rotate fast, and lets it tumble as fast as it should",
+          "[engines]") {
     for (const double h : {1.0 / 60, 1.0 / 240}) {
         const Engine& one = engine("Box3D, 1 substep", "calm, after or in halves");
         const auto world = one.world({.fast = true});
@@ -183,7 +194,9 @@ TEST_CASE("Patched, Box3D keeps energy and |L| of a body that may rotate fast, a
         s.omega = 300 * Vector(0.1, 1, 0.1).normalized();
         world->add(box, s);
         const double first = energy(s);
-        const auto momentum = [&] { return Vector(box.moments.cwiseProduct(Vector(s.q.conjugate() * s.omega))).norm(); };
+        const auto momentum = [&] {
+            return Vector(box.moments.cwiseProduct(Vector(s.q.conjugate() * s.omega))).norm();
+        };
         const double length = momentum();
         const timestep::ExactFreeBody<double> exact({13, 10, 5}, {0, s.q, s.omega});
         int flips = 0, true_flips = 0;
@@ -238,12 +251,13 @@ TEST_CASE("Patched, Jolt leaves alone a body with locked rotations, at rest, or 
     }
 }
 
-TEST_CASE("Patched, Jolt keeps a box's energy for a minute and its tumbling; as it is, the energy is another", "[engines]") {
+TEST_CASE("Patched, Jolt keeps a box's energy for a minute and its tumbling; as it is, the energy is another",
+          "[engines]") {
     keeps(engine("Jolt", "calm half-step, before"));
     keeps(engine("Jolt", "calm half-step, after"));
     keeps(engine("Jolt", "calm half-step, halves"));
-    // About its longest side, that is its least moment: Jolt's own rule takes energy from it, towards what it would have
-    // about the middle axis. Patched it keeps it.
+    // About its longest side, that is its least moment: Jolt's own rule takes energy from it, towards what it would
+    // have about the middle axis. Patched it keeps it.
     const Vector longest(0.3, 0.3, 1);
     CHECK(minute(engine("Jolt", "as it is"), 10, longest).energy < 0.8);
     CHECK(minute(engine("Jolt", "as it is"), 10).off > 0.03);
@@ -268,7 +282,8 @@ TEST_CASE("A top stands on smooth ground by the patches, and falls as the engine
     engines::spin_tops(tried, {.quick = true}, numbers);  // for ten seconds
     int rows = 0;
     for (const auto& row : numbers.rows()) {
-        INFO(row.engine << ", " << row.rule << ", " << row.which << ": " << row.scene << " " << row.what << " " << row.value);
+        INFO(row.engine << ", " << row.rule << ", " << row.which << ": " << row.scene << " " << row.what << " "
+                        << row.value);
         if (row.scene == "top on the ground" && row.what == "stands, s") {
             ++rows;
             CHECK((row.value > 9.9) == (row.rule != "as it is"));

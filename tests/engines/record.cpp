@@ -38,9 +38,10 @@ TEST_CASE("The table of stacks has only engines in which stacks stand as the eng
     stands("Box3D, 1 substep", "as it is", 0);
     const Folder folder;
     engines::record(folder.path, numbers);
-    const std::string expected = "engine: rule\tstacks that stand, %\tasleep after, s\tsunk, m\n"
-                                 "Bullet: as it is\t40\t–\t–\n"
-                                 "Bullet: calm half-step, halves\t0\t–\t–\n";
+    const std::string expected =
+        "engine: rule\tstacks that stand, %\tasleep after, s\tsunk, m\n"
+        "Bullet: as it is\t40\t–\t–\n"
+        "Bullet: calm half-step, halves\t0\t–\t–\n";
     CHECK(folder.text("stacks.tsv") == expected);
     CHECK(folder.text("checks.tsv").find("\nstacks_fall\t") != std::string::npos);
 }
@@ -48,7 +49,8 @@ TEST_CASE("The table of stacks has only engines in which stacks stand as the eng
 TEST_CASE("Where one engine's stacks stand as it is, no check says that they fall", "[engines]") {
     engines::Numbers numbers;
     for (const char* engine : {"Box3D, 1 substep", "Jolt", "ODE"})
-        numbers.add("stack", "twenty boxes", {engine, "as it is", {}}, "standing, of a hundred", engine[0] == 'O' ? 10 : 0);
+        numbers.add("stack", "twenty boxes", {engine, "as it is", {}}, "standing, of a hundred",
+                    engine[0] == 'O' ? 10 : 0);
     const Folder folder;
     engines::record(folder.path, numbers);
     CHECK(folder.text("checks.tsv").find("stacks_fall") == std::string::npos);

@@ -23,9 +23,7 @@ Real fly() {
     const auto crate = box(Real(12), Real(1), Real(2), Real(3));
     const auto pill = capsule(Real(1), Real(0.2), Real(1));
     SpinState<Real> s{0, Quaternion<Real>::Identity(), {1, 2, 3}};
-    for_each_body_solver([&](const auto& method, const BodyPrice&) {
-        s = method.step(crate, s, Real(0.01));
-    });
+    for_each_body_solver([&](const auto& method, const BodyPrice&) { s = method.step(crate, s, Real(0.01)); });
     s = symmetric_remainder_4.step(pill, s, Real(0.01));
     const FullInertia<Real> full(Matrix3<Real>(crate.moments.asDiagonal()));
     RigidState<Real> world{0, s.q, s.omega};

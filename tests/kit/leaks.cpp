@@ -46,15 +46,14 @@ std::string without_blanks(const std::string& text) {
 
 // A page as it is read: no tags, and signs in place of their names.
 std::string without_tags(const std::string& page) {
-    static const std::vector<std::pair<std::string_view, char>> names{
-        {"&lt;", '<'},  {"&gt;", '>'},   {"&quot;", '"'}, {"&#39;", '\''},
-        {"&amp;", '&'}, {"&#160;", ' '}, {"&nbsp;", ' '}};
+    static const std::vector<std::pair<std::string_view, char>> names{{"&lt;", '<'},   {"&gt;", '>'},  {"&quot;", '"'},
+                                                                      {"&#39;", '\''}, {"&amp;", '&'}, {"&#160;", ' '},
+                                                                      {"&nbsp;", ' '}};
     std::string text;
     for (std::size_t i = 0; i < page.size(); ++i) {
         const std::string_view rest = std::string_view(page).substr(i);
-        const auto name = std::find_if(names.begin(), names.end(), [&](const auto& known) {
-            return rest.starts_with(known.first);
-        });
+        const auto name =
+            std::find_if(names.begin(), names.end(), [&](const auto& known) { return rest.starts_with(known.first); });
         const auto end = page[i] == '<' ? page.find('>', i) : std::string::npos;
         if (end != std::string::npos) {
             i = end;
@@ -126,18 +125,15 @@ public:
             else
                 add_lines(read(file), lines);
         });
-        for_each_file(source / "solutions",
-                      [&](const fs::path& file) { take_apart(read(file), lines, open); });
+        for_each_file(source / "solutions", [&](const fs::path& file) { take_apart(read(file), lines, open); });
         for (const auto& line : lines)
             if (line.size() >= shortest && !line.starts_with("#include<timestep/"))
                 lines_[beginning(line.data())].insert(line);
         for (const char* folder : {"chapters", "include", "tools", "docs"})
             for_each_file(source / folder, [&](const fs::path& file) { open += read(file); });
-        for (const char* file :
-             {"CMakeLists.txt", "CMakePresets.json", "README.md", "course", "LICENSE"})
+        for (const char* file : {"CMakeLists.txt", "CMakePresets.json", "README.md", "course", "LICENSE"})
             open += read(source / file);
-        for (const auto& line : found_in(without_blanks(open)))
-            lines_[beginning(line.data())].erase(line);
+        for (const auto& line : found_in(without_blanks(open))) lines_[beginning(line.data())].erase(line);
     }
     std::size_t count() const {
         std::size_t sum = 0;
@@ -197,18 +193,15 @@ int look_for_leaks(const fs::path& source, const fs::path& kit) {
             return;
         }
         auto found = secrets.found_in(without_blanks(text));
-        if (ending == ".html" || ending == ".js")
-            found.merge(secrets.found_in(without_blanks(without_tags(text))));
-        if (!found.empty())
-            complain(file, std::to_string(found.size()) + " lines: " + *found.begin());
+        if (ending == ".html" || ending == ".js") found.merge(secrets.found_in(without_blanks(without_tags(text))));
+        if (!found.empty()) complain(file, std::to_string(found.size()) + " lines: " + *found.begin());
     };
     fs::create_directory(unpacked);
     for_each_file(kit, [&](const fs::path& file) { look_at(look_at, file); });
     fs::remove_all(unpacked);
-    std::cout << secrets.count() << " lines looked for in " << files << " files of "
-              << (bytes + 500'000) / 1'000'000 << " MB: " << leaks << " files leak\n";
-    if (secrets.count() == 0 || files == 0)
-        complain(kit, "nothing to look for, or nowhere to look");
+    std::cout << secrets.count() << " lines looked for in " << files << " files of " << (bytes + 500'000) / 1'000'000
+              << " MB: " << leaks << " files leak\n";
+    if (secrets.count() == 0 || files == 0) complain(kit, "nothing to look for, or nowhere to look");
     return leaks > 0 ? 1 : 0;
 }
 

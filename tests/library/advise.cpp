@@ -32,7 +32,8 @@ Advice of(const std::vector<Advice>& all, const std::string& method) {
 
 // Just below the limit nothing grows, just above it something does; and the whole way below it is
 // stable, so that the limit is the first.
-TEST_CASE("the formulas for the longest stable step are those of the steps' eigenvalues", "[library][N23][N25][N33][I13]") {
+TEST_CASE("the formulas for the longest stable step are those of the steps' eigenvalues",
+          "[library][N23][N25][N33][I13]") {
     const auto holds = [](const auto& method) {
         constexpr bool damped = detail::takes_damping<std::remove_cvref_t<decltype(method)>>;
         for (const double zeta : zetas) {
@@ -43,8 +44,7 @@ TEST_CASE("the formulas for the longest stable step are those of the steps' eige
             if (std::isinf(limit)) {
                 for (double s = 1e-3; s < 1e9; s *= 3) CHECK(growth(method, zeta, s) <= 1 + 1e-14);
             } else if (limit > 0) {
-                for (int i = 1; i <= 200; ++i)
-                    CHECK(growth(method, zeta, 0.9999 * limit * i / 200) <= 1 + 1e-14);
+                for (int i = 1; i <= 200; ++i) CHECK(growth(method, zeta, 0.9999 * limit * i / 200) <= 1 + 1e-14);
                 CHECK(growth(method, zeta, 1.0001 * limit) > 1);
             } else {
                 for (double s = 0.01; s < 10; s *= 1.3) CHECK(growth(method, zeta, s) > 1);
@@ -56,7 +56,8 @@ TEST_CASE("the formulas for the longest stable step are those of the steps' eige
     for_each_verlet_method(holds);
 }
 
-TEST_CASE("no method has an eigenvalue outside the unit disk where its limit is infinite, however stiff", "[library][I13]") {
+TEST_CASE("no method has an eigenvalue outside the unit disk where its limit is infinite, however stiff",
+          "[library][I13]") {
     for (const double zeta : zetas)
         for (double s = 1; s < 1e12; s *= 10) {
             CHECK(growth(implicit_euler, zeta, s) <= 1 + 1e-14);

@@ -49,8 +49,8 @@ TEST_CASE("the half-step Jacobian's bound is reached, and 2/sqrt(c) is where it 
         for (const double part : {0.1, 0.5, 0.9}) {
             const BodyAdvice advice = said(part * end);
             REQUIRE(advice.adds == AddsEnergy::bounded);
-            const Thrown thrown = throw_body(tumble<HalfStepJacobian>, body,
-                                             Vector(part * end * way.normalized()), Frames(1, 1), 1e9, 3000);
+            const Thrown thrown = throw_body(tumble<HalfStepJacobian>, body, Vector(part * end * way.normalized()),
+                                             Frames(1, 1), 1e9, 3000);
             CAPTURE(body.moments.transpose(), part, advice.bound, thrown.most_energy);
             CHECK(thrown.most_energy <= advice.bound * (1 + 1e-10));
             CHECK(thrown.most_energy - 1 > 0.9 * (advice.bound - 1));
@@ -69,8 +69,9 @@ TEST_CASE("that bound is a constant step's: by uneven frames it is passed", "[li
     questions::Random random(4);
     double most = 1;
     for (int i = 0; i < 12; ++i)
-        most = std::max(most, throw_body(tumble<HalfStepJacobian>, ruler, Vector(spin * random.direction()), uneven,
-                                         600, 100'000).most_energy);
+        most = std::max(
+            most, throw_body(tumble<HalfStepJacobian>, ruler, Vector(spin * random.direction()), uneven, 600, 100'000)
+                      .most_energy);
     CHECK(most > even.bound);
 }
 
@@ -154,8 +155,7 @@ TEST_CASE("two moments declared equal: which, and what passive takes where nobod
     }
 }
 
-TEST_CASE("up to five percent apart, two moments are better declared equal than stepped by passive",
-          "[library][I13]") {
+TEST_CASE("up to five percent apart, two moments are better declared equal than stepped by passive", "[library][I13]") {
     CHECK(questions::nearer_declared(0.01, true) > 0.95);
     CHECK(questions::nearer_declared(nearly_equal, true) > 0.95);
     CHECK(questions::nearer_declared(nearly_equal, false) > 0.55);
@@ -181,15 +181,18 @@ TEST_CASE("a body is sent down the tree to a line of the list", "[library][I13]"
     CHECK(name(box, 20, at_60_hz, false, 999) == "free_fast");
     CHECK(name(box, 10, uneven) == "free_uneven");
     CHECK(name(box, 10, uneven, false, 1000) == "many_uneven");
-    const auto substeps = [&](double spin, const Frames& frames) { return recommend(box, omega(spin), frames).substeps; };
+    const auto substeps = [&](double spin, const Frames& frames) {
+        return recommend(box, omega(spin), frames).substeps;
+    };
     CHECK(substeps(15, at_60_hz) == 1);
     CHECK(substeps(15.1, at_60_hz) == 2);
     CHECK(substeps(100, at_60_hz) == 7);
     CHECK(substeps(10, uneven) == 2);
     CHECK(substeps(1e-3, uneven) == 1);
     CHECK(substeps(1.4999e10, at_60_hz) == 999'933'334);
-    CHECK_THROWS_WITH(recommend(box, Vector(1e40, 0, 0), at_60_hz),
-                      "spin = 1e+40: must be so slow that a step turns the body by at most 2.5e+08 rad, 1e9 substeps of 0.25");
+    CHECK_THROWS_WITH(
+        recommend(box, Vector(1e40, 0, 0), at_60_hz),
+        "spin = 1e+40: must be so slow that a step turns the body by at most 2.5e+08 rad, 1e9 substeps of 0.25");
     CHECK_THROWS_AS(recommend(box, Vector(1e10, 0, 0), Frames(0.01, 0.02)), std::invalid_argument);  // 1e9 of 1/12
 }
 
@@ -212,7 +215,8 @@ TEST_CASE("two moments that differ by a billionth are advised as equal ones are"
                 }
         // With contacts the lines have two names, and are one step.
         const Vector slow = 0.5 / spin * omega;
-        const Vector three = calm_half_step.step(near, slow, 1.0), two = calm_half_step.step(SymmetricInertia<double>(1, along), slow, 1.0);
+        const Vector three = calm_half_step.step(near, slow, 1.0),
+                     two = calm_half_step.step(SymmetricInertia<double>(1, along), slow, 1.0);
         CHECK((three - two).norm() < 0.01 * slow.norm());
     }
     CHECK(recommend(Body(1, 1 + 1e-9, 1 + 2e-9), Vector(20, 30, 10), at_60_hz, true).choice.name == "ball");
@@ -240,9 +244,10 @@ TEST_CASE("two moments all but equal: a throw is advised by what it does", "[lib
         const double apart = random.even_in_log(1e-9, nearly_equal), along = random.even_in_log(1.1 * apart, 1.9);
         const Body body(1, 1 - apart, along);
         const double spin = random.even_in_log(1, 100);
-        const Vector omega = as_thrown(Vector(spin * (i % 3 == 0   ? Vector(Vector::UnitZ() + 0.1 * random.direction()).normalized()
-                                                      : i % 3 == 1 ? random.near_middle(body)
-                                                                   : random.direction())));
+        const Vector omega =
+            as_thrown(Vector(spin * (i % 3 == 0   ? Vector(Vector::UnitZ() + 0.1 * random.direction()).normalized()
+                                     : i % 3 == 1 ? random.near_middle(body)
+                                                  : random.direction())));
         const auto take = asked(body, omega);
         const double h = 1.0 / 60 / double(take.substeps);
         const double two = throw_body(symmetric_remainder_2, body, omega, Frames(h, h), 2).off;
@@ -250,7 +255,8 @@ TEST_CASE("two moments all but equal: a throw is advised by what it does", "[lib
         const double two_in_one = throw_body(symmetric_remainder_2, body, omega, at_60_hz, 2).off;
         CAPTURE(apart, along, omega.transpose(), take.choice.name, two, four);
         CHECK((take.choice.name == "symmetric_free" ? two : four) < 1e-3);
-        CHECK((take.choice.name == "ball" || (take.choice.name == "symmetric_free") == (two_in_one <= right_orientation)));
+        CHECK((take.choice.name == "ball" ||
+               (take.choice.name == "symmetric_free") == (two_in_one <= right_orientation)));
         (take.choice.name == "symmetric_free" ? in_one_step : in_many) += 1;
     }
     CHECK(in_one_step > 50);

@@ -80,7 +80,8 @@ TEST_CASE("a damper alone goes down the list, or to the least cost that reaches 
     CHECK_THROWS_AS(advise_damper(1e-10, 1e-10), std::invalid_argument);
 }
 
-// 1e-9 N/m and 60 N s/m on a kilogram: explicit Euler stops the body in one step, the true motion keeps 37 % of its speed.
+// 1e-9 N/m and 60 N s/m on a kilogram: explicit Euler stops the body in one step, the true motion keeps 37 % of its
+// speed.
 TEST_CASE("a spring that hardly pulls does not hide what its damper does to a throw", "[library][I13]") {
     for (const double stiffness : {1e-9, 1.0}) {
         const auto spring = DampedSpring<double>::from_stiffness(stiffness, 60, 1);

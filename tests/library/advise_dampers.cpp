@@ -32,14 +32,16 @@ void sweep(Random& random, const Pull& pull, springs::Net<N> net, Swept& seen) {
     net.hold(1e-4 * pull.least);
     const double fastest = std::sqrt(radius(net.pull())), h = 1.99 / fastest;
     std::vector<double> dampers;
-    for (std::size_t k = 0; k < net.links.size(); ++k) dampers.push_back(random.in_log(0.1, 1e4) / (fastest * pull.most));
+    for (std::size_t k = 0; k < net.links.size(); ++k)
+        dampers.push_back(random.in_log(0.1, 1e4) / (fastest * pull.most));
     ++seen.asked;
     seen.grew += springs::grows(springs::swept_step(net, dampers, h, true));
     seen.grew_one_way += springs::grows(springs::swept_step(net, dampers, h, false));
     // What the advice says of steps that its bounds call stable.
     const SpringScene scene = scene_of(pull, 1, random.in_log(0.01, 1000));
-    const Advice advice = detail::at_step(detail::judged(semi_implicit_euler_new_damping, scene.fastest.zeta, scene.least.zeta, scene.several),
-                                          scene, 1.99 / scene.fastest.omega, 0.01);
+    const Advice advice = detail::at_step(
+        detail::judged(semi_implicit_euler_new_damping, scene.fastest.zeta, scene.least.zeta, scene.several), scene,
+        1.99 / scene.fastest.omega, 0.01);
     CHECK(advice.verdict == Verdict::stable);
     CHECK(scene.fastest.omega >= (1 - 1e-3) * fastest);  // `hold` adds a little
 }
@@ -47,11 +49,13 @@ void sweep(Random& random, const Pull& pull, springs::Net<N> net, Swept& seen) {
 }  // namespace
 
 // The proof stands beside detail::several_dampers().
-TEST_CASE("dampers swept there and back let no scene grow below omega h = 2, and one way only they do", "[library][I13][N25]") {
+TEST_CASE("dampers swept there and back let no scene grow below omega h = 2, and one way only they do",
+          "[library][I13][N25]") {
     Random random(31);
     Swept seen;
     for (int i = 0; i < 50; ++i) {
-        const double mass = random.in_log(0.1, 10), arm = random.in_log(0.1, 3), inertia = mass * arm * arm * random.even(0.1, 1);
+        const double mass = random.in_log(0.1, 10), arm = random.in_log(0.1, 3),
+                     inertia = mass * arm * arm * random.even(0.1, 1);
         sweep(random, springs_on_body(mass, 3, arm, inertia), springs::body(random, mass, 3, arm, inertia), seen);
         sweep(random, hinge(mass, lightness(mass, arm, inertia), 1, lightness(1, 1, 0.4)),
               springs::hinge(random, mass, arm, inertia, 1, 1, 0.4), seen);

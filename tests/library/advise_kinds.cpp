@@ -65,7 +65,8 @@ Tally ask(unsigned seed, long questions, const Draw& draw) {
             const bool grew = springs::grows(method, net, h);
             const long wrong = tally.wrong;
             tally.count(advice.verdict, grew);
-            if (tally.wrong > wrong) UNSCOPED_INFO(method.name << ", zeta " << scene.fastest.zeta << ": " << advice.reason);
+            if (tally.wrong > wrong)
+                UNSCOPED_INFO(method.name << ", zeta " << scene.fastest.zeta << ": " << advice.reason);
         });
     }
     return tally;
@@ -87,14 +88,17 @@ const auto one_spring = [](Random& random) {
     return std::pair(springs_on_body(mass, 1), net);
 };
 const auto on_a_body = [](Random& random) {
-    const double mass = random.in_log(0.1, 10), arm = random.in_log(0.1, 3), inertia = mass * arm * arm * random.even(0.1, 1);
+    const double mass = random.in_log(0.1, 10), arm = random.in_log(0.1, 3),
+                 inertia = mass * arm * arm * random.even(0.1, 1);
     const int count = 1 + random.below(6);
     return std::pair(springs_on_body(mass, count, arm, inertia), springs::body(random, mass, count, arm, inertia));
 };
 const auto in_a_hinge = [](Random& random) {
-    const double m1 = random.in_log(0.1, 10), m2 = random.in_log(0.1, 10), r1 = random.in_log(0.1, 3), r2 = random.in_log(0.1, 3);
+    const double m1 = random.in_log(0.1, 10), m2 = random.in_log(0.1, 10), r1 = random.in_log(0.1, 3),
+                 r2 = random.in_log(0.1, 3);
     const double I1 = m1 * r1 * r1 * random.even(0.1, 1), I2 = m2 * r2 * r2 * random.even(0.1, 1);
-    return std::pair(hinge(m1, lightness(m1, r1, I1), m2, lightness(m2, r2, I2)), springs::hinge(random, m1, r1, I1, m2, r2, I2));
+    return std::pair(hinge(m1, lightness(m1, r1, I1), m2, lightness(m2, r2, I2)),
+                     springs::hinge(random, m1, r1, I1, m2, r2, I2));
 };
 const auto in_a_chain = [](Random& random) {
     const double mass = random.in_log(0.1, 10);
@@ -133,7 +137,8 @@ Tally ask_tethers(long questions, long* gained) {
                 if (advice.verdict == Verdict::grows) {
                     double farthest = 0;
                     const double growth = std::log(advice.growth_per_step);
-                    const double steps = std::ceil(std::min(1e6, 20 / growth)), least = std::exp(std::min(4.0, growth * steps / 2));
+                    const double steps = std::ceil(std::min(1e6, 20 / growth)),
+                                 least = std::exp(std::min(4.0, growth * steps / 2));
                     run(method, tether, State<double>{0, rest * (1 + 1e-6), 0}, h, long(steps), [&](const auto& s) {
                         if (!(std::abs(s.x - rest) <= farthest)) farthest = std::abs(s.x - rest);
                     });
@@ -143,7 +148,8 @@ Tally ask_tethers(long questions, long* gained) {
                 const State<double> start{0, rest * random.in_log(1.1, 30), 0};
                 const double first = tether.energy(start) + rest * rest / 2;
                 double most = 0;
-                run(method, tether, start, h, 2000L, [&](const auto& s) { most = std::max(most, tether.energy(s) + rest * rest / 2); });
+                run(method, tether, start, h, 2000L,
+                    [&](const auto& s) { most = std::max(most, tether.energy(s) + rest * rest / 2); });
                 const bool grew = !(most <= first * (1 + 1e-9));
                 tally.count(advice.verdict, grew);
                 if (gained && scene.only_pulls && advice.verdict == Verdict::not_proven && most > 4 * first) ++*gained;
@@ -155,11 +161,13 @@ Tally ask_tethers(long questions, long* gained) {
 
 // Frames drawn between the two lengths, or the shortest and the longest in a pattern: "stable" has to stand both.
 template <class Method>
-bool survives(const Method& method, double zeta, double shortest, double longest, Random& random, double growth, bool pattern) {
+bool survives(const Method& method, double zeta, double shortest, double longest, Random& random, double growth,
+              bool pattern) {
     const long steps = growth > 0 ? static_cast<long>(std::min(1e7, 60 / growth)) + 100 : 20'000;
     const int every = 1 + random.below(4);
     std::vector<StepMatrix<long double>> of;
-    for (int i = 0; i <= 1000; ++i) of.push_back(detail::matrix_of(method, zeta, shortest + (longest - shortest) * i / 1000));
+    for (int i = 0; i <= 1000; ++i)
+        of.push_back(detail::matrix_of(method, zeta, shortest + (longest - shortest) * i / 1000));
     double x = 0.8, v = 0.6, log_size = 0;
     for (long n = 0; n < steps; ++n) {
         const auto& a = of[static_cast<std::size_t>(pattern ? (n % (every + 1) ? 1000 : 0) : random.below(1001))];
@@ -186,14 +194,18 @@ Tally ask_frames(long questions) {
             const Advice advice = detail::at_step(judged, scene, scene.longest_frame, 0.01);
             const auto& stepping = detail::when_step_changes(method);
             if (advice.verdict == Verdict::stable) {
-                const bool stood = survives(stepping, zeta, scene.shortest_frame, scene.longest_frame, random, 0, false) &&
-                                   survives(stepping, zeta, scene.shortest_frame, scene.longest_frame, random, 0, true);
-                if (!stood) UNSCOPED_INFO(method.name << ", zeta " << zeta << ", " << scene.shortest_frame << " to " << scene.longest_frame << " s");
+                const bool stood =
+                    survives(stepping, zeta, scene.shortest_frame, scene.longest_frame, random, 0, false) &&
+                    survives(stepping, zeta, scene.shortest_frame, scene.longest_frame, random, 0, true);
+                if (!stood)
+                    UNSCOPED_INFO(method.name << ", zeta " << zeta << ", " << scene.shortest_frame << " to "
+                                              << scene.longest_frame << " s");
                 tally.count(advice.verdict, !stood);
             } else {
                 const bool grows = advice.verdict == Verdict::grows;
                 const double growth = grows ? std::max(1e-9, std::log(advice.growth_per_step)) : 0;
-                const bool stood = survives(stepping, zeta, scene.shortest_frame, scene.longest_frame, random, growth, false);
+                const bool stood =
+                    survives(stepping, zeta, scene.shortest_frame, scene.longest_frame, random, growth, false);
                 if (stood && grows)
                     UNSCOPED_INFO(method.name << ", zeta " << zeta << ", " << scene.shortest_frame << " to "
                                               << scene.longest_frame << " s, growth " << growth);
@@ -256,6 +268,7 @@ void all_kinds(long questions) {
 
 TEST_CASE("the verdicts on every kind of spring are those of runs", "[library][I13]") { all_kinds(300); }
 
-TEST_CASE("of ten thousand questions of each kind of spring 99.9 % of the verdicts are right", "[library][I13][long][proof]") {
+TEST_CASE("of ten thousand questions of each kind of spring 99.9 % of the verdicts are right",
+          "[library][I13][long][proof]") {
     all_kinds(10'000);
 }

@@ -51,7 +51,8 @@ int gaining_throws(double s, long steps) {
         const double speed = i % 2 ? random.even(0, 1) * std::sqrt(weight * length) : 1;
         const State<Eigen::Vector2d> start{0, x, speed * random.way()};
         double most = 0;
-        run(semi_implicit_euler, tether, start, s, steps, [&](const auto& now) { most = std::max(most, tether.energy(now)); });
+        run(semi_implicit_euler, tether, start, s, steps,
+            [&](const auto& now) { most = std::max(most, tether.energy(now)); });
         gaining += !(most <= 1.25 * tether.energy(start));
     }
     return gaining;
@@ -59,12 +60,14 @@ int gaining_throws(double s, long steps) {
 
 }  // namespace
 
-TEST_CASE("up to a turn of an eighth no tether is seen to gain by semi-implicit Euler, and at half many are", "[library][I13]") {
+TEST_CASE("up to a turn of an eighth no tether is seen to gain by semi-implicit Euler, and at half many are",
+          "[library][I13]") {
     CHECK(gaining_throws(tether_turn, 5'000) == 0);
     CHECK(gaining_throws(0.5, 5'000) > 200);
 }
 
-TEST_CASE("of four hundred throws of a hundred thousand steps no tether gains a quarter", "[library][I13][long][proof]") {
+TEST_CASE("of four hundred throws of a hundred thousand steps no tether gains a quarter",
+          "[library][I13][long][proof]") {
     CHECK(gaining_throws(tether_turn, 100'000) == 0);
     CHECK(gaining_throws(2 * tether_turn, 100'000) > 40);
 }
@@ -121,7 +124,8 @@ TEST_CASE("what is recommended for uneven frames stands, and is as near as asked
                         now = method.step(spring, now, frame / double(made.substeps));
                         most = std::max(most, std::abs(now.x));
                         if (now.t < 6.2)
-                            first_swing = std::max(first_swing, std::abs(now.x - spring.exact(State<double>{0, 1, 0}, now.t).x));
+                            first_swing =
+                                std::max(first_swing, std::abs(now.x - spring.exact(State<double>{0, 1, 0}, now.t).x));
                     }
                 }
                 CHECK(most < 1.1);
@@ -135,7 +139,8 @@ TEST_CASE("what is recommended for uneven frames stands, and is as near as asked
     CHECK(euler > 0);
 }
 
-TEST_CASE("asked for an accuracy the answer reaches it, and no method does at fewer whole substeps' cost", "[library][I13]") {
+TEST_CASE("asked for an accuracy the answer reaches it, and no method does at fewer whole substeps' cost",
+          "[library][I13]") {
     Random random(28);
     for (int i = 0; i < 40; ++i) {
         const DampedSpring<double> spring(1, random.below(4) ? random.in_log(0.01, 30) : 0);
@@ -148,20 +153,23 @@ TEST_CASE("asked for an accuracy the answer reaches it, and no method does at fe
         double cost = 0, least = INFINITY;
         for (const Advice& each : all) {
             if (each.method == made.method) cost = each.cost * double(made.substeps);
-            if (best_step(each, h) > 0) least = std::min(least, each.cost * std::ceil(h / best_step(each, h) * (1 - 1e-12)));
+            if (best_step(each, h) > 0)
+                least = std::min(least, each.cost * std::ceil(h / best_step(each, h) * (1 - 1e-12)));
         }
         CHECK(cost <= least * (1 + 1e-9));
     }
     // Where the cheapest of the list fits whole, that one is the answer, at every accuracy.
     for (const double accuracy : {0.01, 0.05, 0.2, 0.5}) {
         const auto all = advise(DampedSpring<double>(10, 0), 1.0 / 60, accuracy);
-        CHECK(recommend(DampedSpring<double>(10, 0), 1.0 / 60, {.precise = true, .accuracy = accuracy}, all).method == "Verlet");
+        CHECK(recommend(DampedSpring<double>(10, 0), 1.0 / 60, {.precise = true, .accuracy = accuracy}, all).method ==
+              "Verlet");
         CHECK(cheapest(all, 1.0 / 60)->method == "Verlet");
     }
 }
 
 // ω = 7 rad/s, ζ = 0.48: one ellipse holds every step of semi-implicit Euler.
-TEST_CASE("in uneven frames semi-implicit Euler is recommended where the proof holds and it costs less", "[library][I13]") {
+TEST_CASE("in uneven frames semi-implicit Euler is recommended where the proof holds and it costs less",
+          "[library][I13]") {
     const DampedSpring<double> wheel = DampedSpring<double>::from_stiffness(58860, 8000, 1200);
     const Recommendation made = in_frames(wheel.omega, wheel.zeta, 0.0069, 0.033);
     CHECK(made.method == "semi-implicit Euler, new damping");

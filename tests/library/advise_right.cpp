@@ -46,8 +46,7 @@ TEST_CASE("at zeta = 1 the step for an accuracy is about as long as beside it", 
             if (all[i].verdict == Verdict::refused) continue;
             CAPTURE(zeta, all[i].method, all[i].accurate_step);
             CHECK(all[i].accurate_step > 0);
-            if (!before.empty())
-                CHECK(std::abs(std::log(all[i].accurate_step / before[i].accurate_step)) < 0.2);
+            if (!before.empty()) CHECK(std::abs(std::log(all[i].accurate_step / before[i].accurate_step)) < 0.2);
         }
         before = all;
     }
@@ -269,7 +268,7 @@ TEST_CASE("a step at which a fast decay rings is not right, and the advice says 
     CHECK(cheapest(very)->method != "implicit midpoint");
 
     const auto some = advise(DampedSpring<double>(5.0, 20.0), 1.0 / 60);
-    CHECK(of(some, "implicit midpoint").ringing == 0);  // −0.25: over in a few steps
+    CHECK(of(some, "implicit midpoint").ringing == 0);                              // −0.25: over in a few steps
     CHECK(std::abs(of(some, "implicit midpoint").accurate_step - 0.03002) < 1e-5);  // 6 over 199.87
     CHECK(of(advise(DampedSpring<double>(5.0, 20.0), 2.74), "implicit midpoint").reason ==
           "stable, but rings: a step multiplies the fast part by −0.993");
@@ -299,7 +298,8 @@ TEST_CASE("what is said to ring turns its sign step by step, and an implicit Eul
         return count;
     };
     const auto measure = [&](const auto& method) {
-        if constexpr (!detail::takes_damping<std::remove_cvref_t<decltype(method)>>) return;
+        if constexpr (!detail::takes_damping<std::remove_cvref_t<decltype(method)>>)
+            return;
         else {
             bool any = false;
             for (int i = 0; i < 150; ++i) {

@@ -19,7 +19,6 @@ SpinAdvice of(const std::vector<SpinAdvice>& all, const std::string& method) {
     return all.front();
 }
 
-
 }  // namespace
 
 TEST_CASE("the search for a gain misses none that darts find", "[library][N51][I13]") {
@@ -91,8 +90,7 @@ TEST_CASE("equal moments can gain nothing but by what a torque of zero adds", "[
         CAPTURE(advice.method);
         CHECK(advice.verdict == Verdict::stable);
     }
-    CHECK(of(advise_spin(PrincipalInertia<double>(1, 1, 0.1), 100, 0.1), "one Newton step").verdict ==
-          Verdict::stable);
+    CHECK(of(advise_spin(PrincipalInertia<double>(1, 1, 0.1), 100, 0.1), "one Newton step").verdict == Verdict::stable);
 }
 
 TEST_CASE("what is said to gain energy does so by its own worst spin, visibly", "[library][N51][I13]") {

@@ -12,9 +12,7 @@ namespace {
 const DampedSpring<double> spring(10.0, 0.2);
 constexpr double h = 1.0 / 60;
 
-bool same(const State<double>& a, const State<double>& b) {
-    return a.t == b.t && a.x == b.x && a.v == b.v;
-}
+bool same(const State<double>& a, const State<double>& b) { return a.t == b.t && a.x == b.x && a.v == b.v; }
 
 }  // namespace
 

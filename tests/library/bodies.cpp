@@ -151,12 +151,10 @@ TEST_CASE("a body that no scene could step is refused where it is added", "[libr
         CHECK_THROWS_AS(add({ball.inertia, mass, 0.1}, still, still), std::invalid_argument);
     for (const double radius : {0.0, -1.0, 1e-200, 1e200, nan, inf})
         CHECK_THROWS_AS(add({ball.inertia, 2, radius}, still, still), std::invalid_argument);
-    CHECK_THROWS_MATCHES(
-        add({ball.inertia, 0, 0.1}, still, still), std::invalid_argument,
-        Message("mass = 0: must be finite and greater than zero"));
-    CHECK_THROWS_MATCHES(
-        add({ball.inertia, 2, 1e200}, still, still), std::invalid_argument,
-        Message("radius = 1e+200: must be such that 1/m and r²/I are finite and above zero"));
+    CHECK_THROWS_MATCHES(add({ball.inertia, 0, 0.1}, still, still), std::invalid_argument,
+                         Message("mass = 0: must be finite and greater than zero"));
+    CHECK_THROWS_MATCHES(add({ball.inertia, 2, 1e200}, still, still), std::invalid_argument,
+                         Message("radius = 1e+200: must be such that 1/m and r²/I are finite and above zero"));
     for (const double bad : {1e200, nan, inf}) {
         CHECK_THROWS_AS(add(ball, V(bad, 0, 0), still), std::invalid_argument);
         CHECK_THROWS_AS(add(ball, still, V(0, bad, 0)), std::invalid_argument);
@@ -169,13 +167,11 @@ TEST_CASE("a body's orientation is scaled to length one where it is added", "[li
     const Box crate{box(3.0, 1.0, 2.0, 3.0)};
     for (const double size : {2.0, 10.0, 1e-200, 1e200, 0.5e-323}) {
         Bodies<double, Box> boxes;
-        Motion<double> m{{0, Quaternion<double>(size, size, size, -size), V(1, 2, 3)},
-                         V(4, 5, 6), V(7, 8, 9)};
+        Motion<double> m{{0, Quaternion<double>(size, size, size, -size), V(1, 2, 3)}, V(4, 5, 6), V(7, 8, 9)};
         boxes.add(crate, m);
         const Motion<double>& added = boxes.of<Box>()[0].motion;
         INFO("size " << size);
-        CHECK((added.turning.q.coeffs() - Quaternion<double>(0.5, 0.5, 0.5, -0.5).coeffs())
-                  .norm() < 1e-15);
+        CHECK((added.turning.q.coeffs() - Quaternion<double>(0.5, 0.5, 0.5, -0.5).coeffs()).norm() < 1e-15);
         CHECK((added.turning.omega == V(1, 2, 3) && added.x == m.x && added.v == m.v));
     }
     Bodies<double, Box> boxes;
@@ -185,8 +181,7 @@ TEST_CASE("a body's orientation is scaled to length one where it is added", "[li
 }
 
 // Who steps a body that has not been let in shall at least see it.
-TEST_CASE("friction and resistance that cannot be computed are not dropped in silence",
-          "[library][ch6]") {
+TEST_CASE("friction and resistance that cannot be computed are not dropped in silence", "[library][ch6]") {
     const BodyScene scene{Weight(9.81), Ground(0.5), RollingResistance(0.01)};
     const double nan = std::nan("");
     const auto lost = [&](const Ball& body, const V& v, const V& omega) {

@@ -51,7 +51,8 @@ struct Network {
     }
     double fastest() const { return std::sqrt(Eigen::SelfAdjointEigenSolver<MatrixXd>(K()).eigenvalues().maxCoeff()); }
 
-    // What the library does to velocities, in u: column i is what becomes of the i-th unit vector. No mass is held here.
+    // What the library does to velocities, in u: column i is what becomes of the i-th unit vector. No mass is held
+    // here.
     MatrixXd swept() const {
         DamperSweep<Vector2d> sweep(inverse_masses);
         for (const Part& part : parts) sweep.add(part.a, part.b, part.along, part.c);
@@ -90,16 +91,20 @@ double growth(const MatrixXd& D, const MatrixXd& K, double h) {
     return step.eigenvalues().cwiseAbs().maxCoeff();
 }
 
-// Two to five masses of 0.1 to 10 kg, each pair tied at random in a random direction; dampers from soft to hard; ωh as wanted.
+// Two to five masses of 0.1 to 10 kg, each pair tied at random in a random direction; dampers from soft to hard; ωh as
+// wanted.
 Network random_network(std::mt19937& random, double wh) {
-    const auto from = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+    const auto from = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
     Network net{{}, {}, from(1e-3, 0.1)};
     const std::size_t masses = 2 + random() % 4;
     for (std::size_t i = 0; i < masses; ++i) net.inverse_masses.push_back(std::pow(10, from(-1, 1)));
     for (std::size_t a = 0; a < masses; ++a)
         for (std::size_t b = 0; b < a; ++b)
             for (int n = 0; n < 2; ++n)
-                net.parts.push_back({a, b, Vector2d(from(-1, 1), from(-1, 1)), from(0, 1), std::pow(10, from(-2, 5)) / net.h});
+                net.parts.push_back(
+                    {a, b, Vector2d(from(-1, 1), from(-1, 1)), from(0, 1), std::pow(10, from(-2, 5)) / net.h});
     const double scale = wh / (net.fastest() * net.h);
     for (auto& part : net.parts) part.k *= scale * scale;
     return net;
@@ -108,9 +113,11 @@ Network random_network(std::mt19937& random, double wh) {
 // One mass and the wall. Springs and dampers as given: k along x, and two dampers of c at ±degrees to it.
 Network between_walls(double degrees, double c) {
     const double angle = degrees * 3.141592653589793 / 180;
-    return {{1, 0}, {{0, 1, Vector2d(1, 0), 3600, 0},
-                     {0, 1, Vector2d(std::cos(angle), std::sin(angle)), 0, c},
-                     {0, 1, Vector2d(std::cos(angle), -std::sin(angle)), 0, c}}, 1.0 / 60};
+    return {{1, 0},
+            {{0, 1, Vector2d(1, 0), 3600, 0},
+             {0, 1, Vector2d(std::cos(angle), std::sin(angle)), 0, c},
+             {0, 1, Vector2d(std::cos(angle), -std::sin(angle)), 0, c}},
+            1.0 / 60};
 }
 
 }  // namespace
@@ -127,12 +134,14 @@ TEMPLATE_TEST_CASE("one damper there and back is semi-implicit Euler with new da
         std::vector<Real> v{one.v - h * omega * omega * one.x, 0};
         sweep.there_and_back(v, h);
         // Some ten roundings, of a number that may be as small as what the roots leave of the velocity.
-        CHECK(std::fabs(v[0] / two.v - 1) < 20 * std::numeric_limits<Real>::epsilon() * std::sqrt(1 + 2 * zeta * omega * h));
+        CHECK(std::fabs(v[0] / two.v - 1) <
+              20 * std::numeric_limits<Real>::epsilon() * std::sqrt(1 + 2 * zeta * omega * h));
         CHECK(v[1] == 0);
     }
 }
 
-TEST_CASE("the sweep there and back is symmetric and between 0 and 1, and one way it is not symmetric", "[library][ch3]") {
+TEST_CASE("the sweep there and back is symmetric and between 0 and 1, and one way it is not symmetric",
+          "[library][ch3]") {
     std::mt19937 random(1);
     double most_skewed = 0;
     for (int n = 0; n < 100; ++n) {
@@ -148,15 +157,20 @@ TEST_CASE("the sweep there and back is symmetric and between 0 and 1, and one wa
     CHECK(most_skewed > 0.1);
 }
 
-TEST_CASE("dampers that are perpendicular or share no mass are one system there and back, to roundoff", "[library][ch3]") {
-    const Network net{{1, 0.3, 2, 5, 0.7}, {{0, 1, Vector2d(1, 2), 0, 70}, {0, 2, Vector2d(-2, 1), 0, 3e4}, {3, 4, Vector2d(3, 1), 0, 500}}, 0.1};
-    CHECK((net.swept() * net.inverse_of_one_matrix() - MatrixXd::Identity(10, 10)).cwiseAbs().maxCoeff() < 1e4 * 20 * eps);
+TEST_CASE("dampers that are perpendicular or share no mass are one system there and back, to roundoff",
+          "[library][ch3]") {
+    const Network net{{1, 0.3, 2, 5, 0.7},
+                      {{0, 1, Vector2d(1, 2), 0, 70}, {0, 2, Vector2d(-2, 1), 0, 3e4}, {3, 4, Vector2d(3, 1), 0, 500}},
+                      0.1};
+    CHECK((net.swept() * net.inverse_of_one_matrix() - MatrixXd::Identity(10, 10)).cwiseAbs().maxCoeff() <
+          1e4 * 20 * eps);
     Network skew = net;
     skew.parts[1].along = Vector2d(1, 1);
     CHECK((skew.swept() * skew.inverse_of_one_matrix() - MatrixXd::Identity(10, 10)).cwiseAbs().maxCoeff() > 0.1);
 }
 
-// The proof of the header in numbers. G = D⁻¹ − 1 is known to ε/(least eigenvalue of D), so the dampers are not too hard.
+// The proof of the header in numbers. G = D⁻¹ − 1 is known to ε/(least eigenvalue of D), so the dampers are not too
+// hard.
 TEST_CASE("the modified energy falls by the proof's term in every step, at omega h = 1.99", "[library][ch3]") {
     std::mt19937 random(2);
     for (int n = 0; n < 50; ++n) {
@@ -227,8 +241,8 @@ TEST_CASE("two hard dampers across each other blow a mass up one way, and not th
     CHECK(grows(120 * 1.07));
 }
 
-// A hub and twelve masses round it, in a plane, each held to its neighbours by springs with a damper beside each. ωh is 0.5, and
-// the wheel turns by 0.2 rad per step. Its most energy in 6000 steps, over the first.
+// A hub and twelve masses round it, in a plane, each held to its neighbours by springs with a damper beside each. ωh is
+// 0.5, and the wheel turns by 0.2 rad per step. Its most energy in 6000 steps, over the first.
 static double most_energy_of_a_wheel(double damping) {
     const double pi = 3.141592653589793;
     std::vector<Vector2d> x{Vector2d(0, 0)}, v;
@@ -236,7 +250,8 @@ static double most_energy_of_a_wheel(double damping) {
     for (const Vector2d& each : x) v.push_back(0.2 * Vector2d(-each.y(), each.x()));
     Network wheel{std::vector<double>(13, 1.0), {}, 1};
     for (std::size_t i = 1; i <= 12; ++i)
-        for (const std::size_t other : {std::size_t(0), i % 12 + 1}) wheel.parts.push_back({other, i, x[i] - x[other], 1, damping});
+        for (const std::size_t other : {std::size_t(0), i % 12 + 1})
+            wheel.parts.push_back({other, i, x[i] - x[other], 1, damping});
     const double k = 0.25 / (wheel.fastest() * wheel.fastest());
     DamperSweep<Vector2d> sweep(wheel.inverse_masses);
     for (const Network::Part& part : wheel.parts) sweep.add(part.a, part.b, part.along, part.c);
@@ -259,7 +274,8 @@ static double most_energy_of_a_wheel(double damping) {
     }
     return most;
 }
-TEST_CASE("a wheel of springs that turns: dampers whose hc/m adds up to 1 at the hub add no energy, those of 1 each do", "[library][ch3]") {
+TEST_CASE("a wheel of springs that turns: dampers whose hc/m adds up to 1 at the hub add no energy, those of 1 each do",
+          "[library][ch3]") {
     const double without = most_energy_of_a_wheel(0);
     CHECK(without < 1.1);
     CHECK(most_energy_of_a_wheel(1.0 / 12) <= without);
@@ -274,7 +290,8 @@ TEST_CASE("dampers keep the momentum, and a held mass its velocity", "[library][
     sweep.there_and_back(v, 0.1);
     CHECK((3 * v[0] + v[2] / 2 - before).norm() < 20 * eps);
     CHECK(std::fabs(v[0][0] - 1) > 0.1);
-    // A damper so hard that it is rigid, to a held mass that moves: along it the mass moves with it, across it as before.
+    // A damper so hard that it is rigid, to a held mass that moves: along it the mass moves with it, across it as
+    // before.
     DamperSweep<Vector2d> rigid({1, 0});
     rigid.add(0, 1, Vector2d(0, 3), 1e300);
     std::vector<Vector2d> w{Vector2d(7, 8), Vector2d(1, 2)};
@@ -286,7 +303,8 @@ TEST_CASE("dampers keep the momentum, and a held mass its velocity", "[library][
     CHECK((w[0] - Vector2d(1, 2)).norm() < 20 * eps);
 }
 
-TEST_CASE("no dampers, soft ones of zero, those between held masses and without direction change nothing", "[library][ch3]") {
+TEST_CASE("no dampers, soft ones of zero, those between held masses and without direction change nothing",
+          "[library][ch3]") {
     DamperSweep<Vector2d> sweep({1, 0, 0});
     std::vector<Vector2d> v{Vector2d(1, 2), Vector2d(3, 4), Vector2d(5, 6)};
     const auto before = v;

@@ -12,16 +12,15 @@
 
 using namespace timestep;
 
-TEMPLATE_TEST_CASE("a difference is as good as it declares", "[differences][N08]",
-                   ForwardDifference, BackwardDifference, CentralDifference, FivePointDifference) {
+TEMPLATE_TEST_CASE("a difference is as good as it declares", "[differences][N08]", ForwardDifference,
+                   BackwardDifference, CentralDifference, FivePointDifference) {
     const TestType formula;
     const double epsilon = std::numeric_limits<double>::epsilon();
     // Given tⁿ/n! at 0 with h = 1 a formula answers with the factor of hⁿ⁻¹ f⁽ⁿ⁾ in its Taylor
     // series. The values are at most 2ⁿ/n! ≤ 2 and there are four of them: 8 roundings of them.
     for (int n = 0; n <= TestType::order + 1; ++n) {
         const double factorial = std::tgamma(n + 1);
-        const double factor =
-            formula([=](double t) { return std::pow(t, n) / factorial; }, 0.0, 1.0);
+        const double factor = formula([=](double t) { return std::pow(t, n) / factorial; }, 0.0, 1.0);
         const double expected = n == 1 ? 1 : n <= TestType::order ? 0 : TestType::error_constant;
         INFO(formula.name << ", n = " << n);
         if (n <= TestType::order)

@@ -33,16 +33,14 @@ double residual(const Matrix& a) {
             if (i != j && values(i, j) != 0) return INFINITY;
             if (i < j && !(values(i, i) <= values(j, j))) return INFINITY;  // rising
         }
-    return largest == 0 ? 0
-                        : worst / largest / double(std::numeric_limits<real_of<Matrix>>::epsilon());
+    return largest == 0 ? 0 : worst / largest / double(std::numeric_limits<real_of<Matrix>>::epsilon());
 }
 
 }  // namespace
 
 // Each of some fifteen turns rounds two or three times: half a million matrices were off by 8 ε at
 // the most.
-TEMPLATE_TEST_CASE("a symmetric matrix is the sum of its eigenvectors", "[library]", float,
-                   double) {
+TEMPLATE_TEST_CASE("a symmetric matrix is the sum of its eigenvectors", "[library]", float, double) {
     using Matrix = Eigen::Matrix<TestType, 3, 3>;
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal;

@@ -45,12 +45,11 @@ TEST_CASE("a Taylor series takes any step that its terms can take", "[taylor][N0
     CHECK(taylor(std::span<const double, 5>(line), 1e100) == 2e100);
     const std::array<double, 3> slight{0, 0, 1e-200};
     // ½ h² f″ = ½e100 is, h² is not: three roundings.
-    CHECK(std::fabs(taylor(std::span<const double, 3>(slight), 1e150) / 0.5e100 - 1) <
-          3 * eps<double>);
+    CHECK(std::fabs(taylor(std::span<const double, 3>(slight), 1e150) / 0.5e100 - 1) < 3 * eps<double>);
 }
 
-TEMPLATE_TEST_CASE("springs and dampers of any two sizes have their frequency and damping",
-                   "[library]", float, double) {
+TEMPLATE_TEST_CASE("springs and dampers of any two sizes have their frequency and damping", "[library]", float,
+                   double) {
     const TestType big = largest<TestType>, small = 1 / big;
     CHECK(std::isfinite(Spring<TestType>::from_stiffness(small, big).omega));
     CHECK(Spring<TestType>::from_stiffness(small, big).omega > 0);
@@ -61,11 +60,10 @@ TEMPLATE_TEST_CASE("springs and dampers of any two sizes have their frequency an
 }
 
 // After 1e308 s a damped spring is at rest, though nobody knows at which angle.
-TEMPLATE_TEST_CASE("a damped spring comes to rest, however late one looks", "[library][N17]", float,
-                   double) {
+TEMPLATE_TEST_CASE("a damped spring comes to rest, however late one looks", "[library][N17]", float, double) {
     for (const TestType zeta : {TestType(0.01), TestType(1), TestType(20)}) {
-        const State<TestType> s = DampedSpring<TestType>(100, zeta).exact(State<TestType>{0, 1, 2},
-                                                                          largest<TestType> / 2);
+        const State<TestType> s =
+            DampedSpring<TestType>(100, zeta).exact(State<TestType>{0, 1, 2}, largest<TestType> / 2);
         INFO("zeta = " << zeta);
         CHECK(s.x == 0);
         CHECK(s.v == 0);
@@ -92,20 +90,18 @@ TEST_CASE("a game loop does not owe more than a number", "[I02][library]") {
 TEMPLATE_TEST_CASE("a tether has a slope however near to its origin", "[library]", float, double) {
     using V = Eigen::Matrix<TestType, 2, 1>;
     const Tether<TestType> tether(6, 1);
-    for (const TestType x : {std::numeric_limits<TestType>::denorm_min(),
-                             std::numeric_limits<TestType>::min(), TestType(1e-20)})
+    for (const TestType x :
+         {std::numeric_limits<TestType>::denorm_min(), std::numeric_limits<TestType>::min(), TestType(1e-20)})
         CHECK(tether.slope_x(V(0, x)).allFinite());
 }
 
 // Between the sines whose square is zero and those whose inverse has a square, dn was ∞/∞.
-TEMPLATE_TEST_CASE("elliptic functions of tiny arguments are the argument, 1 and 1", "[library]",
-                   float, double) {
+TEMPLATE_TEST_CASE("elliptic functions of tiny arguments are the argument, 1 and 1", "[library]", float, double) {
     for (TestType u = 1; u > 0; u /= 2) {
         const auto f = jacobi(u, TestType(0.25));
         INFO("u = " << u);
         REQUIRE(std::isfinite(f.sn));
-        if (u < std::sqrt(eps<TestType>) /
-                    4) {  // sn = u − (1 + m) u³/6, cn = 1 − u²/2, dn = 1 − m u²/2
+        if (u < std::sqrt(eps<TestType>) / 4) {  // sn = u − (1 + m) u³/6, cn = 1 − u²/2, dn = 1 − m u²/2
             REQUIRE(std::fabs(f.cn - 1) < 4 * eps<TestType>);
             REQUIRE(std::fabs(f.dn - 1) < 4 * eps<TestType>);
             if (u > std::numeric_limits<TestType>::min() / eps<TestType>)
@@ -118,26 +114,23 @@ TEMPLATE_TEST_CASE("elliptic functions of tiny arguments are the argument, 1 and
 TEMPLATE_TEST_CASE("a body of any mass has its exact motion", "[library][N40]", float, double) {
     const int far = sizeof(TestType) == 4 ? 120 : 990;
     const RigidState<TestType> start{0, Quaternion<TestType>::Identity(), {1, 2, TestType(-0.5)}};
-    const auto at_1 =
-        ExactFreeBody<TestType>(PrincipalInertia<TestType>(1, 2, TestType(2.5)), start)(1);
+    const auto at_1 = ExactFreeBody<TestType>(PrincipalInertia<TestType>(1, 2, TestType(2.5)), start)(1);
     for (const int power : {-far, far}) {
         const TestType unit = std::ldexp(TestType(1), power);
-        const auto s = ExactFreeBody<TestType>(
-            PrincipalInertia<TestType>(unit, 2 * unit, TestType(2.5) * unit), start)(1);
+        const auto s =
+            ExactFreeBody<TestType>(PrincipalInertia<TestType>(unit, 2 * unit, TestType(2.5) * unit), start)(1);
         CHECK(s.omega == at_1.omega);
         CHECK(s.q.coeffs() == at_1.q.coeffs());
     }
 }
 
 // In float a body of a milligram has a determinant of 1e-39: too small for its digits.
-TEMPLATE_TEST_CASE("the talk's solver turns a full inertia of any mass", "[library][N47]", float,
-                   double) {
+TEMPLATE_TEST_CASE("the talk's solver turns a full inertia of any mass", "[library][N47]", float, double) {
     const int far = sizeof(TestType) == 4 ? 110 : 990;
     Matrix3<TestType> I;
     I << 2, TestType(0.3), 0, TestType(0.3), TestType(2.5), TestType(0.2), 0, TestType(0.2), 3;
     const Vector3<TestType> omega(1, 2, TestType(-0.5));
-    const Vector3<TestType> plain =
-        implicit_gyroscopic.step(FullInertia<TestType>(I), omega, TestType(0.1));
+    const Vector3<TestType> plain = implicit_gyroscopic.step(FullInertia<TestType>(I), omega, TestType(0.1));
     CHECK((plain - omega).norm() > TestType(0.01));
     for (const int power : {-far, -43, far}) {
         const FullInertia<TestType> scaled(Matrix3<TestType>(std::ldexp(TestType(1), power) * I));
@@ -146,12 +139,11 @@ TEMPLATE_TEST_CASE("the talk's solver turns a full inertia of any mass", "[libra
 }
 
 // Newton–Raphson measures sizes. Their squares need not be numbers.
-TEMPLATE_TEST_CASE("Newton-Raphson solves for vectors whose squares are no numbers",
-                   "[library][N26]", float, double) {
+TEMPLATE_TEST_CASE("Newton-Raphson solves for vectors whose squares are no numbers", "[library][N26]", float, double) {
     using V = Eigen::Matrix<TestType, 2, 1>;
     const bool is_float = sizeof(TestType) == 4;
-    for (const TestType size : {is_float ? TestType(1e-25) : TestType(1e-200),
-                                is_float ? TestType(1e20) : TestType(1e200)}) {
+    for (const TestType size :
+         {is_float ? TestType(1e-25) : TestType(1e-200), is_float ? TestType(1e20) : TestType(1e200)}) {
         // x + x³/size² = 2 size, component by component: x = size. From there Newton–Raphson halves
         // no step.
         const auto f = [&](const V& x) -> V {
@@ -160,8 +152,7 @@ TEMPLATE_TEST_CASE("Newton-Raphson solves for vectors whose squares are no numbe
         };
         const auto slope = [&](const V& x) {
             const V u = x / size;
-            return Eigen::Matrix<TestType, 2, 2>(
-                V(1 + 3 * u.x() * u.x(), 1 + 3 * u.y() * u.y()).asDiagonal());
+            return Eigen::Matrix<TestType, 2, 2>(V(1 + 3 * u.x() * u.x(), 1 + 3 * u.y() * u.y()).asDiagonal());
         };
         const V root = newton_raphson(V(3 * size, size / 2), f, slope).x;
         CHECK((root / size - V(1, 1)).norm() < 16 * eps<TestType>);
@@ -171,25 +162,20 @@ TEMPLATE_TEST_CASE("Newton-Raphson solves for vectors whose squares are no numbe
 // ---- Runs
 // -----------------------------------------------------------------------------------------
 
-TEST_CASE("a run refuses a step whose square, or that times the force's slope, is no number",
-          "[library][N62]") {
+TEST_CASE("a run refuses a step whose square, or that times the force's slope, is no number", "[library][N62]") {
     const State<double> start{0, 1, 0};
     CHECK_THROWS_AS(run(explicit_euler, Projectile(0.0), start, 1e155, 1), std::invalid_argument);
     CHECK_NOTHROW(run(explicit_euler, Projectile(0.0), start, 1e154, 1));
     CHECK_THROWS_AS(run(implicit_euler, Spring(1e150), start, 1e50, 1), std::invalid_argument);
     CHECK_NOTHROW(run(implicit_euler, Spring(1e150), start, 1.0, 1));
-    CHECK_THROWS_AS(run(implicit_euler, DampedSpring(1.0, 1e300), start, 1e10, 1),
-                    std::invalid_argument);
+    CHECK_THROWS_AS(run(implicit_euler, DampedSpring(1.0, 1e300), start, 1e10, 1), std::invalid_argument);
     CHECK_THROWS_AS(
-        run(implicit_euler,
-            CoupledSprings<double, 1>(Eigen::Matrix<double, 1, 1>(1e-300), Eigen::Vector2d(1, 1)),
-            State<Eigen::Matrix<double, 1, 1>>{0, Eigen::Matrix<double, 1, 1>(1.0),
-                                               Eigen::Matrix<double, 1, 1>(0.0)},
+        run(implicit_euler, CoupledSprings<double, 1>(Eigen::Matrix<double, 1, 1>(1e-300), Eigen::Vector2d(1, 1)),
+            State<Eigen::Matrix<double, 1, 1>>{0, Eigen::Matrix<double, 1, 1>(1.0), Eigen::Matrix<double, 1, 1>(0.0)},
             1e10, 1),
         std::invalid_argument);
     // h²ω² and 2ζωh are numbers; 1 + both, by which an implicit step divides, is none.
-    CHECK_THROWS_AS(run(implicit_euler, DampedSpring(1.1e154, 0.59e154), start, 1.0, 1),
-                    std::invalid_argument);
+    CHECK_THROWS_AS(run(implicit_euler, DampedSpring(1.1e154, 0.59e154), start, 1.0, 1), std::invalid_argument);
     CHECK_NOTHROW(run(implicit_euler, DampedSpring(1.1e154, 0.1e154), start, 1.0, 1));
     // Of a first-order system h λ.
     const FirstOrder<double> one{0, 1};
@@ -222,8 +208,7 @@ TEST_CASE("an implicit method does not ignore a force whose slope is no number",
 }
 
 // Newton–Raphson halved an infinite correction for ever.
-TEST_CASE("an implicit run of a force or a result too large for a number ends and says so",
-          "[library][N62]") {
+TEST_CASE("an implicit run of a force or a result too large for a number ends and says so", "[library][N62]") {
     using V = Eigen::Vector2d;
     using Y = FirstOrder<double>;
     const auto blows_up = [](const auto& method, const auto& model, const auto& start, double h) {
@@ -255,10 +240,12 @@ TEST_CASE("an implicit run of a force or a result too large for a number ends an
 TEST_CASE("Newton-Raphson does not take an infinite slope for a root", "[library][N26]") {
     using V = Eigen::Vector2d;
     CHECK(std::isnan(newton_raphson(
-        1.0, [](double) { return 1.0; }, [](double) { return INFINITY; }).x));
+                         1.0, [](double) { return 1.0; }, [](double) { return INFINITY; })
+                         .x));
     const V x = newton_raphson(
-        V(1, 2), [](const V& u) { return u; },
-        [](const V&) { return Eigen::Matrix2d(V(1, INFINITY).asDiagonal()); }).x;
+                    V(1, 2), [](const V& u) { return u; },
+                    [](const V&) { return Eigen::Matrix2d(V(1, INFINITY).asDiagonal()); })
+                    .x;
     CHECK(x.hasNaN());
 }
 
@@ -272,8 +259,7 @@ TEST_CASE("a checked run says at which step it left the numbers", "[library][N62
     const auto good = checked_run(implicit_euler, Spring(1e100), start, 1.0, 1000);
     CHECK(good.blew_up_at == 0);
     CHECK(is_finite(good.state));
-    const auto two =
-        checked_run(bdf2, Spring(1.0), State<double>{0, 1e308, 0}, 1.0, 10);  // 4 x₁ overflows
+    const auto two = checked_run(bdf2, Spring(1.0), State<double>{0, 1e308, 0}, 1.0, 10);  // 4 x₁ overflows
     CHECK(two.blew_up_at == 2);
 }
 
@@ -299,12 +285,10 @@ TEST_CASE("what is not finite never becomes finite again", "[library][N62]") {
         for (const double lost : bad)
             for (const bool in_x : {true, false}) {
                 using S = State<double>;
-                if (std::is_same_v<std::decay_t<decltype(method)>, Verlet> && !in_x)
-                    continue;  // reads no v
+                if (std::is_same_v<std::decay_t<decltype(method)>, Verlet> && !in_x) continue;  // reads no v
                 S s = in_x ? S{0, lost, 1} : S{0, 1, lost}, before = s;
                 for (int n = 0; n < 10; ++n) {
-                    if constexpr (TwoStepMethod<std::decay_t<decltype(method)>, Pendulum<double>,
-                                                S>) {
+                    if constexpr (TwoStepMethod<std::decay_t<decltype(method)>, Pendulum<double>, S>) {
                         const S next = method.step(Pendulum(2.0), before, s, 0.1);
                         before = s, s = next;
                     } else {

@@ -12,8 +12,7 @@
 
 using namespace timestep;
 
-TEMPLATE_TEST_CASE("a state stacked and unstacked is the same state", "[library]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("a state stacked and unstacked is the same state", "[library]", float, double, long double) {
     using Real = TestType;
     using Vector3 = Eigen::Matrix<Real, 3, 1>;
     const State<Real> one{1, 2, 3};

@@ -52,8 +52,7 @@ TEST_CASE("a force is linear when its derivatives are constant", "[library]") {
     STATIC_REQUIRE(!SmoothForce<Rough, double>);
 }
 
-TEMPLATE_TEST_CASE("each kind of force is asked with the arguments it takes", "[library]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("each kind of force is asked with the arguments it takes", "[library]", float, double, long double) {
     const TestType x = 2, v = 3;
     CHECK(acceleration(Projectile<TestType>(-10), x, v) == -10);
     CHECK(acceleration(Spring<TestType>(4), x, v) == -32);

@@ -43,9 +43,7 @@ L made(const Make& make) {
 }
 
 std::mt19937 random_engine(8);
-double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_engine);
-}
+double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_engine); }
 
 // What lane `i` of a pack's state or vector holds.
 template <class L>
@@ -66,13 +64,11 @@ using Loop = Lanes<Real, N, detail::ArrayPack<Real, N>>;  // as where the compil
 
 #define TIMESTEP_ALL_LANES Lanes<float>, Lanes<double>, (Loop<float, 4>), (Loop<double, 2>)
 
-TEMPLATE_TEST_CASE("a lane computes what one number does, to the last bit", "[library][ch8]",
-                   TIMESTEP_ALL_LANES) {
+TEMPLATE_TEST_CASE("a lane computes what one number does, to the last bit", "[library][ch8]", TIMESTEP_ALL_LANES) {
     using L = TestType;
     using Real = typename L::Number;
     for (int n = 0; n < 1000; ++n) {
-        const L a = made<L>([] { return between(-3, 3); }),
-                b = made<L>([] { return between(1, 9); });
+        const L a = made<L>([] { return between(-3, 3); }), b = made<L>([] { return between(1, 9); });
         L sum = a, difference = a, product = a, quotient = a;
         sum += b, difference -= b, product *= b, quotient /= b;
         const L minus = -a, root = sqrt(b), third = cbrt(a), sine = sin(a), cosine = cos(a);
@@ -119,8 +115,7 @@ std::vector<State<R>> path(const Method& method, const Model& model, State<R> s,
 }
 
 template <class L, class Real>
-void same_path(const char* name, const std::vector<State<L>>& pack, int i,
-               const std::vector<State<Real>>& alone) {
+void same_path(const char* name, const std::vector<State<L>>& pack, int i, const std::vector<State<Real>>& alone) {
     for (std::size_t n = 0; n < pack.size(); ++n) {
         INFO(name << ", step " << n << ", lane " << i);
         REQUIRE(same(pack[n].t[i], alone[n].t));
@@ -131,15 +126,14 @@ void same_path(const char* name, const std::vector<State<L>>& pack, int i,
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("every method steps a pack of springs as it steps each, to the last bit",
-                   "[library][ch8]", TIMESTEP_BOTH_REALS) {
+TEMPLATE_TEST_CASE("every method steps a pack of springs as it steps each, to the last bit", "[library][ch8]",
+                   TIMESTEP_BOTH_REALS) {
     using L = TestType;
     using Real = typename L::Number;
     const Real h = Real(0.01);
     const L omega = made<L>([] { return between(0, 20); });
     const L zeta = made<L>([] { return between(0, 2); });
-    const State<L> start{0, made<L>([] { return between(-1, 1); }),
-                         made<L>([] { return between(-1, 1); })};
+    const State<L> start{0, made<L>([] { return between(-1, 1); }), made<L>([] { return between(-1, 1); })};
     for_each_method([&](const auto& method) {
         const auto pack = path(method, DampedSpring<L>(omega, zeta), start, L(h));
         for (int i = 0; i < L::lanes; ++i) {
@@ -158,9 +152,7 @@ TEMPLATE_TEST_CASE("every method steps a pack of springs as it steps each, to th
 
 namespace {
 
-double normal() {
-    return std::normal_distribution<double>()(random_engine);
-}
+double normal() { return std::normal_distribution<double>()(random_engine); }
 
 template <class L>
 Vector3<L> some_spin() {
@@ -194,8 +186,7 @@ void same_lane(const char* name, const Eigen::Matrix<L, Size, 1>& pack, int i,
 // sum of the sizes, at most √3 |ω| in a row of a rotation. A change of coordinates, a solver with
 // two or three such sums over a number near one, and the way back: 8 sums at the most, 48 roundings
 // or 24 ε. The orientation is a sum of five products, over its length: 8 ε.
-TEMPLATE_TEST_CASE("a pack of bodies turns as each does alone", "[library][ch8]",
-                   TIMESTEP_BOTH_REALS) {
+TEMPLATE_TEST_CASE("a pack of bodies turns as each does alone", "[library][ch8]", TIMESTEP_BOTH_REALS) {
     using L = TestType;
     using Real = typename L::Number;
     const double eps = std::numeric_limits<Real>::epsilon();
@@ -215,21 +206,18 @@ TEMPLATE_TEST_CASE("a pack of bodies turns as each does alone", "[library][ch8]"
     const auto compare_whole = [&](const auto& packed, const auto& one_of) {
         const Vector3<L> omega = some_spin<L>();
         const Quaternion<L> q = some_orientation<L>();
-        const Vector3<L> after =
-            after_gyroscopic_torque(passive_gyroscopic, packed, q, omega, L(h));
+        const Vector3<L> after = after_gyroscopic_torque(passive_gyroscopic, packed, q, omega, L(h));
         const Quaternion<L> q2 = turned(q, omega, L(h));
         for (int i = 0; i < L::lanes; ++i) {
             const Vector3<Real> one = lane(omega, i);
             const Quaternion<Real> q1(lane(q.coeffs(), i));
-            const Vector3<Real> alone =
-                after_gyroscopic_torque(passive_gyroscopic, one_of(i), q1, one, h);
+            const Vector3<Real> alone = after_gyroscopic_torque(passive_gyroscopic, one_of(i), q1, one, h);
             same_lane("velocity", after, i, alone, allowed * double(one.norm()));
             same_lane("orientation", q2.coeffs(), i, turned(q1, one, h).coeffs(), 8 * eps);
         }
     };
     for (int n = 0; n < 200; ++n) {
-        const L a = made<L>([] { return between(0.5, 2); }),
-                b = made<L>([] { return between(0.5, 2); });
+        const L a = made<L>([] { return between(0.5, 2); }), b = made<L>([] { return between(0.5, 2); });
         const L c = made<L>([] { return between(0.5, 2); });
         const auto a_capsule = capsule(L(10), a, b);
         const auto a_box = box(L(10), a, b, c);
@@ -261,20 +249,17 @@ TEMPLATE_TEST_CASE("a pack of bodies takes whole-body steps as each does alone",
         const SpinState<L> s1{0, some_orientation<L>(), some_spin<L>()};
         const SpinState<L> s2 = method.step(packed, s1, L(h));
         for (int i = 0; i < L::lanes; ++i) {
-            const SpinState<Real> one{0, Quaternion<Real>(lane(s1.q.coeffs(), i)),
-                                      lane(s1.omega, i)};
+            const SpinState<Real> one{0, Quaternion<Real>(lane(s1.q.coeffs(), i)), lane(s1.omega, i)};
             const SpinState<Real> alone = method.step(one_of(i), one, h);
             same_lane(method.name, s2.omega, i, alone.omega, allowed * double(one.omega.norm()));
             same_lane(method.name, s2.q.coeffs(), i, alone.q.coeffs(), allowed);
         }
     };
     for (int n = 0; n < 200; ++n) {
-        const L a = made<L>([] { return between(0.5, 2); }),
-                b = made<L>([] { return between(0.5, 2); });
+        const L a = made<L>([] { return between(0.5, 2); }), b = made<L>([] { return between(0.5, 2); });
         const L c = made<L>([] { return between(0.5, 2); });
         const auto of_a_box = [&](const auto& method) {
-            compare(method, box(L(10), a, b, c),
-                    [&](int i) { return box(Real(10), a[i], b[i], c[i]); });
+            compare(method, box(L(10), a, b, c), [&](int i) { return box(Real(10), a[i], b[i], c[i]); });
         };
         of_a_box(tumble<CayleyGyroscopic>), of_a_box(strang);
         if constexpr (std::is_same_v<Real, float>)
@@ -295,14 +280,14 @@ TEST_CASE("a pack refuses what any of its lanes refuses", "[library][ch8]") {
                          Message("omega = -3: must be finite and zero or more"));
     CHECK_THROWS_MATCHES(Spring(with(1e200)), std::invalid_argument,
                          Message("omega = 1e+200: must be small enough that its square is finite"));
-    CHECK_THROWS_MATCHES(
-        DampedSpring(with(1e150), with(1e200)), std::invalid_argument,
-        Message("zeta = 1e+200: must be small enough that 2 zeta omega is finite"));
+    CHECK_THROWS_MATCHES(DampedSpring(with(1e150), with(1e200)), std::invalid_argument,
+                         Message("zeta = 1e+200: must be small enough that 2 zeta omega is finite"));
     CHECK_THROWS_MATCHES(UniformInertia(with(0)), std::invalid_argument,
                          Message("moment of inertia = 0: must be finite and greater than zero"));
     CHECK_THROWS_MATCHES(
         PrincipalInertia<L>(L(1), L(1), with(2.5)), std::invalid_argument,
-        Message("moment of inertia = 2.5: must be at most the sum of the other two moments, 2; it exceeds that by 0.5"));
+        Message(
+            "moment of inertia = 2.5: must be at most the sum of the other two moments, 2; it exceeds that by 0.5"));
     CHECK_THROWS_AS(SymmetricInertia<L>(with(std::nan("")), L(1)), std::invalid_argument);
     CHECK(is_finite(with(0)));
     CHECK_FALSE(is_finite(with(inf)));

@@ -62,10 +62,9 @@ TEST_CASE("the matrix of an implicit step is a matrix where either slope is one"
     Eigen::Matrix2d slope;
     slope << -4, 8, 0, -16;
     Eigen::Matrix2d as_position, as_velocity;
-    as_position << 1 + 1 + 1, -2, 0, 1 + 1 + 4;   // 1 − h (−2) − h² slope, h = ½
+    as_position << 1 + 1 + 1, -2, 0, 1 + 1 + 4;      // 1 − h (−2) − h² slope, h = ½
     as_velocity << 1 + 2 + 0.5, -4, 0, 1 + 8 + 0.5;  // 1 − h slope − h² (−2)
     CHECK(implicit_matrix(0.5, -2.0, slope) == as_position);
     CHECK(implicit_matrix(0.5, slope, -2.0) == as_velocity);
-    CHECK(implicit_matrix(0.5, slope, slope) ==
-          Eigen::Matrix2d(Eigen::Matrix2d::Identity() - 0.75 * slope));
+    CHECK(implicit_matrix(0.5, slope, slope) == Eigen::Matrix2d(Eigen::Matrix2d::Identity() - 0.75 * slope));
 }

@@ -30,8 +30,8 @@
 using namespace timestep;
 using Catch::Matchers::Message;
 
-TEMPLATE_TEST_CASE("springs in packs move as each does alone, however many there are",
-                   "[library][ch8]", float, double) {
+TEMPLATE_TEST_CASE("springs in packs move as each does alone, however many there are", "[library][ch8]", float,
+                   double) {
     using Real = TestType;
     const Real h = Real(0.01);
     const auto compare = [&](const auto& method, int count, long steps) {
@@ -57,8 +57,7 @@ TEMPLATE_TEST_CASE("springs in packs move as each does alone, however many there
         }
     };
     // Up to two blocks of packs and a pack more: every way in which the last ones may be left over.
-    for (int count = 0; count <= 17 * native_width<Real> + 1; ++count)
-        compare(semi_implicit_euler, count, count % 3);
+    for (int count = 0; count <= 17 * native_width<Real> + 1; ++count) compare(semi_implicit_euler, count, count % 3);
     compare(semi_implicit_euler, 1000, 1);
     compare(semi_implicit_euler, 1003, 16);
     compare(velocity_verlet, 1003, 64);
@@ -134,8 +133,7 @@ void same_momentum(AllKinds<Real>& all, const Kind<Real>& inertia, int i) {
     const Vector3<Real> omega(pack.omega.x()[k], pack.omega.y()[k], pack.omega.z()[k]);
     const Vector3<Real> alone = inertia.momentum(omega);
     for (int j = 0; j < 3; ++j)
-        REQUIRE(std::fabs(double(in_pack[j][k] - alone[j])) <=
-                allowed<Real> * double(alone.norm()));
+        REQUIRE(std::fabs(double(in_pack[j][k] - alone[j])) <= allowed<Real> * double(alone.norm()));
 }
 
 // The same state as alone; the angular velocity has changed since the start, or has not.
@@ -187,8 +185,7 @@ void turn_as_alone(const Solver& solver, int count) {
 // In `float` to the last bit but for the orientation, whose product Eigen adds in an order of its own:
 // 8 ε a step (lanes.cpp), a bit more than that in the angular velocity that is turned into the body
 // and back, and after a few steps both: 20 steps, 16 ε each, of sizes near one and |ω| < 10.
-TEMPLATE_TEST_CASE("bodies in packs turn as each does alone, kind by kind", "[library][ch8]", float,
-                   double) {
+TEMPLATE_TEST_CASE("bodies in packs turn as each does alone, kind by kind", "[library][ch8]", float, double) {
     for (int count = 0; count <= 2 * native_width<TestType> + 1; ++count) {
         turn_as_alone<TestType>(explicit_gyroscopic, count);
         turn_as_alone<TestType>(implicit_gyroscopic, count);
@@ -219,46 +216,38 @@ TEST_CASE("a pack of balls compiles no gyroscopic code", "[library][N41][ch8]") 
 TEST_CASE("a body that is not finite is refused, and nothing is added", "[library][ch8]") {
     ManyBodies<double, PrincipalInertia> boxes;
     const auto crate = box(1.0, 1.0, 2.0, 3.0);
-    CHECK_THROWS_AS(boxes.add(crate, Quaternion<double>(0, 0, 0, 0), Vector3<double>(1, 2, 3)),
-                    std::invalid_argument);
-    CHECK_THROWS_MATCHES(
-        boxes.add(crate, Quaternion<double>::Identity(), Vector3<double>(1, std::nan(""), 3)),
-        std::invalid_argument, Message("body: its state must be finite, its orientation not zero"));
+    CHECK_THROWS_AS(boxes.add(crate, Quaternion<double>(0, 0, 0, 0), Vector3<double>(1, 2, 3)), std::invalid_argument);
+    CHECK_THROWS_MATCHES(boxes.add(crate, Quaternion<double>::Identity(), Vector3<double>(1, std::nan(""), 3)),
+                         std::invalid_argument, Message("body: its state must be finite, its orientation not zero"));
     // 1e200 is a number, its square is none; in `float` neither is that of 1e25.
-    CHECK_THROWS_MATCHES(
-        boxes.add(crate, Quaternion<double>::Identity(), Vector3<double>(0, 1e200, 0)),
-        std::invalid_argument,
-        Message("speed = 1e+200: must be so low that its square is a number"));
+    CHECK_THROWS_MATCHES(boxes.add(crate, Quaternion<double>::Identity(), Vector3<double>(0, 1e200, 0)),
+                         std::invalid_argument, Message("speed = 1e+200: must be so low that its square is a number"));
     ManyBodies<float, UniformInertia> balls;
-    CHECK_THROWS_MATCHES(
-        balls.add(sphere(1.0f, 1.0f), Quaternion<float>::Identity(), Vector3<float>(0, 0, 1e25f)),
-        std::invalid_argument,
-        Message("speed = 1e+25: must be so low that its square is a number"));
+    CHECK_THROWS_MATCHES(balls.add(sphere(1.0f, 1.0f), Quaternion<float>::Identity(), Vector3<float>(0, 0, 1e25f)),
+                         std::invalid_argument, Message("speed = 1e+25: must be so low that its square is a number"));
     CHECK(balls.size<UniformInertia>() == 0);
-    CHECK_NOTHROW(
-        balls.add(sphere(1.0f, 1.0f), Quaternion<float>::Identity(), Vector3<float>(0, 0, 1e18f)));
+    CHECK_NOTHROW(balls.add(sphere(1.0f, 1.0f), Quaternion<float>::Identity(), Vector3<float>(0, 0, 1e18f)));
     CHECK(boxes.size<PrincipalInertia>() == 0);
     CHECK(boxes.packs<PrincipalInertia>().empty());
 }
 
 // A length other than one would be a stretch, and the energy would go with it.
-TEMPLATE_TEST_CASE("an orientation that is too long or too short is a rotation all the same",
-                   "[library][ch8]", float, double) {
+TEMPLATE_TEST_CASE("an orientation that is too long or too short is a rotation all the same", "[library][ch8]", float,
+                   double) {
     using Real = TestType;
     using Limits = std::numeric_limits<Real>;
     const auto crate = box(Real(1), Real(1), Real(2), Real(3));
     const Quaternion<Real> even(Real(0.5), Real(0.5), Real(-0.5), Real(0.5));
     const Vector3<Real> omega(1, 2, 3);
-    for (const Real size : {Real(1), Real(2), Real(10), Real(1e-25), Real(1e25),
-                            Limits::denorm_min() * 4, Limits::max()}) {
+    for (const Real size :
+         {Real(1), Real(2), Real(10), Real(1e-25), Real(1e25), Limits::denorm_min() * 4, Limits::max()}) {
         ManyBodies<Real, PrincipalInertia> boxes;
         boxes.add(crate, Quaternion<Real>(even.coeffs() * size), omega);
         boxes.add(crate, Quaternion<Real>(0, 0, size, 0), omega);
         INFO("size " << size);
         const RigidState<Real> start = boxes.template state<PrincipalInertia>(0);
         CHECK((start.q.coeffs() - even.coeffs()).norm() <= 4 * Limits::epsilon());
-        CHECK(boxes.template state<PrincipalInertia>(1).q.coeffs() ==
-              Quaternion<Real>(0, 0, 1, 0).coeffs());
+        CHECK(boxes.template state<PrincipalInertia>(1).q.coeffs() == Quaternion<Real>(0, 0, 1, 0).coeffs());
         const Real E = kinetic_energy(crate, start);
         boxes.step(cayley_gyroscopic, Real(1) / 60);
         const RigidState<Real> end = boxes.template state<PrincipalInertia>(0);

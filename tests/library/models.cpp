@@ -74,8 +74,7 @@ TEST_CASE("the slopes of drag are its derivatives", "[library]") {
     CHECK(drag.slope_v(x, Vector3(0, 0, 0)) == Eigen::Matrix3d::Zero());
 }
 
-TEMPLATE_TEST_CASE("drag has a slope at every speed, however small", "[library]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("drag has a slope at every speed, however small", "[library]", float, double, long double) {
     using Real = TestType;
     using Vector = Eigen::Matrix<Real, 2, 1>;
     using Matrix = Eigen::Matrix<Real, 2, 2>;
@@ -165,13 +164,11 @@ TEMPLATE_TEST_CASE("equal masses and springs swing in sines", "[library]", float
     constexpr int n = 4;
     const Real pi = static_cast<Real>(3.14159265358979323846264338327950288L);
     const auto ones = [](auto vector) { return decltype(vector)(decltype(vector)::Ones()); };
-    const CoupledSprings row(ones(Eigen::Matrix<Real, n, 1>()),
-                             ones(Eigen::Matrix<Real, n + 1, 1>()));
+    const CoupledSprings row(ones(Eigen::Matrix<Real, n, 1>()), ones(Eigen::Matrix<Real, n + 1, 1>()));
     // ω_j = 2 sin(jπ / 2(n + 1)), and mode j is sin(ijπ / (n + 1)).
     for (int j = 1; j <= n; ++j) {
         const Real omega = 2 * std::sin(j * pi / (2 * (n + 1)));
-        CHECK(std::fabs(row.frequencies()(j - 1) - omega) <
-              20 * std::numeric_limits<Real>::epsilon());
+        CHECK(std::fabs(row.frequencies()(j - 1) - omega) < 20 * std::numeric_limits<Real>::epsilon());
         Eigen::Matrix<Real, n, 1> mode;
         for (int i = 1; i <= n; ++i) mode(i - 1) = std::sin(i * j * pi / (n + 1));
         const Real aligned = std::fabs(mode.normalized().dot(row.modes().col(j - 1).normalized()));
@@ -240,8 +237,7 @@ TEST_CASE("coupled springs refuse masses and springs that cannot be", "[library]
     CHECK_THROWS_AS(CoupledSprings(Vector2(1, 0), Vector3(1, 1, 1)), std::invalid_argument);
     CHECK_THROWS_AS(CoupledSprings(Vector2(1, 1), Vector3(1, -1, 1)), std::invalid_argument);
     CHECK_THROWS_AS(CoupledSprings(Vector2(1, 1), Vector3(1, NAN, 1)), std::invalid_argument);
-    CHECK_THROWS_AS(CoupledSprings(Vector2(1e-300, 1), Vector3(1e300, 1, 1)),
-                    std::invalid_argument);
+    CHECK_THROWS_AS(CoupledSprings(Vector2(1e-300, 1), Vector3(1e300, 1, 1)), std::invalid_argument);
     CHECK(CoupledSprings(Vector2(1, 2), Vector3(3, 4, 5)).acceleration(Vector2(1, 10)) ==
           Vector2(-3 + 4 * 9, (-4 * 9 - 5 * 10) / 2.0));
 }

@@ -12,11 +12,11 @@
 
 using namespace timestep;
 
-TEMPLATE_TEST_CASE("a square root, to the last digits of its type", "[library]", float, double,
-                   long double) {
+TEMPLATE_TEST_CASE("a square root, to the last digits of its type", "[library]", float, double, long double) {
     const TestType epsilon = std::numeric_limits<TestType>::epsilon();
     const TestType root = newton_raphson(
-        TestType(1), [](TestType x) { return x * x - 2; }, [](TestType x) { return 2 * x; }).x;
+                              TestType(1), [](TestType x) { return x * x - 2; }, [](TestType x) { return 2 * x; })
+                              .x;
     // x² − 2 near the root is known to 2ε (x² rounds by ε, the difference is exact); dividing it by
     // 2x puts x within ε of the root, and rounding x adds another ε.
     CHECK(std::fabs(root - std::sqrt(TestType(2))) <= 2 * epsilon);
@@ -25,23 +25,24 @@ TEMPLATE_TEST_CASE("a square root, to the last digits of its type", "[library]",
 TEST_CASE("a linear function needs one correction, and a second one to see that it is done", "[library]") {
     int evaluations = 0;
     const double root = newton_raphson(
-        100.0, [&](double x) { return ++evaluations, 2 * x - 6; }, [](double) { return 2.0; }).x;
+                            100.0, [&](double x) { return ++evaluations, 2 * x - 6; }, [](double) { return 2.0; })
+                            .x;
     CHECK(root == 3);
     CHECK(evaluations == 2);
 }
 
 TEST_CASE("two equations with two unknowns", "[library]") {
     // A circle of radius 5 cuts the line y = x + 1 at (3, 4).
-    const Eigen::Vector2d root = newton_raphson(
-        Eigen::Vector2d(2, 5),
-        [](const Eigen::Vector2d& p) {
-            return Eigen::Vector2d(p.squaredNorm() - 25, p.y() - p.x() - 1);
-        },
-        [](const Eigen::Vector2d& p) {
-            Eigen::Matrix2d j;
-            j << 2 * p.x(), 2 * p.y(), -1, 1;
-            return j;
-        }).x;
+    const Eigen::Vector2d root =
+        newton_raphson(
+            Eigen::Vector2d(2, 5),
+            [](const Eigen::Vector2d& p) { return Eigen::Vector2d(p.squaredNorm() - 25, p.y() - p.x() - 1); },
+            [](const Eigen::Vector2d& p) {
+                Eigen::Matrix2d j;
+                j << 2 * p.x(), 2 * p.y(), -1, 1;
+                return j;
+            })
+            .x;
     // The first equation's terms are 25 or less and round by 25 ε together with their sum 50 ε; the
     // inverse of J at the root, rows (1, −8)/14 and (1, 6)/14, passes on 50/14 ε plus the second
     // equation's 10 ε · 8/14: below 10 ε.
@@ -71,14 +72,17 @@ TEST_CASE("a function that rises everywhere is solved from anywhere", "[library]
             x, [](double u) { return u + 0.999 * std::sin(u) - 2; }, [](double u) { return 1 + 0.999 * std::cos(u); });
         CHECK(too);
         // Rounding at the size of the start stays; the slope is 0.5 at the root, 1.18.
-        CHECK(std::fabs(other + 0.999 * std::sin(other) - 2) < 8 * std::numeric_limits<double>::epsilon() * std::fmax(2, std::fabs(x)));
+        CHECK(std::fabs(other + 0.999 * std::sin(other) - 2) <
+              8 * std::numeric_limits<double>::epsilon() * std::fmax(2, std::fabs(x)));
     }
 }
 
 // A correction that leads out of the numbers: √x has none below zero.
 TEST_CASE("a step to where the function is no number is halved, too", "[library]") {
-    const double root = newton_raphson(
-        4.0, [](double x) { return std::sqrt(x) - 0.01; }, [](double x) { return 0.5 / std::sqrt(x); }).x;
+    const double root =
+        newton_raphson(
+            4.0, [](double x) { return std::sqrt(x) - 0.01; }, [](double x) { return 0.5 / std::sqrt(x); })
+            .x;
     CHECK(std::fabs(root - 1e-4) < 64 * std::numeric_limits<double>::epsilon());
 }
 
@@ -86,7 +90,8 @@ TEST_CASE("a NaN ends it at once", "[library]") {
     int evaluations = 0;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double x = newton_raphson(
-        1.0, [&](double) { return ++evaluations, nan; }, [](double) { return 1.0; }).x;
+                         1.0, [&](double) { return ++evaluations, nan; }, [](double) { return 1.0; })
+                         .x;
     CHECK(std::isnan(x));
     CHECK(evaluations == 1);
 }
@@ -100,7 +105,9 @@ TEST_CASE("where f(x) or the correction is too large it ends with a NaN", "[libr
         if (++evaluations > 1000) throw std::runtime_error("no end");
     };
     const auto root = [&](double f, double slope) {
-        return newton_raphson(1.0, [&](double) { return few(), f; }, [&](double) { return slope; }).x;
+        return newton_raphson(
+                   1.0, [&](double) { return few(), f; }, [&](double) { return slope; })
+            .x;
     };
     CHECK(std::isnan(root(inf, 2)));
     CHECK(std::isnan(root(1e300, 1e-10)));
@@ -109,8 +116,9 @@ TEST_CASE("where f(x) or the correction is too large it ends with a NaN", "[libr
     for (const double huge : {inf, 1.7e308}) {
         evaluations = 0;
         const V x = newton_raphson(
-            V(1, 1), [&](const V&) { return few(), V(huge, huge); },
-            [](const V&) { return Eigen::Matrix2d(Eigen::Matrix2d::Identity()); }).x;
+                        V(1, 1), [&](const V&) { return few(), V(huge, huge); },
+                        [](const V&) { return Eigen::Matrix2d(Eigen::Matrix2d::Identity()); })
+                        .x;
         CHECK(x.hasNaN());
     }
 }
@@ -136,8 +144,8 @@ TEST_CASE("it says whether what it returns is a root", "[library]") {
     }
 }
 
-// Implicit Euler's equation for a pendulum's new velocity. Its angle rounds by ε times its size, which moves the root by
-// that over h: far more than the roundoff of the velocity.
+// Implicit Euler's equation for a pendulum's new velocity. Its angle rounds by ε times its size, which moves the root
+// by that over h: far more than the roundoff of the velocity.
 TEST_CASE("after hundreds of turns of a pendulum Newton-Raphson reports that it has found the root", "[library]") {
     const double epsilon = std::numeric_limits<double>::epsilon(), h = 1.0 / 60, pi = 3.141592653589793;
     std::mt19937_64 random(1);
@@ -148,10 +156,11 @@ TEST_CASE("after hundreds of turns of a pendulum Newton-Raphson reports that it 
             const double x1 = 2 * pi * 1000 * from(random), v1 = std::pow(10, 3 * from(random)) * from(random);
             const double pull = turn * turn / h;
             const auto missing = [&](double v) { return v - v1 + pull * std::sin(x1 + h * v); };
-            const auto root = newton_raphson(
-                v1, missing, [&](double v) { return 1 + h * pull * std::cos(x1 + h * v); });
+            const auto root =
+                newton_raphson(v1, missing, [&](double v) { return 1 + h * pull * std::cos(x1 + h * v); });
             // The sum's roundoff, and the angle's, which the sine passes on.
-            const double roundoff = 4 * epsilon * (std::fabs(v1) + std::fabs(root.x) + pull * (1 + std::fabs(x1) + h * std::fabs(root.x)));
+            const double roundoff =
+                4 * epsilon * (std::fabs(v1) + std::fabs(root.x) + pull * (1 + std::fabs(x1) + h * std::fabs(root.x)));
             const bool is_one = std::fabs(missing(root.x)) <= roundoff;
             solved += is_one, known += is_one && root.found, wrong += !is_one && root.found;
         }

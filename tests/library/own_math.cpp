@@ -12,11 +12,12 @@ using namespace timestep;
 
 namespace {
 
-// Sine and cosine of a quarter turn and less, which every mathematical library knows. Mingw's take the x87's π for larger
-// angles, which has 66 bits: so whole quarters are taken off here, π/2 in three parts.
+// Sine and cosine of a quarter turn and less, which every mathematical library knows. Mingw's take the x87's π for
+// larger angles, which has 66 bits: so whole quarters are taken off here, π/2 in three parts.
 void long_sine_cosine(long double x, long double& sine, long double& cosine) {
     const long double quarters = std::round(x / 1.57079632679489661923L);
-    const long double rest = x - quarters * 0xc90fdaa221p-39L - quarters * 0x68c234c4c6p-79L - quarters * 0xc51701b839a2520p-140L;
+    const long double rest =
+        x - quarters * 0xc90fdaa221p-39L - quarters * 0x68c234c4c6p-79L - quarters * 0xc51701b839a2520p-140L;
     const long double s = std::sin(rest), c = std::cos(rest);
     const int quarter = int(std::fmod(quarters, 4.0L) + 4) % 4;
     sine = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
@@ -35,7 +36,8 @@ TEMPLATE_TEST_CASE("own sine and cosine are off by a roundoff of 1, or of the an
         const double size = i % 4 == 0 ? 0.7 : i % 4 == 1 ? 20 : i % 4 == 2 ? 500000 : 1e15;
         const auto x = TestType(size * even(numbers));
         const auto [sine, cosine] = sine_cosine(x);
-        const long double size_of_x = std::fabs((long double)x), allowed = 2 * roundoff * (size_of_x > 500000 ? size_of_x : 1);
+        const long double size_of_x = std::fabs((long double)x),
+                          allowed = 2 * roundoff * (size_of_x > 500000 ? size_of_x : 1);
         long double right_sine, right_cosine;
         long_sine_cosine(x, right_sine, right_cosine);
         INFO("x = " << x);
@@ -62,7 +64,8 @@ TEMPLATE_TEST_CASE("own cube root is off by a roundoff, at all sizes", "[own_mat
 }
 
 TEMPLATE_TEST_CASE("own functions of zero, infinity and no number", "[own_math]", float, double) {
-    const TestType infinity = std::numeric_limits<TestType>::infinity(), none = std::numeric_limits<TestType>::quiet_NaN();
+    const TestType infinity = std::numeric_limits<TestType>::infinity(),
+                   none = std::numeric_limits<TestType>::quiet_NaN();
     CHECK(sine_cosine(TestType(0)).sine == 0);
     CHECK(sine_cosine(TestType(0)).cosine == 1);
     CHECK(std::signbit(cube_root(-TestType(0))));

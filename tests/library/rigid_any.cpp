@@ -24,8 +24,8 @@ int odd_of(const AnyInertia<Real>& any) {
     return std::holds_alternative<SymmetricInertia<Real>>(kind) ? 2 : -1;
 }
 
-// Wherever its axis lies, a symmetric body moves as a full matrix with the same moments does. In so short a step, h|ω| of
-// 4e-5, two rules differ by some hundred (hω)² at most, for this capsule: below 1e-7, a hundredth of the change.
+// Wherever its axis lies, a symmetric body moves as a full matrix with the same moments does. In so short a step, h|ω|
+// of 4e-5, two rules differ by some hundred (hω)² at most, for this capsule: below 1e-7, a hundredth of the change.
 template <Axis axis>
 void moves_as_its_matrix() {
     using V = Vector3<double>;
@@ -114,7 +114,19 @@ TEMPLATE_TEST_CASE("valid() says what the constructor does", "[library]", float,
         }
     };
     int taken = 0, all = 0;
-    const Real numbers[] = {0, -1, 1, Real(0.3), 2, 2 * (1 + 4 * eps), 2 * (1 + 20 * eps), 3, Real(1e-6), Limits::min(), Limits::max(), Limits::infinity(), Limits::quiet_NaN()};
+    const Real numbers[] = {0,
+                            -1,
+                            1,
+                            Real(0.3),
+                            2,
+                            2 * (1 + 4 * eps),
+                            2 * (1 + 20 * eps),
+                            3,
+                            Real(1e-6),
+                            Limits::min(),
+                            Limits::max(),
+                            Limits::infinity(),
+                            Limits::quiet_NaN()};
     for (const Real a : numbers)
         for (const Real b : numbers)
             for (const Real c : numbers) {

@@ -219,7 +219,8 @@ TEMPLATE_TEST_CASE("the calm half-step at the edges of what numbers can hold", "
 
 // Each step rounds some six times, as often up as down: √216000 = 465 of them remain, and the tail.
 TEST_CASE("in float the calm half-step keeps energy and |L| for an hour", "[library][ch8]") {
-    const PrincipalInertia<float> bodies[] = {box(12.0f, 1.0f, 2.0f, 3.0f), box(1.0f, 1.0f, 0.1f, 0.02f), {1, 1.02f, 0.18f}};
+    const PrincipalInertia<float> bodies[] = {
+        box(12.0f, 1.0f, 2.0f, 3.0f), box(1.0f, 1.0f, 0.1f, 0.02f), {1, 1.02f, 0.18f}};
     for (const auto& I : bodies)
         for (const float spin : {1.0f, 10.0f, 100.0f}) {
             Vector3<float> w = spin * Vector3<float>(0.6f, 0.64f, 0.48f);

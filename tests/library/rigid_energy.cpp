@@ -118,8 +118,7 @@ TEST_CASE("a symmetric body neither gains nor loses by the passive step", "[libr
 
 // The rounded orientation is no exact rotation. If every step took the whole of ω into the body and
 // back, some boxes would gain several percent of their energy in the hour.
-TEST_CASE("in float the passive step of bodies in the world gains nothing in an hour",
-          "[library][N51]") {
+TEST_CASE("in float the passive step of bodies in the world gains nothing in an hour", "[library][N51]") {
     RandomInertia random(1859);
     double rise = 0;
     for (int i = 0; i < 40; ++i) {
@@ -176,9 +175,7 @@ TEST_CASE("in float a splitting keeps |L| for an hour", "[library][ch8]") {
         const auto I = random.inertia<float>(10);
         const RemainderInertia<float> parts(I);
         SpinState<float> s{0, Quaternion<float>::Identity(), 10 * random.direction<float>()};
-        const auto momentum = [&] {
-            return parts.unit.cast<double>().cwiseProduct(s.omega.cast<double>()).norm();
-        };
+        const auto momentum = [&] { return parts.unit.cast<double>().cwiseProduct(s.omega.cast<double>()).norm(); };
         const double before = momentum();
         for (int n = 0; n < 216000; ++n) s = symmetric_remainder_4.step(parts, s, 1 / 60.0f);
         worst = std::max(worst, std::fabs(momentum() / before - 1));

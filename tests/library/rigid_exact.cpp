@@ -107,7 +107,9 @@ TEST_CASE("Carlson's integrals are Legendre's", "[library][N40]") {
 #if defined(__cpp_lib_math_special_functions) || defined(__STDCPP_MATH_SPEC_FUNCS__)
             CHECK(std::fabs(F / std::ellint_1(k, phi) - 1) < 64 * epsilon);
             for (const double n : {-5.0, -0.5, 0.4})
-                CHECK(std::fabs((F + n / 3 * s * s * s * carlson_rj(c2, d2, 1.0, 1 - n * s * s)) / std::ellint_3(k, n, phi) - 1) < 1e-13);
+                CHECK(std::fabs((F + n / 3 * s * s * s * carlson_rj(c2, d2, 1.0, 1 - n * s * s)) /
+                                    std::ellint_3(k, n, phi) -
+                                1) < 1e-13);
 #endif
             // F is the inverse of sn.
             CHECK(std::fabs(jacobi(F, 1 - k * k).sn - s) < 64 * epsilon);
@@ -136,7 +138,8 @@ TEST_CASE("the exact motion keeps energy and momentum, starts right and runs bac
     const double ratio = 100;
     for (int i = 0; i < 200; ++i) {
         const auto I = random.inertia<double>(ratio);
-        const RigidState<double> start{3, Quaternion<double>(1, 0.5, -0.2, i * 0.1).normalized(), random.direction<double>()};
+        const RigidState<double> start{3, Quaternion<double>(1, 0.5, -0.2, i * 0.1).normalized(),
+                                       random.direction<double>()};
         const ExactFreeBody<double> exact(I, start);
         const V L = angular_momentum(I, start);
         const double E = kinetic_energy(I, start);
@@ -159,7 +162,8 @@ TEST_CASE("the exact motion agrees with an independent integration to 1e-11", "[
     int order[3] = {0, 1, 2};
     do {
         const PrincipalInertia<double> I(moments[order[0]], moments[order[1]], moments[order[2]]);
-        for (const V& omega : {V(1, 0.6, -0.4), V(-0.2, 1, 0.3), V(0.3, -0.2, -1), V(0, 1, 0.5), V(0.5, 0, 1), V(1, -1, 0)}) {
+        for (const V& omega :
+             {V(1, 0.6, -0.4), V(-0.2, 1, 0.3), V(0.3, -0.2, -1), V(0, 1, 0.5), V(0.5, 0, 1), V(1, -1, 0)}) {
             INFO(I.moments.transpose() << " spun at " << omega.transpose());
             const Off off = against_reference(I, omega, 10);
             CHECK(off.spin < 1e-11);
@@ -169,7 +173,8 @@ TEST_CASE("the exact motion agrees with an independent integration to 1e-11", "[
 }
 
 TEST_CASE("two or three equal moments, and spins about one axis", "[library][N40]") {
-    for (const auto& I : {PrincipalInertia(1.0, 1.0, 1.7), PrincipalInertia(2.0, 1.2, 2.0), PrincipalInertia(0.5, 1.5, 1.5), PrincipalInertia(1.0, 1.0, 1.0)})
+    for (const auto& I : {PrincipalInertia(1.0, 1.0, 1.7), PrincipalInertia(2.0, 1.2, 2.0),
+                          PrincipalInertia(0.5, 1.5, 1.5), PrincipalInertia(1.0, 1.0, 1.0)})
         for (const V& omega : {V(1, 0.6, -0.4), V(1, 0, 0), V(0, -1, 0), V(0, 0, 2), V(0, 0, 0), V(0.3, 0, 1)}) {
             INFO(I.moments.transpose() << " spun at " << omega.transpose());
             if (omega.norm() == 0) {

@@ -29,15 +29,18 @@ TEST_CASE("a needle stays finite, and a rod knows no spin about itself", "[libra
     for (int n = 0; n < 1000; ++n) s = turn(passive_gyroscopic, stick, s, 0.01);
     CHECK(s.omega == V(1, 2, 0));
     // What a torque along the rod would do is nothing.
-    s = turn(passive_gyroscopic, stick, RigidState<double>{0, Quaternion<double>::Identity(), {0, 0, 0}}, V(0, 0, 5), 0.1);
+    s = turn(passive_gyroscopic, stick, RigidState<double>{0, Quaternion<double>::Identity(), {0, 0, 0}}, V(0, 0, 5),
+             0.1);
     CHECK(s.omega == V(0, 0, 0));
 }
 
 TEST_CASE("a crumb of a milligram turns in float as its big brother does", "[library]") {
     const auto crumb = box(1e-6f, 1e-3f, 2e-3f, 3e-3f), brother = box(1.0f, 1.0f, 2.0f, 3.0f);
     const F w(3, 20, -5);
-    CHECK((passive_gyroscopic.step(crumb, w, 1 / 60.0f) - passive_gyroscopic.step(brother, w, 1 / 60.0f)).norm() < 1e-5f);
-    CHECK((implicit_gyroscopic.step(crumb, w, 1 / 60.0f) - implicit_gyroscopic.step(brother, w, 1 / 60.0f)).norm() < 1e-5f);
+    CHECK((passive_gyroscopic.step(crumb, w, 1 / 60.0f) - passive_gyroscopic.step(brother, w, 1 / 60.0f)).norm() <
+          1e-5f);
+    CHECK((implicit_gyroscopic.step(crumb, w, 1 / 60.0f) - implicit_gyroscopic.step(brother, w, 1 / 60.0f)).norm() <
+          1e-5f);
     CHECK((passive_gyroscopic.step(crumb, w, 1 / 60.0f) - w).norm() > 0.1f);
 }
 
@@ -98,7 +101,8 @@ TEST_CASE("the passive step is a number as long as the square of h omega is one"
 }
 
 // What chapter 5 promises: hω up to 1e12 in float and 1e140 in double.
-TEMPLATE_TEST_CASE("the passive step of any body is a number and adds no energy up to a vast spin", "[library][N51]", float, double) {
+TEMPLATE_TEST_CASE("the passive step of any body is a number and adds no energy up to a vast spin", "[library][N51]",
+                   float, double) {
     const bool single = sizeof(TestType) == 4;
     const double limit = single ? 1e12 : 1e140;
     RandomInertia random(3);

@@ -80,7 +80,10 @@ TEST_CASE("the single iteration solves the talk's equations", "[library][N47][N4
     }
     // det J over the product of the moments, as a polynomial in h.
     const V a = I.ratio;
-    const double det = 1 - h * h * (a.y() * a.z() * omega.x() * omega.x() + a.x() * a.z() * omega.y() * omega.y() + a.x() * a.y() * omega.z() * omega.z()) +
+    const double det = 1 -
+                       h * h *
+                           (a.y() * a.z() * omega.x() * omega.x() + a.x() * a.z() * omega.y() * omega.y() +
+                            a.x() * a.y() * omega.z() * omega.z()) +
                        2 * h * h * h * a.prod() * omega.prod();
     CHECK(std::fabs(J.determinant() / I.moments.prod() - det) < 32 * epsilon);
     // Where it vanishes: I = (3, 2, 1), h|ω| = √3 about the middle axis, nearly.
@@ -110,7 +113,8 @@ TEST_CASE("the converged step is the root that is followed from h = 0", "[librar
     const PrincipalInertia<double> known(1, 2, 2.5);
     const V middle = 2.372 * V(0.1178, -0.9875, -0.1045);  // where another root is nearer to ω₁
     CHECK(std::fabs(kinetic_energy(known, V(converged_gyroscopic.step(known, middle, 1.0))) /
-                        kinetic_energy(known, middle) - 0.932) < 0.001);
+                        kinetic_energy(known, middle) -
+                    0.932) < 0.001);
     for (int i = 0; i < 300; ++i) {
         const auto I = i % 2 ? known : random.inertia<double>(1000);
         const V omega = std::pow(10, -0.3 + 2.3 * (i % 37) / 36) * random.direction<double>();
@@ -146,7 +150,8 @@ TEST_CASE("the passive step solves its equation, and turns the energy's vector",
         // |y₁|² = |y₂|² + |k × y₂|², with y = √I ω and k = h L/√(I₂I₃) and so on round.
         const V root = I.moments.cwiseSqrt(), y1 = root.cwiseProduct(omega), y2 = root.cwiseProduct(omega2);
         const V k = h * L.cwiseProduct(root) / root.prod();
-        CHECK(std::fabs(y2.squaredNorm() + k.cross(y2).squaredNorm() - y1.squaredNorm()) < 200 * 64 * epsilon * y1.squaredNorm());
+        CHECK(std::fabs(y2.squaredNorm() + k.cross(y2).squaredNorm() - y1.squaredNorm()) <
+              200 * 64 * epsilon * y1.squaredNorm());
     }
 }
 

@@ -58,9 +58,11 @@ TEST_CASE("an inertia that no body has is refused, with the rule it breaks", "[l
             "moment of inertia = nan: must be finite and greater than zero");
     refused([] { return PrincipalInertia(1.0, infinite, 1.0); },
             "moment of inertia = inf: must be finite and greater than zero");
-    const char* triangle = "moment of inertia = 3: must be at most the sum of the other two moments, 2; it exceeds that by 1";
-    refused([] { return PrincipalInertia(1.0, 1.0, 2.0000001); },
-            "moment of inertia = 2.0000001: must be at most the sum of the other two moments, 2; it exceeds that by 1e-07");
+    const char* triangle =
+        "moment of inertia = 3: must be at most the sum of the other two moments, 2; it exceeds that by 1";
+    refused(
+        [] { return PrincipalInertia(1.0, 1.0, 2.0000001); },
+        "moment of inertia = 2.0000001: must be at most the sum of the other two moments, 2; it exceeds that by 1e-07");
     refused([] { return PrincipalInertia(1.0, 2 + 1e-13, 1.0); },
             "moment of inertia = 2: must be at most the sum of the other two moments, 2; it exceeds that by 9.99e-14");
     refused([] { return PrincipalInertia(1.0, 3.0, 1.0); }, triangle);
@@ -70,16 +72,20 @@ TEST_CASE("an inertia that no body has is refused, with the rule it breaks", "[l
     refused([] { return FullInertia<double>(M(V(1, 3, 1).asDiagonal())); }, triangle);
     refused([] { return FullInertia<double>(M(V(1, -1, 1).asDiagonal())); },
             "moment of inertia = -1: must be finite and greater than zero");
-    refused([] {
-        M lopsided = M::Identity();
-        lopsided(0, 1) = 0.25;
-        return FullInertia<double>(lopsided);
-    }, "inertia's asymmetry = 0.25: must be zero: the matrix equals its transpose");
-    refused([] {
-        M hole = M::Identity();
-        hole(2, 2) = nothing;
-        return FullInertia<double>(hole);
-    }, "inertia = nan: must be a finite number");
+    refused(
+        [] {
+            M lopsided = M::Identity();
+            lopsided(0, 1) = 0.25;
+            return FullInertia<double>(lopsided);
+        },
+        "inertia's asymmetry = 0.25: must be zero: the matrix equals its transpose");
+    refused(
+        [] {
+            M hole = M::Identity();
+            hole(2, 2) = nothing;
+            return FullInertia<double>(hole);
+        },
+        "inertia = nan: must be a finite number");
     refused([] { return box(1.0, 1.0, 0.0, 1.0); }, "side = 0: must be finite and greater than zero");
     refused([] { return capsule(-1.0, 1.0, 1.0); }, "mass = -1: must be finite and greater than zero");
     refused([] { return sphere(1.0, -1.0); }, "radius = -1: must be finite and greater than zero");
@@ -114,7 +120,8 @@ TEMPLATE_TEST_CASE("an exact plate is a body in any axes", "[library][long]", fl
         const Real a = m.x(), b = m.y(), largest = a + b;
         const FullInertia<Real> plate(in_any_axes({a, b, largest}));
         const Vector3<Real> found = plate.principal.moments;
-        off = std::max(off, (found - Vector3<Real>(std::min(a, b), std::max(a, b), largest)).cwiseAbs().maxCoeff() / largest);
+        off = std::max(
+            off, (found - Vector3<Real>(std::min(a, b), std::max(a, b), largest)).cwiseAbs().maxCoeff() / largest);
     }
     CHECK(off <= 32 * eps);
     // A body that is thinner than nothing by more than that is still refused.
@@ -154,16 +161,23 @@ TEST_CASE("shapes have the moments of their mass, summed up cell by cell", "[lib
         CHECK((sum - M(sum.diagonal().asDiagonal())).norm() < 1e-9);
     };
     agree(summed(1.0, 60, [](const V& r) { return r.norm() < 1; }), V::Constant(sphere(1.0, 1.0).moment));
-    agree(summed(1.0, 60, [](const V& r) { return r.cwiseAbs().maxCoeff() < 0.8; }), V::Constant(cube(1.0, 1.6).moment));
-    agree(summed(1.5, 60, [](const V& r) { return std::fabs(r.x()) < 0.5 && std::fabs(r.y()) < 1 && std::fabs(r.z()) < 1.5; }),
+    agree(summed(1.0, 60, [](const V& r) { return r.cwiseAbs().maxCoeff() < 0.8; }),
+          V::Constant(cube(1.0, 1.6).moment));
+    agree(summed(1.5, 60,
+                 [](const V& r) { return std::fabs(r.x()) < 0.5 && std::fabs(r.y()) < 1 && std::fabs(r.z()) < 1.5; }),
           box(1.0, 1.0, 2.0, 3.0).moments);
     const auto round = [](const SymmetricInertia<double>& I) { return V(I.across, I.across, I.along); };
-    agree(summed(1.0, 60, [](const V& r) { return r.head<2>().norm() < 0.5 && std::fabs(r.z()) < 1; }), round(cylinder(1.0, 0.5, 2.0)));
-    agree(summed(1.0, 60, [](const V& r) {
-              const V inside(0, 0, std::clamp(r.z(), -0.6, 0.6));
-              return (r - inside).norm() < 0.4;
-          }), round(capsule(1.0, 0.4, 1.2)));
-    agree(summed(1.0, 80, [](const V& r) { return std::fabs(r.x()) < 0.1 && std::fabs(r.y()) < 0.1 && std::fabs(r.z()) < 1; }), round(staff(1.0, 2.0, 0.2)));
+    agree(summed(1.0, 60, [](const V& r) { return r.head<2>().norm() < 0.5 && std::fabs(r.z()) < 1; }),
+          round(cylinder(1.0, 0.5, 2.0)));
+    agree(summed(1.0, 60,
+                 [](const V& r) {
+                     const V inside(0, 0, std::clamp(r.z(), -0.6, 0.6));
+                     return (r - inside).norm() < 0.4;
+                 }),
+          round(capsule(1.0, 0.4, 1.2)));
+    agree(summed(1.0, 80,
+                 [](const V& r) { return std::fabs(r.x()) < 0.1 && std::fabs(r.y()) < 0.1 && std::fabs(r.z()) < 1; }),
+          round(staff(1.0, 2.0, 0.2)));
     // A rod is the limit of a thin staff.
     CHECK(std::fabs(rod(3.0, 2.0).moment - staff(3.0, 2.0, 1e-6).across) < 1e-11);
 }
@@ -191,16 +205,13 @@ TEST_CASE("only the ratios of the moments count, and they survive a milligram in
 // The largest over the least is infinite, or their mean has no digits left.
 TEST_CASE("moments that cannot be scaled are refused", "[library]") {
     const auto refused = [](float I1, float I2, float I3, const char* message) {
-        CHECK_THROWS_MATCHES(PrincipalInertia<float>(I1, I2, I3), std::invalid_argument,
-                             Message(message));
+        CHECK_THROWS_MATCHES(PrincipalInertia<float>(I1, I2, I3), std::invalid_argument, Message(message));
     };
-    const char* far =
-        "moment of inertia = 1e-38: must be so large that the largest over it is finite";
+    const char* far = "moment of inertia = 1e-38: must be so large that the largest over it is finite";
     refused(1e38f, 1e38f, 1e-38f, far);
     refused(1e38f, 1e-38f, 1e38f, far);
     refused(1e-38f, 1e38f, 1e38f, far);
-    refused(1, 1, 1e-45f,
-            "moment of inertia = 1.4013e-45: must be so large that the largest over it is finite");
+    refused(1, 1, 1e-45f, "moment of inertia = 1.4013e-45: must be so large that the largest over it is finite");
     refused(5e-45f, 4e-45f, 1.4e-45f,
             "moment of inertia = 1.4013e-45: must be such that the moments over their geometric "
             "mean have the product one");
@@ -227,13 +238,12 @@ TEMPLATE_TEST_CASE("what is let through has a product of one", "[library]", floa
     std::uniform_real_distribution<double> reach(needle, 0);
     int refused = 0;
     for (int i = 0; i < 100000; ++i) {
-        const double A = std::exp(reach(random)), B = std::exp(reach(random)),
-                     C = std::exp(reach(random)), all = std::exp(size(random)) / 2;
+        const double A = std::exp(reach(random)), B = std::exp(reach(random)), C = std::exp(reach(random)),
+                     all = std::exp(size(random)) / 2;
         const Real I1 = Real((B + C) * all), I2 = Real((C + A) * all), I3 = Real((A + B) * all);
         try {
             const PrincipalInertia<Real> I(I1, I2, I3);
-            REQUIRE(std::fabs(double(I.unit.prod()) - 1) <=
-                    70 * double(std::numeric_limits<Real>::epsilon()));
+            REQUIRE(std::fabs(double(I.unit.prod()) - 1) <= 70 * double(std::numeric_limits<Real>::epsilon()));
         } catch (const std::invalid_argument&) {
             // Only where digits are lost: near the subnormal numbers, or near the largest.
             ++refused;

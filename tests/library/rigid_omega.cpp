@@ -10,7 +10,8 @@
 using namespace timestep;
 
 template <class Real>
-constexpr bool bare = sizeof(OmegaBody<Real>) == sizeof(Vector3<Real>) && sizeof(OmegaWorld<Real>) == sizeof(Vector3<Real>) &&
+constexpr bool bare = sizeof(OmegaBody<Real>) == sizeof(Vector3<Real>) &&
+                      sizeof(OmegaWorld<Real>) == sizeof(Vector3<Real>) &&
                       !std::is_convertible_v<Vector3<Real>, OmegaBody<Real>> &&
                       !std::is_convertible_v<Vector3<Real>, OmegaWorld<Real>> &&
                       !std::is_constructible_v<OmegaBody<Real>, OmegaWorld<Real>> &&

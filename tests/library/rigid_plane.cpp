@@ -26,13 +26,11 @@ constexpr double h = 1.0 / 60;
 const plane::Capsule<SymmetricInertia<double>> pill{capsule(1.0, 0.15, 0.6), 1.0, 0.15, 0.3};
 const plane::Capsule<UniformInertia<double>> ball{sphere(1.0, 0.15), 1.0, 0.15, 0.0};
 
-plane::Ground rough(double rolling) {
-    return {9.81, 0.5, rolling, plane::Arms::middle};
-}
+plane::Ground rough(double rolling) { return {9.81, 0.5, rolling, plane::Arms::middle}; }
 
 template <class Solver, class Inertia, class Look>
-plane::Motion run(const Solver& solver, const plane::Capsule<Inertia>& body,
-                  const plane::Ground& ground, plane::Motion m, long steps, const Look& look) {
+plane::Motion run(const Solver& solver, const plane::Capsule<Inertia>& body, const plane::Ground& ground,
+                  plane::Motion m, long steps, const Look& look) {
     Contacts contacts;
     for (long n = 0; n < steps; ++n) {
         const plane::Motion before = m;
@@ -49,9 +47,7 @@ plane::Motion any_throw(RandomInertia& random) {
     return plane::placed(pill, q, 40 * axis, 0.5);
 }
 const auto to_the_end = [](const auto&...) { return true; };
-bool at_rest(const plane::Motion& m) {
-    return m.turning.omega.norm() < 1e-3 && m.v.norm() < 1e-3;
-}
+bool at_rest(const plane::Motion& m) { return m.turning.omega.norm() < 1e-3 && m.v.norm() < 1e-3; }
 
 }  // namespace
 
@@ -67,12 +63,10 @@ TEST_CASE("impulses keep to their cones", "[library][N49]") {
                     const auto& c = contacts.at[k];
                     REQUIRE(c.normal >= 0);
                     REQUIRE(c.friction.norm() <= ground.friction * c.normal * (1 + 4 * eps));
-                    slid = slid || (c.normal > 0 &&
-                                    c.friction.norm() > ground.friction * c.normal * (1 - 4 * eps));
+                    slid = slid || (c.normal > 0 && c.friction.norm() > ground.friction * c.normal * (1 - 4 * eps));
                     normal += c.normal;
                 }
-                REQUIRE(contacts.rolling.norm() <=
-                        ground.rolling * pill.radius * normal * (1 + 4 * eps));
+                REQUIRE(contacts.rolling.norm() <= ground.rolling * pill.radius * normal * (1 + 4 * eps));
                 pressed = pressed || normal > 0;
                 return true;
             });
@@ -84,20 +78,19 @@ TEST_CASE("impulses keep to their cones", "[library][N49]") {
 TEST_CASE("a capsule that lies still stays, carried by its weight", "[library][N49]") {
     const Quaternion<double> lying(Eigen::AngleAxisd(std::acos(-1.0) / 2, V::UnitY()));
     const plane::Motion start{{0, lying, V::Zero()}, {0, 0, pill.radius}, V::Zero()};
-    const auto end = run(no_gyroscopic, pill, rough(0.0), start, 600,
-                           [&](const auto&, const auto&, const Contacts& contacts) {
-                               const double carried = contacts.at[0].normal + contacts.at[1].normal;
-                               // Sequential impulses halve what is wrong with each round and
-                               // better.
-                               REQUIRE(std::fabs(carried / (9.81 * h) - 1) < std::pow(0.5, 12));
-                               return true;
-                           });
+    const auto end =
+        run(no_gyroscopic, pill, rough(0.0), start, 600, [&](const auto&, const auto&, const Contacts& contacts) {
+            const double carried = contacts.at[0].normal + contacts.at[1].normal;
+            // Sequential impulses halve what is wrong with each round and
+            // better.
+            REQUIRE(std::fabs(carried / (9.81 * h) - 1) < std::pow(0.5, 12));
+            return true;
+        });
     CHECK((end.x - start.x).norm() < 1e-3 * pill.radius);
     CHECK(end.turning.q.angularDistance(lying) < 1e-3);
 }
 
-TEST_CASE("a ball that slides ends up rolling at two sevenths of its rim's speed",
-          "[library][N49]") {
+TEST_CASE("a ball that slides ends up rolling at two sevenths of its rim's speed", "[library][N49]") {
     // Friction acts at the plane, so the angular momentum about any line in the plane stays:
     // m v r + ⅖ m r² v/r = ⅖ m r² ω, whatever the coefficient.
     for (const double friction : {0.1, 0.5, 2.0}) {
@@ -118,11 +111,11 @@ TEST_CASE("rolling resistance stops a ball when it should", "[library][N49]") {
     auto start = plane::placed(ball, Quaternion<double>::Identity(), V(0, v / ball.radius, 0));
     start.v = {v, 0, 0};
     double stopped = -1;
-    const auto end = run(passive_gyroscopic, ball, rough(c), start, 600,
-                           [&](const auto&, const auto& m, const Contacts&) {
-                               if (stopped < 0 && at_rest(m)) stopped = m.turning.t;
-                               return true;
-                           });
+    const auto end =
+        run(passive_gyroscopic, ball, rough(c), start, 600, [&](const auto&, const auto& m, const Contacts&) {
+            if (stopped < 0 && at_rest(m)) stopped = m.turning.t;
+            return true;
+        });
     CHECK(std::fabs(stopped - v / slowing) <= 2 * h);  // whole steps, and one until 1 mm/s
     // Semi-implicit: the sum of the new speeds, short of ½ v²/slowing by half a step of the first
     // speed.

@@ -24,21 +24,19 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // Where two moments are equal, wherever they stand: for steps of any length.
 TEST_CASE("ball and remainder are exact for a symmetric body", "[library][ch8]") {
     const double needle = 1e-3;
-    for (const V& I : {V(1, 1, needle), V(1, needle, 1), V(needle, 1, 1), V(1, 1, 2), V(2, 1, 1),
-                       V(1, 2, 1), V(1, 1, 1)}) {
+    for (const V& I :
+         {V(1, 1, needle), V(1, needle, 1), V(needle, 1, 1), V(1, 1, 2), V(2, 1, 1), V(1, 2, 1), V(1, 1, 1)}) {
         const PrincipalInertia<double> body(I.x(), I.y(), I.z());
         const ExactFreeBody<double> exact(body, in_world(spinning(V(1, 2, -2))));
         for (const double h : {0.1, 1.0, 7.0})
             for (const bool four : {false, true}) {
-                const Spin s =
-                    four ? after(symmetric_remainder_4, body, spinning(V(1, 2, -2)), h, 10)
-                         : after(symmetric_remainder_2, body, spinning(V(1, 2, -2)), h, 10);
+                const Spin s = four ? after(symmetric_remainder_4, body, spinning(V(1, 2, -2)), h, 10)
+                                    : after(symmetric_remainder_2, body, spinning(V(1, 2, -2)), h, 10);
                 const Spin truth = in_body(exact(10 * h));
                 INFO("I = " << I.transpose() << ", h = " << h);
                 // ExactFreeBody: some 60 ε times the ratio for each radian, and 3 rad/s for 10 h.
                 CHECK(apart(s.q, truth.q) < 60 * epsilon * 1e3 * 3 * 10 * h + 64 * epsilon);
-                CHECK((s.omega - truth.omega).norm() <
-                      60 * epsilon * 1e3 * 3 * 10 * h + 64 * epsilon);
+                CHECK((s.omega - truth.omega).norm() < 60 * epsilon * 1e3 * 3 * 10 * h + 64 * epsilon);
             }
     }
 }
@@ -48,10 +46,8 @@ TEST_CASE("ball and remainder take a symmetric body as such", "[library][ch8]") 
     const SymmetricInertia<double> pill(1, along);
     const PrincipalInertia<double> same(1, 1, along);
     const Spin s = spinning(V(1, 2, -2));
-    CHECK(symmetric_remainder_2.step(pill, s, 0.1).omega ==
-          symmetric_remainder_2.step(same, s, 0.1).omega);
-    CHECK(symmetric_remainder_4.step(pill, s, 0.1).omega ==
-          symmetric_remainder_4.step(same, s, 0.1).omega);
+    CHECK(symmetric_remainder_2.step(pill, s, 0.1).omega == symmetric_remainder_2.step(same, s, 0.1).omega);
+    CHECK(symmetric_remainder_4.step(pill, s, 0.1).omega == symmetric_remainder_4.step(same, s, 0.1).omega);
     CHECK(RemainderInertia<double>(pill).A * RemainderInertia<double>(pill).B == 0);
 }
 

@@ -33,8 +33,7 @@ TEST_CASE("a state goes to the world and back", "[library][ch8]") {
 TEST_CASE("a turn by a vector is Eigen's, and none by none", "[library][ch8]") {
     for (const V& v : {V(0, 0, 0), V(1e-300, 0, 0), V(1e-9, 2e-9, 0), V(1, -2, 3)}) {
         const double angle = v.norm();
-        const Quaternion<double> expected(
-            Eigen::AngleAxis<double>(angle, angle > 0 ? V(v / angle) : V(V::UnitX())));
+        const Quaternion<double> expected(Eigen::AngleAxis<double>(angle, angle > 0 ? V(v / angle) : V(V::UnitX())));
         CHECK((turn_by(v).coeffs() - expected.coeffs()).norm() < 4 * epsilon);
     }
 }
@@ -43,9 +42,13 @@ namespace {
 
 // Does the call compile?
 template <class State>
-concept Turns = requires(PrincipalInertia<double> I, State s) { turn(calm_half_step, I, s, 0.1); };
+concept Turns = requires(PrincipalInertia<double> I, State s) {
+    turn(calm_half_step, I, s, 0.1);
+};
 template <class State>
-concept Flies = requires(PrincipalInertia<double> I, State s) { symmetric_remainder_2.step(I, s, 0.1); };
+concept Flies = requires(PrincipalInertia<double> I, State s) {
+    symmetric_remainder_2.step(I, s, 0.1);
+};
 template <class A, class B>
 constexpr bool becomes = std::is_constructible_v<B, A> || std::is_convertible_v<A, B>;
 
@@ -58,13 +61,19 @@ static_assert(!becomes<Spin, RigidState<double>> && !becomes<RigidState<double>,
 
 // What only computes cannot throw.
 template <class... Solvers>
-constexpr bool all_quiet = (noexcept(Solvers{}.step(std::declval<const PrincipalInertia<double>&>(), std::declval<V>(), 0.1)) && ...) &&
-                           (noexcept(Solvers{}.step(std::declval<const SymmetricInertia<double>&>(), std::declval<V>(), 0.1)) && ...) &&
-                           (noexcept(Solvers{}.step(std::declval<const FullInertia<double>&>(), std::declval<V>(), 0.1)) && ...);
-static_assert(all_quiet<PassiveGyroscopic, CalmHalfStep, CayleyGyroscopic, ImplicitGyroscopic, ExplicitGyroscopic, NoGyroscopic>);
-static_assert(noexcept(HalfStepJacobian{}.step(std::declval<const PrincipalInertia<double>&>(), std::declval<V>(), 0.1)));
+constexpr bool all_quiet =
+    (noexcept(Solvers{}.step(std::declval<const PrincipalInertia<double>&>(), std::declval<V>(), 0.1)) && ...) &&
+    (noexcept(Solvers{}.step(std::declval<const SymmetricInertia<double>&>(), std::declval<V>(), 0.1)) && ...) &&
+    (noexcept(Solvers{}.step(std::declval<const FullInertia<double>&>(), std::declval<V>(), 0.1)) && ...);
+static_assert(
+    all_quiet<PassiveGyroscopic, CalmHalfStep, CayleyGyroscopic, ImplicitGyroscopic, ExplicitGyroscopic, NoGyroscopic>);
+static_assert(noexcept(HalfStepJacobian{}.step(std::declval<const PrincipalInertia<double>&>(), std::declval<V>(),
+                                               0.1)));
 static_assert(noexcept(Strang{}.step(std::declval<const PrincipalInertia<double>&>(), std::declval<Spin>(), 0.1)));
-static_assert(noexcept(SymmetricRemainder2{}.step(std::declval<const RemainderInertia<double>&>(), std::declval<Spin>(), 0.1)));
-static_assert(noexcept(SymmetricRemainder4{}.step(std::declval<const RemainderInertia<double>&>(), std::declval<Spin>(), 0.1)));
-static_assert(noexcept(turned(std::declval<Quaternion<double>>(), std::declval<V>(), 0.1)) && noexcept(turned_in_body(std::declval<Quaternion<double>>(), std::declval<V>(), 0.1)));
+static_assert(noexcept(SymmetricRemainder2{}.step(std::declval<const RemainderInertia<double>&>(), std::declval<Spin>(),
+                                                  0.1)));
+static_assert(noexcept(SymmetricRemainder4{}.step(std::declval<const RemainderInertia<double>&>(), std::declval<Spin>(),
+                                                  0.1)));
+static_assert(noexcept(turned(std::declval<Quaternion<double>>(), std::declval<V>(), 0.1)) && noexcept(
+    turned_in_body(std::declval<Quaternion<double>>(), std::declval<V>(), 0.1)));
 static_assert(noexcept(in_world(std::declval<Spin>())) && noexcept(in_body(std::declval<RigidState<double>>())));

@@ -32,11 +32,10 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 template <class Visit>
 void for_each_tumbler(const Visit& visit) {
-    std::apply(
-        [&](const auto&... method) { (visit(method), ...); },
-        std::tuple{tumble<ImplicitGyroscopic>, tumble<PassiveGyroscopic>, tumble<HalfStepJacobian>,
-                   tumble<CalmHalfStep>, tumble<CayleyGyroscopic>, strang, symmetric_remainder_2,
-                   symmetric_remainder_4});
+    std::apply([&](const auto&... method) { (visit(method), ...); },
+               std::tuple{tumble<ImplicitGyroscopic>, tumble<PassiveGyroscopic>, tumble<HalfStepJacobian>,
+                          tumble<CalmHalfStep>, tumble<CayleyGyroscopic>, strang, symmetric_remainder_2,
+                          symmetric_remainder_4});
 }
 template <class Visit>
 void for_each_splitting(const Visit& visit) {
@@ -45,8 +44,7 @@ void for_each_splitting(const Visit& visit) {
 
 // The error in ω, or in the orientation, falls with this power of the step.
 template <class Method>
-double order(const Method& method, const PrincipalInertia<double>& I, const V& omega,
-             bool orientation) {
+double order(const Method& method, const PrincipalInertia<double>& I, const V& omega, bool orientation) {
     const Spin exact = in_body(ExactFreeBody<double>(I, in_world(spinning(omega)))(2));
     std::vector<double> h, errors;
     const long least = Method::order == 4 ? 16 : 128;
@@ -60,10 +58,8 @@ double order(const Method& method, const PrincipalInertia<double>& I, const V& o
 
 }  // namespace
 
-TEST_CASE("every whole-body method has its order in the spin and in the orientation",
-          "[library][ch8]") {
-    const PrincipalInertia<double> bodies[] = {
-        box(12.0, 1.0, 2.0, 3.0), {1, 1.1, 0.3}, {3, 1.2, 2}};
+TEST_CASE("every whole-body method has its order in the spin and in the orientation", "[library][ch8]") {
+    const PrincipalInertia<double> bodies[] = {box(12.0, 1.0, 2.0, 3.0), {1, 1.1, 0.3}, {3, 1.2, 2}};
     for (const auto& I : bodies)
         for_each_tumbler([&](const auto& method) {
             INFO(method.name << ", I = " << I.moments.transpose());
@@ -94,12 +90,10 @@ TEST_CASE("the solvers solve the equations that they say", "[library][ch8]") {
         // Kahan: x₁y₂ + x₂y₁ for every 2xy. Its solve may lose as many digits as the ratio has.
         const V k = half_step_jacobian.step(I, w, h);
         const V mixed = w.cross(I.momentum(k)) + k.cross(I.momentum(w));
-        CHECK((I.momentum(k - w) + h / 2 * mixed).norm() <
-              200 * 64 * epsilon * I.momentum(w).norm());
+        CHECK((I.momentum(k - w) + h / 2 * mixed).norm() < 200 * 64 * epsilon * I.momentum(w).norm());
         const V c = cayley_gyroscopic.step(I, w, h);
         const V L = I.momentum(w) - h / 2 * w.cross(I.momentum(w));
-        CHECK((I.momentum(c - w) - h / 2 * L.cross(w + c)).norm() <
-              64 * epsilon * I.momentum(w).norm());
+        CHECK((I.momentum(c - w) - h / 2 * L.cross(w + c)).norm() < 64 * epsilon * I.momentum(w).norm());
     }
 }
 
@@ -112,8 +106,7 @@ TEST_CASE("in any axes, and with two equal moments, it is the same step", "[libr
         const Matrix3<double> turned = R * I.moments.asDiagonal() * R.transpose();
         const FullInertia<double> full((turned + turned.transpose()) / 2);
         const V w = random.direction<double>();
-        const V k = R * half_step_jacobian.step(I, w, 0.3),
-                c = R * cayley_gyroscopic.step(I, w, 0.3);
+        const V k = R * half_step_jacobian.step(I, w, 0.3), c = R * cayley_gyroscopic.step(I, w, 0.3);
         CHECK((half_step_jacobian.step(full, V(R * w), 0.3) - k).norm() < 1e-12);
         CHECK((cayley_gyroscopic.step(full, V(R * w), 0.3) - c).norm() < 1e-12);
         const SymmetricInertia<double> pill(1, 0.3);
@@ -122,7 +115,8 @@ TEST_CASE("in any axes, and with two equal moments, it is the same step", "[libr
         const V s = half_step_jacobian.step(pill, w, 0.3), own = half_step_jacobian.step(same, w, 0.3);
         const double theta = 0.3 * pill.wobble * w.z(), across = w.x() * w.x() + w.y() * w.y();
         const double apart = own.x() * s.y() - own.y() * s.x();  // across times the sine of the angle between
-        CHECK(std::fabs(apart - across * std::pow(theta, 3) / 12) < across * std::pow(std::fabs(theta), 5) / 40 + 64 * epsilon);
+        CHECK(std::fabs(apart - across * std::pow(theta, 3) / 12) <
+              across * std::pow(std::fabs(theta), 5) / 40 + 64 * epsilon);
         CHECK(std::fabs(kinetic_energy(pill, s) / kinetic_energy(pill, w) - 1) < 8 * epsilon);
         const V z = cayley_gyroscopic.step(pill, w, 0.3);
         CHECK(std::fabs(kinetic_energy(pill, z) / kinetic_energy(pill, w) - 1) < 8 * epsilon);
@@ -130,11 +124,10 @@ TEST_CASE("in any axes, and with two equal moments, it is the same step", "[libr
     }
 }
 
-// y turns about t: y + 2(t × y + t × (t × y))/(1 + t·t). The last term is up to 2|y| long. Thirteen roundings make it, half
-// an ε each on the worst day: four t·t, two the share, one its product with y, and three each cross product with its
-// scale. The energy counts them twice.
-TEMPLATE_TEST_CASE("the Cayley step keeps the energy of any body, for every step", "[library][ch8]",
-                   float, double) {
+// y turns about t: y + 2(t × y + t × (t × y))/(1 + t·t). The last term is up to 2|y| long. Thirteen roundings make it,
+// half an ε each on the worst day: four t·t, two the share, one its product with y, and three each cross product with
+// its scale. The energy counts them twice.
+TEMPLATE_TEST_CASE("the Cayley step keeps the energy of any body, for every step", "[library][ch8]", float, double) {
     RandomInertia random(3);
     const double eps = std::numeric_limits<TestType>::epsilon();
     double worst = 0;
@@ -150,8 +143,7 @@ TEMPLATE_TEST_CASE("the Cayley step keeps the energy of any body, for every step
 }
 
 // Each turn rounds its sine and cosine, and some six products: 2 ε a turn, and 13 turns.
-TEMPLATE_TEST_CASE("splittings keep |L| of any body, for every step", "[library][ch8]", float,
-                   double) {
+TEMPLATE_TEST_CASE("splittings keep |L| of any body, for every step", "[library][ch8]", float, double) {
     const double eps = std::numeric_limits<TestType>::epsilon();
     for_each_splitting([&](const auto& method) {
         INFO(method.name);
@@ -188,9 +180,7 @@ TEST_CASE("the half-step Jacobian keeps Kahan's quantities", "[library][ch8]") {
     const auto kept = [&](const V& w, int i) {
         const V alpha = -I.ratio;
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const auto part = [&](int a, int b, int c) {
-            return 1 - h * h / 4 * alpha[a] * alpha[b] * w[c] * w[c];
-        };
+        const auto part = [&](int a, int b, int c) { return 1 - h * h / 4 * alpha[a] * alpha[b] * w[c] * w[c]; };
         return part(k, i, j) / part(i, j, k);
     };
     V w(3, 10, -2);
@@ -226,8 +216,7 @@ TEST_CASE("a step back undoes a step where the page says so", "[library][ch8]") 
     returns(tumble<PassiveGyroscopic>, false), returns(tumble<CayleyGyroscopic>, false);
 }
 
-TEMPLATE_TEST_CASE("no whole-body method makes a NaN of honest input", "[library][ch8]", float,
-                   double) {
+TEMPLATE_TEST_CASE("no whole-body method makes a NaN of honest input", "[library][ch8]", float, double) {
     using Vec = Vector3<TestType>;
     const PrincipalInertia<TestType> bodies[] = {
         {1, 2, 3},
@@ -237,36 +226,26 @@ TEMPLATE_TEST_CASE("no whole-body method makes a NaN of honest input", "[library
         {1, TestType(1) + 4 * std::numeric_limits<TestType>::epsilon(), TestType(0.3)},
         {1, 1, 1},
         {TestType(1e-9), TestType(2e-9), TestType(2.5e-9)}};
-    const Vec directions[] = {{0, 0, 0},
-                              {1, 0, 0},
-                              {0, 1, 0},
-                              {0, 0, 1},
-                              {TestType(0.48), TestType(-0.6), TestType(0.64)}};
+    const Vec directions[] = {
+        {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {TestType(0.48), TestType(-0.6), TestType(0.64)}};
     for (const auto& I : bodies)
         for (const Vec& d : directions)
             for (double size = 1e-6; size < 2e6; size *= 10)
                 for_each_tumbler([&](const auto& method) {
-                    INFO(method.name << ", I = " << I.moments.transpose()
-                                     << ", w = " << size * d.transpose());
+                    INFO(method.name << ", I = " << I.moments.transpose() << ", w = " << size * d.transpose());
                     // The talk's Jacobian may be singular, and half-step's: see the chapter's
                     // tests.
-                    if (!is_finite(
-                            method.step(I, spinning<TestType>(TestType(size) * d), TestType(1))))
-                        FAIL_CHECK();
+                    if (!is_finite(method.step(I, spinning<TestType>(TestType(size) * d), TestType(1)))) FAIL_CHECK();
                     // Nothing on an axis, and nothing at rest, changes its spin.
                     const int along = int((d.array() != 0).count());
-                    const Vec w = TestType(size) * d,
-                              now = method.step(I, spinning<TestType>(w), TestType(1)).omega;
-                    if (along < 2)
-                        CHECK((now - w).norm() <=
-                              8 * std::numeric_limits<TestType>::epsilon() * w.norm());
+                    const Vec w = TestType(size) * d, now = method.step(I, spinning<TestType>(w), TestType(1)).omega;
+                    if (along < 2) CHECK((now - w).norm() <= 8 * std::numeric_limits<TestType>::epsilon() * w.norm());
                 });
     for_each_tumbler([&](const auto& method) {  // as small and as large as float has them
         const PrincipalInertia<float> I(1, 2, 2.5f);
         const Vector3<float> d(0.48f, 0.6f, 0.64f);
         CHECK(is_finite(method.step(I, spinning<float>(1e-25f * d), 0.01f)));
-        CHECK(method.step(I, spinning<float>(1e-25f * d), 0.01f)
-                  .omega.isApprox(Vector3<float>(1e-25f * d)));
+        CHECK(method.step(I, spinning<float>(1e-25f * d), 0.01f).omega.isApprox(Vector3<float>(1e-25f * d)));
         CHECK(is_finite(method.step(I, spinning<float>(1e20f * d), 1e-19f)));
         if (method.order > 1 && std::string(method.name) != "half-step Jacobian")
             CHECK(is_finite(method.step(I, spinning<float>(1e9f * d), 1e6f)));

@@ -14,7 +14,10 @@
 
 // The program of chapter 4 has a rope of its own. Its main, as a template that nobody calls, may end without `return`.
 namespace program {
-#define main() never_called(); template <class> int as_template()
+#define main()       \
+    never_called();  \
+    template <class> \
+    int as_template()
 #include "../../chapters/04_verlet/verlet.cpp"
 #undef main
 }  // namespace program
@@ -38,16 +41,14 @@ double stretch_at_rest(double rate, int sweeps, std::size_t links) {
 }  // namespace
 
 TEST_CASE("a rope refuses links that make no sense", "[library]") {
-    CHECK_THROWS_MATCHES(Rope(Vector2d(0, 0), Vector2d(0, -1), 0, 0.1, gravity),
-                         std::invalid_argument, Message("links: must be one or more"));
-    CHECK_THROWS_MATCHES(Rope(Vector2d(0, 0), Vector2d(0, -1), 3, -0.1, gravity),
-                         std::invalid_argument,
+    CHECK_THROWS_MATCHES(Rope(Vector2d(0, 0), Vector2d(0, -1), 0, 0.1, gravity), std::invalid_argument,
+                         Message("links: must be one or more"));
+    CHECK_THROWS_MATCHES(Rope(Vector2d(0, 0), Vector2d(0, -1), 3, -0.1, gravity), std::invalid_argument,
                          Message("link = -0.1: must be finite and greater than zero"));
-    CHECK_THROWS_MATCHES(
-        Rope(Vector2d(0, 0), Vector2d(0, 0), 3, 0.1, gravity), std::invalid_argument,
-        Message("length of the direction = 0: must be finite and greater than zero"));
-    CHECK_THROWS_MATCHES(Rope(Vector2d(NAN, 0), Vector2d(0, -1), 3, 0.1, gravity),
-                         std::invalid_argument, Message("top: must be a finite place"));
+    CHECK_THROWS_MATCHES(Rope(Vector2d(0, 0), Vector2d(0, 0), 3, 0.1, gravity), std::invalid_argument,
+                         Message("length of the direction = 0: must be finite and greater than zero"));
+    CHECK_THROWS_MATCHES(Rope(Vector2d(NAN, 0), Vector2d(0, -1), 3, 0.1, gravity), std::invalid_argument,
+                         Message("top: must be a finite place"));
     Rope rope(Vector2d(0, 0), Vector2d(0, -1), 3, 0.1, gravity);
     CHECK_THROWS_MATCHES(rope.step(-1, 1), std::invalid_argument,
                          Message("step = -1: must be finite and greater than zero"));
@@ -93,8 +94,7 @@ TEST_CASE("two free points of a rope in one place stay there", "[library]") {
 // i meets an excess E_i and moves its ends by E_i/2 each. Point n is lifted by E_n/2 = d; point i
 // by (E_i − E_{i+1})/2 = d: so E_i = 2d (n − i + 1). What the next link's turn leaves of link i is
 // E_{i+1}/2 = d (n − i): on the mean d (n − 1)/2.
-TEST_CASE("one iteration a step hangs (n - 1) h^2 g / 2 too long a link, on the mean",
-          "[library][ch4]") {
+TEST_CASE("one iteration a step hangs (n - 1) h^2 g / 2 too long a link, on the mean", "[library][ch4]") {
     for (const std::size_t links : {5u, 10u, 20u}) {
         const double h = 1.0 / 120;
         const double expected = double(links - 1) / 2 * h * h * 9.81 / 0.1;

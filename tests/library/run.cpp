@@ -59,8 +59,8 @@ TEST_CASE("a run of no steps is where it starts", "[library]") {
 
 TEST_CASE("a two-step method starts itself and is handed the last two states", "[library]") {
     std::vector<double> seen;
-    const State end = run(Accelerate(), spring, State{0, 0.0, 0.0}, 1.0, 4,
-                          [&](const auto& s) { seen.push_back(s.x); });
+    const State end =
+        run(Accelerate(), spring, State{0, 0.0, 0.0}, 1.0, 4, [&](const auto& s) { seen.push_back(s.x); });
     CHECK(seen == std::vector<double>{0, 1, 3, 6, 10});
     CHECK(end.t == 4);
     CHECK(run(Accelerate(), spring, State{0, 0.0, 0.0}, 1.0, 1).x == 1);
@@ -133,8 +133,8 @@ TEMPLATE_TEST_CASE("vectors of every real type are stepped", "[library]", float,
 }
 
 // A force without position or velocity: methods of order two and more are exact but for rounding.
-TEMPLATE_TEST_CASE("every method of order two or more throws a ball along its parabola", "[library]", float,
-                   double, long double) {
+TEMPLATE_TEST_CASE("every method of order two or more throws a ball along its parabola", "[library]", float, double,
+                   long double) {
     const Projectile<TestType> ball(-8);
     const State<TestType> from{0, 1, 16};
     const State<TestType> exact = ball.exact(from, TestType(2));

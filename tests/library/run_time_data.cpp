@@ -36,8 +36,9 @@ struct Said {
 template <class Real>
 std::array<Real, 15> awkward() {
     using N = std::numeric_limits<Real>;
-    return {N::quiet_NaN(), N::infinity(), -N::infinity(), N::max(), std::sqrt(N::max()), Real(2), Real(1) + N::epsilon(),
-            Real(1), Real(1e-6), Real(50) * N::epsilon(), N::min(), N::denorm_min(), Real(0), -Real(0), Real(-1)};
+    return {N::quiet_NaN(), N::infinity(),          -N::infinity(), N::max(),   std::sqrt(N::max()),
+            Real(2),        Real(1) + N::epsilon(), Real(1),        Real(1e-6), Real(50) * N::epsilon(),
+            N::min(),       N::denorm_min(),        Real(0),        -Real(0),   Real(-1)};
 }
 
 }  // namespace
@@ -74,7 +75,11 @@ TEMPLATE_TEST_CASE("valid() says what the constructor takes", "[library]", float
     const double eps = std::numeric_limits<Real>::epsilon(), least = std::numeric_limits<Real>::min();
     for (int i = 0; i < 20000; ++i) {
         const double needle = i % 2 ? 0.3 : 100 * eps * (1 + unit(random));
-        const Vector3<double> m(needle, 1, 1 + needle + (i % 4 == 1 ? 100 * eps * unit(random) : i % 4 == 3 ? 0 : -needle));
+        const Vector3<double> m(needle, 1,
+                                1 + needle +
+                                    (i % 4 == 1   ? 100 * eps * unit(random)
+                                     : i % 4 == 3 ? 0
+                                                  : -needle));
         const Quaternion<double> q(normal(random), normal(random), normal(random), normal(random));
         const Matrix3<double> R = q.normalized().toRotationMatrix();
         const double size = i % 8 == 7 ? least * std::exp2(unit(random)) : 1;
@@ -87,7 +92,8 @@ TEMPLATE_TEST_CASE("valid() says what the constructor takes", "[library]", float
                           [&] { PrincipalInertia<Real>(p.x(), p.y(), p.z()); });
     }
     // Neither answer was given by rote.
-    for (const Said& said : {spring, damped, symmetric, principal, full, uniform, rods, spheres, cubes, cylinders, capsules, staffs, boxes}) {
+    for (const Said& said : {spring, damped, symmetric, principal, full, uniform, rods, spheres, cubes, cylinders,
+                             capsules, staffs, boxes}) {
         CHECK(said.yes >= 5);
         CHECK(said.no >= 5);
     }

@@ -115,10 +115,8 @@ TEST_CASE("the acceleration is the sum in the order of the parts, bit for bit", 
     CHECK(Scene{damped, fall, drag}.acceleration(x, v) ==
           (damped.acceleration(x, v) + fall.acceleration()) + drag.acceleration(x, v));
     const Vector2 p(0.3, 1.2), u(4, -5);
-    CHECK(Scene{fall2, drag}.acceleration(p, u) ==
-          Vector2(fall2.acceleration() + drag.acceleration(p, u)));
-    CHECK(Scene{tether, fall2}.acceleration(p) ==
-          Vector2(tether.acceleration(p) + fall2.acceleration()));
+    CHECK(Scene{fall2, drag}.acceleration(p, u) == Vector2(fall2.acceleration() + drag.acceleration(p, u)));
+    CHECK(Scene{tether, fall2}.acceleration(p) == Vector2(tether.acceleration(p) + fall2.acceleration()));
 
     // Added from the right, the one would drown in the large numbers.
     const Projectile up(1e16), down(-1e16), one(1.0);
@@ -127,8 +125,7 @@ TEST_CASE("the acceleration is the sum in the order of the parts, bit for bit", 
     CHECK(Scene{Drag(0.0), up, down, one}.acceleration(x, v) == 1);
 
     // Two parts of one kind are two forces.
-    CHECK(Scene{spring, Spring(2.0)}.acceleration(x) ==
-          spring.acceleration(x) + Spring(2.0).acceleration(x));
+    CHECK(Scene{spring, Spring(2.0)}.acceleration(x) == spring.acceleration(x) + Spring(2.0).acceleration(x));
     // A scene is a model, so it can be a part.
     CHECK(Scene{Scene{spring, fall}, drag}.acceleration(x, v) ==
           Scene{spring, fall}.acceleration(x) + drag.acceleration(x, v));
@@ -183,8 +180,7 @@ TEST_CASE("a scene holds its parts and nothing else", "[library]") {
 
 TEMPLATE_TEST_CASE("scenes in every real number", "[library]", float, double, long double) {
     using Real = TestType;
-    const Scene scene{DampedSpring<Real>(8, Real(0.1)), Projectile<Real>(Real(-9.81)),
-                      Drag<Real>(Real(0.5))};
+    const Scene scene{DampedSpring<Real>(8, Real(0.1)), Projectile<Real>(Real(-9.81)), Drag<Real>(Real(0.5))};
     STATIC_REQUIRE(std::is_same_v<decltype(scene.acceleration(Real(1), Real(1))), Real>);
     STATIC_REQUIRE(std::is_same_v<decltype(scene.slope_v(Real(1), Real(1))), Real>);
     const State<Real> end = run(implicit_euler, scene, State<Real>{0, 0, -3}, Real(0.01), 10);

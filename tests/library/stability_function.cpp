@@ -25,12 +25,8 @@ constexpr double pi = 3.141592653589793;
 
 using Vector = Eigen::Vector2d;
 
-Vector vector(Complex z) {
-    return {z.real(), z.imag()};
-}
-Complex number(const Vector& y) {
-    return {y[0], y[1]};
-}
+Vector vector(Complex z) { return {z.real(), z.imag()}; }
+Complex number(const Vector& y) { return {y[0], y[1]}; }
 
 // Places all over the plane, |z| from 10⁻³ to 10³.
 std::vector<Complex> places() {
@@ -51,8 +47,7 @@ constexpr bool l_stable = a_stable<Method> && !std::is_same_v<Method, ImplicitMi
 
 }  // namespace
 
-TEST_CASE("a decay's step is a multiplication by R(z), and BDF2's by its root",
-          "[stability_function]") {
+TEST_CASE("a decay's step is a multiplication by R(z), and BDF2's by its root", "[stability_function]") {
     for_each_stability_function([](const auto& method) {
         using Method = std::remove_cvref_t<decltype(method)>;
         for (const Complex z : places()) {
@@ -83,8 +78,7 @@ TEST_CASE("a decay's step is a multiplication by R(z), and BDF2's by its root",
 
 TEST_CASE("BDF2's R is the larger root, and what a long run grows by", "[stability_function]") {
     for (const Complex z : places()) {
-        const Complex r = stability_function(bdf2, z),
-                      other = 1.0 / (2.0 + std::sqrt(1.0 + 2.0 * z));
+        const Complex r = stability_function(bdf2, z), other = 1.0 / (2.0 + std::sqrt(1.0 + 2.0 * z));
         INFO("z = " << z.real() << " + " << z.imag() << "i");
         CHECK(std::abs(r) >= std::abs(other) * (1 - 8 * eps));
         // It solves the quadratic: the terms are rounded a few times each.
@@ -153,8 +147,7 @@ TEST_CASE("the methods that solve are A-stable, the others are not", "[stability
     }
 }
 
-TEST_CASE("implicit Euler and BDF2 are L-stable, implicit midpoint rings",
-          "[stability_function][N62]") {
+TEST_CASE("implicit Euler and BDF2 are L-stable, implicit midpoint rings", "[stability_function][N62]") {
     for_each_stability_function([](const auto& method) {
         using Method = std::remove_cvref_t<decltype(method)>;
         INFO(method.name);

@@ -13,8 +13,8 @@
 
 using namespace timestep;
 
-TEMPLATE_TEST_CASE("a Taylor series with all its terms is the polynomial itself", "[taylor][N09]",
-                   float, double, long double) {
+TEMPLATE_TEST_CASE("a Taylor series with all its terms is the polynomial itself", "[taylor][N09]", float, double,
+                   long double) {
     // 2 − x + 3x² + x³/2 and its derivatives at 1
     const auto polynomial = [](TestType x) { return 2 - x + 3 * x * x + x * x * x / 2; };
     const std::array<TestType, 4> at_1{TestType(4.5), TestType(6.5), 9, 3};

@@ -23,7 +23,8 @@
 using namespace timestep;
 
 TEST_CASE("every answer has a name of its own, and takes a method that there is", "[library][I13]") {
-    std::set<std::string> methods{"", semi_implicit_euler_new_damping.name, symmetric_remainder_2.name, symmetric_remainder_4.name};
+    std::set<std::string> methods{"", semi_implicit_euler_new_damping.name, symmetric_remainder_2.name,
+                                  symmetric_remainder_4.name};
     const auto known = [&](const auto& method) { methods.insert(method.name); };
     for_each_method(known), for_each_verlet_method(known), for_each_gyroscopic(known);
     known(half_step_jacobian), known(calm_half_step);
@@ -38,12 +39,13 @@ TEST_CASE("every answer has a name of its own, and takes a method that there is"
         CHECK(choice(touches).take.find("before contacts and joints, ") != std::string::npos);
     CHECK_THROWS_AS(choice("nothing"), std::invalid_argument);
     CHECK(choice("many").take.find("faster ones") == std::string::npos);  // those have lines of their own
-    CHECK(choice("unseen").why.find("must be seen, semi-implicit Euler in substeps of ωh at most 1") != std::string::npos);
+    CHECK(choice("unseen").why.find("must be seen, semi-implicit Euler in substeps of ωh at most 1") !=
+          std::string::npos);
 }
 
 TEST_CASE("a spring is led to its answer", "[library][I13]") {
     CHECK(choose(SpringQuestion{.turn = 1}).name == "swing");
-    CHECK(choose(SpringQuestion{.turn = 2}).name == "swing");  // in two substeps
+    CHECK(choose(SpringQuestion{.turn = 2}).name == "swing");               // in two substeps
     CHECK(choose(SpringQuestion{.turn = 0.1, .zeta = 3}).name == "swing");  // a hard damper is a division
     CHECK(choose(SpringQuestion{.turn = 0.1, .precise = true}).name == "smooth");
     CHECK(choose(SpringQuestion{.turn = 5, .zeta = 2, .precise = true}).name == "smooth_pull");
@@ -62,7 +64,8 @@ TEST_CASE("a spring is led to its answer", "[library][I13]") {
 }
 
 // Each takes out all of the old velocity: three of them leave minus twice that.
-TEST_CASE("hard dampers at one mass hold added up or one after the other, and blow up each for itself", "[library][I13]") {
+TEST_CASE("hard dampers at one mass hold added up or one after the other, and blow up each for itself",
+          "[library][I13]") {
     const double m = 1, c = 1e4, h = 1.0 / 60;
     double together = 1, in_turn = 1, each_alone = 1;
     for (int n = 0; n < 20; ++n) {
@@ -76,11 +79,13 @@ TEST_CASE("hard dampers at one mass hold added up or one after the other, and bl
 }
 
 // A kilogram on a spring along x with ωh = 1 at 60 Hz, and two hard dampers at ±20° to it.
-TEST_CASE("hard dampers in different directions blow up when swept one way, but not there and back or solved at once", "[library][I13]") {
+TEST_CASE("hard dampers in different directions blow up when swept one way, but not there and back or solved at once",
+          "[library][I13]") {
     const double h = 1.0 / 60, omega = 60, c = 200;
     const auto energy_after_a_second = [&](int way) {
         Eigen::Vector2d x(1, 0), v(0, 0);
-        const Eigen::Vector2d n[] = {{std::cos(0.349066), std::sin(0.349066)}, {std::cos(0.349066), -std::sin(0.349066)}};
+        const Eigen::Vector2d n[] = {{std::cos(0.349066), std::sin(0.349066)},
+                                     {std::cos(0.349066), -std::sin(0.349066)}};
         const auto damp = [&](const Eigen::Vector2d& along, double hc) { v -= hc / (1 + hc) * along.dot(v) * along; };
         for (int i = 0; i < 60; ++i) {
             v.x() -= h * omega * omega * x.x();
@@ -100,11 +105,13 @@ TEST_CASE("hard dampers in different directions blow up when swept one way, but 
     CHECK(energy_after_a_second(2) < 1);
     CHECK(choice("swing").why.find("sweep over them there and back") != std::string::npos);
     CHECK(choice("swing").why.find("no damper makes it blow up") == std::string::npos);
-    CHECK(choice("swing").why.find("The energy of a linear spring does not drift; under other forces it may") != std::string::npos);
+    CHECK(choice("swing").why.find("The energy of a linear spring does not drift; under other forces it may") !=
+          std::string::npos);
     CHECK(choice("net").take.find("swept there and back") != std::string::npos);
 }
 
-TEST_CASE("BDF2 follows a hard damped spring that is let go, and misses the first step after a kick", "[library][I13]") {
+TEST_CASE("BDF2 follows a hard damped spring that is let go, and misses the first step after a kick",
+          "[library][I13]") {
     const double h = 0.2;
     const DampedSpring<double> spring(10, 20);
     const auto errors = [&](const State<double>& start) {  // of the positions, over what the spring does at most
@@ -124,7 +131,8 @@ TEST_CASE("BDF2 follows a hard damped spring that is let go, and misses the firs
     CHECK(*std::max_element(kicked.begin() + 2, kicked.end()) < 0.01);
 }
 
-TEST_CASE("BDF2 is right to a percent on a spring that is let go, in the substeps that the answer names", "[library][I13]") {
+TEST_CASE("BDF2 is right to a percent on a spring that is let go, in the substeps that the answer names",
+          "[library][I13]") {
     const auto worst = [](double zeta, double wh) {
         const DampedSpring<double> spring(1, zeta);
         const State<double> start{0, 1, 0};
@@ -146,7 +154,8 @@ TEST_CASE("BDF2 is right to a percent on a spring that is let go, in the substep
 
 // Where ωh and ζωh are 1 at most, h|λ| is 2 at most: of real and of complex rates. Steps of any length share their
 // eigenvectors, so a mixture of such steps shrinks, too.
-TEST_CASE("Runge-Kutta 4 shrinks every damped spring within the limits that the answer names, and not beyond", "[library][I13]") {
+TEST_CASE("Runge-Kutta 4 shrinks every damped spring within the limits that the answer names, and not beyond",
+          "[library][I13]") {
     const auto factor = [](double wh, double zeta) {
         return spectral_radius(step_matrix(runge_kutta_4, DampedSpring<double>(1, zeta), wh));
     };
@@ -161,7 +170,9 @@ TEST_CASE("Runge-Kutta 4 shrinks every damped spring within the limits that the 
 }
 
 // From a push and from a pull alike: of any start they are a sum.
-TEST_CASE("Runge-Kutta 4 is right to a percent over four periods up to the turn that the answer names, and not at twice that", "[library][I13]") {
+TEST_CASE(
+    "Runge-Kutta 4 is right to a percent over four periods up to the turn that the answer names, and not at twice that",
+    "[library][I13]") {
     const auto worst = [](double turn, double zeta, double v) {
         const DampedSpring<double> spring(1, zeta);
         const double h = zeta > 1 ? turn / zeta : turn;
@@ -195,9 +206,12 @@ TEST_CASE("a body is led to its answer, in whatever order its moments stand", "[
     CHECK(choose(BodyQuestion{.moments = {1, 0.18, 1.02}, .turn = 0.2}).name == "free");  // its true moments are nearer
     CHECK(choose(BodyQuestion{.moments = {1, 0.18, 1}, .turn = 9}).name == "symmetric_free");
     CHECK(choose(BodyQuestion{.moments = {1.9, 1, 1}, .turn = 1, .contacts = true}).name == "symmetric");
-    CHECK(choose(BodyQuestion{.moments = {1.9, 1, 1.02}, .turn = 1, .contacts = true}).name == "contacts");  // it tumbles
-    CHECK(choose(BodyQuestion{.moments = {1.9, 1, 1}, .turn = 1, .contacts = true, .callback = true}).name == "callback_symmetric");
-    CHECK(choose(BodyQuestion{.moments = {1.9, 1, 1.02}, .turn = 1, .contacts = true, .callback = true}).name == "callback");
+    CHECK(choose(BodyQuestion{.moments = {1.9, 1, 1.02}, .turn = 1, .contacts = true}).name ==
+          "contacts");  // it tumbles
+    CHECK(choose(BodyQuestion{.moments = {1.9, 1, 1}, .turn = 1, .contacts = true, .callback = true}).name ==
+          "callback_symmetric");
+    CHECK(choose(BodyQuestion{.moments = {1.9, 1, 1.02}, .turn = 1, .contacts = true, .callback = true}).name ==
+          "callback");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 1, .callback = true}).name == "callback_free");
     CHECK(choose(BodyQuestion{.moments = {2, 2, 2}, .turn = 1, .callback = true}).name == "ball");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.1, .contacts = true}).name == "contacts");
@@ -205,21 +219,28 @@ TEST_CASE("a body is led to its answer, in whatever order its moments stand", "[
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.26}).name == "free_fast");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.1, .even = false}).name == "free_uneven");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.5, .count = 10'000}).name == "many");
-    CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.5, .count = 10'000, .even = false}).name == "many_uneven");
+    CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.5, .count = 10'000, .even = false}).name ==
+          "many_uneven");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 9, .count = 10'000, .even = false}).name == "many_uneven");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.5, .count = 999, .even = false}).name == "free_uneven");
-    CHECK(choose(BodyQuestion{.moments = {1, 1, 0.2}, .turn = 9, .count = 10'000, .even = false}).name == "symmetric_free");
+    CHECK(choose(BodyQuestion{.moments = {1, 1, 0.2}, .turn = 9, .count = 10'000, .even = false}).name ==
+          "symmetric_free");
     // With passive their spins about the length would fade.
     CHECK(choose(BodyQuestion{.moments = {1, 0.2, 1.04}, .turn = 0.6, .count = 10'000}).name == "many_uneven");
     CHECK(choose(BodyQuestion{.moments = {1, 0.2, 1.06}, .turn = 0.6, .count = 10'000}).name == "many_fast");
     CHECK(choose(BodyQuestion{.moments = {1, 0.2, 1.04}, .turn = 0.5, .count = 10'000}).name == "many");
     // Bullet's guard, of (kg m²)³.
     for (const double size : {3.9e-7, 0.0049}) {
-        CHECK(choose(BodyQuestion{.moments = {size, size, size}, .turn = 1, .contacts = true, .callback = true}).name == "ball");
-        CHECK(choose(BodyQuestion{.moments = {size, size, 0.99 * size}, .turn = 1, .contacts = true, .callback = true}).name == "callback_light");
-        CHECK(choose(BodyQuestion{.moments = {size, size, 0.99 * size}, .turn = 1, .contacts = true}).name == "symmetric");
+        CHECK(choose(BodyQuestion{.moments = {size, size, size}, .turn = 1, .contacts = true, .callback = true}).name ==
+              "ball");
+        CHECK(choose(BodyQuestion{.moments = {size, size, 0.99 * size}, .turn = 1, .contacts = true, .callback = true})
+                  .name == "callback_light");
+        CHECK(choose(BodyQuestion{.moments = {size, size, 0.99 * size}, .turn = 1, .contacts = true}).name ==
+              "symmetric");
     }
-    CHECK(choose(BodyQuestion{.moments = {0.005, 0.005, 0.00499}, .turn = 1, .contacts = true, .callback = true}).name == "callback_symmetric");
+    CHECK(
+        choose(BodyQuestion{.moments = {0.005, 0.005, 0.00499}, .turn = 1, .contacts = true, .callback = true}).name ==
+        "callback_symmetric");
     CHECK(choice("callback_light").have.find("at most 0.0049 kg m²") != std::string::npos);
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.6, .count = 10'000}).name == "many_fast");
     CHECK(choose(BodyQuestion{.moments = {3, 1, 2}, .turn = 0.6, .count = 999}).name == "free_fast");

@@ -46,7 +46,8 @@ const std::map<std::string, std::string> names{
     {"ball_and_remainder_4", "ball and remainder 4"},
 };
 // No panel draws them.
-const std::set<std::string> unseen{"adams_bashforth", "sdirk_3", "backward_difference", "five_point", "jolt_gyroscopic"};
+const std::set<std::string> unseen{"adams_bashforth", "sdirk_3", "backward_difference", "five_point",
+                                   "jolt_gyroscopic"};
 
 int main(int count, char** words) {
     std::ifstream style(count == 2 ? words[1] : "");

@@ -27,8 +27,7 @@ class Copy {
 public:
     Copy(std::string tool, const fs::path& root, const fs::path& runs, std::string chapter)
         : tool_{std::move(tool)}, chapter_{std::move(chapter)} {
-        folder_ =
-            fs::temp_directory_path() / ("deletions_" + std::to_string(std::random_device{}()));
+        folder_ = fs::temp_directory_path() / ("deletions_" + std::to_string(std::random_device{}()));
         fs::create_directories(folder_);
         for (const char* part : {"chapters", "include", "solutions", "tests", "tools"}) {
             fs::copy(root / part, folder_ / part, fs::copy_options::recursive);
@@ -67,9 +66,9 @@ public:
     int fill() const {
         const fs::path output = folder_ / "page.md";
         const std::string command = "'" + tool_ + "' --source '" + folder_.string() + "' --runs '" +
-                                    (folder_ / "runs").string() + "' --chapter " + chapter_ +
-                                    " --input '" + source().string() + "' --output '" +
-                                    output.string() + "' 2>'" + (folder_ / "words").string() + "'";
+                                    (folder_ / "runs").string() + "' --chapter " + chapter_ + " --input '" +
+                                    source().string() + "' --output '" + output.string() + "' 2>'" +
+                                    (folder_ / "words").string() + "'";
         const int status = std::system(command.c_str());
         const bool left_over = status != 0 && fs::exists(output);
         return left_over ? -1 : (status >= 256 ? status / 256 : status);
@@ -125,8 +124,7 @@ private:
 };
 
 /// Without the lines for which `goes` holds.
-std::string without_lines(const std::string& content,
-                          const std::function<bool(const std::string&)>& goes) {
+std::string without_lines(const std::string& content, const std::function<bool(const std::string&)>& goes) {
     std::string kept;
     for (const std::string& line : page::split_lines(content)) {
         kept += goes(line) ? "" : line + "\n";
@@ -147,12 +145,10 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
             name = name.substr(slash + 1);
         }
         const auto delete_record = [&](const std::string& content) {
-            return without_lines(
-                content, [&](const std::string& line) { return line.starts_with(name + "\t"); });
+            return without_lines(content, [&](const std::string& line) { return line.starts_with(name + "\t"); });
         };
         if (is_file) {
-            deletions.try_without(name, copy.run(chapter, name),
-                                  [](const std::string&) { return std::string{}; });
+            deletions.try_without(name, copy.run(chapter, name), [](const std::string&) { return std::string{}; });
         } else {
             deletions.try_without(name + " in " + file, copy.run(chapter, file), delete_record);
         }
@@ -165,7 +161,10 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
         in_run(words.at(1), "", true);
         if (words.at(1).ends_with(".svg")) {  // drawn for phones, too
             const std::size_t slash = words[1].find('/');
-            in_run(slash == std::string::npos ? copy.chapter() + "/narrow/" + words[1] : fs::path{words[1]}.replace_filename("narrow").string() + words[1].substr(slash), "", true);
+            in_run(slash == std::string::npos
+                       ? copy.chapter() + "/narrow/" + words[1]
+                       : fs::path{words[1]}.replace_filename("narrow").string() + words[1].substr(slash),
+                   "", true);
         }
     } else if (kind == "live") {
         const auto nothing = [](const std::string&) { return std::string{}; };
@@ -173,23 +172,19 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
         deletions.try_without(source, copy.root() / source, nothing);
         deletions.try_without(name + ", still", copy.run(copy.chapter(), "../live/" + name + ".svg"), nothing);
     } else if (kind == "run") {
-        const std::string heading{colon == std::string::npos
-                                      ? ""
-                                      : page::trim(std::string_view{directive}.substr(colon + 1))};
-        deletions.try_without("output under \"" + heading + "\"",
-                              copy.run(copy.chapter(), heading.empty() ? "program.txt" : "run.txt"), [&](const std::string& content) {
-                                  return heading.empty() ? ""
-                                                         : page::replace_all(content, heading, "");
-                              });
+        const std::string heading{
+            colon == std::string::npos ? "" : page::trim(std::string_view{directive}.substr(colon + 1))};
+        deletions.try_without(
+            "output under \"" + heading + "\"", copy.run(copy.chapter(), heading.empty() ? "program.txt" : "run.txt"),
+            [&](const std::string& content) { return heading.empty() ? "" : page::replace_all(content, heading, ""); });
     } else if (kind == "program") {
         const std::string first_words{
             colon == std::string::npos ? "" : page::trim(std::string_view{directive}.substr(colon + 1))};
         if (!first_words.empty()) {
             const std::string program = "chapters/" + copy.chapter() + "/" + copy.chapter().substr(3) + ".cpp";
-            deletions.try_without("\"" + first_words + "\" in " + program, copy.root() / program,
-                                  [&](const std::string& content) {
-                                      return page::replace_all(content, first_words, "/* gone */");
-                                  });
+            deletions.try_without(
+                "\"" + first_words + "\" in " + program, copy.root() / program,
+                [&](const std::string& content) { return page::replace_all(content, first_words, "/* gone */"); });
         }
     } else if (kind == "code") {
         const std::string file = words.at(1);
@@ -197,10 +192,9 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
         for (std::size_t i = 3; i < words.size(); ++i) {
             tag += " " + words[i];
         }
-        deletions.try_without("[" + tag + "] in " + file, copy.root() / file,
-                              [&](const std::string& content) {
-                                  return page::replace_all(content, "[" + tag + "]", "");
-                              });
+        deletions.try_without("[" + tag + "] in " + file, copy.root() / file, [&](const std::string& content) {
+            return page::replace_all(content, "[" + tag + "]", "");
+        });
     } else if (kind == "line") {
         const std::string style = "tools/figures/style.gp", name = words.at(1);
         deletions.try_without(name + " in " + style, copy.root() / style, [&](const std::string& content) {
@@ -208,7 +202,8 @@ void try_directive(const Copy& copy, Deletions& deletions, const std::string& di
                 return line.starts_with(name) && line.find_first_not_of(' ', name.size()) == line.find('=');
             });
         });
-    } else if (kind != "end" && kind != "claims" && kind != "chapters" && kind != "talks" && kind != "exercises" && kind != "which" && kind != "ask" && kind != "answered" && kind != "see" && kind != "compile") {
+    } else if (kind != "end" && kind != "claims" && kind != "chapters" && kind != "talks" && kind != "exercises" &&
+               kind != "which" && kind != "ask" && kind != "answered" && kind != "see" && kind != "compile") {
         std::string name = kind;
         if (name.ends_with(".value")) {
             name.erase(name.size() - 6);
@@ -241,8 +236,7 @@ void try_pieces(const Copy& copy, Deletions& deletions, const std::string& sourc
             try_directive(copy, deletions, piece.text);
             try_pieces(copy, deletions, piece.text);
         } else if (piece.kind == Kind::formula || piece.kind == Kind::display) {
-            for (std::size_t at = 0; (at = piece.text.find("{{", at)) != std::string::npos;
-                 at += 2) {
+            for (std::size_t at = 0; (at = piece.text.find("{{", at)) != std::string::npos; at += 2) {
                 const std::size_t end = piece.text.find("}}", at);
                 try_directive(copy, deletions, piece.text.substr(at + 2, end - at - 2));
             }
@@ -270,8 +264,8 @@ int main(int argc, char** argv) {
             }
             Deletions deletions{copy};
             try_pieces(copy, deletions, page::read_file(copy.source()));
-            std::cout << copy.chapter() << "/" << page << ": " << deletions.count()
-                      << " deletions, " << deletions.passed() << " unnoticed\n";
+            std::cout << copy.chapter() << "/" << page << ": " << deletions.count() << " deletions, "
+                      << deletions.passed() << " unnoticed\n";
             all = all && deletions.passed() == 0 && deletions.count() > 0;
         }
         return all ? 0 : 1;

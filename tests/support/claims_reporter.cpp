@@ -20,9 +20,7 @@ class ClaimsReporter : public Catch::StreamingReporterBase {
 public:
     using StreamingReporterBase::StreamingReporterBase;
 
-    static std::string getDescription() {
-        return "Lists tests by claim: row, test, file, line (with --list-tests)";
-    }
+    static std::string getDescription() { return "Lists tests by claim: row, test, file, line (with --list-tests)"; }
 
     void listTests(const std::vector<Catch::TestCaseHandle>& tests) override {
         for (const Catch::TestCaseHandle& test : tests) {
@@ -30,8 +28,8 @@ public:
             for (const Catch::Tag& tag : info.tags) {
                 const std::string row(tag.original.data(), tag.original.size());
                 if (is_row(row)) {
-                    m_stream << row << '\t' << info.name << '\t' << info.lineInfo.file << '\t'
-                             << info.lineInfo.line << '\n';
+                    m_stream << row << '\t' << info.name << '\t' << info.lineInfo.file << '\t' << info.lineInfo.line
+                             << '\n';
                 }
             }
         }
@@ -41,9 +39,7 @@ public:
 private:
     /// N or I and two digits, as in [N22].
     static bool is_row(const std::string& tag) {
-        const auto digit = [&](std::size_t i) {
-            return std::isdigit(static_cast<unsigned char>(tag[i])) != 0;
-        };
+        const auto digit = [&](std::size_t i) { return std::isdigit(static_cast<unsigned char>(tag[i])) != 0; };
         return tag.size() == 3 && (tag[0] == 'N' || tag[0] == 'I') && digit(1) && digit(2);
     }
 };

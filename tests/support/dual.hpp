@@ -21,9 +21,7 @@ struct Dual {
     friend Dual operator-(Dual a) { return {-a.value, -a.slope}; }
     friend Dual operator+(Dual a, Dual b) { return {a.value + b.value, a.slope + b.slope}; }
     friend Dual operator-(Dual a, Dual b) { return {a.value - b.value, a.slope - b.slope}; }
-    friend Dual operator*(Dual a, Dual b) {
-        return {a.value * b.value, a.slope * b.value + a.value * b.slope};
-    }
+    friend Dual operator*(Dual a, Dual b) { return {a.value * b.value, a.slope * b.value + a.value * b.slope}; }
     friend Dual operator/(Dual a, Dual b) {
         const double q = a.value / b.value;
         return {q, (a.slope - q * b.slope) / b.value};

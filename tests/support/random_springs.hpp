@@ -23,7 +23,7 @@ struct Net {
 
     Matrix stiffness = Matrix::Zero();
     Vector masses = Vector::Ones();
-    double damping_share = 0;  // c/k, s
+    double damping_share = 0;   // c/k, s
     std::vector<Vector> links;  // the direction of each spring
 
     void add(double k, const Vector& along) { stiffness += k * along * along.transpose(), links.push_back(along); }
@@ -38,7 +38,9 @@ struct Damped {
     typename Net<N>::Matrix a, b;
     explicit Damped(const Net<N>& net) : a(-net.pull()), b(net.damping_share * a) {}
     template <class X>
-    X acceleration(const X& x, const X& v) const { return a * x + b * v; }
+    X acceleration(const X& x, const X& v) const {
+        return a * x + b * v;
+    }
     const auto& slope_x() const { return a; }
     const auto& slope_v() const { return b; }
 };
@@ -47,7 +49,9 @@ struct Undamped {
     typename Net<N>::Matrix a;
     explicit Undamped(const Net<N>& net) : a(-net.pull()) {}
     template <class X>
-    X acceleration(const X& x) const { return a * x; }
+    X acceleration(const X& x) const {
+        return a * x;
+    }
     const auto& slope_x() const { return a; }
 };
 
@@ -74,8 +78,9 @@ Eigen::MatrixXd step_of(const Method& method, const Model& model, double h) {
     return step;
 }
 
-// The matrix of a step of semi-implicit Euler in which a damper beside each link takes the new velocity, one damper after
-// another: once along the row with the whole of each, or there and back with a root of each division (damper_sweep.hpp).
+// The matrix of a step of semi-implicit Euler in which a damper beside each link takes the new velocity, one damper
+// after another: once along the row with the whole of each, or there and back with a root of each division
+// (damper_sweep.hpp).
 template <int N>
 Eigen::MatrixXd swept_step(const Net<N>& net, const std::vector<double>& dampers, double h, bool there_and_back) {
     using V = typename Net<N>::Vector;
@@ -120,7 +125,9 @@ bool grows(const Method& method, const Net<N>& net, double h) {
 class Random {
 public:
     explicit Random(unsigned seed) : numbers_(seed) {}
-    double even(double low, double high) { return low + (high - low) * std::uniform_real_distribution<double>()(numbers_); }
+    double even(double low, double high) {
+        return low + (high - low) * std::uniform_real_distribution<double>()(numbers_);
+    }
     double in_log(double low, double high) { return low * std::pow(high / low, even(0, 1)); }
     int below(int n) { return static_cast<int>(numbers_() % static_cast<unsigned>(n)); }
     Eigen::Vector2d way() {

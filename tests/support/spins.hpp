@@ -8,9 +8,7 @@ template <class Real>
 timestep::SpinState<Real> spinning(const timestep::Vector3<Real>& omega) {
     return {0, timestep::Quaternion<Real>::Identity(), omega};
 }
-inline timestep::SpinState<double> spinning(const timestep::Vector3<double>& omega) {
-    return spinning<double>(omega);
-}
+inline timestep::SpinState<double> spinning(const timestep::Vector3<double>& omega) { return spinning<double>(omega); }
 
 template <class Method>
 timestep::SpinState<double> after(Method method, const timestep::PrincipalInertia<double>& I,

@@ -14,8 +14,8 @@ const Places& places() {
     };
     static const auto patience = from_environment("FIXTURE_COMPILER_SECONDS");
     static const Places fixture{from_environment("FIXTURE_SOURCE"), from_environment("FIXTURE_BUILD"),
-                              from_environment("FIXTURE_CMAKE"), from_environment("FIXTURE_CTEST"),
-                              patience.empty() ? Places{}.compiler_seconds : std::stoi(patience)};
+                                from_environment("FIXTURE_CMAKE"), from_environment("FIXTURE_CTEST"),
+                                patience.empty() ? Places{}.compiler_seconds : std::stoi(patience)};
     return fixture;
 }
 

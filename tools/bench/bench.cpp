@@ -35,8 +35,7 @@ contest::Scene scene_of(const std::string& id) {
     for (const auto& named : contest::all_scenes)
         if (named.id == id) return named.make();
     std::string all;
-    for (const auto& named : contest::all_scenes)
-        all += (all.empty() ? "" : ", ") + std::string(named.id);
+    for (const auto& named : contest::all_scenes) all += (all.empty() ? "" : ", ") + std::string(named.id);
     throw Stop(Status::bad_use, "--scene " + (id.empty() ? "''" : id) + ": must be one of " + all);
 }
 
@@ -55,7 +54,8 @@ Asked read_words(int argc, char** argv) {
     options.add("--again", asked.again);
     options.add("--out", into(asked.out));
     options.add("--count", into(asked.count));
-    options.add("--scene", [&](const std::string& id) { return given.push_back(id), std::string(); }, true);
+    options.add(
+        "--scene", [&](const std::string& id) { return given.push_back(id), std::string(); }, true);
     try {
         if (!options.parse(argc, argv)) throw std::invalid_argument("./course bench --help says what it takes");
     } catch (const std::invalid_argument& wrong) {
@@ -80,14 +80,11 @@ constexpr long most_counted = 30L << 6;
 void run_for_callgrind(const contest::Scene& scene) {
     for (const auto& entry : scene.entries) {
         entry.run(contest::marks);  // libraries are bound with the first call
-        for (long steps = contest::marks; steps <= most_counted; steps *= 2)
-            counted([&] { entry.run(steps); });
+        for (long steps = contest::marks; steps <= most_counted; steps *= 2) counted([&] { entry.run(steps); });
     }
 }
 
-double steps_taken(const contest::Point& p) {
-    return contest::duration / p.step;
-}
+double steps_taken(const contest::Point& p) { return contest::duration / p.step; }
 
 // The instructions of each point's run. Each entry was counted at 30, 60, … steps; where its points
 // go on, a further step costs what one did between the two longest runs counted.
@@ -111,8 +108,7 @@ void take_over(const std::vector<double>& counts, Measured& measured) {
             const double further = (measured.instructions[last] - measured.instructions[last - 1]) /
                                    (steps_taken(points[last]) - steps_taken(points[last - 1]));
             measured.instructions[i] =
-                measured.instructions[last] +
-                further * (steps_taken(points[i]) - steps_taken(points[last]));
+                measured.instructions[last] + further * (steps_taken(points[i]) - steps_taken(points[last]));
         }
         first = i;
     }
@@ -121,14 +117,13 @@ void take_over(const std::vector<double>& counts, Measured& measured) {
 // ---- Measuring
 // -----------------------------------------------------------------------------------
 
-Measured measure(const std::string& id, const Asked& asked, const std::string& which,
-                 course::ProgressLine& progress, bool& can_count) {
+Measured measure(const std::string& id, const Asked& asked, const std::string& which, course::ProgressLine& progress,
+                 bool& can_count) {
     progress.now(which + ": the reference");
     const contest::Scene scene = scene_of(id);
     Measured measured{scene.title, scene.reference_error, {}, {}};
-    measured.points =
-        contest::measure(scene, asked.quick ? contest::quick : contest::full,
-                         [&](const std::string& what) { progress.now(which + ": " + what); });
+    measured.points = contest::measure(scene, asked.quick ? contest::quick : contest::full,
+                                       [&](const std::string& what) { progress.now(which + ": " + what); });
     measured.instructions.assign(measured.points.size(), std::numeric_limits<double>::quiet_NaN());
     if (asked.quick || !can_count) return measured;
     progress.now(which + ": counting instructions");
@@ -143,11 +138,9 @@ void prepare(const fs::path& folder) {
     std::error_code error;
     if (folder.empty()) throw Stop(Status::bad_use, "--out '': must be the name of a folder");
     fs::create_directories(folder, error);
-    if (!error && !fs::is_directory(folder, error))
-        error = std::make_error_code(std::errc::not_a_directory);
+    if (!error && !fs::is_directory(folder, error)) error = std::make_error_code(std::errc::not_a_directory);
     if (error)
-        throw Stop(Status::bad_use,
-                   "--out " + folder.string() + ": cannot write there (" + error.message() + ")");
+        throw Stop(Status::bad_use, "--out " + folder.string() + ": cannot write there (" + error.message() + ")");
 }
 
 // What is kept of this setup, so that it need not be measured; says what it does with what it
@@ -165,13 +158,11 @@ std::vector<std::optional<Measured>> find_all_kept(const Asked& asked, const Set
     }
     const std::string place = course::shown(asked.out);
     if (!other.empty())
-        std::fprintf(stderr,
-                     "bench: results in %s are of another %s: these scenes are measured anew\n",
-                     place.c_str(), other.c_str());
+        std::fprintf(stderr, "bench: results in %s are of another %s: these scenes are measured anew\n", place.c_str(),
+                     other.c_str());
     if (kept > 0)
-        std::fprintf(stderr,
-                     "bench: %zu of %zu scenes are in %s already; --again measures them, too\n",
-                     kept, all.size(), place.c_str());
+        std::fprintf(stderr, "bench: %zu of %zu scenes are in %s already; --again measures them, too\n", kept,
+                     all.size(), place.c_str());
     return all;
 }
 
@@ -188,8 +179,8 @@ void run(const Asked& asked) {
         const fs::path csv = asked.out / (asked.scenes[i] + ".csv");
         if (!kept[i]) {
             kept[i] = measure(asked.scenes[i], asked,
-                              "scene " + std::to_string(i + 1) + " of " +
-                                  std::to_string(asked.scenes.size()) + ", " + asked.scenes[i],
+                              "scene " + std::to_string(i + 1) + " of " + std::to_string(asked.scenes.size()) + ", " +
+                                  asked.scenes[i],
                               progress, can_count);
             keep(csv, setup, *kept[i]);
         }
@@ -206,10 +197,8 @@ void run(const Asked& asked) {
         print_tables(setup, all);
     FILE* const people = asked.json ? stderr : stdout;
     if (!asked.json) std::printf("\n");
-    for (const auto& peer : missing_peers())
-        std::fprintf(people, "Not installed, so not measured: %s\n", peer.c_str());
-    if (!can_draw)
-        std::fprintf(people, "No figures: gnuplot is not installed (package gnuplot-nox)\n");
+    for (const auto& peer : missing_peers()) std::fprintf(people, "Not installed, so not measured: %s\n", peer.c_str());
+    if (!can_draw) std::fprintf(people, "No figures: gnuplot is not installed (package gnuplot-nox)\n");
     std::fprintf(people, "Every run, as CSV%s: %s\n", can_draw ? ", and a figure a scene" : "",
                  fs::absolute(asked.out).lexically_normal().c_str());
     course::flush();

@@ -50,12 +50,9 @@ bool read_total(const fs::path& dump, double& total) {
 
 }  // namespace
 
-void counted(const std::function<void()>& work) {
-    bench_counted_work(&work);
-}
+void counted(const std::function<void()>& work) { bench_counted_work(&work); }
 
-Counts count_instructions(const std::vector<std::string>& arguments,
-                          const std::function<void()>& tick) {
+Counts count_instructions(const std::vector<std::string>& arguments, const std::function<void()>& tick) {
     const Folder folder;
     if (folder.path().empty()) return {{}, "there is no folder for temporary files"};
     std::vector<std::string> command{"valgrind",

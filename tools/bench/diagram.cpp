@@ -31,15 +31,13 @@ bool same_entry(const contest::Point& a, const contest::Point& b) {
 // Where the points of an entry end that begin at this one: after how many.
 std::size_t end_of(const Measured& measured, std::size_t first) {
     std::size_t end = first;
-    while (end < measured.points.size() && same_entry(measured.points[first], measured.points[end]))
-        ++end;
+    while (end < measured.points.size() && same_entry(measured.points[first], measured.points[end])) ++end;
     return end;
 }
 
 // Every entry a line: ours as in all figures, other libraries each in a colour of its own.
 std::string script(const fs::path& csv, const fs::path& svg, const Measured& measured) {
-    const char* const colours[] = {"#666666", "#cc79a7", "#4c72b0",
-                                   "#8172b3", "#937860", "#64b5cd"};
+    const char* const colours[] = {"#666666", "#cc79a7", "#4c72b0", "#8172b3", "#937860", "#64b5cd"};
     std::ostringstream text;
     text << "style = " << quoted(BENCH_STYLE) << "\nload style\n"
          << "call figure " << quoted(svg.string()) << " 980 640\n"
@@ -59,18 +57,16 @@ std::string script(const fs::path& csv, const fs::path& svg, const Measured& mea
         const std::string look = "look" + std::to_string(entries++);
         const std::string name = lab::id(p.method);
         const auto library = libraries.emplace(p.library, libraries.size()).first->second;
-        text << look << " = "
-             << (ours ? "exists(\"" + name + "\") ? value(\"" + name + "\") : " : "")
-             << "\"lc rgb '" << colours[(ours ? std::size_t(entries) : library) % 6]
-             << "' lw 1.2 dt " << (ours ? "1" : "(6,3)") << "\"\n";
+        text << look << " = " << (ours ? "exists(\"" + name + "\") ? value(\"" + name + "\") : " : "") << "\"lc rgb '"
+             << colours[(ours ? std::size_t(entries) : library) % 6] << "' lw 1.2 dt " << (ours ? "1" : "(6,3)")
+             << "\"\n";
         // Row 0 holds the names of the columns. What diverged lies at the upper edge; no error is
         // no place on a logarithm.
-        plots +=
-            (plots.empty() ? "plot " : ", \\\n  ") + quoted(csv.string()) +
-            " every ::" + std::to_string(i + 1) + "::" + std::to_string(end_of(measured, i)) +
-            " using 7:(strcol(10) eq 'true' ? 100 : $6 > 1e-16 ? $6 : 1e-16) with linespoints @" +
-            look + " pt " + std::to_string(ours ? 7 : 4 + entries % 10) + " ps 0.5 title " +
-            quoted(ours ? p.method : p.method + ", " + p.library);
+        plots += (plots.empty() ? "plot " : ", \\\n  ") + quoted(csv.string()) + " every ::" + std::to_string(i + 1) +
+                 "::" + std::to_string(end_of(measured, i)) +
+                 " using 7:(strcol(10) eq 'true' ? 100 : $6 > 1e-16 ? $6 : 1e-16) with linespoints @" + look + " pt " +
+                 std::to_string(ours ? 7 : 4 + entries % 10) + " ps 0.5 title " +
+                 quoted(ours ? p.method : p.method + ", " + p.library);
     }
     text << plots << "\n";
     return text.str();
@@ -93,8 +89,8 @@ bool draw(const fs::path& csv, const Measured& measured) {
     const fs::path fresh = beside + ".svg", commands = beside + ".gp";
     course::write_whole(commands, script(csv, fresh, measured));
     std::string said;
-    const int status = course::listen({"gnuplot", "-d", commands.string()},
-                                      [&](std::string_view text) { said += text; });
+    const int status =
+        course::listen({"gnuplot", "-d", commands.string()}, [&](std::string_view text) { said += text; });
     std::error_code error, ignored;
     fs::remove(commands, ignored);
     const bool whole = status == 0 && is_whole(fresh);

@@ -76,8 +76,7 @@ Row ours(const std::string& name, std::vector<Body<Inertia>>& all, const Solver&
     row.name = name;
     row.pass = [&all, solver] {
         for (auto& body : all)
-            body.change = gyroscopic_change(solver, body.inertia, body.R, body.omega,
-                                            typename Inertia::Scalar(h));
+            body.change = gyroscopic_change(solver, body.inertia, body.R, body.omega, typename Inertia::Scalar(h));
     };
     return row;
 }
@@ -107,8 +106,8 @@ int main(int argc, char** argv) {
         bullet.push_back(std::make_unique<btRigidBody>(10, nullptr, nullptr, btVector3(I.x(), I.y(), I.z())));
         btTransform place;
         place.setOrigin(btVector3(0, 0, 0));
-        place.setBasis(btMatrix3x3(b.R(0, 0), b.R(0, 1), b.R(0, 2), b.R(1, 0), b.R(1, 1), b.R(1, 2),
-                                   b.R(2, 0), b.R(2, 1), b.R(2, 2)));
+        place.setBasis(btMatrix3x3(b.R(0, 0), b.R(0, 1), b.R(0, 2), b.R(1, 0), b.R(1, 1), b.R(1, 2), b.R(2, 0),
+                                   b.R(2, 1), b.R(2, 2)));
         bullet.back()->setWorldTransform(place);
         bullet.back()->setAngularVelocity(btVector3(b.omega.x(), b.omega.y(), b.omega.z()));
     }
@@ -116,8 +115,7 @@ int main(int argc, char** argv) {
     std::vector<Row> rows(1);
     rows[0].name = "Bullet, implicit";
     rows[0].pass = [&] {
-        for (int i = 0; i < bodies; ++i)
-            bullet_change[i] = bullet[i]->computeGyroscopicImpulseImplicit_Body(h);
+        for (int i = 0; i < bodies; ++i) bullet_change[i] = bullet[i]->computeGyroscopicImpulseImplicit_Body(h);
     };
     rows.push_back(ours("one iteration, three moments", boxes, implicit_gyroscopic));
     rows.back().most = most;

@@ -25,9 +25,8 @@
 
 namespace {
 
-constexpr double most_by_hand =
-    1.05;  // the targets: time and instructions over those of the loop by hand
-constexpr double most_odeint = 1.0;  // and time over odeint's
+constexpr double most_by_hand = 1.05;  // the targets: time and instructions over those of the loop by hand
+constexpr double most_odeint = 1.0;    // and time over odeint's
 
 // One spring, and how to step it. None of it is known to the compiler.
 struct Run {
@@ -91,9 +90,7 @@ struct Run {
 
 template <class Method>
 [[gnu::noinline]] double ours(const Method& method, Run r) {
-    return timestep::run(method, timestep::Spring(r.omega), timestep::State{0, r.x, r.v}, r.h,
-                         r.steps)
-        .x;
+    return timestep::run(method, timestep::Spring(r.omega), timestep::State{0, r.x, r.v}, r.h, r.steps).x;
 }
 
 // ---- Boost.odeint's
@@ -130,21 +127,17 @@ template <class Stepper>
 }
 
 [[gnu::noinline]] double odeint_velocity_verlet(Run r) {
-    const auto acceleration = [k = -r.omega * r.omega](const One& x, const One&, One& a, double) {
-        a[0] = k * x[0];
-    };
+    const auto acceleration = [k = -r.omega * r.omega](const One& x, const One&, One& a, double) { a[0] = k * x[0]; };
     odeint::velocity_verlet<One> stepper;
     One x{r.x}, v{r.v};
     for (long i = 0; i < r.steps; ++i)
-        stepper.do_step(acceleration, std::make_pair(std::ref(x), std::ref(v)), double(i) * r.h,
-                        r.h);
+        stepper.do_step(acceleration, std::make_pair(std::ref(x), std::ref(v)), double(i) * r.h, r.h);
     return x[0];
 }
 
 // Its implicit Euler needs uBLAS, which older Boosts have not brought to C++20.
-const Loop odeint_loops[] = {[](Run r) { return odeint_rate(odeint::euler<Two>(), r); },
-                             odeint_semi_implicit, nullptr, odeint_velocity_verlet,
-                             [](Run r) { return odeint_rate(odeint::runge_kutta4<Two>(), r); }};
+const Loop odeint_loops[] = {[](Run r) { return odeint_rate(odeint::euler<Two>(), r); }, odeint_semi_implicit, nullptr,
+                             odeint_velocity_verlet, [](Run r) { return odeint_rate(odeint::runge_kutta4<Two>(), r); }};
 #else
 const Loop odeint_loops[5];
 #endif
@@ -195,8 +188,7 @@ bool agree(std::vector<Row>& rows) {
         const double expected = row.hand.loop(run_of(10000));
         row.each([&](Contestant& c) {
             if (std::fabs(c.loop(run_of(10000)) - expected) < 1e-10) return;
-            std::fprintf(stderr, "bench_loops: %s: the loops do not take the same steps\n",
-                         row.method);
+            std::fprintf(stderr, "bench_loops: %s: the loops do not take the same steps\n", row.method);
             good = false;
         });
     }
@@ -231,8 +223,7 @@ std::string count_instructions(std::vector<Row>& rows) {
     for (Row& row : rows)
         row.each([&](Contestant& c) {
             if (next + 3 <= counts.instructions.size())
-                c.instructions =
-                    (counts.instructions[next + 2] - counts.instructions[next + 1]) / (many - few);
+                c.instructions = (counts.instructions[next + 2] - counts.instructions[next + 1]) / (many - few);
             next += 3;
         });
     return counts.failure;
@@ -247,8 +238,8 @@ std::string words(const char* format, double value) {
 void print(const std::vector<Row>& rows) {
     std::printf("%s\n", BENCH_FLAGS);
     std::printf("%-21s%28s   %25s   %19s\n", "", "ns a step", "ours over", "instructions a step");
-    std::printf("%-21s%10s%9s%9s   %13s%12s   %10s%9s\n", "", "by hand", "ours", "odeint",
-                "by hand", "odeint", "by hand", "ours");
+    std::printf("%-21s%10s%9s%9s   %13s%12s   %10s%9s\n", "", "by hand", "ours", "odeint", "by hand", "odeint",
+                "by hand", "ours");
     for (const Row& row : rows) {
         const double by_hand = row.ours.nanoseconds / row.hand.nanoseconds;
         const double odeint = row.odeint.loop ? row.ours.nanoseconds / row.odeint.nanoseconds : 0;
@@ -259,17 +250,14 @@ void print(const std::vector<Row>& rows) {
         look(by_hand > most_by_hand, "time by hand");
         look(odeint > most_odeint + 0.02, "odeint's time");
         look(row.ours.instructions > most_by_hand * row.hand.instructions, "instructions");
-        std::printf("%-21s%10s%9s%9s   %13s%12s   %10s%9s%s\n", row.method,
-                    words("%.2f", row.hand.nanoseconds).c_str(),
+        std::printf("%-21s%10s%9s%9s   %13s%12s   %10s%9s%s\n", row.method, words("%.2f", row.hand.nanoseconds).c_str(),
                     words("%.2f", row.ours.nanoseconds).c_str(),
-                    words("%.2f", row.odeint.loop ? row.odeint.nanoseconds : 0).c_str(),
-                    words("%.3f", by_hand).c_str(), words("%.3f", odeint).c_str(),
-                    words("%.0f", row.hand.instructions).c_str(),
+                    words("%.2f", row.odeint.loop ? row.odeint.nanoseconds : 0).c_str(), words("%.3f", by_hand).c_str(),
+                    words("%.3f", odeint).c_str(), words("%.0f", row.hand.instructions).c_str(),
                     words("%.0f", row.ours.instructions).c_str(), misses.c_str());
     }
-    std::printf("%-21s%28s   %13s%12s   %19s\n", "targets, at most", "",
-                words("%.2f", most_by_hand).c_str(), words("%.2f", most_odeint).c_str(),
-                "by hand + 5 %");
+    std::printf("%-21s%28s   %13s%12s   %19s\n", "targets, at most", "", words("%.2f", most_by_hand).c_str(),
+                words("%.2f", most_odeint).c_str(), "by hand + 5 %");
     std::printf("A miss against odeint is marked from 2 %% on: the clock tells no less.\n");
 }
 

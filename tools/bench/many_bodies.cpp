@@ -44,8 +44,7 @@ struct Crates {
             Quaternion<Real> q;
             for (int k = 0; k < 4; ++k) q.coeffs()[k] = Real(normal(random));
             R.push_back(q.normalized().toRotationMatrix());
-            omega.push_back(
-                {Real(5 * normal(random)), Real(5 * normal(random)), Real(5 * normal(random))});
+            omega.push_back({Real(5 * normal(random)), Real(5 * normal(random)), Real(5 * normal(random))});
         }
     }
     std::vector<Vector3<Real>> sides, omega;
@@ -57,8 +56,7 @@ std::vector<Body<PrincipalInertia<Real>>> one_by_one(const Crates<Real>& crates)
     std::vector<Body<PrincipalInertia<Real>>> all;
     for (std::size_t i = 0; i < crates.R.size(); ++i) {
         const Vector3<Real>& s = crates.sides[i];
-        all.push_back(
-            {box(Real(10), s.x(), s.y(), s.z()), crates.R[i], crates.omega[i], crates.omega[i]});
+        all.push_back({box(Real(10), s.x(), s.y(), s.z()), crates.R[i], crates.omega[i], crates.omega[i]});
     }
     return all;
 }
@@ -87,13 +85,11 @@ std::vector<Body<PrincipalInertia<Lanes<Real>>>> in_lanes(const Crates<Real>& cr
 template <class Inertia, class Solver>
 [[gnu::noinline]] void pass(std::vector<Body<Inertia>>& all, const Solver& solver) {
     const typename Inertia::Scalar step(h);
-    for (auto& body : all)
-        body.change = gyroscopic_change(solver, body.inertia, body.R, body.omega, step);
+    for (auto& body : all) body.change = gyroscopic_change(solver, body.inertia, body.R, body.omega, step);
 }
 
 template <class Inertia, class Solver>
-many::Row row(const std::string& name, std::vector<Body<Inertia>>& all, const Solver& solver,
-              int count) {
+many::Row row(const std::string& name, std::vector<Body<Inertia>>& all, const Solver& solver, int count) {
     return {name, [&all, solver] { pass(all, solver); }, double(count)};
 }
 
@@ -109,8 +105,7 @@ int many::bodies() {
     auto lots_alone = one_by_one(all_crates);
     auto lots_lanes = in_lanes(all_crates);
     std::vector<Body<UniformInertia<Lanes<float>>>> balls;
-    for (const auto& b : lanes)
-        balls.push_back({sphere(Lanes<float>(10), Lanes<float>(1)), b.R, b.omega, b.change});
+    for (const auto& b : lanes) balls.push_back({sphere(Lanes<float>(10), Lanes<float>(1)), b.R, b.omega, b.change});
 
     std::vector<Row> rows;
 #ifdef TIMESTEP_WITH_BULLET
@@ -118,12 +113,11 @@ int many::bodies() {
     std::vector<btVector3> bullet_change(few);
     for (const auto& b : alone) {
         const auto& I = b.inertia.moments;
-        bullet.push_back(
-            std::make_unique<btRigidBody>(10, nullptr, nullptr, btVector3(I.x(), I.y(), I.z())));
+        bullet.push_back(std::make_unique<btRigidBody>(10, nullptr, nullptr, btVector3(I.x(), I.y(), I.z())));
         btTransform place;
         place.setOrigin(btVector3(0, 0, 0));
-        place.setBasis(btMatrix3x3(b.R(0, 0), b.R(0, 1), b.R(0, 2), b.R(1, 0), b.R(1, 1), b.R(1, 2),
-                                   b.R(2, 0), b.R(2, 1), b.R(2, 2)));
+        place.setBasis(btMatrix3x3(b.R(0, 0), b.R(0, 1), b.R(0, 2), b.R(1, 0), b.R(1, 1), b.R(1, 2), b.R(2, 0),
+                                   b.R(2, 1), b.R(2, 2)));
         bullet.back()->setWorldTransform(place);
         bullet.back()->setAngularVelocity(btVector3(b.omega.x(), b.omega.y(), b.omega.z()));
     }
@@ -168,16 +162,14 @@ int many::bodies() {
 
     measure(rows, 200);
     const bool peer = first_of_ours > 0;
-    std::printf("\n%-34s %10s %10s\n", "Gyroscopic step, 256 bodies", "ns a body",
-                peer ? "of Bullet" : "");
+    std::printf("\n%-34s %10s %10s\n", "Gyroscopic step, 256 bodies", "ns a body", peer ? "of Bullet" : "");
     const bool native = std::strstr(BENCH_FLAGS, "native");
     for (const Row& r : rows) {
         std::printf("%-34s %10.3f", r.name.c_str(), r.nanoseconds);
         if (peer) {
             const double share = r.nanoseconds / rows[0].nanoseconds;
             std::printf(" %10.4f", share);
-            if (r.name == "one iteration, lanes")
-                std::printf("%s", target(share, native ? 0.012 : 0.05).c_str());
+            if (r.name == "one iteration, lanes") std::printf("%s", target(share, native ? 0.012 : 0.05).c_str());
         }
         std::printf("\n");
     }

@@ -66,17 +66,14 @@ struct Contest {
         const double once = double(n), many_times = once * double(several);
         std::vector<many::Row> all;
         all.push_back({"plain loop", [this] { plain(k.data(), x.data(), v.data(), h, n); }, once});
-        all.push_back({"STREAM triad",
-                       [this] { triad(a.data(), triad_b.data(), triad_c.data(), h, n); }, once});
+        all.push_back({"STREAM triad", [this] { triad(a.data(), triad_b.data(), triad_c.data(), h, n); }, once});
         all.push_back({"array of structures", [this] { structures(array, h); }, once});
 #ifdef TIMESTEP_WITH_ODEINT
         all.push_back({"odeint, vector state", [this] { odeint_pass(); }, once});
 #endif
+        all.push_back({"lanes, a step a pass", [this] { springs.step(semi_implicit_euler, h); }, once});
         all.push_back(
-            {"lanes, a step a pass", [this] { springs.step(semi_implicit_euler, h); }, once});
-        all.push_back({"lanes, 64 steps a pass",
-                       [this] { several_springs.step(semi_implicit_euler, h, several); },
-                       many_times});
+            {"lanes, 64 steps a pass", [this] { several_springs.step(semi_implicit_euler, h, several); }, many_times});
         const unsigned threads = std::max(2u, std::thread::hardware_concurrency());
         all.push_back({std::to_string(threads) + " threads, 64 a pass",
                        [this, threads] {
@@ -92,8 +89,7 @@ struct Contest {
     // Do they all take the same steps? Afterwards each has taken some more.
     bool agree(const std::vector<many::Row>& all) {
         for (const auto& row : all)
-            for (double steps = 0; steps < double(several) * double(n); steps += row.steps)
-                row.pass();
+            for (double steps = 0; steps < double(several) * double(n); steps += row.steps) row.pass();
         const auto& s = springs;
         double worst = 0;
         for (std::size_t i = 0; i < n; ++i) {
@@ -145,8 +141,8 @@ bool springs_of(const char* real) {
         if (!contest.agree(all.back())) return false;
         measure(all.back(), n > 100000 ? 20 : 60);
     }
-    std::printf("\n%-34s %10s %10s %10s\n", (std::string("Springs, ns a step, ") + real).c_str(),
-                "100", "10000", "1000000");
+    std::printf("\n%-34s %10s %10s %10s\n", (std::string("Springs, ns a step, ") + real).c_str(), "100", "10000",
+                "1000000");
     for (std::size_t i = 0; i < all[0].size(); ++i) {
         std::printf("%-34s", all[0][i].name.c_str());
         for (const auto& rows : all) std::printf(" %10.3f", rows[i].nanoseconds);
@@ -166,8 +162,7 @@ bool springs_of(const char* real) {
     std::printf("              64 steps a pass %.1f times as fast%s\n", times,
                 native ? many::target(times, 12, false).c_str() : "");
     std::printf("              the threads %.2f times as fast as one\n", threads);
-    std::printf("              memory moves %.0f GB/s, in the triad %.0f GB/s\n", bandwidth,
-                stream);
+    std::printf("              memory moves %.0f GB/s, in the triad %.0f GB/s\n", bandwidth, stream);
     return true;
 }
 

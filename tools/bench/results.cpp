@@ -44,8 +44,7 @@ std::string exact(double value) {
 
 // Reads what as_csv has written. False where it is something else.
 bool read(const std::string& word, double& value) {
-    return std::from_chars(word.data(), word.data() + word.size(), value).ptr ==
-               word.data() + word.size() &&
+    return std::from_chars(word.data(), word.data() + word.size(), value).ptr == word.data() + word.size() &&
            !word.empty();
 }
 
@@ -67,14 +66,12 @@ std::vector<std::string> cells(const std::string& line) {
 std::string as_csv(const Setup& setup, const Measured& measured) {
     std::string text;
     for (const auto& [key, words] : setup) text += "# " + key + ": " + words + "\n";
-    text += "# scene: " + measured.title +
-            "\n# reference error: " + exact(measured.reference_error) +
+    text += "# scene: " + measured.title + "\n# reference error: " + exact(measured.reference_error) +
             "\n# rows: " + std::to_string(measured.points.size()) + "\n" + columns + "\n";
     for (std::size_t i = 0; i < measured.points.size(); ++i) {
         const Point& p = measured.points[i];
         text += p.scene + ",\"" + p.method + "\",\"" + p.library + "\"";
-        for (const double value :
-             {p.step, p.error_final, p.error_max, p.seconds, p.evaluations, p.solves})
+        for (const double value : {p.step, p.error_final, p.error_max, p.seconds, p.evaluations, p.solves})
             text += "," + exact(value);
         text += p.diverged ? ",true," : ",false,";
         if (std::isfinite(measured.instructions[i])) text += exact(measured.instructions[i]);
@@ -99,12 +96,8 @@ bool read_point(const std::string& line, Measured& measured) {
 }
 
 // JSON knows neither NaN nor infinity.
-Json finite(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-Json whole(double value) {
-    return std::isfinite(value) ? Json(std::llround(value)) : Json(nullptr);
-}
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json whole(double value) { return std::isfinite(value) ? Json(std::llround(value)) : Json(nullptr); }
 
 }  // namespace
 
@@ -138,12 +131,11 @@ Kept find_kept(const std::filesystem::path& file, const Setup& setup) {
     bool good = after("# scene: ");
     measured.title = rest;
     double rows = 0;
-    good = good && after("# reference error: ") && read(rest, measured.reference_error) &&
-           after("# rows: ") && read(rest, rows) && line == columns;
+    good = good && after("# reference error: ") && read(rest, measured.reference_error) && after("# rows: ") &&
+           read(rest, rows) && line == columns;
     while (good && std::getline(lines, line))
         good = read_point(line, measured) && measured.points.back().scene == file.stem();
-    if (!good || measured.points.empty() || double(measured.points.size()) != rows)
-        return {{}, "form"};
+    if (!good || measured.points.empty() || double(measured.points.size()) != rows) return {{}, "form"};
     return {measured, {}};
 }
 

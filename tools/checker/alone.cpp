@@ -30,8 +30,7 @@ constexpr unsigned newest = SYS_landlock_restrict_self;
 
 // What C libraries do without when it does not exist. What clone3 and openat2 are to do cannot be
 // seen from here, and io_uring does all the rest behind our back.
-constexpr unsigned absent[] = {SYS_clone3, SYS_openat2, SYS_io_uring_setup, SYS_io_uring_enter,
-                               SYS_io_uring_register};
+constexpr unsigned absent[] = {SYS_clone3, SYS_openat2, SYS_io_uring_setup, SYS_io_uring_enter, SYS_io_uring_register};
 
 // arm64 came too late for the older half of these: there only the `…at` exist.
 constexpr unsigned refused[] = {
@@ -40,21 +39,20 @@ constexpr unsigned refused[] = {
     SYS_fork, SYS_vfork,
 #endif
     // Reaching into other processes, and signals that go round the rule for kill.
-    SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev, SYS_process_madvise, SYS_kcmp,
-    SYS_pidfd_open, SYS_pidfd_getfd, SYS_pidfd_send_signal, SYS_rt_sigqueueinfo,
-    SYS_rt_tgsigqueueinfo, SYS_setpriority, SYS_ioprio_set, SYS_sched_setaffinity,
-    SYS_sched_setattr, SYS_sched_setparam, SYS_sched_setscheduler, SYS_migrate_pages,
+    SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev, SYS_process_madvise, SYS_kcmp, SYS_pidfd_open,
+    SYS_pidfd_getfd, SYS_pidfd_send_signal, SYS_rt_sigqueueinfo, SYS_rt_tgsigqueueinfo, SYS_setpriority, SYS_ioprio_set,
+    SYS_sched_setaffinity, SYS_sched_setattr, SYS_sched_setparam, SYS_sched_setscheduler, SYS_migrate_pages,
     SYS_move_pages,
     // Other roots and other namespaces, in which one may be another user.
-    SYS_unshare, SYS_setns, SYS_chroot, SYS_pivot_root, SYS_mount, SYS_umount2, SYS_open_tree,
-    SYS_move_mount, SYS_fsopen, SYS_fsconfig, SYS_fsmount, SYS_fspick,
+    SYS_unshare, SYS_setns, SYS_chroot, SYS_pivot_root, SYS_mount, SYS_umount2, SYS_open_tree, SYS_move_mount,
+    SYS_fsopen, SYS_fsconfig, SYS_fsmount, SYS_fspick,
     // The network, and an end of what goes to those who watch.
     SYS_socket, SYS_socketpair, SYS_shutdown,
     // Locks: others wait for them.
     SYS_flock,
     // Memory that outlives the process or is not counted as its own.
-    SYS_shmget, SYS_shmat, SYS_shmctl, SYS_msgget, SYS_msgctl, SYS_semget, SYS_semctl, SYS_mq_open,
-    SYS_mq_unlink, SYS_memfd_create, SYS_add_key, SYS_request_key, SYS_keyctl,
+    SYS_shmget, SYS_shmat, SYS_shmctl, SYS_msgget, SYS_msgctl, SYS_semget, SYS_semctl, SYS_mq_open, SYS_mq_unlink,
+    SYS_memfd_create, SYS_add_key, SYS_request_key, SYS_keyctl,
     // A pipe keeps what is moved into it so, whole huge pages for one byte.
     SYS_vmsplice, SYS_splice, SYS_tee,
     // What is for those who look into kernels.
@@ -63,15 +61,42 @@ constexpr unsigned refused[] = {
 // Making, changing and removing files: by these, and by opening them so.
 constexpr unsigned of_files[] = {
 #ifdef SYS_creat
-    SYS_creat, SYS_unlink, SYS_rmdir, SYS_rename, SYS_link, SYS_symlink, SYS_mkdir, SYS_mknod,
-    SYS_chmod, SYS_chown, SYS_lchown, SYS_utime, SYS_utimes, SYS_futimesat,
+    SYS_creat,
+    SYS_unlink,
+    SYS_rmdir,
+    SYS_rename,
+    SYS_link,
+    SYS_symlink,
+    SYS_mkdir,
+    SYS_mknod,
+    SYS_chmod,
+    SYS_chown,
+    SYS_lchown,
+    SYS_utime,
+    SYS_utimes,
+    SYS_futimesat,
 #endif
 #ifdef SYS_renameat
     SYS_renameat,
 #endif
-    SYS_unlinkat, SYS_renameat2, SYS_linkat, SYS_symlinkat, SYS_mkdirat, SYS_mknodat, SYS_fchmod,
-    SYS_fchmodat, SYS_fchown, SYS_fchownat, SYS_utimensat, SYS_truncate, SYS_setxattr,
-    SYS_lsetxattr, SYS_fsetxattr, SYS_removexattr, SYS_lremovexattr, SYS_fremovexattr,
+    SYS_unlinkat,
+    SYS_renameat2,
+    SYS_linkat,
+    SYS_symlinkat,
+    SYS_mkdirat,
+    SYS_mknodat,
+    SYS_fchmod,
+    SYS_fchmodat,
+    SYS_fchown,
+    SYS_fchownat,
+    SYS_utimensat,
+    SYS_truncate,
+    SYS_setxattr,
+    SYS_lsetxattr,
+    SYS_fsetxattr,
+    SYS_removexattr,
+    SYS_lremovexattr,
+    SYS_fremovexattr,
     SYS_open_by_handle_at};
 
 // A call that depends on one argument.
@@ -114,12 +139,8 @@ public:
         steps.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<unsigned>(offset)));
     }
     // The next is done only where that holds of what was loaded, or only where it does not.
-    void only_if(unsigned kind, unsigned number) {
-        steps.push_back(BPF_JUMP(BPF_JMP | kind | BPF_K, number, 0, 1));
-    }
-    void unless(unsigned kind, unsigned number) {
-        steps.push_back(BPF_JUMP(BPF_JMP | kind | BPF_K, number, 1, 0));
-    }
+    void only_if(unsigned kind, unsigned number) { steps.push_back(BPF_JUMP(BPF_JMP | kind | BPF_K, number, 0, 1)); }
+    void unless(unsigned kind, unsigned number) { steps.push_back(BPF_JUMP(BPF_JMP | kind | BPF_K, number, 1, 0)); }
     void end(unsigned how) { steps.push_back(BPF_STMT(BPF_RET | BPF_K, how)); }
     void fail(int error) { end(SECCOMP_RET_ERRNO | static_cast<unsigned>(error)); }
 
@@ -129,8 +150,7 @@ public:
         steps.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, rule.call, 0, 3));
         // The lower half, which is all there is to a flag, a command or a process.
         load(offsetof(seccomp_data, args) + rule.argument * sizeof(__u64));
-        const bool bits = rule.refused_if == Rule::one_of_the_bits ||
-                          rule.refused_if == Rule::not_one_of_the_bits;
+        const bool bits = rule.refused_if == Rule::one_of_the_bits || rule.refused_if == Rule::not_one_of_the_bits;
         if (rule.refused_if == Rule::one_of_the_bits || rule.refused_if == Rule::equal)
             only_if(bits ? BPF_JSET : BPF_JEQ, rule.value);
         else

@@ -29,9 +29,7 @@ Answer answer_of(R (*function)(Args...)) {
         Numbers after;
         // So that none is copied once more: the learner may have an own memmove.
         after.reserve(numbers.size());
-        const auto add = [&after](const auto& value) {
-            Wire<std::decay_t<decltype(value)>>::put(after, value);
-        };
+        const auto add = [&after](const auto& value) { Wire<std::decay_t<decltype(value)>>::put(after, value); };
         std::apply([&](const auto&... values) { (add(values), ...); }, arguments);
         if (!same_bits(after, numbers)) throw ArgumentsChanged{};
         return result;
@@ -44,8 +42,8 @@ struct Spoken {
     std::string (*result)(const Numbers&, const Numbers& beside, Digits);  ///< shows also where the two differ
     bool (*is_result)(const Numbers&);  ///< has it as many numbers as its type demands?
     bool or_minus;                      ///< is the negative of a result the same, as of a rotation's quaternion?
-    bool one_size;                      ///< are its numbers of one unit, as a vector's: is roundoff that of the largest?
-    bool has_reals;                     ///< or are they whole, or a yes or no, to which no rounding belongs?
+    bool one_size;   ///< are its numbers of one unit, as a vector's: is roundoff that of the largest?
+    bool has_reals;  ///< or are they whole, or a yes or no, to which no rounding belongs?
 };
 
 /// A type of which a value and its negative stand for the same.
@@ -92,8 +90,12 @@ struct SpokenOf<R(Args...)> {
             return false;
         }
     }
-    static constexpr Spoken spoken{arguments, result, is_result, minus_is_the_same<std::decay_t<R>>,
-                                   of_one_unit<std::decay_t<R>>, holds_reals<std::decay_t<R>>};
+    static constexpr Spoken spoken{arguments,
+                                   result,
+                                   is_result,
+                                   minus_is_the_same<std::decay_t<R>>,
+                                   of_one_unit<std::decay_t<R>>,
+                                   holds_reals<std::decay_t<R>>};
 };
 
 /// A function of numbers as an ordinary typed function: `Typed<double(double, double)> f(g); f(1,

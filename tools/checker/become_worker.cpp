@@ -25,9 +25,7 @@ void limit(int resource, std::size_t amount, std::size_t hard) {
     setrlimit(static_cast<__rlimit_resource>(resource), &both);
 }
 
-void limit(int resource, std::size_t amount) {
-    limit(resource, amount, amount);
-}
+void limit(int resource, std::size_t amount) { limit(resource, amount, amount); }
 
 // The rules, where a launcher reads them.
 constexpr int rules_fd = answers_fd + 2;
@@ -43,9 +41,8 @@ void open_rules() {
 
 }  // namespace
 
-void become_worker(const std::string& program, const std::vector<std::string>& launcher,
-                   pid_t parent, int calls, int answers, int printed, int failed, int found,
-                   const Limits& limits) {
+void become_worker(const std::string& program, const std::vector<std::string>& launcher, pid_t parent, int calls,
+                   int answers, int printed, int failed, int found, const Limits& limits) {
     setsid();  // a group of its own, and no terminal to type into
     // It ends with its parent, which may have ended before this line.
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -86,18 +83,13 @@ void become_worker(const std::string& program, const std::vector<std::string>& l
     const std::string tunables = "glibc.malloc.perturb=1:glibc.malloc.tcache_count=0";
     // Sanitizers need more room than a limit on addresses leaves, and count memory themselves.
     const std::string most = std::to_string(limits.megabytes);
-    std::vector<std::string> words = launcher,
-                             surroundings{
-                                 "ASAN_OPTIONS=detect_leaks=0:handle_segv=0:handle_sigbus=0:"
-                                 "handle_sigfpe=0:handle_sigill=0:handle_abort=0:"
-                                 "allocator_may_return_null=0:max_allocation_size_mb=" +
-                                 most + ":soft_rss_limit_mb=" + most};
+    std::vector<std::string> words = launcher, surroundings{
+                                                   "ASAN_OPTIONS=detect_leaks=0:handle_segv=0:handle_sigbus=0:"
+                                                   "handle_sigfpe=0:handle_sigill=0:handle_abort=0:"
+                                                   "allocator_may_return_null=0:max_allocation_size_mb=" +
+                                                   most + ":soft_rss_limit_mb=" + most};
     if (memcheck) {
-        words = {"valgrind",
-                 "-q",
-                 "--vgdb=no",
-                 "--log-fd=" + std::to_string(failed + 1),
-                 "--track-origins=yes",
+        words = {"valgrind", "-q", "--vgdb=no", "--log-fd=" + std::to_string(failed + 1), "--track-origins=yes",
                  program};
         stay_alone(Files::are_written_too);
     } else if (launcher.empty()) {
@@ -108,8 +100,8 @@ void become_worker(const std::string& program, const std::vector<std::string>& l
         surroundings.push_back("GLIBC_TUNABLES=" + tunables);
     } else {  // which keeps the rules for the worker
         open_rules();
-        words.insert(words.end(), {"--setenv", "GLIBC_TUNABLES", tunables, "--seccomp",
-                                   std::to_string(rules_fd), "--", program});
+        words.insert(words.end(),
+                     {"--setenv", "GLIBC_TUNABLES", tunables, "--seccomp", std::to_string(rules_fd), "--", program});
     }
     const auto pointers = [](std::vector<std::string>& list) {
         std::vector<char*> to;
@@ -117,8 +109,8 @@ void become_worker(const std::string& program, const std::vector<std::string>& l
         to.push_back(nullptr);
         return to;
     };
-    execvpe(memcheck || !launcher.empty() ? words[0].c_str() : program.c_str(),
-            pointers(words).data(), pointers(surroundings).data());
+    execvpe(memcheck || !launcher.empty() ? words[0].c_str() : program.c_str(), pointers(words).data(),
+            pointers(surroundings).data());
     const int error = errno;
     write_all(failed, &error, sizeof error);
     _exit(127);

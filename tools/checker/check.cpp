@@ -53,8 +53,7 @@ int main(int argc, char** argv) {
     if (!std::fgets(word, sizeof word, stdin)) word[0] = '\0';
     word[std::strcspn(word, "\n")] = '\0';
     const char* const end = word + std::strlen(word);
-    if (const auto read = std::from_chars(word, end, seed);
-        read.ec != std::errc() || read.ptr != end) {
+    if (const auto read = std::from_chars(word, end, seed); read.ec != std::errc() || read.ptr != end) {
         std::fprintf(stderr, "check: the seed '%s' is no whole number from 0 to 2^64 - 1\n", word);
         return 2;
     }

@@ -35,7 +35,8 @@ Numbers roundoff_of(const Truth& truth, const Numbers& arguments, const Numbers&
         const Numbers near = truth.nudged(arguments, variation, few_units);
         for (std::size_t i = 0; i < std::min(near.size(), right.size()); ++i) {
             const double one = another_way * std::fabs(near[i] - right[i]);
-            if (one <= jump * size && (near[i] != std::floor(near[i]) || right[i] != std::floor(right[i]))) roundoff[i] = std::max(roundoff[i], one);
+            if (one <= jump * size && (near[i] != std::floor(near[i]) || right[i] != std::floor(right[i])))
+                roundoff[i] = std::max(roundoff[i], one);
         }
     }
     return roundoff;
@@ -66,7 +67,8 @@ Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least, c
         for (const double number : right) size = std::max(size, std::fabs(number));
         const bool differs = !call.right || apart(call.result, right) > least * size;
         if (differs && shown.wrong.size() < enough_calls) {
-            Numbers roundoff = many.empty() ? roundoff_of(truth, call.arguments, right) : untold_of(many, truth, call.arguments, right);
+            Numbers roundoff = many.empty() ? roundoff_of(truth, call.arguments, right)
+                                            : untold_of(many, truth, call.arguments, right);
             // By no more than roundoff, or than that of another number beside it: that tells nothing.
             if (errs_alike(right, call.result, right, roundoff)) continue;
             shown.wrong.push_back(&call);
@@ -114,11 +116,14 @@ Fit fit_of(const Mistake& mistake, const Shown& shown) {
     Fit fit;
     for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
         const Call& call = *shown.wrong[i];
-        fit.where_wrong += errs_alike(mistake.made.answer(call.arguments), call.result, shown.truth[i], shown.roundoff[i]);
+        fit.where_wrong +=
+            errs_alike(mistake.made.answer(call.arguments), call.result, shown.truth[i], shown.roundoff[i]);
         const double asked = double(i + 1), missed = asked - fit.where_wrong;
-        if (6 * missed > double(shown.wrong.size() + 6) || (asked > 50 && 4 * missed > 3 * asked)) return {};  // too many
+        if (6 * missed > double(shown.wrong.size() + 6) || (asked > 50 && 4 * missed > 3 * asked))
+            return {};  // too many
     }
-    const bool has_numbers = std::all_of(shown.wrong.begin(), shown.wrong.end(), [](const Call* call) { return is_finite(call->result); });
+    const bool has_numbers =
+        std::all_of(shown.wrong.begin(), shown.wrong.end(), [](const Call* call) { return is_finite(call->result); });
     for (std::size_t i = 0; i < shown.right.size(); ++i) {
         const Call* call = shown.right[i];
         const double beside = shown.beside.empty() ? 0 : shown.beside[i];
@@ -156,7 +161,8 @@ bool has_right_digits(const Shown& shown) {
     for (std::size_t call = 0; call < shown.wrong.size(); ++call) {
         const Numbers &found = shown.wrong[call]->result, &right = shown.truth[call], &roundoff = shown.roundoff[call];
         bool all = found.size() == right.size();
-        for (std::size_t i = 0; all && i < right.size(); ++i) all = std::fabs(found[i] - right[i]) <= 1e-2 * std::fabs(right[i]) + roundoff[i];
+        for (std::size_t i = 0; all && i < right.size(); ++i)
+            all = std::fabs(found[i] - right[i]) <= 1e-2 * std::fabs(right[i]) + roundoff[i];
         near += all;
     }
     return 2 * near >= shown.wrong.size();
@@ -173,13 +179,15 @@ bool loses_as_many_digits(const Mistake& mistake, const Truth& truth, const Show
             const double one = largest(lost_by(mistake.made, truth, call.arguments, variation));
             lost = std::max(lost, one);
             least = std::min(least, one);
-            lost_nearer = std::max(lost_nearer, largest(lost_within(1e-4, mistake.made, truth, call.arguments, variation)));
+            lost_nearer =
+                std::max(lost_nearer, largest(lost_within(1e-4, mistake.made, truth, call.arguments, variation)));
         }
         const double gap = apart(call.result, shown.truth[i]);
         // What is always off by as much is off by more than roundoff: there the two must agree. So is what is off by
         // less, the nearer one looks: that is a guard that lies on one side or the other.
         const bool is_roundoff = lost < HUGE_VAL && least < 0.7 * lost && lost <= 5 * lost_nearer;
-        const bool agrees = gap < HUGE_VAL && errs_alike(mistake.made.answer(call.arguments), call.result, shown.truth[i], shown.roundoff[i]);
+        const bool agrees = gap < HUGE_VAL && errs_alike(mistake.made.answer(call.arguments), call.result,
+                                                         shown.truth[i], shown.roundoff[i]);
         fits += agrees || (is_roundoff && gap <= 4 * lost);
         many += agrees || (is_roundoff && gap >= 0.05 * lost);
     }
@@ -239,7 +247,8 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
     const bool is_open = best == not_told;
     if (is_open) best.clear();
     if (best.empty() && !counted) best = changed(truth, shown);
-    const bool yes_or_no = std::all_of(calls.begin(), calls.end(), [](const Call& call) { return call.result[0] == 0 || call.result[0] == 1; });
+    const bool yes_or_no = std::all_of(calls.begin(), calls.end(),
+                                       [](const Call& call) { return call.result[0] == 0 || call.result[0] == 1; });
     if (best.empty() && counted && !yes_or_no) best = off_by_one(shown);
     const std::string where = where_wrong(truth, calls, shown);
     if (best.empty() && counted) best = is_near_thing(truth, shown) ? "near" : where;
@@ -263,12 +272,16 @@ bool is_case_of(const std::string& exercise, const Truth& truth, const std::stri
     const bool is_wrong = !errs_alike(right, call.result, right, roundoff);
     constexpr std::size_t as_all = 10;  // calls that are wrong were this one
     const Shown one{{as_all, &call}, {}, {as_all, right}, {as_all, roundoff}};
-    const Numbers untold = within(exercise).relative == many_are_right ? untold_of(exercise, truth, call.arguments, right) : roundoff;
+    const Numbers untold =
+        within(exercise).relative == many_are_right ? untold_of(exercise, truth, call.arguments, right) : roundoff;
     for (const Mistake& mistake : mistakes_of(exercise)) {
         if (mistake.name != name) continue;
         const Numbers made = mistake.made.answer(call.arguments);
-        const bool is_its_own = !call.right && apart(made, call.result) <= 1e-6 * apart(call.result, right);  // a small number beside a large one
-        return is_its_own || (is_wrong && (errs_alike(made, call.result, right, untold) || loses_as_many_digits(mistake, truth, one)));
+        const bool is_its_own =
+            !call.right &&
+            apart(made, call.result) <= 1e-6 * apart(call.result, right);  // a small number beside a large one
+        return is_its_own || (is_wrong && (errs_alike(made, call.result, right, untold) ||
+                                           loses_as_many_digits(mistake, truth, one)));
     }
     if (!is_wrong) return false;
     if (name.starts_with("slip_")) return is_case_of_slip(exercise, name, one);

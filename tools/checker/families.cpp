@@ -18,12 +18,14 @@ bool is_single_precision(const Truth& truth, const Shown& shown) {
         Numbers off(right.size());
         for (unsigned variation = 1; variation <= 12; ++variation) {
             const Numbers near = truth.nudged(shown.wrong[call]->arguments, variation, most);
-            for (std::size_t i = 0; i < std::min(off.size(), near.size()); ++i) off[i] = std::max(off[i], std::fabs(near[i] - right[i]));
+            for (std::size_t i = 0; i < std::min(off.size(), near.size()); ++i)
+                off[i] = std::max(off[i], std::fabs(near[i] - right[i]));
         }
         bool fit = found.size() == right.size(), is_large = false;
         for (std::size_t i = 0; fit && i < found.size(); ++i) {
             const bool counted = right[i] == std::floor(right[i]) && found[i] == std::floor(found[i]);
-            fit = std::fabs(found[i] - right[i]) <= (counted ? 1 : 4) * std::max(off[i], counted ? 0 : most * std::fabs(right[i]));
+            fit = std::fabs(found[i] - right[i]) <=
+                  (counted ? 1 : 4) * std::max(off[i], counted ? 0 : most * std::fabs(right[i]));
             is_large |= std::fabs(found[i] - right[i]) > 0.06 * off[i];
         }
         fits += fit;
@@ -109,7 +111,8 @@ std::string family_of(const Shown& shown) {
             fits += gap < HUGE_VAL && apart(shown.wrong[i]->result, made_of(shown.truth[i])) <= 1e-6 * gap;
         }
         for (const Call* call : shown.right) misfits += apart(call->result, made_of(call->result)) > 1e-12;
-        if (double(fits) >= 0.95 * double(shown.wrong.size()) && double(misfits) <= 0.05 * double(shown.wrong.size() + shown.right.size()))
+        if (double(fits) >= 0.95 * double(shown.wrong.size()) &&
+            double(misfits) <= 0.05 * double(shown.wrong.size() + shown.right.size()))
             return family.name;
     }
     return {};
@@ -119,7 +122,8 @@ bool is_negated(const std::vector<Call>& calls, const Shown& shown) {
     std::size_t yes = 0;
     for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
         const Numbers &found = shown.wrong[i]->result, &right = shown.truth[i];
-        if (found.size() != 1 || right.size() != 1 || found[0] != 1 - right[0] || (right[0] != 0 && right[0] != 1)) return false;
+        if (found.size() != 1 || right.size() != 1 || found[0] != 1 - right[0] || (right[0] != 0 && right[0] != 1))
+            return false;
         yes += right[0] == 1;
     }
     return shown.wrong.size() == std::min(calls.size(), enough_calls) && yes > 0 && yes < shown.wrong.size();
@@ -162,7 +166,8 @@ std::string changed(const Truth& truth, const Shown& shown) {
             bool fits = true;
             for (std::size_t i = 0; fits && i < shown.wrong.size(); ++i) {
                 const Call& call = *shown.wrong[i];
-                fits = shown.truth[i].size() == size && errs_alike(made(call.arguments, shown.truth[i], call.result), call.result, shown.truth[i], shown.roundoff[i]);
+                fits = shown.truth[i].size() == size && errs_alike(made(call.arguments, shown.truth[i], call.result),
+                                                                   call.result, shown.truth[i], shown.roundoff[i]);
             }
             if (fits) return family.name;
         }

@@ -62,7 +62,8 @@ int check_here(const std::string& name, const Answer& answer, int count, char** 
         verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         std::printf("%s%s", course::told(exercise, verdict, exercise.file()).c_str(),
                     course::marked(exercise, verdict, exercise.file()).c_str());
-        if (found.kind != Kind::pass) std::printf("\n  The seed of these numbers: %llu\n", static_cast<unsigned long long>(seed));
+        if (found.kind != Kind::pass)
+            std::printf("\n  The seed of these numbers: %llu\n", static_cast<unsigned long long>(seed));
         return found.kind == Kind::pass ? 0 : 1;
     } catch (const course::Stop& stop) {
         std::fprintf(stderr, "%s\n", stop.what());

@@ -17,8 +17,8 @@ std::uint64_t word_of(std::string_view text) {
 }  // namespace
 
 std::uint64_t siphash(const std::array<std::uint64_t, 2>& key, std::string_view text) {
-    std::uint64_t a = key[0] ^ 0x736f6d6570736575, b = key[1] ^ 0x646f72616e646f6d,
-                  c = key[0] ^ 0x6c7967656e657261, d = key[1] ^ 0x7465646279746573;
+    std::uint64_t a = key[0] ^ 0x736f6d6570736575, b = key[1] ^ 0x646f72616e646f6d, c = key[0] ^ 0x6c7967656e657261,
+                  d = key[1] ^ 0x7465646279746573;
     const auto rounds = [&](int count) {
         for (; count > 0; --count) {
             a += b, b = std::rotl(b, 13) ^ a, a = std::rotl(a, 32);
@@ -40,8 +40,7 @@ std::uint64_t siphash(const std::array<std::uint64_t, 2>& key, std::string_view 
     return a ^ b ^ c ^ d;
 }
 
-Keyed::Keyed(std::uint64_t seed, std::string_view name)
-    : key_{siphash({seed, 0}, name), siphash({seed, 1}, name)} {}
+Keyed::Keyed(std::uint64_t seed, std::string_view name) : key_{siphash({seed, 0}, name), siphash({seed, 1}, name)} {}
 
 std::uint64_t Keyed::next() {
     char text[8];

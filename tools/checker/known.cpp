@@ -34,25 +34,19 @@ bool know_truth(const std::string& exercise, Truth truth) {
     return truths().emplace(exercise, std::move(truth)).second;
 }
 
-const Truth& truth_of_exercise(const std::string& exercise) {
-    return truths()[exercise];
-}
+const Truth& truth_of_exercise(const std::string& exercise) { return truths()[exercise]; }
 
 bool know_within(const std::string& exercise, Within within) {
     return tolerances().emplace(exercise, std::move(within)).second;
 }
 
-const Within& within(const std::string& exercise) {
-    return tolerances()[exercise];
-}
+const Within& within(const std::string& exercise) { return tolerances()[exercise]; }
 
 bool know(const std::string& exercise, std::vector<Mistake> list) {
     return mistakes().emplace(exercise, std::move(list)).second;
 }
 
-const std::vector<Mistake>& mistakes_of(const std::string& exercise) {
-    return mistakes()[exercise];
-}
+const std::vector<Mistake>& mistakes_of(const std::string& exercise) { return mistakes()[exercise]; }
 
 bool know_variants(const std::string& exercise, const Answer& stub, const Answer& solution,
                    std::vector<std::pair<std::string, Answer>> correct) {
@@ -60,8 +54,6 @@ bool know_variants(const std::string& exercise, const Answer& stub, const Answer
     return variants().emplace(exercise, Variants{stub, std::move(correct)}).second;
 }
 
-const Variants& variants_of(const std::string& exercise) {
-    return variants()[exercise];
-}
+const Variants& variants_of(const std::string& exercise) { return variants()[exercise]; }
 
 }  // namespace checker

@@ -35,12 +35,11 @@ void look_through(const std::string& log) {
         if (address.empty() && line.ends_with("== ") && !trace.empty()) break;
         if (!address.empty()) trace += (trace.empty() ? "" : " ") + address;
     }
-    const bool unwritten =
-        log.substr(0, log.find(" at 0x")).find("ninitialised") != std::string::npos;
-    throw Ended(Kind::crash,
-                unwritten ? "a value is used that was never written"
-                          : "memory is used that does not belong to the program",
-                trace);
+    const bool unwritten = log.substr(0, log.find(" at 0x")).find("ninitialised") != std::string::npos;
+    throw Ended(
+        Kind::crash,
+        unwritten ? "a value is used that was never written" : "memory is used that does not belong to the program",
+        trace);
 }
 
 }  // namespace checker

@@ -98,8 +98,8 @@ struct Wire<T> {
         const double number = reader.next();
         if constexpr (std::integral<T>) {  // of a bool's numbers there are two
             using Limits = std::numeric_limits<T>;
-            if (!(number >= static_cast<double>(Limits::min()) &&
-                  number <= static_cast<double>(Limits::max()) && number == std::trunc(number)))
+            if (!(number >= static_cast<double>(Limits::min()) && number <= static_cast<double>(Limits::max()) &&
+                  number == std::trunc(number)))
                 throw Malformed("an answer has a number that its type has not");
         }
         return static_cast<T>(number);

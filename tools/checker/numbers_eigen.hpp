@@ -23,8 +23,8 @@ requires(rows > 0 && columns > 0) struct Wire<Eigen::Matrix<T, rows, columns, re
             for (int i = 0; i < rows; ++i) values(i, j) = Wire<T>::take(reader);
         return values;
     }
-    /// A vector as (x, y, z); a matrix column by column, as the vectors that they are, or what stands on its diagonal, if
-    /// that is all.
+    /// A vector as (x, y, z); a matrix column by column, as the vectors that they are, or what stands on its diagonal,
+    /// if that is all.
     static std::string show(Reader& reader) {
         if constexpr (rows == columns && rows > 1) {
             Reader ahead = reader;
@@ -50,12 +50,8 @@ requires(rows > 0 && columns > 0) struct Wire<Eigen::Matrix<T, rows, columns, re
 template <class T>
 struct Wire<Eigen::Quaternion<T>> {
     using Coefficients = Eigen::Matrix<T, 4, 1>;
-    static void put(Numbers& numbers, const Eigen::Quaternion<T>& q) {
-        Wire<Coefficients>::put(numbers, q.coeffs());
-    }
-    static Eigen::Quaternion<T> take(Reader& reader) {
-        return Eigen::Quaternion<T>(Wire<Coefficients>::take(reader));
-    }
+    static void put(Numbers& numbers, const Eigen::Quaternion<T>& q) { Wire<Coefficients>::put(numbers, q.coeffs()); }
+    static Eigen::Quaternion<T> take(Reader& reader) { return Eigen::Quaternion<T>(Wire<Coefficients>::take(reader)); }
     static std::string show(Reader& reader) {
         const std::string vector = show_row<T>(reader, 3);  // w comes last here, and first in the constructor
         return "Quaterniond(" + Wire<T>::show(reader) + ", " + vector + ")";

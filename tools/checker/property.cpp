@@ -35,9 +35,7 @@ Draw::Draw()
       coarse_(session().stream() % 2 == 1),
       simple_(roundest_ ? 10'000 : 48) {}
 
-double Draw::share() {
-    return static_cast<double>(stream_.next() >> 11) * 0x1p-53;
-}
+double Draw::share() { return static_cast<double>(stream_.next() >> 11) * 0x1p-53; }
 
 double Draw::real(double low, double high) {
     const double drawn = low + share() * (high - low);
@@ -98,11 +96,10 @@ bool close(double a, double b, double relative, double absolute) {
     const double tolerance = std::max(allowed_share(relative) * std::max(std::fabs(a), std::fabs(b)), absolute);
     // What is infinite lies near nothing, though inf <= relative * inf.
     if (std::isfinite(tolerance) && std::fabs(a - b) <= tolerance) return true;
-    return told(false, "Two numbers that must agree are " + in_words(a) + " and " + in_words(b) + ": they differ by " + in_words(std::fabs(a - b)) + ".");
+    return told(false, "Two numbers that must agree are " + in_words(a) + " and " + in_words(b) + ": they differ by " +
+                           in_words(std::fabs(a - b)) + ".");
 }
 
-double order(double error, double error_of_half) {
-    return std::log2(error / error_of_half);
-}
+double order(double error, double error_of_half) { return std::log2(error / error_of_half); }
 
 }  // namespace checker

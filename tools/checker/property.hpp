@@ -23,8 +23,8 @@
 #include "session.hpp"
 
 /// Says which exercise the properties below it belong to; its declaration stands in the header of
-/// the same name, which is included before. The task asks for no more than nine digits; but those must be right also where
-/// the arguments nearly cancel.
+/// the same name, which is included before. The task asks for no more than nine digits; but those must be right also
+/// where the arguments nearly cancel.
 #define EXERCISE(name) EXERCISE_TOLD(name, (checker::Within{checker::nine_digits, {}, checker::all_digits}))
 
 /// The same, where the learner's answers must be the course's to what a change of the arguments by `relative` makes
@@ -33,7 +33,8 @@
 
 /// The same, where another way to write the answer, `way`, loses digits to cancellation, and is right all the same: as
 /// many as it loses in a call may be lost there.
-#define EXERCISE_BESIDE(name, relative, way) EXERCISE_TOLD(name, (checker::Within{relative, checker::function_of(&way)}))
+#define EXERCISE_BESIDE(name, relative, way) \
+    EXERCISE_TOLD(name, (checker::Within{relative, checker::function_of(&way)}))
 
 #define EXERCISE_TOLD(name, within)                                            \
     static constexpr const char* exercise_tag = "[" #name "]";                 \
@@ -57,8 +58,8 @@ public:
     double real(double low, double high);
     /// Uniform in its logarithm: for steps, masses, stiffnesses.
     double log(double low, double high);
-    /// Whatever a range holds, `special` among it: now and then one of those, or what is nearly one, else as often small
-    /// as large.
+    /// Whatever a range holds, `special` among it: now and then one of those, or what is nearly one, else as often
+    /// small as large.
     double any_of(double low, double high, std::initializer_list<double> special = {});
     /// The i-th of `parts` equal parts of the range, in its logarithm, over and over: each seed draws from all of it.
     /// Two arguments with parts that have no common divisor meet in every combination.

@@ -28,8 +28,7 @@ std::array<double, N> in_any_order(std::array<double, N> numbers, unsigned choic
 }
 
 unsigned choice_of(double z, double longitude) {
-    return unsigned(std::lround(10 * z) + 10) * 7919u +
-           unsigned(std::lround(2 * longitude)) * 104729u;
+    return unsigned(std::lround(10 * z) + 10) * 7919u + unsigned(std::lround(2 * longitude)) * 104729u;
 }
 
 }  // namespace
@@ -43,11 +42,8 @@ Eigen::Vector3d draw_direction(Draw& draw) {
     }
     const double z = draw.real(-1, 1), longitude = draw.real(0, 2 * std::numbers::pi);
     if (is_round(z, longitude)) {
-        constexpr std::array<double, 3> of_few_digits[] = {{0.48, 0.6, 0.64},
-                                                           {0.36, 0.48, 0.8},
-                                                           {0.352, 0.36, 0.864},
-                                                           {0.192, 0.64, 0.744},
-                                                           {0.168, 0.224, 0.96}};
+        constexpr std::array<double, 3> of_few_digits[] = {
+            {0.48, 0.6, 0.64}, {0.36, 0.48, 0.8}, {0.352, 0.36, 0.864}, {0.192, 0.64, 0.744}, {0.168, 0.224, 0.96}};
         const unsigned choice = choice_of(z, longitude);
         const auto [a, b, c] = in_any_order(of_few_digits[choice % 5], choice / 5);
         return {a, b, c};
@@ -79,8 +75,7 @@ Eigen::Quaterniond draw_rotation(Draw& draw) {
 Eigen::Vector3d draw_moments(Draw& draw, double ratio) {
     const double size = draw.log(0.01, 100);
     for (;;) {
-        const double x = draw.log(1 / ratio, 1), y = draw.log(1 / ratio, 1),
-                     z = draw.log(1 / ratio, 1);
+        const double x = draw.log(1 / ratio, 1), y = draw.log(1 / ratio, 1), z = draw.log(1 / ratio, 1);
         const Eigen::Vector3d moments(y + z, z + x, x + y);
         if (moments.maxCoeff() <= ratio * moments.minCoeff()) return size * moments;
     }

@@ -25,8 +25,8 @@ Eigen::Quaterniond draw_rotation(Draw& draw);
 /// largest at most `ratio` times the least, kg m².
 Eigen::Vector3d draw_moments(Draw& draw, double ratio);
 
-/// The same of a body of which the first axis is a rod's: of moments with the least `least`, kg m², the other two are up
-/// to `ratio` times as large, and differ by less than the first.
+/// The same of a body of which the first axis is a rod's: of moments with the least `least`, kg m², the other two are
+/// up to `ratio` times as large, and differ by less than the first.
 Eigen::Vector3d draw_rod(Draw& draw, double least, double ratio);
 
 /// Can a body have these as its moments?
@@ -34,8 +34,7 @@ bool is_of_a_body(const Eigen::Vector3d& inertia);
 
 /// Do two vectors, matrices or the like agree to `relative` of the larger, or to `absolute`?
 template <class A, class B>
-bool close(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b, double relative,
-           double absolute = 0) {
+bool close(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b, double relative, double absolute = 0) {
     return close((a - b).norm(), 0, 0, std::max(allowed_share(relative) * std::max(a.norm(), b.norm()), absolute));
 }
 

@@ -51,8 +51,8 @@ std::string hexadecimal(const void* address) {
 
 }  // namespace
 
-Remote::Remote(const std::string& program, const std::string& printed,
-               const std::vector<std::string>& launcher, const Limits& limits)
+Remote::Remote(const std::string& program, const std::string& printed, const std::vector<std::string>& launcher,
+               const Limits& limits)
     : limits_(limits),
       launched_(!launcher.empty()),
       most_bytes_(1 << 16),
@@ -61,25 +61,20 @@ Remote::Remote(const std::string& program, const std::string& printed,
       next_look_(begin_ + turn) {
     std::signal(SIGPIPE, SIG_IGN);
     int calls[2], answers[2], failed[2];
-    const int file =
-        open(printed.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644);
+    const int file = open(printed.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644);
     if (file < 0) throw Ended(Kind::course_error, printed + ": cannot be written");
-    if (pipe2(calls, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0 ||
-        pipe2(failed, O_CLOEXEC) != 0)
+    if (pipe2(calls, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0 || pipe2(failed, O_CLOEXEC) != 0)
         throw Ended(Kind::course_error, "no pipe to be had from the system");
     int log[2] = {-1, -1};
     if (limits.watch == Watch::memcheck &&
-        (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, log) != 0 ||
-         shutdown(log[1], SHUT_RD) != 0))
+        (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, log) != 0 || shutdown(log[1], SHUT_RD) != 0))
         throw Ended(Kind::course_error, "no socket to be had from the system");
     log_ = log[0];
     prctl(PR_SET_CHILD_SUBREAPER, 1);  // what a child leaves behind becomes ours: see end()
     const pid_t parent = getpid();
     process_ = fork();
     if (process_ < 0) throw Ended(Kind::course_error, "no process to be had from the system");
-    if (process_ == 0)
-        become_worker(program, launcher, parent, calls[0], answers[1], file, failed[1], log[1],
-                      limits);
+    if (process_ == 0) become_worker(program, launcher, parent, calls[0], answers[1], file, failed[1], log[1], limits);
     close(calls[0]);
     close(answers[1]);
     close(failed[1]);
@@ -91,8 +86,7 @@ Remote::Remote(const std::string& program, const std::string& printed,
     int error = 0;
     const bool runs = !read_all(failed[0], &error, sizeof error);
     close(failed[0]);
-    if (!runs)
-        throw Ended(Kind::course_error, program + ": cannot be run: " + std::strerror(error));
+    if (!runs) throw Ended(Kind::course_error, program + ": cannot be run: " + std::strerror(error));
 }
 
 Remote::~Remote() {
@@ -128,8 +122,7 @@ void Remote::overhear() {
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) return;
         if (got == 0) close(std::exchange(log_, -1));
-        if (got > 0 && found_.size() < (1 << 20))
-            found_.append(piece, static_cast<std::size_t>(got));
+        if (got > 0 && found_.size() < (1 << 20)) found_.append(piece, static_cast<std::size_t>(got));
     }
 }
 
@@ -159,8 +152,7 @@ void Remote::await() {
 }
 
 Numbers Remote::operator()(const Numbers& arguments) {
-    const Head call{++number_, Reply::answer,
-                    static_cast<std::uint32_t>(arguments.size() * sizeof(double))};
+    const Head call{++number_, Reply::answer, static_cast<std::uint32_t>(arguments.size() * sizeof(double))};
     // For each argument some numbers: no test looks for long through an answer of that length.
     most_bytes_ = (10'000 + 4 * arguments.size()) * sizeof(double);
     begin_call();
@@ -186,12 +178,10 @@ void Remote::look(bool in_call) {
     next_look_ = now() + turn;
     if (seen.known) {
         if (call_used_ < 0) call_used_ = seen.seconds;
-        if (seen.seconds - call_used_ >= limits_.call_seconds ||
-            seen.seconds >= limits_.total_seconds)
+        if (seen.seconds - call_used_ >= limits_.call_seconds || seen.seconds >= limits_.total_seconds)
             throw Ended(Kind::too_slow, "");
     }
-    if (next_look_ - call_begin_ > limits_.clock_seconds ||
-        next_look_ - begin_ > 4 * limits_.clock_seconds)
+    if (next_look_ - call_begin_ > limits_.clock_seconds || next_look_ - begin_ > 4 * limits_.clock_seconds)
         throw Ended(Kind::too_slow, too_slow_by_the_clock);
     // Before a call it sleeps, and after its answer.
     pollfd answered{answers_, POLLIN, 0};
@@ -236,15 +226,14 @@ std::string Remote::hear(Reply expected) {
     if ((head.number != number_ && !of_before) || head.reply > Reply::crashed)
         throw Ended(Kind::left_early, "The program wrote to the pipe that its answers go through");
     if (head.bytes > most_bytes_)
-        throw Ended(Kind::left_early, "The answer was too long, " +
-                                          std::to_string(head.bytes / sizeof(double)) + " numbers");
+        throw Ended(Kind::left_early,
+                    "The answer was too long, " + std::to_string(head.bytes / sizeof(double)) + " numbers");
     std::string bytes(head.bytes, '\0');
     receive(bytes.data(), bytes.size());
     if (head.reply == Reply::not_started) throw Ended(Kind::not_started, "");
     if (head.reply == Reply::out_of_memory) throw Ended(Kind::too_much_memory, "");
     if (head.reply == Reply::arguments_changed)
-        throw Ended(Kind::wrong,
-                    "the arguments are only read: after the call the caller's are as they were");
+        throw Ended(Kind::wrong, "the arguments are only read: after the call the caller's are as they were");
     if (head.reply == Reply::mode_changed)
         throw Ended(Kind::wrong,
                     "the call leaves the processor as it found it: rounding to nearest, no tiny "
@@ -286,15 +275,14 @@ void Remote::gone() {
         if (used < 0) used = seen.seconds;
         if (seen.seconds - used > 2 * turn) break;
     }
-    if (how.si_pid == 0)
-        throw Ended(Kind::left_early, "The program closed the pipe that its answers go through");
+    if (how.si_pid == 0) throw Ended(Kind::left_early, "The program closed the pipe that its answers go through");
     if (how.si_code == CLD_EXITED && launched_ && how.si_status > 128) {  // as a launcher says it
         how.si_code = CLD_KILLED;
         how.si_status -= 128;
     }
     if (how.si_code == CLD_EXITED)
-        throw Ended(Kind::left_early, "The program ended with status " +
-                                          std::to_string(how.si_status) + " instead of returning");
+        throw Ended(Kind::left_early,
+                    "The program ended with status " + std::to_string(how.si_status) + " instead of returning");
     if (how.si_status == SIGXCPU) throw Ended(Kind::too_slow, "");
     // Crashes are told before; so soon it is the system, which has no room for the variables.
     if (number_ == 0 && how.si_status == SIGSEGV) throw Ended(Kind::too_much_memory, "");

@@ -37,8 +37,8 @@ class Remote {
 public:
     /// Starts `program`; the file `printed` gets what it prints. `launcher` are the words of
     /// another program before it, which shuts it away: bubblewrap and its options.
-    Remote(const std::string& program, const std::string& printed,
-           const std::vector<std::string>& launcher = {}, const Limits& limits = {});
+    Remote(const std::string& program, const std::string& printed, const std::vector<std::string>& launcher = {},
+           const Limits& limits = {});
     ~Remote();
     Remote(const Remote&) = delete;
     Remote& operator=(const Remote&) = delete;
@@ -69,8 +69,8 @@ private:
     bool launched_;
     pid_t process_ = -1;
     int calls_ = -1, answers_ = -1;
-    int log_ = -1;       // memcheck's: a socket, which nobody can open once more, and empty or cut
-    std::string found_;  // what memcheck has written there
+    int log_ = -1;                           // memcheck's: a socket, which nobody can open once more, and empty or cut
+    std::string found_;                      // what memcheck has written there
     std::uint64_t number_ = 0;               // of the last call
     std::size_t most_bytes_;                 // of its answer
     double begin_, call_begin_, next_look_;  // by the clock

@@ -9,9 +9,8 @@ extern "C" {
 [[gnu::weak]] void __asan_set_error_report_callback(void (*)(const char*));
 [[gnu::weak]] const char* __asan_get_report_description();
 [[gnu::weak]] void __sanitizer_set_report_fd(void*);
-[[gnu::weak]] void __ubsan_get_current_report_data(const char** kind, const char** message,
-                                                   const char** file, unsigned* line,
-                                                   unsigned* column, char** address);
+[[gnu::weak]] void __ubsan_get_current_report_data(const char** kind, const char** message, const char** file,
+                                                   unsigned* line, unsigned* column, char** address);
 }
 
 namespace checker {
@@ -42,8 +41,7 @@ constexpr Plain in_words[] = {
     {"rss-limit-exceeded", too_much_memory},
     {"out-of-memory", too_much_memory},
     {"bad-free", "memory is given back that was never handed out"},
-    {"alloc-dealloc-mismatch",
-     "memory is given back otherwise than it was taken: new[] needs delete[]"},
+    {"alloc-dealloc-mismatch", "memory is given back otherwise than it was taken: new[] needs delete[]"},
     {"out-of-bounds-index", "an index is outside of its array"},
     {"insufficient-object-size", "an index or a pointer leads out of an array"},
     {"signed-integer-overflow", "a whole number becomes larger than its type can hold"},
@@ -77,15 +75,11 @@ extern "C" [[gnu::visibility("default")]] void __ubsan_on_report() {
 void hand_reports_to(void (*found)(const char*)) {
     handed_to = found;
     // What it prints is not for learners: it goes where nothing can be written.
-    if (__sanitizer_set_report_fd)
-        __sanitizer_set_report_fd(reinterpret_cast<void*>(static_cast<long>(STDIN_FILENO)));
+    if (__sanitizer_set_report_fd) __sanitizer_set_report_fd(reinterpret_cast<void*>(static_cast<long>(STDIN_FILENO)));
     if (__asan_set_error_report_callback)
-        __asan_set_error_report_callback(
-            [](const char*) { tell(__asan_get_report_description()); });
+        __asan_set_error_report_callback([](const char*) { tell(__asan_get_report_description()); });
 }
 
-bool is_of_too_much_memory(const char* words) {
-    return words == too_much_memory;
-}
+bool is_of_too_much_memory(const char* words) { return words == too_much_memory; }
 
 }  // namespace checker

@@ -6,7 +6,8 @@
 //
 // Right answers are checked with so many seeds, mistakes with a tenth of that; the first AFTER of them, and a tenth of
 // that, are left out: they are checked apart. With `slips`, each slip that can be made
-// in the right answers is checked with one seed: it must be caught, unless its every answer is right, and have a name. Without a slip they must pass.
+// in the right answers is checked with one seed: it must be caught, unless its every answer is right, and have a name.
+// Without a slip they must pass.
 
 #include <algorithm>
 #include <charconv>
@@ -26,19 +27,17 @@ int failures = 0;
 
 void expect(const std::string& variant, std::uint64_t seed, const Verdict& verdict, Kind kind,
             const std::string& misconception) {
-    const bool as_expected =
-        misconception.empty() ? verdict.kind == kind
-                              : (verdict.kind == Kind::wrong || verdict.kind == Kind::not_finite) &&
-                                    verdict.misconception == misconception;
+    const bool as_expected = misconception.empty()
+                                 ? verdict.kind == kind
+                                 : (verdict.kind == Kind::wrong || verdict.kind == Kind::not_finite) &&
+                                       verdict.misconception == misconception;
     if (as_expected) return;
     ++failures;
-    std::printf("%s, seed %llu: must be %s %s, but is %s %s\n", variant.c_str(),
-                static_cast<unsigned long long>(seed),
-                misconception.empty() ? name_of(kind) : "wrong:", misconception.c_str(),
-                name_of(verdict.kind), verdict.misconception.c_str());
+    std::printf("%s, seed %llu: must be %s %s, but is %s %s\n", variant.c_str(), static_cast<unsigned long long>(seed),
+                misconception.empty() ? name_of(kind) : "wrong:", misconception.c_str(), name_of(verdict.kind),
+                verdict.misconception.c_str());
     if (!verdict.property.empty()) std::printf("  the property: %s\n", verdict.property.c_str());
-    std::printf("  %s gives %s  %s\n", verdict.arguments.c_str(), verdict.result.c_str(),
-                verdict.detail.c_str());
+    std::printf("  %s gives %s  %s\n", verdict.arguments.c_str(), verdict.result.c_str(), verdict.detail.c_str());
 }
 
 void test(const std::string& exercise, std::uint64_t seeds, std::uint64_t after) {
@@ -55,14 +54,13 @@ void test(const std::string& exercise, std::uint64_t seeds, std::uint64_t after)
             ++messages, short_ones += long_numbers(verdict.arguments) == 0;
         }
     const auto print = [](std::uint64_t number) { return static_cast<unsigned long long>(number); };
-    std::printf("%s: %zu right answers, %llu seeds each; %zu mistakes, %llu seeds each\n",
-                exercise.c_str(), all.correct.size(), print(seeds - after), mistakes_of(exercise).size(),
-                print(seeds / 10 - after / 10));
+    std::printf("%s: %zu right answers, %llu seeds each; %zu mistakes, %llu seeds each\n", exercise.c_str(),
+                all.correct.size(), print(seeds - after), mistakes_of(exercise).size(), print(seeds / 10 - after / 10));
     // One exercise's properties are of whole runs, and what is wrong is seen at the end of one.
     const bool can_be_short = exercise != "fourth_order_leapfrog", are_short = 2 * short_ones >= messages;
     if (can_be_short && !are_short) ++failures;
-    std::printf("%s: %zu of %zu messages show a call without a number of more than four digits%s\n", exercise.c_str(), short_ones, messages,
-                can_be_short && !are_short ? ": must be half of them" : "");
+    std::printf("%s: %zu of %zu messages show a call without a number of more than four digits%s\n", exercise.c_str(),
+                short_ones, messages, can_be_short && !are_short ? ": must be half of them" : "");
 }
 
 // Does the slip ever leave its vectors, or not end? Then no worker would bring its answers to the tests.
@@ -103,7 +101,8 @@ void test_slips(const std::string& exercise) {
                 ++right;
                 if (within(exercise).relative != many_are_right && most > 1e-3) {
                     ++failures;
-                    std::printf("%s: the slip %s at %d is off by %g, and passes\n", exercise.c_str(), slip::name_of(made.form), made.site, most);
+                    std::printf("%s: the slip %s at %d is off by %g, and passes\n", exercise.c_str(),
+                                slip::name_of(made.form), made.site, most);
                 }
             } else {
                 ++caught;
@@ -111,8 +110,9 @@ void test_slips(const std::string& exercise) {
             }
         }
     }
-    std::printf("%s: of the slips %zu are caught, %zu of them by name; %zu change nothing that is wrong, %zu lead nowhere\n", exercise.c_str(),
-                caught, named, right, nowhere);
+    std::printf(
+        "%s: of the slips %zu are caught, %zu of them by name; %zu change nothing that is wrong, %zu lead nowhere\n",
+        exercise.c_str(), caught, named, right, nowhere);
     if (10 * named < 9 * caught) ++failures;
 }
 
@@ -132,8 +132,10 @@ int main(int argc, char** argv) {
     std::uint64_t seeds = 0, after = 0;
     if (argc < 3 || argc > 4 || !number(word, seeds) || (argc == 4 && !number(argv[3], after)) || seeds < 10 ||
         after > seeds - 10) {
-        std::fprintf(stderr, "self_test: takes EXERCISE SEEDS, of which there are 10 or more, and after how many of them to begin, at "
-                             "least 10 before the last; or EXERCISE slips\n");
+        std::fprintf(
+            stderr,
+            "self_test: takes EXERCISE SEEDS, of which there are 10 or more, and after how many of them to begin, at "
+            "least 10 before the last; or EXERCISE slips\n");
         return 2;
     }
     checker::test(argv[1], seeds, after);

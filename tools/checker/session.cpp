@@ -17,9 +17,8 @@
 namespace checker {
 
 const char* name_of(Kind kind) {
-    static constexpr std::array names{"pass",        "not_started", "wrong",           "not_finite",
-                                      "crash",       "too_slow",    "too_much_memory", "left_early",
-                                      "course_error"};
+    static constexpr std::array names{"pass",     "not_started",     "wrong",      "not_finite",  "crash",
+                                      "too_slow", "too_much_memory", "left_early", "course_error"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -79,7 +78,8 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
         verdict_.kind = ended_->kind;
         (ended_->kind == Kind::wrong ? verdict_.property : verdict_.detail) = ended_->what();
         verdict_.trace = ended_->trace;
-        if (ended_->kind == Kind::wrong) calls_.clear(), shown_.reset(), doubted_.reset(), verdict_.detail.clear();  // which were not what is wrong
+        if (ended_->kind == Kind::wrong)
+            calls_.clear(), shown_.reset(), doubted_.reset(), verdict_.detail.clear();  // which were not what is wrong
     }
     const bool all_hold = verdict_.kind == Kind::pass;
     if (all_hold && first_wrong_) {
@@ -115,15 +115,14 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
     } catch (const exercise::NotStarted&) {
         end(Ended(Kind::not_started, ""));
     }
-    if (!spoken.is_result(result))
-        end(Ended(Kind::left_early, "The answer was not made as its type demands"));
-    const Call made{arguments, result,
-                    is_finite(result) && is_right(truth_, arguments, result, within_, spoken)};
+    if (!spoken.is_result(result)) end(Ended(Kind::left_early, "The answer was not made as its type demands"));
+    const Call made{arguments, result, is_finite(result) && is_right(truth_, arguments, result, within_, spoken)};
     kept_ += arguments.size() + result.size();
     if (calls_.size() < 100'000 && kept_ < 4'000'000) calls_.push_back(made);
     if (verdict_.kind == Kind::pass) {
         last_ = made;
-        if (!made.right && !first_wrong_) first_wrong_ = made, first_wrong_in_ = Catch::getResultCapture().getCurrentTestName();
+        if (!made.right && !first_wrong_)
+            first_wrong_ = made, first_wrong_in_ = Catch::getResultCapture().getCurrentTestName();
         if (!made.right && !shown_) shown_ = made;
     }
     if (!is_finite(result)) {
@@ -168,7 +167,8 @@ Digits Session::digits_for(const Call& call) const {
     if (same_bits(shown, call.arguments)) return Digits::ten;
     if (verdict_.kind == Kind::not_finite) return Digits::all;  // by hand it may well be finite
     try {
-        return same_bits(in_ten(truth_.answer(shown)), in_ten(truth_.answer(call.arguments))) ? Digits::ten : Digits::all;
+        return same_bits(in_ten(truth_.answer(shown)), in_ten(truth_.answer(call.arguments))) ? Digits::ten
+                                                                                              : Digits::all;
     } catch (const std::exception&) {  // no arguments that the task allows
         return Digits::all;
     }
@@ -188,11 +188,10 @@ void Session::tell_call() {
     const Numbers right = truth_.answer ? without_roundoff(truth_, call.arguments) : Numbers();
     // What is wrong is not to look right. (By less than that it is roundoff.)
     const bool differs = is_wrong && within_.relative != many_are_right && call.result.size() == right.size() &&
-                         !std::equal(right.begin(), right.end(), call.result.begin(), [](double a, double b) {
-                             return std::fabs(a - b) <= 1e-13 * std::fabs(a);
-                         });
-    const bool looks_right = differs && spoken_->result(call.result, right, Digits::ten) ==
-                                            spoken_->result(right, call.result, Digits::ten);
+                         !std::equal(right.begin(), right.end(), call.result.begin(),
+                                     [](double a, double b) { return std::fabs(a - b) <= 1e-13 * std::fabs(a); });
+    const bool looks_right =
+        differs && spoken_->result(call.result, right, Digits::ten) == spoken_->result(right, call.result, Digits::ten);
     const Digits digits = looks_right ? Digits::all : Digits::ten;
     // Whoever looks at the last digits of a result needs those of what it is made of.
     if (digits != given) verdict_.arguments = spoken_->arguments(call.arguments, Digits::all);

@@ -54,8 +54,8 @@ public:
     /// Of what the draws are: 0 decides; another looks for a simpler case of what has failed.
     unsigned stream() const { return search_ ? search_->stream : 0; }
 
-    /// How far off a property's numbers may be, where the task asks for no more than nine digits of an answer: a property
-    /// may compute with a few answers.
+    /// How far off a property's numbers may be, where the task asks for no more than nine digits of an answer: a
+    /// property may compute with a few answers.
     double near_enough() const { return within_.of_arguments > 0 ? 4 * within_.relative : 0; }
 
 private:
@@ -85,12 +85,12 @@ private:
     const Spoken* spoken_ = nullptr;
     Truth truth_;
     Within within_{many_are_right};
-    Call last_;                   // before the first property broke
+    Call last_;                                // before the first property broke
     std::optional<Call> first_wrong_, shown_;  // the first wrong answer of all, and of the property in hand
     std::optional<Call> doubted_;              // where only the property itself knows what is wrong
     std::string first_wrong_in_;               // the property that called for it
-    std::optional<Ended> ended_;  // no use in calling again
-    bool is_too_late_ = false;    // to be too slow: before, a property has failed
+    std::optional<Ended> ended_;               // no use in calling again
+    bool is_too_late_ = false;                 // to be too slow: before, a property has failed
     Verdict verdict_;
 };
 

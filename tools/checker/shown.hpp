@@ -11,10 +11,11 @@ namespace checker {
 /// Calls whose answers were wrong, what was right there, and calls whose answers were right.
 struct Shown {
     std::vector<const Call*> wrong, right;
-    std::vector<Numbers> truth;  ///< of each of the wrong ones
+    std::vector<Numbers> truth;     ///< of each of the wrong ones
     std::vector<Numbers> roundoff;  ///< what that of the arguments makes of each number of these
-    std::vector<double> beside{};  ///< of each of the right ones: so far from it another may be that is as right; none where one alone is
-    bool tells_little = false;   ///< what is wrong is mostly a zero, or a number that was given: many mistakes end there
+    std::vector<double> beside{};   ///< of each of the right ones: so far from it another may be that is as right; none
+                                    ///< where one alone is
+    bool tells_little = false;  ///< what is wrong is mostly a zero, or a number that was given: many mistakes end there
 };
 
 inline constexpr std::size_t enough_calls = 2000;  ///< are looked at, of the wrong ones and of the right ones
@@ -29,27 +30,28 @@ double apart(const Numbers& a, const Numbers& b);
 /// by much must not hide another: to a thousandth of what is wrong there, which is more than another way to write the
 /// same mistake makes of it, and to roundoff.
 bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right, const Numbers& roundoff);
-/// By how much `way` misses the right answer where the arguments are smaller by shares of at most `most`, number by number.
+/// By how much `way` misses the right answer where the arguments are smaller by shares of at most `most`, number by
+/// number.
 Numbers lost_within(double most, const Function& way, const Truth& truth, const Numbers& arguments, unsigned variation);
 /// Are they one but for roundoff?
 bool is_same(const Numbers& made, const Numbers& found);
 
-/// The slip, or the two at once, that answer as the learner does: their kinds' names, as "slip_sign" or "slip_sign_term"; nothing
-/// where none does. `counted`: of a yes and a no, or of counts, many agree by chance; two slips at once are not asked then.
-/// (slips/slipped.cpp)
-/// Or `not_told`, where two do that say the opposite.
+/// The slip, or the two at once, that answer as the learner does: their kinds' names, as "slip_sign" or
+/// "slip_sign_term"; nothing where none does. `counted`: of a yes and a no, or of counts, many agree by chance; two
+/// slips at once are not asked then. (slips/slipped.cpp) Or `not_told`, where two do that say the opposite.
 inline constexpr const char* not_told = "slip_";
 std::string slip_of(const std::string& exercise, const Shown& shown, bool counted);
 std::string two_slips_of(const std::string& exercise, const Shown& shown);
 /// `one`: a call as often as if it were all that are wrong.
 bool is_case_of_slip(const std::string& exercise, const std::string& name, const Shown& one);
 
-/// Is the answer wrong only where one of the arguments is zero, negative or positive, or a list is empty, and is it there
-/// always what was given, or one whole number? "where_negative_2", "is_given", "where_zero_0_is_-1"; else nothing.
+/// Is the answer wrong only where one of the arguments is zero, negative or positive, or a list is empty, and is it
+/// there always what was given, or one whole number? "where_negative_2", "is_given", "where_zero_0_is_-1"; else
+/// nothing.
 std::string where_wrong(const Truth& truth, const std::vector<Call>& calls, const Shown& shown);
 bool is_case_of_where(const std::string& name, const Truth& truth, const Call& call);
-/// Of counts, and of yes and no: is it wrong only where a little less of the arguments makes another of the right answer?
-/// (where.cpp)
+/// Of counts, and of yes and no: is it wrong only where a little less of the arguments makes another of the right
+/// answer? (where.cpp)
 bool is_near_thing(const Truth& truth, const Shown& shown);
 
 /// By what is the answer off, in nearly every call: "twice", "minus".

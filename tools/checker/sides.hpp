@@ -18,7 +18,8 @@ std::string in_words(std::complex<double> number);
 template <class T>
 bool agree(bool holds, const std::string& what, T found, T right) {
     if (holds) return true;
-    return told(false, what + " " + in_words(found) + ", and must be " + in_words(right) + ". They differ by " + in_words(std::abs(found - right)) + ".");
+    return told(false, what + " " + in_words(found) + ", and must be " + in_words(right) + ". They differ by " +
+                           in_words(std::abs(found - right)) + ".");
 }
 /// Is it less? Or: is it more?
 bool below(const std::string& what, double found, double limit);

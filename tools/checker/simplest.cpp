@@ -26,7 +26,8 @@ bool is_off_by_much(const Numbers& result, const Numbers& right) {
 // As Catch2 asks for one test.
 std::string by_name(const std::string& property) {
     std::string name;
-    for (const char c : property) name += (c == ',' || c == '[' || c == '"' || c == '\\' || c == '*' || c == '~' ? "\\" : "") + std::string(1, c);
+    for (const char c : property)
+        name += (c == ',' || c == '[' || c == '"' || c == '\\' || c == '*' || c == '~' ? "\\" : "") + std::string(1, c);
     return name;
 }
 
@@ -52,7 +53,8 @@ std::size_t long_numbers(const std::string& text) {
 // What a call costs to read: its characters, what is long to work out by hand, and a wrong result that looks right.
 double Session::effort_of(const Call& call) const {
     const std::string text = spoken_->arguments(call.arguments, digits_for(call));
-    const bool looks_right = !call.right && verdict_.kind == Kind::wrong && !is_off_by_much(call.result, truth_.answer(call.arguments));
+    const bool looks_right =
+        !call.right && verdict_.kind == Kind::wrong && !is_off_by_much(call.result, truth_.answer(call.arguments));
     return double(text.size() + call.arguments.size() + 10 * long_numbers(text) + (looks_right ? 40 : 0));
 }
 
@@ -77,7 +79,8 @@ Numbers Session::call_in_search(const Numbers& arguments, const Spoken& spoken) 
     return result;
 }
 
-Session::Search Session::searched(const std::string& property, const Answer& answer, unsigned stream, std::size_t most) {
+Session::Search Session::searched(const std::string& property, const Answer& answer, unsigned stream,
+                                  std::size_t most) {
     search_ = Search{answer, stream, most, {}, {}, true, false};
     sides_begin();
     run(by_name(property) + "[" + exercise_ + "]");

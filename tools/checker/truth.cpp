@@ -31,7 +31,8 @@ bool agree(const Numbers& found, const Numbers& right, const Numbers& allowed) {
 }
 
 // Allows what roundings that are drawn at random make of a right way to write the answer.
-void allow_roundings(const Answer& way, const Numbers& arguments, const Numbers& right, double constant, bool or_minus, unsigned variation, Numbers& allowed) {
+void allow_roundings(const Answer& way, const Numbers& arguments, const Numbers& right, double constant, bool or_minus,
+                     unsigned variation, Numbers& allowed) {
     const Numbers near = slip::rounded(way, arguments, variation, constant);
     if (near.size() != right.size()) return;
     double apart = 0, apart_from_minus = 0;
@@ -46,7 +47,8 @@ void allow_roundings(const Answer& way, const Numbers& arguments, const Numbers&
 
 }  // namespace
 
-Numbers lost_within(double most, const Function& way, const Truth& truth, const Numbers& arguments, unsigned variation) {
+Numbers lost_within(double most, const Function& way, const Truth& truth, const Numbers& arguments,
+                    unsigned variation) {
     Numbers lost = way.nudged(arguments, variation, most);
     const Numbers right = truth.nudged(arguments, variation, most);
     if (lost.size() != right.size()) return Numbers(1, HUGE_VAL);
@@ -59,16 +61,20 @@ Numbers lost_by(const Function& way, const Truth& truth, const Numbers& argument
     return lost_within(near_by, way, truth, arguments, variation);
 }
 
-bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found, const Within& within, const Spoken& spoken) {
+bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found, const Within& within,
+              const Spoken& spoken) {
     const double relative = within.relative;
     if (relative == many_are_right) return true;
     const Numbers right = truth.answer(arguments);
     double largest = 0;
     for (const double number : right) largest = std::max(largest, std::fabs(number));
     Numbers allowed(right.size()), minus = found;
-    for (std::size_t i = 0; i < right.size(); ++i) allowed[i] = relative * (spoken.one_size ? largest : std::fabs(right[i]));
+    for (std::size_t i = 0; i < right.size(); ++i)
+        allowed[i] = relative * (spoken.one_size ? largest : std::fabs(right[i]));
     for (double& number : minus) number = -number;
-    const auto allows = [&](const Numbers& numbers) { return numbers.size() == right.size() && agree(numbers, right, allowed); };
+    const auto allows = [&](const Numbers& numbers) {
+        return numbers.size() == right.size() && agree(numbers, right, allowed);
+    };
     const double of_arguments = within.of_arguments > 0 ? within.of_arguments : relative;
     const double scale = of_arguments / (2 * std::numeric_limits<double>::epsilon());
     const double constant = std::max(few_units, within.of_arguments > 0 ? relative / some_ways : 0);
@@ -78,15 +84,19 @@ bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found
         const Numbers near = truth.nudged(arguments, variation, few_units);
         // Where roundoff decides how many numbers there are, or which whole one, anything is right.
         if (near.size() != right.size()) return true;
-        const Numbers lost = within.beside.nudged ? lost_within(apart_enough, within.beside, truth, arguments, variation) : Numbers(right.size());
+        const Numbers lost = within.beside.nudged
+                                 ? lost_within(apart_enough, within.beside, truth, arguments, variation)
+                                 : Numbers(right.size());
         for (std::size_t i = 0; i < right.size(); ++i) {
             if (i < lost.size() && std::isfinite(lost[i])) allowed[i] = std::max(allowed[i], some_ways * lost[i]);
             const double apart = std::fabs(near[i] - right[i]);
-            const bool counted = near[i] == std::floor(near[i]) && right[i] == std::floor(right[i]);  // one or the other
+            const bool counted =
+                near[i] == std::floor(near[i]) && right[i] == std::floor(right[i]);  // one or the other
             allowed[i] = std::max(allowed[i], !std::isfinite(apart) ? HUGE_VAL : counted ? apart : scale * apart);
         }
         if (is_rounded && variation <= drawn)
-            for (const Answer& way : *within.ways) allow_roundings(way, arguments, right, constant, spoken.or_minus, variation, allowed);
+            for (const Answer& way : *within.ways)
+                allow_roundings(way, arguments, right, constant, spoken.or_minus, variation, allowed);
     }
     return true;
 }
@@ -99,7 +109,8 @@ Numbers without_roundoff(const Truth& truth, const Numbers& arguments) {
         if (near.size() != right.size()) return right;
         for (std::size_t i = 0; i < right.size(); ++i)
             // A whole number, or a yes or no, may flip by roundoff: that makes it no zero.
-            if (right[i] != std::floor(right[i]) && std::fabs(near[i] - right[i]) >= std::fabs(right[i])) is_roundoff[i] = true;
+            if (right[i] != std::floor(right[i]) && std::fabs(near[i] - right[i]) >= std::fabs(right[i]))
+                is_roundoff[i] = true;
     }
     for (std::size_t i = 0; i < right.size(); ++i)
         if (is_roundoff[i] || right[i] == 0) right[i] = 0;  // no -0

@@ -63,17 +63,15 @@ std::size_t leading_numbers() {
 
 template <class R, class... Args>
 Function function_of(R (*function)(Args...)) {
-    return {answer_of(function), [function](const Numbers& numbers, unsigned variation, double most) {
+    return {answer_of(function),
+            [function](const Numbers& numbers, unsigned variation, double most) {
                 Reader reader(numbers);
                 std::tuple<std::decay_t<Args>...> arguments{Wire<std::decay_t<Args>>::take(reader)...};
                 std::uint64_t state = variation;
                 // -1, …, 0: smaller, for what may be at most 1 may not be more
                 const auto next = [&state, most] { return -most * next_share(state); };
-                std::apply(
-                    [&](auto&... values) {
-                        (Nudge<std::decay_t<decltype(values)>>::by(values, next), ...);
-                    },
-                    arguments);
+                std::apply([&](auto&... values) { (Nudge<std::decay_t<decltype(values)>>::by(values, next), ...); },
+                           arguments);
                 Numbers result;
                 Wire<std::decay_t<R>>::put(result, std::apply(function, arguments));
                 return result;
@@ -88,18 +86,21 @@ inline constexpr double all_digits = 2e-12;
 
 /// How near the right answer an answer must be. All of these are allowed:
 struct Within {
-    double relative;          ///< so much of the answer
-    Function beside{};        ///< what another right way to write it, where one is given, loses to roundoff
-    double of_arguments = 0;  ///< what a change of the arguments by so much does to the answer; 0: by as much as `relative`
-    const std::vector<Answer>* ways = nullptr;  ///< what roundings make of the ways to write it that the course knows (slips.hpp)
+    double relative;    ///< so much of the answer
+    Function beside{};  ///< what another right way to write it, where one is given, loses to roundoff
+    double of_arguments =
+        0;  ///< what a change of the arguments by so much does to the answer; 0: by as much as `relative`
+    const std::vector<Answer>* ways =
+        nullptr;  ///< what roundings make of the ways to write it that the course knows (slips.hpp)
 };
 
-/// By how much `way` misses the right answer near these arguments, number by number: what its roundings make of it there.
-/// One infinite number where it has not as many.
+/// By how much `way` misses the right answer near these arguments, number by number: what its roundings make of it
+/// there. One infinite number where it has not as many.
 Numbers lost_by(const Function& way, const Truth& truth, const Numbers& arguments, unsigned variation);
 
 /// Is `found` the right answer to this call, but for roundoff?
-bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found, const Within& within, const Spoken& spoken);
+bool is_right(const Truth& truth, const Numbers& arguments, const Numbers& found, const Within& within,
+              const Spoken& spoken);
 
 /// The right answer as it comes out by hand: where a number of it is no larger than what roundoff of the arguments
 /// does to it, as the sine of π is not, it is zero.

@@ -12,8 +12,8 @@ namespace checker {
 
 namespace {
 
-constexpr std::size_t few = 6;      // calls could be so by chance
-constexpr std::size_t many = 20;    // tell where a limit is
+constexpr std::size_t few = 6;    // calls could be so by chance
+constexpr std::size_t many = 20;  // tell where a limit is
 constexpr std::size_t most_numbers = 12;
 
 struct Region {
@@ -25,7 +25,8 @@ struct Region {
 std::vector<Region> regions(std::size_t leading, bool has_list) {
     std::vector<Region> all;
     const auto add = [&](const char* what, std::size_t i, auto is) {
-        all.push_back({std::string("where_") + what + "_" + std::to_string(i), [i, is](const Numbers& given) { return is(given[i]); }});
+        all.push_back({std::string("where_") + what + "_" + std::to_string(i),
+                       [i, is](const Numbers& given) { return is(given[i]); }});
     };
     const std::size_t count = std::min(leading, most_numbers);
     for (std::size_t i = 0; i < count; ++i) {
@@ -37,17 +38,20 @@ std::vector<Region> regions(std::size_t leading, bool has_list) {
     return all;
 }
 
-// Is one of the numbers above all those with which nearly all of the answers are right, or below? "where_above_2_1.5": the
-// least with which it is wrong is 1.5. Where all the others are zero, or
-// next to nothing beside those with which it is wrong: "where_nonzero_2".
+// Is one of the numbers above all those with which nearly all of the answers are right, or below? "where_above_2_1.5":
+// the least with which it is wrong is 1.5. Where all the others are zero, or next to nothing beside those with which it
+// is wrong: "where_nonzero_2".
 std::string beyond(const Truth& truth, const Shown& shown) {
     if (shown.wrong.size() < many || shown.right.size() < many) return {};
     std::string where;
     for (std::size_t i = 0; i < std::min(truth.leading, most_numbers); ++i)
         for (const bool above : {true, false}) {
             double limit = HUGE_VAL;
-            for (const Call* call : shown.wrong) limit = std::min(limit, above ? call->arguments[i] : -call->arguments[i]);
-            const auto is_beyond = [&](const Call* call) { return (above ? call->arguments[i] : -call->arguments[i]) >= limit; };
+            for (const Call* call : shown.wrong)
+                limit = std::min(limit, above ? call->arguments[i] : -call->arguments[i]);
+            const auto is_beyond = [&](const Call* call) {
+                return (above ? call->arguments[i] : -call->arguments[i]) >= limit;
+            };
             const auto right_beyond = std::size_t(std::count_if(shown.right.begin(), shown.right.end(), is_beyond));
             if (20 * right_beyond > shown.wrong.size() || shown.right.size() - right_beyond < many) continue;
             if (!where.empty()) return {};  // which of the two?
@@ -55,12 +59,15 @@ std::string beyond(const Truth& truth, const Shown& shown) {
             for (const Call* call : shown.wrong) sizes.push_back(std::fabs(call->arguments[i]));
             std::nth_element(sizes.begin(), sizes.begin() + long(sizes.size() / 2), sizes.end());
             const double nothing = std::min(limit, 1e-5 * sizes[sizes.size() / 2]);
-            const auto is_zero = [&](const Call* call) { return is_beyond(call) || std::fabs(call->arguments[i]) <= nothing; };
+            const auto is_zero = [&](const Call* call) {
+                return is_beyond(call) || std::fabs(call->arguments[i]) <= nothing;
+            };
             char text[48];
             if (limit > 0 && std::all_of(shown.right.begin(), shown.right.end(), is_zero))
                 std::snprintf(text, sizeof text, "where_nonzero_%zu", i);
             else
-                std::snprintf(text, sizeof text, "where_%s_%zu_%.3g", above ? "above" : "below", i, above ? limit : -limit);
+                std::snprintf(text, sizeof text, "where_%s_%zu_%.3g", above ? "above" : "below", i,
+                              above ? limit : -limit);
             where = text;
         }
     return where;
@@ -72,7 +79,8 @@ bool is_given(const Shown& shown) {
     for (std::size_t at = 0; at + size <= most; ++at) {
         const auto is_there = [&](const Call* call) {
             const Numbers& given = call->arguments;
-            return call->result.size() == size && at + size <= given.size() && is_same(Numbers(given.begin() + long(at), given.begin() + long(at + size)), call->result);
+            return call->result.size() == size && at + size <= given.size() &&
+                   is_same(Numbers(given.begin() + long(at), given.begin() + long(at + size)), call->result);
         };
         if (std::all_of(shown.wrong.begin(), shown.wrong.end(), is_there)) return true;
     }
@@ -105,24 +113,30 @@ std::string where_wrong(const Truth& truth, const std::vector<Call>& calls, cons
         if (!std::all_of(shown.wrong.begin(), shown.wrong.end(), inside)) continue;
         const auto right_inside = std::size_t(std::count_if(shown.right.begin(), shown.right.end(), inside));
         // What holds nearly everywhere, or is mostly right there, says nothing.
-        if (2 * right_inside > shown.wrong.size() || shown.right.size() - right_inside < std::max(few, shown.wrong.size() / 4)) continue;
+        if (2 * right_inside > shown.wrong.size() ||
+            shown.right.size() - right_inside < std::max(few, shown.wrong.size() / 4))
+            continue;
         two = !where.empty();
         if (two) break;
         where = region.name;
     }
-    if (two) where.clear();
-    else if (where.empty()) where = beyond(truth, shown);
+    if (two)
+        where.clear();
+    else if (where.empty())
+        where = beyond(truth, shown);
     const std::string what = always(shown);
     if (where.empty() && what.empty()) return {};
     // An answer that is always so tells nothing of where it is wrong.
-    const bool else_too = std::all_of(calls.begin(), calls.end(), [&](const Call& call) { return call.result == shown.wrong[0]->result; });
+    const bool else_too = std::all_of(calls.begin(), calls.end(),
+                                      [&](const Call& call) { return call.result == shown.wrong[0]->result; });
     if (else_too) return {};
     return what.empty() ? where : where.empty() ? "is_" + what : where + "_is_" + what;
 }
 
 bool is_case_of_where(const std::string& name, const Truth& truth, const Call& call) {
     const auto is = name.rfind("is_");
-    const std::string what = is == std::string::npos ? "" : name.substr(is + 3), where = name.substr(0, is == std::string::npos ? is : is - (is > 0));
+    const std::string what = is == std::string::npos ? "" : name.substr(is + 3),
+                      where = name.substr(0, is == std::string::npos ? is : is - (is > 0));
     const Shown one{{&call}, {}, {}, {}};
     if (!what.empty() && !(what == "given" ? is_given(one) : always(one) == what)) return false;
     for (const Region& region : regions(truth.leading, truth.has_list))
@@ -152,7 +166,8 @@ bool is_near_thing(const Truth& truth, const Shown& shown) {
     for (std::size_t i = 0; i < shown.wrong.size(); i += 1 + shown.wrong.size() / 100, ++asked)
         if (!flips(shown.wrong[i]->arguments)) return false;
     asked = 0;
-    for (std::size_t i = 0; i < shown.right.size(); i += 1 + shown.right.size() / 100, ++asked) near_ones += flips(shown.right[i]->arguments);
+    for (std::size_t i = 0; i < shown.right.size(); i += 1 + shown.right.size() / 100, ++asked)
+        near_ones += flips(shown.right[i]->arguments);
     return 3 * near_ones < asked;
 }
 

@@ -38,8 +38,7 @@ void reply(Reply kind, const void* data, std::size_t bytes) {
 // Only what may be called in a signal handler. The first `exact` places are as they should be; the
 // others are where calls return to, one line too far where a call never does.
 void say_last(LastWords& words, int exact) {
-    for (int i = exact; i < words.places; ++i)
-        words.place[i] = static_cast<char*>(words.place[i]) - 1;
+    for (int i = exact; i < words.places; ++i) words.place[i] = static_cast<char*>(words.place[i]) - 1;
     reply(Reply::crashed, &words, sizeof words);
 }
 
@@ -72,14 +71,11 @@ extern "C" void crashed(int signal) {
             reply(Reply::out_of_memory, nullptr, 0);
             _exit(1);
         } catch (const std::exception& error) {
-            std::snprintf(words.text, sizeof words.text, "an exception that nobody caught: %s",
-                          error.what());
+            std::snprintf(words.text, sizeof words.text, "an exception that nobody caught: %s", error.what());
         } catch (...) {
             int status = 0;
-            const char* const name =
-                abi::__cxa_demangle(type->name(), nullptr, nullptr, &status);  // the process ends
-            std::snprintf(words.text, sizeof words.text,
-                          "an exception that nobody caught, of type %s",
+            const char* const name = abi::__cxa_demangle(type->name(), nullptr, nullptr, &status);  // the process ends
+            std::snprintf(words.text, sizeof words.text, "an exception that nobody caught, of type %s",
                           status == 0 ? name : type->name());
         }
     }
@@ -112,8 +108,7 @@ void catch_crashes() {
     struct sigaction action {};
     action.sa_handler = crashed;
     action.sa_flags = SA_ONSTACK | SA_RESETHAND | SA_NODEFER;
-    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
-        sigaction(signal, &action, nullptr);
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) sigaction(signal, &action, nullptr);
     std::set_terminate(terminated);
     hand_reports_to(found);
 }
@@ -138,8 +133,8 @@ bool calculates_as_usual() {
     asm volatile("stmxcsr %0\n\tfnstenv %1\n\tfldenv %1" : "=m"(sse), "=m"(x87));
     const unsigned rounding = 3u << 13, flush = 1u << 15, denormals_are_zero = 1u << 6, masked = 0x3fu << 7;
     const unsigned x87_mode = 0xf3f, x87_usual = 0x33f, x87_empty = 0xffff;
-    return (sse & (rounding | flush | denormals_are_zero | masked)) == masked && (x87.control & x87_mode) == x87_usual &&
-           (x87.tags & x87_empty) == x87_empty;
+    return (sse & (rounding | flush | denormals_are_zero | masked)) == masked &&
+           (x87.control & x87_mode) == x87_usual && (x87.tags & x87_empty) == x87_empty;
 #elif defined(__aarch64__)
     std::uint64_t now = 0;
     asm volatile("mrs %0, fpcr" : "=r"(now));

@@ -6,11 +6,11 @@
 //
 //     @@ its_name (from another)
 //
-// and has a line "Says: …", a line "Hint: …" (both may go on, indented), and the edits. Without "(from another)" they are
-// edits of the course's SOLUTION; "another" is a right answer in CORRECT, or a mistake above. An edit is a run of whole
-// lines: "-" is taken out, "+" is put in, "=" stays and only shows where. The old lines must stand once in the
-// answer that is edited. "(anew)": no edit, the whole function stands there. Lines with "+" before the first mistake are
-// for all of them.
+// and has a line "Says: …", a line "Hint: …" (both may go on, indented), and the edits. Without "(from another)" they
+// are edits of the course's SOLUTION; "another" is a right answer in CORRECT, or a mistake above. An edit is a run of
+// whole lines: "-" is taken out, "+" is put in, "=" stays and only shows where. The old lines must stand once in the
+// answer that is edited. "(anew)": no edit, the whole function stands there. Lines with "+" before the first mistake
+// are for all of them.
 //
 // Writes into the folder OUT NAME_mistakes.hpp, one namespace for each, and a list of them; NAME_mistakes.json, what is
 // said of each; and NAME_correct.hpp, a list of the right answers in CORRECT. Exit status 2, one line and no new file
@@ -122,7 +122,8 @@ Mistake begun(const std::string& line, const std::string& where) {
         const std::string base = rest.substr(bracket);
         mistake.anew = base == " (anew)";
         if (base.starts_with(" (from ") && base.ends_with(")")) mistake.from = base.substr(7, base.size() - 8);
-        if (!mistake.anew && !is_name(mistake.from)) refuse(where + ": behind the name may stand (from ANOTHER) or (anew), not" + base);
+        if (!mistake.anew && !is_name(mistake.from))
+            refuse(where + ": behind the name may stand (from ANOTHER) or (anew), not" + base);
     }
     if (!is_name(mistake.name)) refuse(where + ": '" + mistake.name + "' is no name for a mistake");
     return mistake;
@@ -168,13 +169,17 @@ Lines edited(const Answer& base, const Mistake& mistake, const std::string& file
     auto rest = base.code.begin();
     for (const Edit& edit : mistake.edits) {
         const std::string where = file + ":" + std::to_string(edit.line) + ": ";
-        if (edit.old.empty()) refuse(where + "no line says where these are put in: begin with a line that is there, after - or =");
+        if (edit.old.empty())
+            refuse(where + "no line says where these are put in: begin with a line that is there, after - or =");
         int found = 0;
         auto place = base.code.end();
-        for (auto at = base.code.begin(); (at = std::search(at, base.code.end(), edit.old.begin(), edit.old.end())) != base.code.end(); ++at)
+        for (auto at = base.code.begin();
+             (at = std::search(at, base.code.end(), edit.old.begin(), edit.old.end())) != base.code.end(); ++at)
             ++found, place = at;
         const std::string answer = base.name.empty() ? "the solution" : base.name;
-        if (found != 1) refuse(where + "'" + edit.old.front() + "' must stand once in " + answer + ", and stands there " + (found ? "more than once" : "not at all"));
+        if (found != 1)
+            refuse(where + "'" + edit.old.front() + "' must stand once in " + answer + ", and stands there " +
+                   (found ? "more than once" : "not at all"));
         if (place < rest) refuse(where + "'" + edit.old.front() + "' stands above the edit before");
         code.insert(code.end(), rest, place);
         code.insert(code.end(), edit.now.begin(), edit.now.end());
@@ -231,11 +236,14 @@ void write(const std::string& file, const std::string& text) {
     if (!stream) refuse(file + ": cannot be written");
 }
 
-void write_mistakes(const std::string& name, const std::string& out, const std::string& solution, const std::string& correct,
-                    const std::string& edits) {
+void write_mistakes(const std::string& name, const std::string& out, const std::string& solution,
+                    const std::string& correct, const std::string& edits) {
     std::vector<Answer> bases = correct_in(correct);
-    std::string right = "// The right answers of correct.cpp.\nstatic const std::vector<std::pair<std::string, checker::Answer>> all{\n";
-    for (const Answer& base : bases) right += "    {\"correct_" + base.name + "\", checker::answer_of(&" + base.name + "::" + name + ")},\n";
+    std::string right =
+        "// The right answers of correct.cpp.\nstatic const std::vector<std::pair<std::string, checker::Answer>> "
+        "all{\n";
+    for (const Answer& base : bases)
+        right += "    {\"correct_" + base.name + "\", checker::answer_of(&" + base.name + "::" + name + ")},\n";
     bases.insert(bases.begin(), solution_in(solution));
     const Mistakes all = mistakes_in(edits);
     const std::vector<Answer> code = made(all, bases, edits);
@@ -249,8 +257,8 @@ void write_mistakes(const std::string& name, const std::string& out, const std::
         list += "    {\"" + mistake.name + "\", checker::function_of(&" + mistake.name + "::" + name + ")},\n";
     }
     for (const Mistake& mistake : all.each)
-        told += (told.empty() ? "" : ",") + std::string("\n  \"") + mistake.name + "\": {\"says\": " + in_json(mistake.says) +
-                ", \"hint\": " + in_json(mistake.hint) + "}";
+        told += (told.empty() ? "" : ",") + std::string("\n  \"") + mistake.name +
+                "\": {\"says\": " + in_json(mistake.says) + ", \"hint\": " + in_json(mistake.hint) + "}";
     header += "\nstatic const std::vector<checker::Mistake> all{\n" + list + "};\n";
     const std::string place = out + "/" + name;
     write(place + "_mistakes.hpp", header);

@@ -28,10 +28,11 @@ void refuse_what_a_body_has(const Question& question) {
 }
 
 void refuse_what_springs_have(const Question& q) {
-    if (q.kind != "spring" || q.springs || q.arm || q.turning || q.other_mass || q.other_arm || q.other_turning || q.kicks ||
-        q.keep_size)
-        refuse("a spring or a spinning body: --kind, --springs, --arm, --turning, --other-…, --kicks and --keep-size are "
-               "a spring's");
+    if (q.kind != "spring" || q.springs || q.arm || q.turning || q.other_mass || q.other_arm || q.other_turning ||
+        q.kicks || q.keep_size)
+        refuse(
+            "a spring or a spinning body: --kind, --springs, --arm, --turning, --other-…, --kicks and --keep-size are "
+            "a spring's");
 }
 
 }  // namespace
@@ -50,7 +51,9 @@ void advise(const Question& question, bool json) {
         else if (question.omega || question.stiffness || question.mass || question.kind != "spring")
             advise_spring(question, json);
         else
-            refuse("a spring (--omega, or --stiffness with --mass), a damper alone (--damping with --mass) or a spinning body (--inertia with --spin) is needed");
+            refuse(
+                "a spring (--omega, or --stiffness with --mass), a damper alone (--damping with --mass) or a spinning "
+                "body (--inertia with --spin) is needed");
     } catch (const std::invalid_argument& error) {
         throw Stop(Status::bad_use, error.what());
     }

@@ -114,7 +114,8 @@ std::string off_in_words(const Thrown& thrown, const Answer& answer) {
 }
 
 std::string spin_left(const Thrown& thrown) {
-    return std::isfinite(thrown.energy) && !std::isnan(thrown.spin_left) ? number(100 * thrown.spin_left, "%.3g") + " %" : "-";
+    return std::isfinite(thrown.energy) && !std::isnan(thrown.spin_left) ? number(100 * thrown.spin_left, "%.3g") + " %"
+                                                                         : "-";
 }
 
 void print(const std::string& method, const Thrown& thrown, const Answer& answer) {
@@ -122,8 +123,7 @@ void print(const std::string& method, const Thrown& thrown, const Answer& answer
     std::printf("%s%s%s%s%s\n", padded(method, 34).c_str(),
                 padded(blew_up ? "blew up" : factor(thrown.energy), 14).c_str(),
                 padded(blew_up ? "blew up" : factor(thrown.most_energy), 14).c_str(),
-                padded(spin_left(thrown), 12).c_str(),
-                off_in_words(thrown, answer).c_str());
+                padded(spin_left(thrown), 12).c_str(), off_in_words(thrown, answer).c_str());
 }
 
 void print_recommendation(const Answer& answer) {
@@ -135,17 +135,21 @@ void print_recommendation(const Answer& answer) {
         take += " (here " + std::to_string(answer.take.substeps) + " substeps of " +
                 number(answer.step / double(answer.take.substeps)) + " s)";
     if (answer.all_but_equal) {
-        std::printf("\nTwo moments are within %s %% of each other. ", number(100 * answer.closest.apart, "%.2g").c_str());
+        std::printf("\nTwo moments are within %s %% of each other. ",
+                    number(100 * answer.closest.apart, "%.2g").c_str());
         if (std::isfinite(answer.half_gone))
-            std::printf("By passive half of the spin about the axis of the third is gone after\n%s s; by "
-                        "SymmetricInertia it stays. ", number(answer.half_gone).c_str());
-        std::printf("(--inertia %s)\nBut then it no longer tumbles when it spins across.\n", equal_moments(answer).c_str());
+            std::printf(
+                "By passive half of the spin about the axis of the third is gone after\n%s s; by "
+                "SymmetricInertia it stays. ",
+                number(answer.half_gone).c_str());
+        std::printf("(--inertia %s)\nBut then it no longer tumbles when it spins across.\n",
+                    equal_moments(answer).c_str());
         if (choice.name == "symmetric_free")
-            std::printf("Ball and remainder 2 is accurate for this throw, with the true moments.\n"
-                        "Other throws may need order 4: run advise for them, too.\n");
+            std::printf(
+                "Ball and remainder 2 is accurate for this throw, with the true moments.\n"
+                "Other throws may need order 4: run advise for them, too.\n");
     }
-    std::printf("\nRecommended: %s because %s, %s.\n", take.c_str(), why.c_str(),
-                 chapter(choice).c_str());
+    std::printf("\nRecommended: %s because %s, %s.\n", take.c_str(), why.c_str(), chapter(choice).c_str());
 }
 
 // The library's passive takes a body with two equal moments for what it is; that of any three moments does not.
@@ -163,7 +167,8 @@ void print(const Answer& answer) {
     std::printf("%s%s%s%s%s\n", padded("method", 26).c_str(), padded("adds energy?", 26).c_str(),
                 padded("longest step", 17).c_str(), padded("a step costs", 19).c_str(), "cost/s");
     for (const auto& advice : answer.all)
-        std::printf("%s%s%s%s%s\n", padded(name_of(advice, answer), 26).c_str(), padded(verdict_in_words(advice), 26).c_str(),
+        std::printf("%s%s%s%s%s\n", padded(name_of(advice, answer), 26).c_str(),
+                    padded(verdict_in_words(advice), 26).c_str(),
                     padded(longest_in_words(advice.longest_step), 17).c_str(),
                     padded(price_in_words(advice.price), 19).c_str(), often(advice.price.all() / h).c_str());
     std::printf("\nYour throw%s, left alone for %s s:\n\n",
@@ -173,7 +178,8 @@ void print(const Answer& answer) {
                 padded("at most", 14).c_str(), padded("spin left", 12).c_str(),
                 answer.axis < 0 ? "orientation off in 2 s" : "axis off in 2 s     with the roll about it");
     std::printf("%s%s%s%s%s\n", padded("the true motion", 34).c_str(), padded("× 1", 14).c_str(),
-                padded("× 1", 14).c_str(), padded(spin_left(answer.truth), 12).c_str(), answer.axis < 0 ? "0" : "0                   0");
+                padded("× 1", 14).c_str(), padded(spin_left(answer.truth), 12).c_str(),
+                answer.axis < 0 ? "0" : "0                   0");
     for (const auto& advice : answer.all) print(name_of(advice, answer), advice.thrown, answer);
     const auto& take = answer.take;
     if (take.choice.name == "ball") print("dropped, turned by h|ω|", answer.taken, answer);
@@ -184,11 +190,13 @@ void print(const Answer& answer) {
     std::printf("\nWhy:\n");
     for (const auto& advice : answer.all)
         std::printf("  %s%s\n", padded(name_of(advice, answer), 26).c_str(), advice.reason.c_str());
-    std::printf("\nOne step can: so much the worst one found adds. Longest step: up to it the verdict is no worse.\n"
-                "Spin left: about the axis of the body it was thrown about. Off: 1 %% is 0.01 rad; lost: more than 0.5.\n");
+    std::printf(
+        "\nOne step can: so much the worst one found adds. Longest step: up to it the verdict is no worse.\n"
+        "Spin left: about the axis of the body it was thrown about. Off: 1 %% is 0.01 rad; lost: more than 0.5.\n");
     if (answer.axis >= 0)
-        std::printf("If the body is round about the axis of its third moment, a roll about that axis is invisible:\n"
-                    "use the first of the two columns.\n");
+        std::printf(
+            "If the body is round about the axis of its third moment, a roll about that axis is invisible:\n"
+            "use the first of the two columns.\n");
     print_recommendation(answer);
 }
 

@@ -41,15 +41,22 @@ void advise_damper(const Question& question, bool json) {
         std::printf("%s\n", told.dump(2).c_str());
         return;
     }
-    const Step asked{h, varying ? "At your longest frame" : question.step ? "At your step" : question.rate ? "At your rate" : "At 60 steps per second",
+    const Step asked{h,
+                     varying         ? "At your longest frame"
+                     : question.step ? "At your step"
+                     : question.rate ? "At your rate"
+                                     : "At 60 steps per second",
                      question.step || question.rate};
     const double left = std::exp(-rate * h);
-    std::printf("c/m = %s per second, h = %s s%s: hc/m = %s. A damper alone.\nThe true motion: a step multiplies the velocity by "
-                "e^(−hc/m) = %s, a second by %s.\n\n",
-                number(rate).c_str(), number(h).c_str(), varying ? " at most" : "", number(rate * h, "%.4g").c_str(),
-                number(left, "%.4g").c_str(), number(std::exp(-rate), "%.3g").c_str());
+    std::printf(
+        "c/m = %s per second, h = %s s%s: hc/m = %s. A damper alone.\nThe true motion: a step multiplies the velocity "
+        "by "
+        "e^(−hc/m) = %s, a second by %s.\n\n",
+        number(rate).c_str(), number(h).c_str(), varying ? " at most" : "", number(rate * h, "%.4g").c_str(),
+        number(left, "%.4g").c_str(), number(std::exp(-rate), "%.3g").c_str());
     print_table(all);
-    line("Off by: the largest error of the velocity, relative to the velocity at the start, up to 2π m/c = " + number(2 * 3.141592653589793 / rate) +
+    line("Off by: the largest error of the velocity, relative to the velocity at the start, up to 2π m/c = " +
+         number(2 * 3.141592653589793 / rate) +
          " s (over eight steps if fewer than three fit). Amplitude: the factor on the velocity per second. "
          "Energy: after a second, over what it should be. "
          "Cost: force evaluations and solves. A solve counts one, even if it is a mere division as with new damping.");

@@ -22,11 +22,9 @@ void check_words(const Question& question) {
     const bool by_stiffness = question.stiffness || question.mass;
     if (kind != "spring" && kind != "chain" && kind != "cloth" && kind != "tether" && kind != "hinge")
         refuse("--kind = " + kind + ": must be spring, chain, cloth, tether or hinge");
-    if (question.omega && by_stiffness)
-        refuse("--omega and --stiffness with --mass say the same: give one of them");
+    if (question.omega && by_stiffness) refuse("--omega and --stiffness with --mass say the same: give one of them");
     if (question.zeta && question.damping) refuse("--zeta and --damping say the same: give one of them");
-    if (by_stiffness && !(question.stiffness && question.mass))
-        refuse("--stiffness and --mass belong together");
+    if (by_stiffness && !(question.stiffness && question.mass)) refuse("--stiffness and --mass belong together");
     if (question.damping && !by_stiffness) refuse("--damping needs --stiffness and --mass");
     const bool many = kind != "spring" && kind != "tether";
     if ((many || question.springs || question.arm || question.turning) && !by_stiffness)
@@ -60,9 +58,9 @@ timestep::Pull pull_of(const Question& question) {
     if (question.kind != "hinge") return timestep::springs_on_body(mass, question.springs.value_or(1), arm, turning);
     if (question.other_turning) timestep::positive("other-turning", *question.other_turning);
     const double other = question.other_mass.value_or(mass);
-    return timestep::hinge(mass, timestep::lightness(mass, arm, turning), other,
-                           timestep::lightness(other, question.other_arm.value_or(arm),
-                                               question.other_turning.value_or(turning)));
+    return timestep::hinge(
+        mass, timestep::lightness(mass, arm, turning), other,
+        timestep::lightness(other, question.other_arm.value_or(arm), question.other_turning.value_or(turning)));
 }
 
 timestep::SpringScene springs_of(const Question& question) {

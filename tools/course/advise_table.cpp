@@ -106,14 +106,17 @@ void print_right(const std::vector<Advice>& all, const Step& asked, double accur
     if (!best) {
         const bool never = cheapest(all) == nullptr;
         std::printf("No method is right to %s at %s.\n", percent.c_str(),
-                    never ? "any step" : asked.given ? "steps no longer than yours" : "steps of 1/60 s or less");
+                    never         ? "any step"
+                    : asked.given ? "steps no longer than yours"
+                                  : "steps of 1/60 s or less");
         return;
     }
     const double step = best_step(*best, asked.h), cost = best_cost(*best, asked.h);
-    std::printf("To be right to %s at steps no longer than %s, the cheapest is %s:\n"
-                "steps of %s s, %s per second, cost %s per second.\n",
-                percent.c_str(), asked.given ? "yours" : "1/60 s", bold(best->method).c_str(), number(step).c_str(),
-                often(1 / step).c_str(), often(cost).c_str());
+    std::printf(
+        "To be right to %s at steps no longer than %s, the cheapest is %s:\n"
+        "steps of %s s, %s per second, cost %s per second.\n",
+        percent.c_str(), asked.given ? "yours" : "1/60 s", bold(best->method).c_str(), number(step).c_str(),
+        often(1 / step).c_str(), often(cost).c_str());
     std::string alike;
     for (const auto& advice : all)
         if (&advice != best && std::abs(best_cost(advice, asked.h) / cost - 1) < 1e-9)
@@ -121,7 +124,8 @@ void print_right(const std::vector<Advice>& all, const Step& asked, double accur
     if (!alike.empty()) line("Equally cheap: " + alike + ".");
 }
 
-void print_recommended(const timestep::Recommendation& answer, const Step& asked, bool varying, const std::string& where) {
+void print_recommended(const timestep::Recommendation& answer, const Step& asked, bool varying,
+                       const std::string& where) {
     std::string take = answer.take;
     for (std::size_t at = take.find("**"); at != std::string::npos; at = take.find("**")) {
         const std::size_t end = take.find("**", at + 2);
@@ -132,10 +136,16 @@ void print_recommended(const timestep::Recommendation& answer, const Step& asked
     words += ": " + take;
     if (answer.substeps > 1) words += ", in " + number(double(answer.substeps)) + " substeps";
     if (answer.substeps == 0) words += ", though even a million substeps are not enough";
-    words += "; " + answer.why + " (chapter " + answer.choice->where.substr(answer.choice->where.find('_') - 1, 1) + ").";
+    words +=
+        "; " + answer.why + " (chapter " + answer.choice->where.substr(answer.choice->where.find('_') - 1, 1) + ").";
     if (!std::isnan(answer.position_error)) {
-        words += (answer.swept ? " With all dampers solved for at once: off by " : " Off by ") + off(answer.position_error) + " " + where;
-        words += varying || std::isnan(answer.rate_error) ? "." : std::string(where == "in the velocity" ? ", in the rate of decay by " : ", in frequency and decay by ") + off(answer.rate_error) + ".";
+        words += (answer.swept ? " With all dampers solved for at once: off by " : " Off by ") +
+                 off(answer.position_error) + " " + where;
+        words += varying || std::isnan(answer.rate_error)
+                     ? "."
+                     : std::string(where == "in the velocity" ? ", in the rate of decay by "
+                                                              : ", in frequency and decay by ") +
+                           off(answer.rate_error) + ".";
     }
     line(words);
 }

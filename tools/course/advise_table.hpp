@@ -28,7 +28,9 @@ void line(const std::string& words);
 void print_table(const std::vector<timestep::Advice>& all);
 // Which methods are right at this step, and, unless frames vary, which one reaches that most cheaply.
 void print_right(const std::vector<timestep::Advice>& all, const Step& asked, double accuracy, bool varying);
-// The answer of which_method.hpp, its bold words bold; `where` begins with "in" or "while": where the error is looked at.
-void print_recommended(const timestep::Recommendation& answer, const Step& asked, bool varying, const std::string& where);
+// The answer of which_method.hpp, its bold words bold; `where` begins with "in" or "while": where the error is looked
+// at.
+void print_recommended(const timestep::Recommendation& answer, const Step& asked, bool varying,
+                       const std::string& where);
 
 }  // namespace course

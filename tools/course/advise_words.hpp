@@ -29,14 +29,11 @@ inline std::string number(double value, const char* format = "%.3g") {
 }
 
 // How often: a rate or a cost, from a hundred on whole.
-inline std::string often(double value) {
-    return number(value, value >= 99.95 && value < 999999.5 ? "%.0f" : "%.3g");
-}
+inline std::string often(double value) { return number(value, value >= 99.95 && value < 999999.5 ? "%.0f" : "%.3g"); }
 
 // More or less by so many percent; from ten times on the factor.
 inline std::string more(double fraction) {
-    if (fraction >= 9)
-        return "× " + number(fraction + 1, fraction < 1e6 ? "%.0f" : "%.3g");
+    if (fraction >= 9) return "× " + number(fraction + 1, fraction < 1e6 ? "%.0f" : "%.3g");
     return number(100 * fraction, std::abs(fraction) < 0.995 ? "%+.2g" : "%+.0f") + " %";
 }
 

@@ -38,7 +38,8 @@ bool is_folder(const fs::directory_entry& entry) {
 std::string why_not(const fs::path& file, const std::string& exercise) {
     static const std::set<std::string> texts{"", ".c", ".h", ".hh", ".hpp", ".txt"};
     if (is_source(file)) return "must be named " + exercise + ".cpp, in exactly these letters: rename it";
-    if (texts.contains(in_small_letters(file.extension().string()))) return "does not have the name of a C++ file: rename it to " + exercise + ".cpp";
+    if (texts.contains(in_small_letters(file.extension().string())))
+        return "does not have the name of a C++ file: rename it to " + exercise + ".cpp";
     return "";
 }
 
@@ -57,16 +58,15 @@ struct Search {
     std::vector<std::vector<fs::path>> found;
     std::vector<std::vector<Aside>> aside = std::vector<std::vector<Aside>>(found.size());
     std::size_t seen = 0, seen_aside = 0;
-    std::string fault = {};                    // why it has not seen all
-    std::vector<fs::path> others = {};         // files of C++ by other names
+    std::string fault = {};             // why it has not seen all
+    std::vector<fs::path> others = {};  // files of C++ by other names
     std::vector<std::string> left_out = {};
 
     std::string below_root(const fs::path& place) const { return in_one_line(place.lexically_relative(root).string()); }
 
     void in(const fs::path& folder, int depth) {
         std::error_code error;
-        for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-             entry.increment(error)) {
+        for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
             if (++seen > most_entries) {
                 fault = "holds more than " + std::to_string(most_entries) + " files and folders";
                 return;
@@ -104,7 +104,8 @@ struct Search {
              entry.increment(error)) {
             const auto at = wanted.find(in_small_letters(entry->path().stem().string()));
             if (at != wanted.end() && is_source(entry->path()))
-                aside[at->second].push_back({entry->path(), "lies where nothing is graded, in '" + below_root(top) + "': move it", true});
+                aside[at->second].push_back(
+                    {entry->path(), "lies where nothing is graded, in '" + below_root(top) + "': move it", true});
             else if (is_folder(*entry) && depth < deepest)
                 in_left_out(top, entry->path(), depth + 1);
         }
@@ -121,12 +122,12 @@ HandedIn choose(Search& search, std::size_t at, const Exercise& exercise) {
     if (found.empty()) return {};
     std::sort(found.begin(), found.end());
     std::vector<fs::path> files = found;
-    if (files.size() > 1)
-        std::erase_if(files, [&](const fs::path& file) { return !is_at_its_place(file, exercise); });
+    if (files.size() > 1) std::erase_if(files, [&](const fs::path& file) { return !is_at_its_place(file, exercise); });
     if (files.size() != 1)
-        return {found[0], std::to_string(found.size()) + " files answer it, " + (found.size() > 2 ? "among them " : "") +
-                              search.below_root(found[0]) + " and " + search.below_root(found[1]) + ", and exercises/" +
-                              exercise.chapter + " does not hold exactly one of them: keep only one"};
+        return {found[0], std::to_string(found.size()) + " files answer it, " +
+                              (found.size() > 2 ? "among them " : "") + search.below_root(found[0]) + " and " +
+                              search.below_root(found[1]) + ", and exercises/" + exercise.chapter +
+                              " does not hold exactly one of them: keep only one"};
     for (const fs::path& file : found)
         if (file != files[0]) search.aside[at].push_back({file, ""});
     return {files[0], ""};
@@ -140,19 +141,36 @@ const std::vector<Exercise>& all_exercises() {
 }
 
 bool is_litter(const std::string& name) {
-    static const std::set<std::string> names{
-        ".git",        ".svn",        ".hg",    ".DS_Store", "__MACOSX",        ".Spotlight-V100",
-        ".Trashes",    ".fseventsd",  "@eaDir", "Thumbs.db", "desktop.ini",     ".directory",
-        "$RECYCLE.BIN", "lost+found", "System Volume Information"};
+    static const std::set<std::string> names{".git",         ".svn",        ".hg",
+                                             ".DS_Store",    "__MACOSX",    ".Spotlight-V100",
+                                             ".Trashes",     ".fseventsd",  "@eaDir",
+                                             "Thumbs.db",    "desktop.ini", ".directory",
+                                             "$RECYCLE.BIN", "lost+found",  "System Volume Information"};
     return names.contains(name) || name.starts_with("._");
 }
 
 // What the folder is made of that holds the whole course.
 bool is_of_the_course(const fs::path& entry) {
-    static const std::set<std::string> parts{
-        "chapters", "docs",  "exercises", "include",        "kit",               "site",    "solutions", "tests",
-        "tools",    "build", "course",    "CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", ".gitignore",
-        ".progress", ".github", ".ci", ".clang-format"};
+    static const std::set<std::string> parts{"chapters",
+                                             "docs",
+                                             "exercises",
+                                             "include",
+                                             "kit",
+                                             "site",
+                                             "solutions",
+                                             "tests",
+                                             "tools",
+                                             "build",
+                                             "course",
+                                             "CMakeLists.txt",
+                                             "CMakePresets.json",
+                                             "LICENSE",
+                                             "README.md",
+                                             ".gitignore",
+                                             ".progress",
+                                             ".github",
+                                             ".ci",
+                                             ".clang-format"};
     std::error_code error;
     const fs::path folder = entry.parent_path();
     return parts.contains(entry.filename().string()) && fs::exists(folder / "include/timestep", error) &&
@@ -166,17 +184,14 @@ bool is_source(const fs::path& file) {
 
 bool answers_another(const fs::path& file) {
     const auto& all = all_exercises();
-    return std::any_of(all.begin(), all.end(),
-                       [&](const Exercise& exercise) { return exercise.name == file.stem(); });
+    return std::any_of(all.begin(), all.end(), [&](const Exercise& exercise) { return exercise.name == file.stem(); });
 }
 
 // Opened once, and all is asked of what was opened: what bears the name may change.
 std::string text_of(const HandedIn& answer) {
     const std::size_t most = 1 << 20;
     const std::string name = in_one_line(answer.file.filename().string());
-    const auto refuse = [&](const std::string& why) {
-        throw Stop(Status::bad_use, name + " " + why);
-    };
+    const auto refuse = [&](const std::string& why) { throw Stop(Status::bad_use, name + " " + why); };
     if (!answer.refused.empty()) throw Stop(Status::bad_use, answer.refused);
     const int file = open(answer.file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (file < 0 && errno == ELOOP) refuse("is a link, and links are not followed");
@@ -218,7 +233,8 @@ Answers answers_in(const Submission& submission, const std::vector<Exercise>& ex
         else if (at != wanted.end()) {
             const bool right = is_source(name) && at->first == stem;
             const std::string why = right ? "" : why_not(name, at->first);
-            if (right || !why.empty()) answers.all[at->second] = {submission.place, right ? "" : in_one_line(name) + " " + why};
+            if (right || !why.empty())
+                answers.all[at->second] = {submission.place, right ? "" : in_one_line(name) + " " + why};
         }
         return answers;
     }

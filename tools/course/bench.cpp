@@ -24,8 +24,8 @@ void run_each(const std::vector<std::string>& programs) {
         progress.now("running " + program);
         std::string said;
         const int status = listen(
-            {(places().build / "tools/bench" / program).string()},
-            [&](std::string_view text) { said += text; }, [&] { progress.tick(); });
+            {(places().build / "tools/bench" / program).string()}, [&](std::string_view text) { said += text; },
+            [&] { progress.tick(); });
         progress.clear();
         std::fprintf(status == 0 ? stdout : stderr, "%s", said.c_str());
         if (status != 0) throw Stop(static_cast<Status>(status), "");
@@ -43,7 +43,8 @@ void check_scenes(const std::vector<std::string>& given, const std::vector<std::
 }
 
 // The names in the list of a source: what stands in quotes at the beginning of each of its entries.
-std::vector<std::string> names_in(const std::filesystem::path& source, const std::string& list, const std::string& before) {
+std::vector<std::string> names_in(const std::filesystem::path& source, const std::string& list,
+                                  const std::string& before) {
     std::error_code ignored;
     if (!std::filesystem::exists(source, ignored)) return {};
     const std::string text = contents(source);
@@ -59,7 +60,8 @@ std::vector<std::string> names_in(const std::filesystem::path& source, const std
 }  // namespace
 
 void bench(const Contest& contest) {
-    check_scenes(contest.scenes, names_in(places().source / "chapters/support/contest/scenes.hpp", "all_scenes{", "Named{\""));
+    check_scenes(contest.scenes,
+                 names_in(places().source / "chapters/support/contest/scenes.hpp", "all_scenes{", "Named{\""));
     {
         ProgressLine progress;
         build({"bench"}, progress);
@@ -77,20 +79,15 @@ void bench(const Contest& contest) {
     hand_over(command);
 }
 
-void bench_loops() {
-    run_each({"bench_loops_O2", "bench_loops_O3_native"});
-}
+void bench_loops() { run_each({"bench_loops_O2", "bench_loops_O3_native"}); }
 
-void bench_gyroscopic() {
-    run_each({"bench_gyroscopic_O2", "bench_gyroscopic_O3_native"});
-}
+void bench_gyroscopic() { run_each({"bench_gyroscopic_O2", "bench_gyroscopic_O3_native"}); }
 
-void bench_many() {
-    run_each({"bench_many_O2", "bench_many_O2_native", "bench_many_O3_native"});
-}
+void bench_many() { run_each({"bench_many_O2", "bench_many_O2_native", "bench_many_O3_native"}); }
 
 void bench_engines(const Contest& contest, const std::optional<std::string>& engine) {
-    check_scenes(contest.scenes, names_in(places().source / "tools/bench/engines/engines.cpp", "Scene scenes[]", "{\""));
+    check_scenes(contest.scenes,
+                 names_in(places().source / "tools/bench/engines/engines.cpp", "Scene scenes[]", "{\""));
     {
         ProgressLine progress;
         build({"bench_engines"}, progress);
@@ -108,8 +105,7 @@ void bench_engines(const Contest& contest, const std::optional<std::string>& eng
 // exercise.
 void bench_latency(int rounds) {
     if (is_kit())
-        throw Stop(Status::bad_use,
-                   "this is the learner's edition: it has no solutions to check for bench latency");
+        throw Stop(Status::bad_use, "this is the learner's edition: it has no solutions to check for bench latency");
     ProgressLine progress;
     const auto exercises = read_exercises();
     make_ready(exercises, progress);
@@ -117,11 +113,10 @@ void bench_latency(int rounds) {
     for (int round = 0; round < rounds; ++round) {
         progress.now("round " + std::to_string(round + 1) + " of " + std::to_string(rounds));
         for (std::size_t i = 0; i < exercises.size(); ++i) {
-            const Verdict verdict = check_file(exercises[i], exercises[i].solution(),
-                                               static_cast<std::uint64_t>(round));
+            const Verdict verdict =
+                check_file(exercises[i], exercises[i].solution(), static_cast<std::uint64_t>(round));
             if (verdict.kind != "pass")
-                throw Stop(Status::wrong,
-                           exercises[i].name + ": the solution does not pass: " + verdict.kind);
+                throw Stop(Status::wrong, exercises[i].name + ": the solution does not pass: " + verdict.kind);
             seconds[i].push_back(verdict.seconds);
         }
     }
@@ -134,8 +129,8 @@ void bench_latency(int rounds) {
     const auto print = [](const std::string& name, std::vector<double> all) {
         if (all.empty()) return;
         std::sort(all.begin(), all.end());
-        std::printf("%s  %6.3f  %6.3f  %6.3f\n", padded(name, 34).c_str(), all[all.size() / 2],
-                    all.front(), all.back());
+        std::printf("%s  %6.3f  %6.3f  %6.3f\n", padded(name, 34).c_str(), all[all.size() / 2], all.front(),
+                    all.back());
     };
     for (std::size_t i = 0; i < exercises.size(); ++i) {
         print(exercises[i].place() + " " + exercises[i].name, seconds[i]);

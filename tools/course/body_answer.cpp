@@ -26,7 +26,8 @@ Frames frames_of(const Question& question) {
 struct BallTurn {
     template <class Inertia>
     timestep::SpinState<double> step(const Inertia&, const timestep::SpinState<double>& s, double h) const {
-        return {s.t + h, timestep::over_its_length(s.q * timestep::turn_by(timestep::Vector3<double>(h * s.omega))), s.omega};
+        return {s.t + h, timestep::over_its_length(s.q * timestep::turn_by(timestep::Vector3<double>(h * s.omega))),
+                s.omega};
     }
 };
 
@@ -39,11 +40,13 @@ BodyAnswer answer_body(const Question& question) {
     const timestep::Vector3<double> omega(question.spin[0], question.spin[1], question.spin[2]);
     const Frames frames = frames_of(question);
     const double count = question.count.value_or(1);
-    if (!(count >= 1 && count <= 1e9 && count == std::floor(count))) timestep::refuse("count", count, "a whole number from 1 to 1e9");
+    if (!(count >= 1 && count <= 1e9 && count == std::floor(count)))
+        timestep::refuse("count", count, "a whole number from 1 to 1e9");
 
     BodyAnswer answer{};
     answer.spin = omega.stableNorm(), answer.step = frames.longest(), answer.even = frames.even();
-    answer.take = timestep::recommend(inertia, omega, frames, question.contacts, static_cast<long>(count), question.callback);
+    answer.take =
+        timestep::recommend(inertia, omega, frames, question.contacts, static_cast<long>(count), question.callback);
     answer.all = timestep::advise_body(inertia, omega, frames);
     const auto thrown = timestep::as_thrown(omega);
     answer.tilted = thrown != omega;

@@ -48,9 +48,9 @@ bool starts_with_any(const std::string& text, std::initializer_list<const char*>
 
 // What CMake says of its own accord; anything else is a fixture of ours, named by a COMMENT.
 bool is_routine(const std::string& text) {
-    return starts_with_any(text, {"Building", "Linking", "Built target", "Generating", "Scanning",
-                                  "Consolidate", "Re-running", "Re-checking", "Cleaning",
-                                  "Completed", "No ", "Performing", "Creating", "Automatic"});
+    return starts_with_any(
+        text, {"Building", "Linking", "Built target", "Generating", "Scanning", "Consolidate", "Re-running",
+               "Re-checking", "Cleaning", "Completed", "No ", "Performing", "Creating", "Automatic"});
 }
 
 // The lines that say why: from the first failure on, without the names and commands of what failed,
@@ -60,14 +60,12 @@ std::vector<std::string> reason(const std::vector<std::string>& log) {
     const auto begin = std::find_if(log.begin(), log.end(), [](const std::string& line) {
         return starts_with_any(line, {"FAILED:", "CMake Error", "ninja: error"});
     });
-    if (begin == log.end())
-        return {log.end() - static_cast<std::ptrdiff_t>(std::min(most, log.size())), log.end()};
+    if (begin == log.end()) return {log.end() - static_cast<std::ptrdiff_t>(std::min(most, log.size())), log.end()};
     std::vector<std::string> lines;
     for (auto line = begin; line != log.end() && lines.size() < most; ++line) {
         const bool is_command = line != log.begin() && (line - 1)->starts_with("FAILED:");
         Step step;
-        if (!is_command && !starts_with_any(*line, {"FAILED:", "ninja: build stopped"}) &&
-            !read_step(*line, step))
+        if (!is_command && !starts_with_any(*line, {"FAILED:", "ninja: build stopped"}) && !read_step(*line, step))
             lines.push_back(*line);
     }
     return lines;
@@ -131,15 +129,16 @@ fs::path ready_mark(const Exercise& exercise) {
 // Is everything there that CMake writes for the exercise when it configures?
 bool is_configured(const Exercise& exercise) {
     const fs::path hidden = exercise.declared().parent_path() / (exercise.name + "_hidden.cpp");
-    return fs::exists(exercise.declared()) && fs::exists(exercise.stub()) &&
-           (is_kit() || fs::exists(hidden)) && commands_are_whole(exercise);
+    return fs::exists(exercise.declared()) && fs::exists(exercise.stub()) && (is_kit() || fs::exists(hidden)) &&
+           commands_are_whole(exercise);
 }
 
 // Is everything there that the build has made for a check of the exercise?
 bool all_there(const Exercise& exercise) {
     if (!is_configured(exercise)) return false;
     const auto parts = parts_of_check(exercise);
-    return std::all_of(parts.begin(), parts.end(), [](const fs::path& part) { return fs::exists(part) && !fs::is_empty(part); });
+    return std::all_of(parts.begin(), parts.end(),
+                       [](const fs::path& part) { return fs::exists(part) && !fs::is_empty(part); });
 }
 
 // Has nothing been touched that a check of the exercise is made of, since it was found ready?
@@ -149,15 +148,13 @@ bool is_ready(const Exercise& exercise) {
     if (!since || *since > std::chrono::duration<double>(now).count()) return false;  // a clock set back
     const fs::path &source = places().source, &build = places().build;
     const std::string room = exercise.chapter + "/" + exercise.name;
-    std::vector<fs::path> parts{source / "CMakeLists.txt", source / "include",
-                                source / "tools/cmake", source / "tools/checker",
-                                source / "tools/processes", build / "CMakeCache.txt"};
+    std::vector<fs::path> parts{source / "CMakeLists.txt", source / "include",         source / "tools/cmake",
+                                source / "tools/checker",  source / "tools/processes", build / "CMakeCache.txt"};
     if (is_kit())
         parts.push_back(source / "kit");
     else
-        parts.insert(parts.end(),
-                     {source / "tests/CMakeLists.txt", source / "tests/exercises/CMakeLists.txt",
-                      source / "tests/exercises" / room, source / "solutions" / (room + ".cpp")});
+        parts.insert(parts.end(), {source / "tests/CMakeLists.txt", source / "tests/exercises/CMakeLists.txt",
+                                   source / "tests/exercises" / room, source / "solutions" / (room + ".cpp")});
     if (fs::exists(packages)) parts.push_back(packages);  // a compiler may be a new one
     return std::none_of(parts.begin(), parts.end(),
                         [&](const fs::path& part) { return touched_since(part, *since); }) &&
@@ -230,13 +227,12 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress, cons
         }
         progress.now("[" + step.count + "] " + step.text);
     });
-    std::vector<std::string> command{
-        places().cmake,
-        "--build",
-        places().build.string(),
-        "--parallel",
-        std::to_string(std::max(1u, std::thread::hardware_concurrency())),
-        "--target"};
+    std::vector<std::string> command{places().cmake,
+                                     "--build",
+                                     places().build.string(),
+                                     "--parallel",
+                                     std::to_string(std::max(1u, std::thread::hardware_concurrency())),
+                                     "--target"};
     command.insert(command.end(), targets.begin(), targets.end());
     const int status = listen(command, std::ref(lines), [&] {
         late.look();
@@ -246,8 +242,7 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress, cons
     progress.clear();
     if (status == 0) return;
     for (const auto& line : reason(heard)) std::fprintf(stderr, "%s\n", line.c_str());
-    throw Stop(Status::wrong, "the build failed; the lines above say why, the whole log is in " +
-                                  log_path.string());
+    throw Stop(Status::wrong, "the build failed; the lines above say why, the whole log is in " + log_path.string());
 }
 
 void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) {
@@ -280,7 +275,8 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) 
                     [](const auto& exercise) { return !is_configured(exercise); }) &&
         fs::exists(places().build / "CMakeCache.txt")) {
         Late late(progress, what);
-        listen({places().cmake, places().build.string()}, [&](std::string_view) { late.look(); }, [&] { late.look(); });
+        listen(
+            {places().cmake, places().build.string()}, [&](std::string_view) { late.look(); }, [&] { late.look(); });
     }
     build(targets, progress, what);
     mark_ready(marks, begin);
@@ -306,8 +302,7 @@ std::string address_of(const fs::path& page) {
         const auto byte = static_cast<unsigned char>(c);
         char coded[4];
         std::snprintf(coded, sizeof coded, "%%%02X", byte);
-        const bool plain = byte < 0x80 && (std::isalnum(byte) ||
-                                           std::string("/-._~").find(c) != std::string::npos);
+        const bool plain = byte < 0x80 && (std::isalnum(byte) || std::string("/-._~").find(c) != std::string::npos);
         address += plain ? std::string(1, c) : coded;
     }
     return address;

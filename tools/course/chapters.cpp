@@ -14,9 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // A chapter's folder is two digits, an underscore and the name of its program.
 bool is_chapter(const std::string& folder) {
@@ -44,29 +42,22 @@ Chapter read_chapter(const fs::path& folder) {
 
 }  // namespace
 
-int Chapter::number() const {
-    return std::stoi(folder.substr(0, 2));
-}
-fs::path Chapter::sources() const {
-    return places().source / "chapters" / folder;
-}
-fs::path Chapter::run() const {
-    return places().build / "chapters" / folder / "run";
-}
+int Chapter::number() const { return std::stoi(folder.substr(0, 2)); }
+fs::path Chapter::sources() const { return places().source / "chapters" / folder; }
+fs::path Chapter::run() const { return places().build / "chapters" / folder / "run"; }
 
 std::vector<Chapter> read_chapters() {
     std::vector<Chapter> chapters;
     for (const auto& entry : fs::directory_iterator(places().source / "chapters"))
         if (is_chapter(entry.path().filename().string())) chapters.push_back(read_chapter(entry));
-    std::sort(chapters.begin(), chapters.end(),
-              [](const Chapter& a, const Chapter& b) { return a.folder < b.folder; });
+    std::sort(chapters.begin(), chapters.end(), [](const Chapter& a, const Chapter& b) { return a.folder < b.folder; });
     return chapters;
 }
 
 std::optional<Chapter> chapter_of(const std::string& name) {
     for (const auto& chapter : read_chapters()) {
-        for (const auto& meant : {std::to_string(chapter.number()), chapter.folder.substr(0, 2),
-                                  chapter.program, chapter.folder})
+        for (const auto& meant :
+             {std::to_string(chapter.number()), chapter.folder.substr(0, 2), chapter.program, chapter.folder})
             if (name == meant) return chapter;
         if ((name + "/").starts_with("chapters/" + chapter.folder + "/")) return chapter;  // or a file of its own
     }

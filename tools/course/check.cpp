@@ -22,9 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::uint64_t seed_or_new(const std::optional<std::uint64_t>& seed) {
-    return seed ? *seed : new_seed();
-}
+std::uint64_t seed_or_new(const std::optional<std::uint64_t>& seed) { return seed ? *seed : new_seed(); }
 
 void bring_up_to_date(const std::vector<Exercise>& exercises) {
     ProgressLine progress;
@@ -33,7 +31,9 @@ void bring_up_to_date(const std::vector<Exercise>& exercises) {
 
 // If the built files for a check are damaged, they are built again, once.
 Verdict check_or_mend(const Exercise& exercise, const fs::path& file, std::uint64_t seed, bool sanitize = false) {
-    const auto check = [&] { return sanitize ? check_sanitized(exercise, file, seed) : check_file(exercise, file, seed); };
+    const auto check = [&] {
+        return sanitize ? check_sanitized(exercise, file, seed) : check_file(exercise, file, seed);
+    };
     try {
         return check();
     } catch (const Damaged& damaged) {
@@ -70,20 +70,17 @@ std::string way_on(const Exercise& exercise, const Verdict& verdict) {
     if (verdict.kind == "pass") {
         std::string text = "\n";
         if (exercise.has_solution())
-            text +=
-                "  The course's answer beside yours:  ./course solution " + exercise.name + "\n";
+            text += "  The course's answer beside yours:  ./course solution " + exercise.name + "\n";
         const auto next = next_after(exercise);
         if (next)
-            return text + "  Next:  " + next->place() + " " + next->title + "\n         " +
-                   shown(next->file()) + "\n";
+            return text + "  Next:  " + next->place() + " " + next->title + "\n         " + shown(next->file()) + "\n";
         return text + "  That was the last one: you have passed them all.\n";
     }
     std::string text;
     if (verdict.kind != "not_started" && verdict.kind != "does_not_compile")
         text += "\n  The same numbers again:  ./course check " + exercise.name + " --seed " +
                 std::to_string(verdict.seed) + "\n";
-    return text + (text.empty() ? "\n" : "") + "  A hint, one step at a time:  ./course hint " +
-           exercise.name + "\n";
+    return text + (text.empty() ? "\n" : "") + "  A hint, one step at a time:  ./course hint " + exercise.name + "\n";
 }
 
 // Every exercise that has been begun, of all or of one chapter, in one line each, and the first that is not right in
@@ -119,13 +116,12 @@ void check_all(const std::optional<Chapter>& chapter, bool json, const std::opti
     if (json)
         std::printf("[%s]\n", list.c_str());
     else if (checked == 0)
-        std::printf("No exercise%s has been begun. ./course list shows them; the first is\n  %s\n",
-                    of_chapter.c_str(), shown(all.front().file()).c_str());
+        std::printf("No exercise%s has been begun. ./course list shows them; the first is\n  %s\n", of_chapter.c_str(),
+                    shown(all.front().file()).c_str());
     else
         std::printf("\n%s", first_wrong.c_str());
     flush();
-    if (!first_wrong.empty() || checked == 0)
-        throw Stop(course_error ? Status::missing : Status::wrong, "");
+    if (!first_wrong.empty() || checked == 0) throw Stop(course_error ? Status::missing : Status::wrong, "");
 }
 
 }  // namespace
@@ -136,13 +132,13 @@ void check(const std::string& name, const std::optional<std::string>& file, bool
     const auto one = name.empty() ? std::nullopt : exercise_of(name);
     const auto chapter = name.empty() || one ? std::nullopt : chapter_of(name);
     if (name.empty() || chapter) {
-        if (file)
-            throw Stop(Status::bad_use, "check --file needs the exercise that the file answers");
+        if (file) throw Stop(Status::bad_use, "check --file needs the exercise that the file answers");
         if (sanitize) throw Stop(Status::bad_use, "check --sanitize needs the exercise to check");
         return check_all(chapter, json, seed);
     }
     if (!one && name.find_first_not_of("0123456789") == std::string::npos)
-        throw Stop(Status::bad_use, "'" + shortened(name, 100) + "' is no chapter and no exercise; ./course list shows them");
+        throw Stop(Status::bad_use,
+                   "'" + shortened(name, 100) + "' is no chapter and no exercise; ./course list shows them");
     const Exercise exercise = one ? *one : find_exercise(name);
     if (file && file->empty()) throw Stop(Status::bad_use, "--file '': must be the name of a file");
     const fs::path answer = file ? fs::path(*file) : exercise.file();
@@ -157,8 +153,7 @@ void check(const std::string& name, const std::optional<std::string>& file, bool
         std::printf("%s%s", told_and_marked(exercise, verdict, answer).c_str(),
                     file && verdict.kind == "pass" ? "" : way_on(exercise, verdict).c_str());
     flush();
-    if (verdict.kind != "pass")
-        throw Stop(verdict.kind == "course_error" ? Status::missing : Status::wrong, "");
+    if (verdict.kind != "pass") throw Stop(verdict.kind == "course_error" ? Status::missing : Status::wrong, "");
 }
 
 // Begins with the exercise, or the first that has not passed; whichever is saved is checked. Looks at the files ten
@@ -194,9 +189,7 @@ void watch(const std::string& name) {
             if (verdict.kind == "pass") {
                 remember_pass(*exercise);
                 exercise = next_after(*exercise);
-                if (exercise)
-                    std::printf("\nWatching %s now; Ctrl-C ends.\n",
-                                shown(exercise->file()).c_str());
+                if (exercise) std::printf("\nWatching %s now; Ctrl-C ends.\n", shown(exercise->file()).c_str());
             } else {
                 std::printf("\nWatching %s; it, or another, is checked whenever you save it; Ctrl-C ends.\n",
                             shown(exercise->file()).c_str());

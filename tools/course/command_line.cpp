@@ -40,7 +40,8 @@ struct Asked {
 // can hold becomes infinity or zero, which nobody has typed.
 std::string no_double(const std::string& word) {
     if (word.empty()) return "'' is no number";
-    if (const std::size_t comma = word.find(','); comma != std::string::npos && word.find_first_not_of("0123456789,-+eE") == std::string::npos) {
+    if (const std::size_t comma = word.find(',');
+        comma != std::string::npos && word.find_first_not_of("0123456789,-+eE") == std::string::npos) {
         std::string point = word;
         point[comma] = '.';
         return sanitized_line(word) + " is not a number; write " + sanitized_line(point);
@@ -50,7 +51,8 @@ std::string no_double(const std::string& word) {
     if (std::isinf(value) && word.find_first_of("iI") == std::string::npos)
         return shown() + "beyond what a double can hold, 1.8e308";
     const std::string digits = word.substr(0, word.find_first_of("eE"));
-    if (value == 0 && std::isdigit(static_cast<unsigned char>(word.back())) && digits.find_first_of("123456789") != std::string::npos)
+    if (value == 0 && std::isdigit(static_cast<unsigned char>(word.back())) &&
+        digits.find_first_of("123456789") != std::string::npos)
         return shown() + "nearer to zero than a double can be";
     return "";
 }
@@ -58,8 +60,10 @@ std::string no_double(const std::string& word) {
 // What `advise` may be told of springs besides.
 template <class Number>
 void declare_springs(CLI::App& advise, Question& question, const Number& number) {
-    advise.add_option("--kind", question.kind, "spring, chain, cloth, tether (it only pulls) or hinge")->type_name("NAME");
-    number("--springs", question.springs, "N", "number of springs on the body, or at each point of a chain (default 2) or a cloth (default 4)");
+    advise.add_option("--kind", question.kind, "spring, chain, cloth, tether (it only pulls) or hinge")
+        ->type_name("NAME");
+    number("--springs", question.springs, "N",
+           "number of springs on the body, or at each point of a chain (default 2) or a cloth (default 4)");
     number("--arm", question.arm, "M", "from its centre of mass to where they take hold, with --turning");
     number("--turning", question.turning, "KG*M^2", "the body's least moment of inertia");
     number("--other-mass", question.other_mass, "KG", "a hinge's other body; none given: like the first");
@@ -79,7 +83,8 @@ void declare_advise(CLI::App& app, Asked& asked) {
     number("--stiffness", question.stiffness, "N/M", "its stiffness, with --mass");
     number("--mass", question.mass, "KG", "the mass on it");
     number("--zeta", question.zeta, "RATIO", "damping ratio; none given: no damper; or:");
-    number("--damping", question.damping, "N*S/M", "the damper, with --stiffness and --mass; with --mass only: a damper alone");
+    number("--damping", question.damping, "N*S/M",
+           "the damper, with --stiffness and --mass; with --mass only: a damper alone");
     const auto three = [&](const char* flag, auto& value, const char* unit, const char* words) {
         advise->add_option(flag, value, words)->type_name(unit)->delimiter(',')->expected(3)->check(no_double);
     };
@@ -93,7 +98,8 @@ void declare_advise(CLI::App& app, Asked& asked) {
         ->expected(2)
         ->check(no_double);
     number("--accuracy", question.accuracy, "PERCENT",
-           "recommend the cheapest method with at most this error in the first period; without it the list decides, and the table uses 1");
+           "recommend the cheapest method with at most this error in the first period; without it the list decides, "
+           "and the table uses 1");
     declare_springs(*advise, question, number);
     // Of a body.
     number("--count", question.count, "NUMBER", "so many bodies like this one (1)");
@@ -103,7 +109,8 @@ void declare_advise(CLI::App& app, Asked& asked) {
 }
 
 void declare_bench(CLI::App& app, Asked& asked) {
-    const auto bench = app.add_subcommand("bench", "error against run time (work–precision diagrams), every method in every scene");
+    const auto bench =
+        app.add_subcommand("bench", "error against run time (work–precision diagrams), every method in every scene");
     Contest& contest = asked.contest;
     bench->add_flag("--quick", contest.quick, "a minute in all, without counting instructions");
     bench->add_option("--scene", contest.scenes, "this scene only; may be given again")
@@ -122,7 +129,8 @@ void declare_bench(CLI::App& app, Asked& asked) {
     table("loops", "the library beside loops written by hand, and the targets");
     table("gyroscopic", "the gyroscopic solvers beside Bullet's, and the target");
     table("many", "springs and bodies by the thousand, and the targets");
-    const auto engines = table("engines", "gyroscopic rules inside Bullet, ODE, Box3D and Jolt, before and after: two minutes");
+    const auto engines =
+        table("engines", "gyroscopic rules inside Bullet, ODE, Box3D and Jolt, before and after: two minutes");
     engines->add_flag("--quick", contest.quick, "fewer throws and shorter flights: half a minute");
     engines->add_option("--scene", contest.scenes, "alone, top, throws, piles or cost only; may be given again")
         ->type_name("NAME")
@@ -146,8 +154,7 @@ void declare_grade(CLI::App& app, Asked& asked) {
         ->allow_extra_args(false);
     grade->add_option("--out", asked.out, "leave the grades in this folder (NAME.grades)")->type_name("DIR");
     grade->add_option("--seed", asked.seed, "draw the inputs from this seed")->type_name("NUMBER");
-    grade->add_option("--jobs", grading.jobs, "so many at a time (the number of cores)")
-        ->check(CLI::Range(1, 256));
+    grade->add_option("--jobs", grading.jobs, "so many at a time (the number of cores)")->check(CLI::Range(1, 256));
     grade->add_flag("--one", grading.one, "DIR is one submission, whatever it holds");
     grade->add_flag("--trust", grading.trust, "without isolation: of files that you would run yourself");
     grade->add_flag("--again", grading.again, "also what has been graded before");
@@ -157,7 +164,8 @@ void declare_grade(CLI::App& app, Asked& asked) {
 }
 
 void declare_new(CLI::App& app, Asked& asked) {
-    const auto make = app.add_subcommand("new", "add a chapter or an exercise to the course: a small example, to fill in");
+    const auto make =
+        app.add_subcommand("new", "add a chapter or an exercise to the course: a small example, to fill in");
     make->require_subcommand(1);
     const auto chapter = make->add_subcommand("chapter", "page, program, figures, study and test");
     chapter->add_option("NAME", asked.name, "small letters, digits and _")->required();
@@ -179,11 +187,9 @@ void declare(CLI::App& app, Asked& asked) {
     app.add_subcommand("list", "the chapters and the exercises")
         ->add_flag("--json", asked.json, "as JSON, for programs");
     const auto run = app.add_subcommand("run", "run a chapter's program, and draw its picture");
-    run->add_option("CHAPTER", asked.chapter, "number or name, as ./course list shows them")
-        ->required();
+    run->add_option("CHAPTER", asked.chapter, "number or name, as ./course list shows them")->required();
     run->add_flag("--study", asked.study, "and all that the chapter measures besides: its page's numbers and figures");
-    run->add_option("--out", asked.out, "leave data, numbers and figures in this folder")
-        ->type_name("DIR");
+    run->add_option("--out", asked.out, "leave data, numbers and figures in this folder")->type_name("DIR");
     run->footer(
         "What stands after -- goes to the chapter's study; its options:\n"
         "  ./course run 3 --study -- --help");
@@ -194,21 +200,17 @@ void declare(CLI::App& app, Asked& asked) {
                                    const char* which = "name, number (1.1) or file of the exercise") {
         const auto command = app.add_subcommand(name, words);
         const auto option = command->add_option("EXERCISE", asked.exercise, which);
-        option->check([](const std::string& word) {
-            return word.empty() ? "'' is no exercise; ./course list shows them" : "";
-        });
+        option->check(
+            [](const std::string& word) { return word.empty() ? "'' is no exercise; ./course list shows them" : ""; });
         return std::pair(command, option);
     };
     const auto check =
         with_exercise("check", "check your answer to an exercise, or to all begun, of a chapter or of the course",
                       "name, number (1.1) or file of the exercise; or of a chapter: number (1) or name")
             .first;
-    check
-        ->add_option("--file", asked.file,
-                     "this file's answer instead of yours, and do not count it")
+    check->add_option("--file", asked.file, "this file's answer instead of yours, and do not count it")
         ->type_name("FILE");
-    check
-        ->add_option("--seed", asked.seed, "draw the same inputs as the check that named this seed")
+    check->add_option("--seed", asked.seed, "draw the same inputs as the check that named this seed")
         ->type_name("NUMBER");
     check->add_flag("--sanitize", asked.sanitize,
                     "find what does not show in the numbers: memory errors, undefined behaviour");
@@ -216,8 +218,8 @@ void declare(CLI::App& app, Asked& asked) {
     with_exercise("watch", "check again whenever you save, and go on after a pass");
     with_exercise("hint", "the next hint to an exercise").second->required();
     with_exercise("solution", "the course's answer beside yours, after a pass").second->required();
-    with_exercise("reset", "make your file what it was at the beginning").first
-        ->add_flag("--all", asked.all, "all files of exercises/; what you have written is kept");
+    with_exercise("reset", "make your file what it was at the beginning")
+        .first->add_flag("--all", asked.all, "all files of exercises/; what you have written is kept");
     declare_new(app, asked);
     declare_grade(app, asked);
     declare_bench(app, asked);
@@ -226,7 +228,8 @@ void declare(CLI::App& app, Asked& asked) {
     declare_advise(app, asked);
     const auto kit = app.add_subcommand("kit", "write the learner's edition: no tests, no solutions");
     kit->add_option("DIR", asked.kit, "a new or empty folder")->required();
-    kit->add_flag("--with-solutions", asked.with_solutions, "with them, as text; ./course solution shows one after a pass");
+    kit->add_flag("--with-solutions", asked.with_solutions,
+                  "with them, as text; ./course solution shows one after a pass");
     const auto site = app.add_subcommand("site", "bring the site up to date and say where it is");
     const auto open = site->add_flag("--open", asked.open, "open it in the browser");
     site->add_flag("--pdf", asked.pdf, "print all of it as a book: build/site/timestep.pdf")->excludes(open);
@@ -251,7 +254,8 @@ std::string between(const std::string& text, const std::string& before, const st
 // What is wrong with the words given, in words of our own.
 std::string in_our_words(const CLI::ParseError& error, const CLI::App& app) {
     const std::string said = error.what(), kind = error.get_name(), option = said.substr(0, said.find(':'));
-    const bool extras = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);  // which names the command
+    const bool extras =
+        error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);  // which names the command
     auto words = app.remaining(true);
     if (extras && words.empty()) words.push_back(between(said, " expected: ", "\n"));
     if ((extras || kind == "RequiredError") && !words.empty()) {
@@ -261,11 +265,13 @@ std::string in_our_words(const CLI::ParseError& error, const CLI::App& app) {
             inner = named.front();
             command = (command == "./course" ? "" : command + " ") + inner->get_name();
         }
-        const auto odd = std::find_if(words.begin(), words.end(), [](const auto& word) { return word.starts_with("-"); });
+        const auto odd =
+            std::find_if(words.begin(), words.end(), [](const auto& word) { return word.starts_with("-"); });
         return odd != words.end() ? command + " has no option " + sanitized_line(*odd)
                                   : command + " does not take '" + sanitized_line(words.front()) + "'";
     }
-    if (said == "A subcommand is required") return app.got_subcommand("new") ? "new takes chapter or exercise" : "a command is required";
+    if (said == "A subcommand is required")
+        return app.got_subcommand("new") ? "new takes chapter or exercise" : "a command is required";
     if (kind == "ArgumentMismatch") {
         if (said.find(" required ") == std::string::npos) return said;
         const std::string most = between(said, "At least ", " required");
@@ -274,14 +280,16 @@ std::string in_our_words(const CLI::ParseError& error, const CLI::App& app) {
     }
     if (kind == "ConversionError") {
         const std::string given = between(said, "Could not convert: ", "\n");
-        for (const char* flag : {"--json", "--yes", "--all", "--quick", "--study", "--open", "--pdf", "--one", "--trust", "--again",
-                                 "--sanitize", "--release", "--tests", "--with-solutions", "--contacts", "--callback", "--kicks", "--keep-size"})
+        for (const char* flag : {"--json", "--yes", "--all", "--quick", "--study", "--open", "--pdf", "--one",
+                                 "--trust", "--again", "--sanitize", "--release", "--tests", "--with-solutions",
+                                 "--contacts", "--callback", "--kicks", "--keep-size"})
             if (given.starts_with(std::string(flag) + " ")) return std::string(flag) + " takes no value";
         return given + ": it takes numbers";
     }
     if (const std::string value = between(said, ": Value ", " not in range "); !value.empty())
         return option + " " + value + ": must be a whole number from " + between(said, " not in range ", "\n");
-    if (kind == "ExcludesError") return option.substr(0, option.find(' ')) + " and " + between(said, " excludes ", "\n") + " do not go together";
+    if (kind == "ExcludesError")
+        return option.substr(0, option.find(' ')) + " and " + between(said, " excludes ", "\n") + " do not go together";
     return said;
 }
 
@@ -318,8 +326,7 @@ std::optional<std::uint64_t> seed_from(const std::optional<std::string>& given) 
     const char* const end = word.data() + word.size();
     const auto read = std::from_chars(word.data(), end, seed);
     if (read.ec != std::errc() || read.ptr != end)
-        throw Stop(Status::bad_use,
-                   "--seed '" + word + "': must be a whole number from 0 to 2^64 - 1");
+        throw Stop(Status::bad_use, "--seed '" + word + "': must be a whole number from 0 to 2^64 - 1");
     return seed;
 }
 
@@ -342,7 +349,8 @@ void check_rows(int argc, char** argv) {
             if (!row.starts_with(option + "=")) continue;
             row.erase(0, option.size() + 1);
             if (row.empty() || row.front() == ',' || row.back() == ',' || row.find(",,") != std::string::npos)
-                throw Stop(Status::bad_use, option + " = '" + sanitized_line(row) + "': a number must stand on both sides of each comma");
+                throw Stop(Status::bad_use, option + " = '" + sanitized_line(row) +
+                                                "': a number must stand on both sides of each comma");
         }
 }
 
@@ -356,7 +364,8 @@ void bench_or_table(const CLI::App& bench, Asked& asked) {
     const std::string name = others.front()->get_name();
     for (const char* option : {"--quick", "--scene", "--again", "--json", "--out"})
         if (bench.get_option(option)->count() > 0)
-            throw Stop(Status::bad_use, std::string(option) + ": bench " + name + " does not take it (./course bench --help)");
+            throw Stop(Status::bad_use,
+                       std::string(option) + ": bench " + name + " does not take it (./course bench --help)");
     if (name == "loops") bench_loops();
     if (name == "gyroscopic") bench_gyroscopic();
     if (name == "many") bench_many();

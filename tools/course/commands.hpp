@@ -31,8 +31,8 @@ void run(const std::string& chapter, bool study, const std::optional<std::string
 void where(const std::string& name);
 
 /// Checks answers: of one exercise (`file` instead of the learner's own, which is then not counted
-/// as done), or of all that have been begun, in a chapter (`5`) or in the course. With `sanitize`, errors count that do not show in the
-/// numbers. Throws Stop(wrong) where one is not right.
+/// as done), or of all that have been begun, in a chapter (`5`) or in the course. With `sanitize`, errors count that do
+/// not show in the numbers. Throws Stop(wrong) where one is not right.
 void check(const std::string& exercise, const std::optional<std::string>& file, bool json,
            const std::optional<std::uint64_t>& seed, bool sanitize);
 
@@ -104,13 +104,13 @@ struct Question {
     std::optional<double> omega, stiffness, mass, damping, zeta;  ///< rad/s, N/m, kg, N s/m, no unit
     std::optional<double> step, rate;                             ///< s, 1/s
     std::vector<double> inertia, spin;                            ///< kg m², rad/s
-    std::optional<double> accuracy;                               ///< percent; not given: nothing asked, and 1 in the table
-    std::vector<double> frames;                                   ///< the shortest and the longest, s, where they differ
+    std::optional<double> accuracy;  ///< percent; not given: nothing asked, and 1 in the table
+    std::vector<double> frames;      ///< the shortest and the longest, s, where they differ
 
     // Of a body.
     std::optional<double> count;  ///< of bodies like this one; 1 where not given
-    bool contacts = false;      ///< does it touch others?
-    bool callback = false;      ///< and can it only be changed before the engine's step?
+    bool contacts = false;        ///< does it touch others?
+    bool callback = false;        ///< and can it only be changed before the engine's step?
 
     // More kinds of springs than one.
     std::string kind = "spring";                                 ///< or chain, cloth, tether, hinge

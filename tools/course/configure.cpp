@@ -39,8 +39,7 @@ private:
 
 fs::path place_of_lock() {
     const auto lock = places().build / "course.lock";
-    if (Lock::is_held(lock))
-        std::fprintf(stderr, "Another ./course is building here; this goes on when it has done\n");
+    if (Lock::is_held(lock)) std::fprintf(stderr, "Another ./course is building here; this goes on when it has done\n");
     return lock;
 }
 
@@ -61,7 +60,8 @@ std::string why_unbuildable() {
     Lines lines([&](const std::string& line) {
         if (why.empty() && (line.starts_with("ninja: error: ") || line.find("***") != std::string::npos)) why = line;
     });
-    if (listen({places().cmake, "--build", places().build.string(), "--target", "help"}, std::ref(lines)) == 0) return "";
+    if (listen({places().cmake, "--build", places().build.string(), "--target", "help"}, std::ref(lines)) == 0)
+        return "";
     return why.empty() ? "what CMake has written of it cannot be built" : why;
 }
 

@@ -24,7 +24,8 @@ Words words_of(const std::string& code) {
         } else if (two == "/*") {
             const auto end = code.find("*/", i + 2);
             i = end == std::string::npos ? code.size() : end + 2;
-        } else if (code[i] == '"' || (code[i] == '\'' && !words.empty() && !std::isdigit(static_cast<unsigned char>(words.back()[0])))) {
+        } else if (code[i] == '"' ||
+                   (code[i] == '\'' && !words.empty() && !std::isdigit(static_cast<unsigned char>(words.back()[0])))) {
             const char quote = code[i++];
             for (; i < code.size() && code[i] != quote; ++i) i += code[i] == '\\';
             ++i;
@@ -40,7 +41,9 @@ Words words_of(const std::string& code) {
     return words;
 }
 
-bool has(const Words& words, const std::string& one) { return std::find(words.begin(), words.end(), one) != words.end(); }
+bool has(const Words& words, const std::string& one) {
+    return std::find(words.begin(), words.end(), one) != words.end();
+}
 
 // Behind the bracket that closes the one at `i`.
 std::size_t behind(const Words& words, std::size_t i) {
@@ -74,17 +77,23 @@ Scope scope_of(const Words& before) {
 // What is different, of a definition with these words before its name, its arguments, and the scopes that it stands in.
 std::string difference(const Words& before, const Words& arguments, const std::vector<Scope>& scopes) {
     for (const Scope& scope : scopes) {
-        if (scope.kind == "class") return "but as a part of " + scope.name + ". The checker calls the function by its name alone: take it out of there.";
+        if (scope.kind == "class")
+            return "but as a part of " + scope.name +
+                   ". The checker calls the function by its name alone: take it out of there.";
         if (scope.kind == "namespace")
-            return "but in " + (scope.name.empty() ? std::string("a namespace without a name") : "the namespace " + scope.name) +
+            return "but in " +
+                   (scope.name.empty() ? std::string("a namespace without a name") : "the namespace " + scope.name) +
                    ". The checker calls the one that is in no namespace: take it out of there.";
     }
     if (has(before, "template") || has(arguments, "auto"))
-        return "but it is a template: the compiler makes no function of it until some code calls it. Write it with the types that are declared above.";
-    if (has(before, "static")) return "but it is static: no other file can call it, and the checker is in another file. Leave out static.";
+        return "but it is a template: the compiler makes no function of it until some code calls it. Write it with the "
+               "types that are declared above.";
+    if (has(before, "static"))
+        return "but it is static: no other file can call it, and the checker is in another file. Leave out static.";
     for (const char* word : {"inline", "constexpr", "consteval"})
         if (has(before, word))
-            return std::string("but it is ") + word + ": the compiler makes no function of it that another file can call. Leave out " + word + ".";
+            return std::string("but it is ") + word +
+                   ": the compiler makes no function of it that another file can call. Leave out " + word + ".";
     return {};
 }
 
@@ -96,19 +105,26 @@ std::string defined_otherwise(const std::string& code, const std::string& name) 
     Words before;  // since the last statement
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string& word = words[i];
-        const bool in_function = std::any_of(scopes.begin(), scopes.end(), [](const Scope& scope) { return scope.kind == "function"; });
+        const bool in_function =
+            std::any_of(scopes.begin(), scopes.end(), [](const Scope& scope) { return scope.kind == "function"; });
         if (word == name && !in_function && i + 1 < words.size() && words[i + 1] == "(") {
             const std::size_t end = behind(words, i + 1);
             std::size_t body = end;
             while (body < words.size() && words[body] != "{" && words[body] != ";") ++body;
-            const Words arguments(words.begin() + static_cast<std::ptrdiff_t>(i), words.begin() + static_cast<std::ptrdiff_t>(end));
-            const std::string why = body < words.size() && words[body] == "{" ? difference(before, arguments, scopes) : "";
+            const Words arguments(words.begin() + static_cast<std::ptrdiff_t>(i),
+                                  words.begin() + static_cast<std::ptrdiff_t>(end));
+            const std::string why =
+                body < words.size() && words[body] == "{" ? difference(before, arguments, scopes) : "";
             if (!why.empty()) return why;
         }
-        if (word == "{") scopes.push_back(scope_of(before)), before.clear();
-        else if (word == ";") before.clear();
-        else if (word == "}") before.clear(), scopes.empty() ? void() : scopes.pop_back();
-        else before.push_back(word);
+        if (word == "{")
+            scopes.push_back(scope_of(before)), before.clear();
+        else if (word == ";")
+            before.clear();
+        else if (word == "}")
+            before.clear(), scopes.empty() ? void() : scopes.pop_back();
+        else
+            before.push_back(word);
     }
     return {};
 }
@@ -118,7 +134,8 @@ bool is_utf16(const std::string& text) {
     // Of letters every other byte is zero, and no other one.
     std::size_t zeros[2] = {0, 0};
     for (std::size_t i = 0; i < text.size(); ++i) zeros[i % 2] += text[i] == '\0';
-    return text.size() >= 8 && std::max(zeros[0], zeros[1]) > 2 * text.size() / 5 && std::min(zeros[0], zeros[1]) <= text.size() / 20;
+    return text.size() >= 8 && std::max(zeros[0], zeros[1]) > 2 * text.size() / 5 &&
+           std::min(zeros[0], zeros[1]) <= text.size() / 20;
 }
 
 }  // namespace course

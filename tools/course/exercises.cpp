@@ -16,9 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path told_of_all() {
-    return places().source / (is_kit() ? "kit/about" : "tests/exercises");
-}
+fs::path told_of_all() { return places().source / (is_kit() ? "kit/about" : "tests/exercises"); }
 
 Exercise read_exercise(const fs::path& about) {
     const fs::path folder = about.parent_path();
@@ -46,19 +44,14 @@ Exercise read_exercise(const fs::path& about) {
 std::string Exercise::place() const {
     return std::to_string(std::stoi(chapter.substr(0, 2))) + "." + std::to_string(number);
 }
-fs::path Exercise::file() const {
-    return places().source / "exercises" / chapter / (name + ".cpp");
-}
+fs::path Exercise::file() const { return places().source / "exercises" / chapter / (name + ".cpp"); }
 fs::path Exercise::stub() const {
     // The learner's edition brings it, whether it has been configured or not.
-    return (is_kit() ? places().source / "kit/generated" : places().build / "exercises/generated") / (name + "_stub.cpp");
+    return (is_kit() ? places().source / "kit/generated" : places().build / "exercises/generated") /
+           (name + "_stub.cpp");
 }
-fs::path Exercise::about() const {
-    return told_of_all() / chapter / name / "about.json";
-}
-fs::path Exercise::told() const {
-    return places().build / "exercises/generated" / (name + "_mistakes.json");
-}
+fs::path Exercise::about() const { return told_of_all() / chapter / name / "about.json"; }
+fs::path Exercise::told() const { return places().build / "exercises/generated" / (name + "_mistakes.json"); }
 std::map<std::string, Misconception> Exercise::mistakes() const {
     const fs::path file = told();
     try {
@@ -70,9 +63,7 @@ std::map<std::string, Misconception> Exercise::mistakes() const {
         throw Stop(Status::bad_use, file.string() + ": " + error.what());
     }
 }
-fs::path Exercise::declared() const {
-    return places().build / "exercises/generated" / (name + "_declared.hpp");
-}
+fs::path Exercise::declared() const { return places().build / "exercises/generated" / (name + "_declared.hpp"); }
 fs::path Exercise::solution() const {
     return places().source / (is_kit() ? "kit/solutions" : "solutions") / chapter / (name + ".cpp");
 }
@@ -81,9 +72,7 @@ bool Exercise::has_solution() const {
     return fs::exists(solution(), ignored);
 }
 
-bool is_kit() {
-    return fs::exists(places().source / "kit/kit.json");
-}
+bool is_kit() { return fs::exists(places().source / "kit/kit.json"); }
 
 std::vector<Exercise> read_exercises() {
     std::vector<Exercise> exercises;
@@ -92,8 +81,7 @@ std::vector<Exercise> read_exercises() {
     for (const auto& chapter : fs::directory_iterator(all)) {
         if (!chapter.is_directory()) continue;
         for (const auto& room : fs::directory_iterator(chapter))
-            if (fs::exists(room.path() / "about.json"))
-                exercises.push_back(read_exercise(room.path() / "about.json"));
+            if (fs::exists(room.path() / "about.json")) exercises.push_back(read_exercise(room.path() / "about.json"));
     }
     std::sort(exercises.begin(), exercises.end(), [](const Exercise& a, const Exercise& b) {
         return std::tie(a.chapter, a.number, a.name) < std::tie(b.chapter, b.number, b.name);
@@ -140,8 +128,7 @@ bool untouched(const Exercise& exercise) {
 std::string answer_in(const Exercise& exercise, const fs::path& file) {
     std::error_code ignored;
     if (file == exercise.file() && !fs::exists(file, ignored))
-        throw Stop(Status::bad_use, shown(file) + " is not there; ./course reset " + exercise.name +
-                                        " brings it back");
+        throw Stop(Status::bad_use, shown(file) + " is not there; ./course reset " + exercise.name + " brings it back");
     return contents(file);
 }
 

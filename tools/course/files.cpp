@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 std::string contents(const fs::path& file) {
     const std::size_t most = 1 << 20;
     const auto refuse = [&](const std::string& why) {
-        throw Stop(Status::bad_use, (file.empty() ? "''" : sanitized_line(file.string())) +
-                                        ": cannot be read (" + why + ")");
+        throw Stop(Status::bad_use,
+                   (file.empty() ? "''" : sanitized_line(file.string())) + ": cannot be read (" + why + ")");
     };
     std::error_code error;
     const auto type = fs::status(file, error).type();
@@ -43,8 +43,8 @@ std::string contents(const fs::path& file) {
 }
 
 void write_whole(const fs::path& file, const std::string& text) {
-    const fs::path fresh = file.parent_path() / ("." + file.filename().string() + "." +
-                                                 std::to_string(getpid()) + ".new");
+    const fs::path fresh =
+        file.parent_path() / ("." + file.filename().string() + "." + std::to_string(getpid()) + ".new");
     std::error_code error, ignored;
     std::ofstream out(fresh, std::ios::binary);
     out << text;
@@ -90,9 +90,7 @@ std::optional<double> written_at(const fs::path& file) {
 // Where a file system knows no locks, we do without.
 Lock::Lock(const fs::path& file, const std::string& waiting)
     : file_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-    if (file_ < 0)
-        throw Stop(Status::bad_use,
-                   file.string() + ": cannot be written (" + std::strerror(errno) + ")");
+    if (file_ < 0) throw Stop(Status::bad_use, file.string() + ": cannot be written (" + std::strerror(errno) + ")");
     const auto is_others = [&] { return flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; };
     int looks = 0;
     while (!waiting.empty() && looks < 50 && is_others()) {
@@ -104,9 +102,7 @@ Lock::Lock(const fs::path& file, const std::string& waiting)
     }
 }
 
-Lock::~Lock() {
-    close(file_);
-}
+Lock::~Lock() { close(file_); }
 
 bool Lock::is_held(const fs::path& file) {
     const int opened = open(file.c_str(), O_RDWR | O_CLOEXEC);

@@ -26,8 +26,8 @@ bool touched_since(const std::filesystem::path& place, double since);
 /// When this file was last written, in seconds; nothing where it is not there.
 std::optional<double> written_at(const std::filesystem::path& file);
 
-/// While it lives, nobody else has a lock on this file, which is made where there is none. Who waits for it for a second
-/// is told `waiting`. Throws Stop(bad_use) where it cannot be opened.
+/// While it lives, nobody else has a lock on this file, which is made where there is none. Who waits for it for a
+/// second is told `waiting`. Throws Stop(bad_use) where it cannot be opened.
 class Lock {
 public:
     explicit Lock(const std::filesystem::path& file, const std::string& waiting = {});

@@ -24,9 +24,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
+double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 // What a command took, with all that it started in turn.
 struct Cost {
@@ -42,16 +40,15 @@ Cost spent() {
     const auto seconds = [](const timeval& time) {
         return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
     };
-    return {0, seconds(used.ru_utime) + seconds(used.ru_stime),
-            static_cast<double>(used.ru_maxrss) / 1024};
+    return {0, seconds(used.ru_utime) + seconds(used.ru_stime), static_cast<double>(used.ru_maxrss) / 1024};
 }
 
 // Types `command` in `folder`. `heard` gets its lines, and the seconds from the beginning to each.
 Cost cost_of(const fs::path& folder, std::vector<std::string> command,
              const std::function<void(const std::string&, double)>& heard = {}) {
     const std::string shown = command[0] + " " + command[1];
-    command.insert(command.begin(), {"sh", "-c", "cd \"$1\" && shift && exec \"$@\" </dev/null", "sh",
-                                     folder.string()});
+    command.insert(command.begin(),
+                   {"sh", "-c", "cd \"$1\" && shift && exec \"$@\" </dev/null", "sh", folder.string()});
     std::string said;
     const Cost before = spent();
     const auto begin = Clock::now();
@@ -65,8 +62,8 @@ Cost cost_of(const fs::path& folder, std::vector<std::string> command,
     cost.processor -= before.processor;
     if (status == 0) return cost;
     std::fprintf(stderr, "%s", said.c_str());
-    throw Stop(Status::wrong, "bench front-door: '" + shown + "' failed in " + folder.string() +
-                                  "; its words stand above");
+    throw Stop(Status::wrong,
+               "bench front-door: '" + shown + "' failed in " + folder.string() + "; its words stand above");
 }
 
 void say(const std::string& what, const Cost& cost, const std::string& wanted) {
@@ -77,9 +74,7 @@ void say(const std::string& what, const Cost& cost, const std::string& wanted) {
 }
 
 // A new line at the end of the file.
-void append(const fs::path& file, const std::string& line) {
-    std::ofstream(file, std::ios::app) << line << "\n";
-}
+void append(const fs::path& file, const std::string& line) { std::ofstream(file, std::ios::app) << line << "\n"; }
 
 // The checkout as it stands, without what was built.
 void copy_course(const fs::path& to) {
@@ -95,8 +90,7 @@ void copy_course(const fs::path& to) {
 // From the saved file to the verdict: the median of some checks of the course's own answer.
 Cost check_of(const fs::path& folder, const std::string& room) {
     const fs::path answer = folder / "exercises" / (room + ".cpp");
-    fs::copy_file(places().source / "solutions" / (room + ".cpp"), answer,
-                  fs::copy_options::overwrite_existing);
+    fs::copy_file(places().source / "solutions" / (room + ".cpp"), answer, fs::copy_options::overwrite_existing);
     const std::string name = fs::path(room).filename().string();
     cost_of(folder, {"./course", "check", name});  // the first makes its hidden tests
     std::vector<Cost> costs;
@@ -104,31 +98,24 @@ Cost check_of(const fs::path& folder, const std::string& room) {
         append(answer, "// saved");
         costs.push_back(cost_of(folder, {"./course", "check", name}));
     }
-    std::sort(costs.begin(), costs.end(),
-              [](const Cost& a, const Cost& b) { return a.seconds < b.seconds; });
+    std::sort(costs.begin(), costs.end(), [](const Cost& a, const Cost& b) { return a.seconds < b.seconds; });
     return costs[costs.size() / 2];
 }
 
 }  // namespace
 
 void bench_front_door(bool with_tests) {
-    if (is_kit())
-        throw Stop(Status::bad_use,
-                   "this is the learner's edition: bench front-door is for the course");
-    const fs::path place = places().build / "front_door", copy = place / "course",
-                   edition = place / "kit";
+    if (is_kit()) throw Stop(Status::bad_use, "this is the learner's edition: bench front-door is for the course");
+    const fs::path place = places().build / "front_door", copy = place / "course", edition = place / "kit";
     copy_course(copy);
     fs::remove_all(edition);
-    const std::string plain = "01_derivatives/velocity_now",
-                      eigen = "05_gyroscopic/world_acceleration";
+    const std::string plain = "01_derivatives/velocity_now", eigen = "05_gyroscopic/world_acceleration";
 
     std::printf("%-52s %9s %9s   %s\n", "what", "seconds", "processor", "to reach");
     Cost first;
-    const Cost tour =
-        cost_of(copy, {"./course", "tour", "--yes"}, [&](const std::string& line, double at) {
-            if (first.seconds == 0 && line.find("can be read") != std::string::npos)
-                first.seconds = at;
-        });
+    const Cost tour = cost_of(copy, {"./course", "tour", "--yes"}, [&](const std::string& line, double at) {
+        if (first.seconds == 0 && line.find("can be read") != std::string::npos) first.seconds = at;
+    });
     say("the first chapter can be read", first, "60");
     say("cold tour", tour, "300 (600)");
     std::printf("%-52s %9.0f MB            600\n", "the largest compiler's memory", tour.megabytes);

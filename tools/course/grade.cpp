@@ -63,8 +63,7 @@ public:
         for (int look = 0; look < 100 && Lock::is_held(folder / "lock"); ++look) usleep(100'000);
         if (Lock::is_held(folder / "lock"))
             throw Stop(Status::bad_use,
-                       in_one_line(folder.string()) +
-                           ": another grading writes there; --out takes another folder");
+                       in_one_line(folder.string()) + ": another grading writes there; --out takes another folder");
         lock_.emplace(folder / "lock");
     }
     fs::path operator/(const char* file) const { return folder_ / file; }
@@ -79,11 +78,9 @@ private:
 fs::path desk_for(const Grading& grading) {
     std::error_code ignored;
     const fs::path place = fs::canonical(grading.place, ignored);
-    const fs::path desk =
-        grading.out ? fs::path(*grading.out) : fs::path(place.filename().string() + ".grades");
+    const fs::path desk = grading.out ? fs::path(*grading.out) : fs::path(place.filename().string() + ".grades");
     if (desk.empty()) throw Stop(Status::bad_use, "--out '': must be the name of a folder");
-    const fs::path way =
-        fs::relative(fs::weakly_canonical(fs::absolute(desk, ignored), ignored), place, ignored);
+    const fs::path way = fs::relative(fs::weakly_canonical(fs::absolute(desk, ignored), ignored), place, ignored);
     if (!way.empty() && *way.begin() != "..")
         throw Stop(Status::bad_use, in_one_line(desk.string()) +
                                         ": the grades would lie among the submissions; --out takes "
@@ -127,29 +124,30 @@ Pile gather(const Grading& grading) {
         for (const std::string& place : answers.left_out) {
             const std::string name = fs::path(place).filename().string();
             const bool told = found.itself && std::count(all.left_out.begin(), all.left_out.end(), place) > 0;
-            if (!told) inside[name.starts_with("._") ? "._*" : name].push_back(found.itself ? place : submission.name + "/" + place);
+            if (!told)
+                inside[name.starts_with("._") ? "._*" : name].push_back(found.itself ? place
+                                                                                     : submission.name + "/" + place);
         }
     }
     for (const auto& [name, all_of_it] : inside)
-        all.left_out.push_back(all_of_it.size() == 1 ? all_of_it[0] : std::to_string(all_of_it.size()) + " times " + name + " in submissions");
+        all.left_out.push_back(all_of_it.size() == 1
+                                   ? all_of_it[0]
+                                   : std::to_string(all_of_it.size()) + " times " + name + " in submissions");
     if (!grading.exercises.empty()) return all;
 
     const std::size_t width = all.exercises.size();
     Pile some{{}, all.submissions, {}, all.left_out};
     std::vector<bool> is_there(width, false);
     for (std::size_t i = 0; i < all.answers.size(); ++i)
-        if (!all.answers[i].file.empty() &&
-            !all.answers[i].whole)
-            is_there[i % width] = true;
+        if (!all.answers[i].file.empty() && !all.answers[i].whole) is_there[i % width] = true;
     for (std::size_t i = 0; i < width; ++i)
         if (is_there[i]) some.exercises.push_back(all.exercises[i]);
     for (std::size_t i = 0; i < all.answers.size(); ++i)
         if (is_there[i % width]) some.answers.push_back(all.answers[i]);
     if (some.exercises.empty() && !grading.one)
-        throw Stop(Status::bad_use,
-                   in_one_line(grading.place) +
-                       ": holds no answer: no file has the name of an exercise, like "
-                       "velocity_now.cpp (--exercise says what other files answer)");
+        throw Stop(Status::bad_use, in_one_line(grading.place) +
+                                        ": holds no answer: no file has the name of an exercise, like "
+                                        "velocity_now.cpp (--exercise says what other files answer)");
     return some;
 }
 
@@ -157,8 +155,8 @@ Pile gather(const Grading& grading) {
 const std::string damaged_header = "damaged header", damaged_worker = "damaged worker";
 
 // In a process of its own, on a copy: what was handed in is read only once.
-Grade check_one(const Submission& submission, const Exercise& exercise, const std::string& answer,
-                std::uint64_t seed, const Sandbox* sandbox, int patience) {
+Grade check_one(const Submission& submission, const Exercise& exercise, const std::string& answer, std::uint64_t seed,
+                const Sandbox* sandbox, int patience) {
     Grade grade{submission.name, exercise.name, "course_error", "", seed, 0, true};
     try {
         const TemporaryFolder temporary;
@@ -184,20 +182,16 @@ Grade check_one(const Submission& submission, const Exercise& exercise, const st
 void print(const Pile& pile, const std::vector<Grade>& grades) {
     const std::size_t width = pile.exercises.size();
     std::size_t longest = 10;
-    for (const Submission& submission : pile.submissions)
-        longest = std::max(longest, width_of(submission.name));
+    for (const Submission& submission : pile.submissions) longest = std::max(longest, width_of(submission.name));
     for (std::size_t i = 0; i < grades.size(); ++i) {
         const std::string place = pile.exercise(i).place() + " " + pile.exercise(i).name;
         if (i % width == 0) {
             const auto begin = grades.begin() + static_cast<std::ptrdiff_t>(i);
             const auto end = begin + static_cast<std::ptrdiff_t>(width);
-            const auto passed =
-                std::count_if(begin, end, [](const Grade& grade) { return grade.passed(); });
-            const auto missing = std::count_if(
-                begin, end, [](const Grade& grade) { return grade.verdict == "missing"; });
-            std::printf("%s  %td of %zu%s\n",
-                        padded(pile.submission(i).name, longest).c_str(), passed,
-                        width,
+            const auto passed = std::count_if(begin, end, [](const Grade& grade) { return grade.passed(); });
+            const auto missing =
+                std::count_if(begin, end, [](const Grade& grade) { return grade.verdict == "missing"; });
+            std::printf("%s  %td of %zu%s\n", padded(pile.submission(i).name, longest).c_str(), passed, width,
                         missing > 0 ? (", " + std::to_string(missing) + " missing").c_str() : "");
         }
         if (!pile.answers[i].beside.empty()) std::printf("    %s\n", pile.answers[i].beside.c_str());
@@ -213,8 +207,8 @@ void print_in_full(const std::vector<Grade>& grades) {
     for (const Grade& grade : grades) std::printf("%s\n", grade.says.c_str());
 }
 
-std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& journal,
-                             std::uint64_t seed, const Sandbox* sandbox) {
+std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& journal, std::uint64_t seed,
+                             const Sandbox* sandbox) {
     ProgressLine progress;
     std::vector<Grade> grades(pile.answers.size());
     std::vector<std::string> texts(grades.size());
@@ -223,13 +217,7 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
     for (std::size_t i = 0; i < grades.size(); ++i) {
         const HandedIn& answer = pile.answers[i];
         const std::string& name = pile.exercise(i).name;
-        grades[i] = {pile.submission(i).name,
-                     name,
-                     "missing",
-                     name + ": nothing was handed in",
-                     seed,
-                     0,
-                     true};
+        grades[i] = {pile.submission(i).name, name, "missing", name + ": nothing was handed in", seed, 0, true};
         if (answer.file.empty()) continue;
         try {
             texts[i] = text_of(answer);
@@ -253,8 +241,7 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
     bool only_header = true;
     const auto work = [&](int patience) {
         return [&, patience](std::size_t i) {
-            return check_one(pile.submission(i), pile.exercise(i), texts[i], seed, sandbox,
-                             patience);
+            return check_one(pile.submission(i), pile.exercise(i), texts[i], seed, sandbox, patience);
         };
     };
     const auto keep = [&](std::size_t i, const Grade& grade) {
@@ -264,9 +251,8 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
         if (grade.verdict == damaged_header || grade.verdict == damaged_worker) grades[i].verdict = "course_error";
         journal.keep(grades[i], texts[i]);
     };
-    const int jobs = grading.jobs > 0
-                         ? grading.jobs
-                         : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    const int jobs =
+        grading.jobs > 0 ? grading.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     in_parallel(to_do, jobs, work(1), [&](std::size_t i, const Grade& grade) {
         if (grade.verdict == damaged_header || grade.verdict == damaged_worker)
             damaged.push_back(i), only_header = only_header && grade.verdict == damaged_header;
@@ -274,8 +260,8 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
             once_more.push_back(i);  // perhaps it was its neighbours, or the machine is slow
         else
             keep(i, grade);
-        progress.now("[" + std::to_string(++done) + "/" + std::to_string(to_do.size()) + "] " +
-                     grade.submission + " " + grade.exercise + ": " + grade.verdict);
+        progress.now("[" + std::to_string(++done) + "/" + std::to_string(to_do.size()) + "] " + grade.submission + " " +
+                     grade.exercise + ": " + grade.verdict);
     });
     if (!damaged.empty()) {
         std::map<std::string, Exercise> whose;
@@ -286,8 +272,7 @@ std::vector<Grade> grade_all(const Pile& pile, const Grading& grading, Journal& 
         in_parallel(damaged, jobs, work(2), keep);
     }
     if (!once_more.empty())
-        progress.say("  " + std::to_string(once_more.size()) +
-                     (once_more.size() == 1 ? " was" : " were") +
+        progress.say("  " + std::to_string(once_more.size()) + (once_more.size() == 1 ? " was" : " were") +
                      " not done in time; once more, one at a time and with more of it");
     in_parallel(once_more, 1, work(3), keep);
     for (std::size_t i = 0; i < grades.size(); ++i)
@@ -315,8 +300,7 @@ void grade(const Grading& grading) {
     const std::uint64_t seed = grading.seed ? *grading.seed : new_seed();
     Journal journal(journal_file, mark);
     const auto begin = std::chrono::steady_clock::now();
-    const std::vector<Grade> grades =
-        grade_all(pile, grading, journal, seed, sandbox ? &*sandbox : nullptr);
+    const std::vector<Grade> grades = grade_all(pile, grading, journal, seed, sandbox ? &*sandbox : nullptr);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
 
     const bool single = pile.submissions.size() == 1;
@@ -325,13 +309,11 @@ void grade(const Grading& grading) {
         print_in_full(grades);
     else
         print(pile, grades);
-    const auto passed = std::count_if(grades.begin(), grades.end(),
-                                      [](const Grade& grade) { return grade.passed(); });
+    const auto passed = std::count_if(grades.begin(), grades.end(), [](const Grade& grade) { return grade.passed(); });
     for (std::size_t i = 0; i < pile.left_out.size(); ++i)
         std::printf("%s%s%s", i == 0 ? "\nLeft out: " : ", ", pile.left_out[i].c_str(),
                     i + 1 == pile.left_out.size() ? "\n" : "");
-    if (pile.exercises.empty())
-        std::printf("No file has the name of an exercise, like velocity_now.cpp.\n");
+    if (pile.exercises.empty()) std::printf("No file has the name of an exercise, like velocity_now.cpp.\n");
     std::printf(
         "\n%td of %zu right, %zu submission%s, in %.1f s, seed %llu%s; in %s:\n"
         "  grades.csv, grades.json, junit.xml%s\n",
@@ -339,15 +321,13 @@ void grade(const Grading& grading) {
         static_cast<unsigned long long>(seed), grading.trust ? ", without isolation" : "",
         in_one_line(shown(desk.folder())).c_str(), single ? ", results.json" : "");
     flush();
-    const bool failed = std::any_of(grades.begin(), grades.end(), [](const Grade& grade) {
-        return grade.could_not_be_checked();
-    });
+    const bool failed =
+        std::any_of(grades.begin(), grades.end(), [](const Grade& grade) { return grade.could_not_be_checked(); });
     if (failed)
         throw Stop(Status::missing,
                    "some could not be checked; the same command tries them again, three times in "
                    "all, and --again once more");
-    if (static_cast<std::size_t>(passed) < grades.size() || grades.empty())
-        throw Stop(Status::wrong, "");
+    if (static_cast<std::size_t>(passed) < grades.size() || grades.empty()) throw Stop(Status::wrong, "");
 }
 
 }  // namespace course

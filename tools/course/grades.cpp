@@ -19,20 +19,15 @@ std::string text_of(const ordered_json& value) {
 }
 
 // UTF-8 with what is none replaced: JSON's writer knows how.
-std::string clean(const std::string& text) {
-    return ordered_json::parse(text_of(text)).get<std::string>();
-}
+std::string clean(const std::string& text) { return ordered_json::parse(text_of(text)).get<std::string>(); }
 
-double thousandths(double seconds) {
-    return std::round(seconds * 1000) / 1000;
-}
+double thousandths(double seconds) { return std::round(seconds * 1000) / 1000; }
 
 // XML has no way at all to write most control characters, nor U+FFFE and U+FFFF.
 std::string xml(const std::string& text) {
     std::string out, readable = clean(text);
     for (const char* none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
-        for (std::size_t at; (at = readable.find(none)) != std::string::npos;)
-            readable.replace(at, 3, "?");
+        for (std::size_t at; (at = readable.find(none)) != std::string::npos;) readable.replace(at, 3, "?");
     for (const char c : readable) {
         if (c == '&')
             out += "&amp;";
@@ -92,28 +87,27 @@ std::string as_junit(const std::vector<Grade>& grades) {
         const bool error = grade.verdict == "course_error";
         errors += error;
         failures += !error && !grade.passed();
-        cases << "    <testcase classname=\"" << xml(grade.submission) << "\" name=\""
-              << grade.exercise << "\" time=\"" << thousandths(grade.seconds) << "\"";
+        cases << "    <testcase classname=\"" << xml(grade.submission) << "\" name=\"" << grade.exercise << "\" time=\""
+              << thousandths(grade.seconds) << "\"";
         if (grade.passed()) {
             cases << "/>\n";
             continue;
         }
         const char* const kind = error ? "error" : "failure";
         cases << ">\n      <" << kind << " type=\"" << grade.verdict << "\" message=\""
-              << xml(grade.says.substr(0, grade.says.find('\n'))) << "\">" << xml(grade.says) << "</"
-              << kind << ">\n    </testcase>\n";
+              << xml(grade.says.substr(0, grade.says.find('\n'))) << "\">" << xml(grade.says) << "</" << kind
+              << ">\n    </testcase>\n";
     }
     std::ostringstream whole;
     whole << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
-          << "  <testsuite name=\"timestep\" tests=\"" << grades.size() << "\" failures=\""
-          << failures << "\" errors=\"" << errors << "\">\n"
+          << "  <testsuite name=\"timestep\" tests=\"" << grades.size() << "\" failures=\"" << failures
+          << "\" errors=\"" << errors << "\">\n"
           << cases.str() << "  </testsuite>\n</testsuites>\n";
     return whole.str();
 }
 
 // One point an exercise.
-std::string as_gradescope(const std::vector<Exercise>& exercises,
-                          const std::vector<Grade>& grades) {
+std::string as_gradescope(const std::vector<Exercise>& exercises, const std::vector<Grade>& grades) {
     ordered_json tests = ordered_json::array();
     double seconds = 0;
     for (std::size_t i = 0; i < grades.size(); ++i) {
@@ -136,14 +130,13 @@ std::string as_gradescope(const std::vector<Exercise>& exercises,
 
 }  // namespace
 
-void write_grades(const fs::path& folder, const std::vector<Exercise>& exercises,
-                  const std::vector<Grade>& grades, bool single) {
+void write_grades(const fs::path& folder, const std::vector<Exercise>& exercises, const std::vector<Grade>& grades,
+                  bool single) {
     write_whole(folder / "grades.json", as_json(grades));
     write_whole(folder / "grades.csv", as_csv(exercises, grades));
     write_whole(folder / "junit.xml", as_junit(grades));
-    const bool graded = std::none_of(grades.begin(), grades.end(), [](const Grade& grade) {
-        return grade.verdict == "course_error";
-    });
+    const bool graded =
+        std::none_of(grades.begin(), grades.end(), [](const Grade& grade) { return grade.verdict == "course_error"; });
     // Where the checker itself has failed there is no mark to be given.
     if (single && graded) write_whole(folder / "results.json", as_gradescope(exercises, grades));
 }

@@ -15,7 +15,7 @@ namespace course {
 struct Grade {
     std::string submission;  ///< its name, in one line
     std::string exercise;
-    std::string verdict;     ///< as check's, or `missing` (nothing handed in), or `refused`
+    std::string verdict;  ///< as check's, or `missing` (nothing handed in), or `refused`
     std::string says;     ///< what a learner would be told
     std::uint64_t seed = 0;
     double seconds = 0;
@@ -38,8 +38,7 @@ public:
     /// The grade of this answer, if it was given before. `answer` is the text of the file. One that could
     /// not be checked is none until that has happened `most_failures` times: an answer that breaks the checker
     /// is not to do so for ever.
-    const Grade* find(const std::string& submission, const std::string& exercise,
-                      const std::string& answer) const;
+    const Grade* find(const std::string& submission, const std::string& exercise, const std::string& answer) const;
     /// Throws Stop(bad_use) where it cannot be kept.
     void keep(const Grade& grade, const std::string& answer);
 

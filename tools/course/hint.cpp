@@ -77,8 +77,7 @@ void hint(const std::string& name) {
     change_progress([&](auto& progress) {
         int& shown_so_far = progress[exercise.name].hints;
         shown_so_far = std::min(std::min(shown_so_far, known) + 1, known);
-        std::printf("%s\n",
-                    bold(exercise.place() + " " + exercise.name + ", " + exercise.title).c_str());
+        std::printf("%s\n", bold(exercise.place() + " " + exercise.name + ", " + exercise.title).c_str());
         for (int i = 0; i < shown_so_far; ++i)
             std::printf("\n  Hint %d of %d\n%s", i + 1, known,
                         wrapped(exercise.hints[static_cast<std::size_t>(i)], 6).c_str());
@@ -94,19 +93,18 @@ void solution(const std::string& name) {
     if (is_kit() && !exercise.has_solution())
         throw Stop(Status::bad_use,
                    "this is the learner's edition: it has no solutions; what an exercise teaches is told "
-                   "when your answer passes:  ./course check " + exercise.name);
+                   "when your answer passes:  ./course check " +
+                       exercise.name);
     if (!read_progress()[exercise.name].passed)
         throw Stop(Status::wrong,
-                   "the solution is shown when your own answer has passed:  ./course check " +
-                       exercise.name);
+                   "the solution is shown when your own answer has passed:  ./course check " + exercise.name);
     const auto yours = code_of(exercise.file()), ours = code_of(exercise.solution());
     std::size_t width = 8;
     for (const auto& line : yours) width = std::max(width, width_of(line));
     std::size_t whole = 0;
     for (const auto& line : ours) whole = std::max(whole, width + 3 + width_of(line));
 
-    std::printf("%s\n\n",
-                bold(exercise.place() + " " + exercise.name + ", " + exercise.title).c_str());
+    std::printf("%s\n\n", bold(exercise.place() + " " + exercise.name + ", " + exercise.title).c_str());
     if (whole <= columns()) {
         std::printf("%s | %s\n", padded("Yours", width).c_str(), "The course's");
         for (std::size_t i = 0; i < std::max(yours.size(), ours.size()); ++i)

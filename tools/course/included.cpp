@@ -12,9 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_blank(char c) {
-    return c == ' ' || c == '\t';
-}
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 // A name as it is, which make's lists quote: a backslash before a blank or a tab, and the
 // backslashes before it twice; before # one backslash; $ twice.
@@ -49,8 +47,7 @@ std::vector<std::string> names_in(std::string_view list) {
         if (!is_blank(c) && c != '\n') continue;
         begins.push_back(begin);
         for (const std::size_t from : begins)
-            if (from < i && i - from < longest)
-                names.push_back(unquoted(list.substr(from, i - from)));
+            if (from < i && i - from < longest) names.push_back(unquoted(list.substr(from, i - from)));
         if (is_blank(c) && (i == 0 || list[i - 1] != '\\')) begins.clear();
         begin = i + 1;
     }
@@ -83,13 +80,11 @@ std::string not_ones_own(const std::vector<fs::path>& files, const fs::path& ans
         if (none || real == answer || is_for_answers(real)) continue;
         for (const auto& hidden :
              {places().source / "solutions", places().source / "include", places().source / "tests",
-              places().build / "tests", places().build / "exercises/hidden",
-              places().build / "exercises/check", places().build / "exercises/self_test",
-              places().source / "kit"}) {
+              places().build / "tests", places().build / "exercises/hidden", places().build / "exercises/check",
+              places().build / "exercises/self_test", places().source / "kit"}) {
             const fs::path below = real.lexically_relative(fs::canonical(hidden, none));
             if (!below.empty() && *below.begin() != "..")
-                return "The file includes " +
-                       real.lexically_relative(fs::canonical(places().source)).string() +
+                return "The file includes " + real.lexically_relative(fs::canonical(places().source)).string() +
                        ". An answer is to be one's own.\n";
         }
     }

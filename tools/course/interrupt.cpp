@@ -9,9 +9,7 @@ namespace {
 const std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
 volatile std::sig_atomic_t caught = 0;
 
-extern "C" void remember_signal(int signal) {
-    caught = signal;
-}
+extern "C" void remember_signal(int signal) { caught = signal; }
 
 }  // namespace
 
@@ -32,9 +30,7 @@ TidyEnd::~TidyEnd() {
     if (left != 0) std::raise(left);
 }
 
-bool interrupted() {
-    return caught != 0;
-}
+bool interrupted() { return caught != 0; }
 
 void stop_if_interrupted() {
     if (!interrupted()) return;

@@ -29,8 +29,8 @@ struct Job {
 
 // Its strings may hold any bytes, which MessagePack takes and JSON does not.
 std::string packed(const Grade& grade) {
-    const json value{grade.submission, grade.exercise, grade.verdict,
-                     grade.says,       grade.seed,     grade.seconds, grade.in_time};
+    const json value{grade.submission, grade.exercise, grade.verdict, grade.says,
+                     grade.seed,       grade.seconds,  grade.in_time};
     const auto bytes = json::to_msgpack(value);
     return {bytes.begin(), bytes.end()};
 }
@@ -66,8 +66,7 @@ public:
 
     void start(std::size_t which, const std::function<Grade(std::size_t)>& work) {
         int ends[2];
-        if (pipe2(ends, O_CLOEXEC) != 0)
-            throw Stop(Status::missing, "no pipe to be had from the system");
+        if (pipe2(ends, O_CLOEXEC) != 0) throw Stop(Status::missing, "no pipe to be had from the system");
         std::fflush(stdout);
         const pid_t parent = getpid();
         const pid_t child = fork();
@@ -110,8 +109,7 @@ private:
 
 }  // namespace
 
-void in_parallel(const std::vector<std::size_t>& which, int most,
-                 const std::function<Grade(std::size_t)>& work,
+void in_parallel(const std::vector<std::size_t>& which, int most, const std::function<Grade(std::size_t)>& work,
                  const std::function<void(std::size_t, const Grade&)>& done) {
     const TidyEnd tidy_end;
     Jobs jobs;

@@ -14,8 +14,7 @@ namespace course {
 /// grades to `done` here, as they come. Ends those processes, and waits for them, where it throws:
 /// Stop(interrupted) by Ctrl-C and the like, and what `done` throws. A process that is gone without
 /// a grade has the verdict course_error.
-void in_parallel(const std::vector<std::size_t>& which, int most,
-                 const std::function<Grade(std::size_t)>& work,
+void in_parallel(const std::vector<std::size_t>& which, int most, const std::function<Grade(std::size_t)>& work,
                  const std::function<void(std::size_t, const Grade&)>& done);
 
 }  // namespace course

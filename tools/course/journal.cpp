@@ -16,13 +16,9 @@ using nlohmann::json;
 
 namespace {
 
-std::string line_of(const json& value) {
-    return value.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
-}
+std::string line_of(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace) + "\n"; }
 
-json heading(const std::string& edition) {
-    return {{"edition", edition}};
-}
+json heading(const std::string& edition) { return {{"edition", edition}}; }
 
 // The whole lines of the file; one that was cut off does not count.
 std::vector<json> read_lines(const fs::path& file) {
@@ -36,8 +32,7 @@ std::vector<json> read_lines(const fs::path& file) {
     return lines;
 }
 
-std::string key_of(const std::string& submission, const std::string& exercise,
-                   const std::string& mark) {
+std::string key_of(const std::string& submission, const std::string& exercise, const std::string& mark) {
     return line_of({submission, exercise, mark});
 }
 
@@ -56,8 +51,12 @@ Journal::Journal(const fs::path& file, const std::string& edition) : file_(file)
     std::string text = line_of(heading(edition));
     for (std::size_t i = 1; ours && i < lines.size(); ++i) try {
             const json& line = lines[i];
-            const Grade grade{line.at("submission"), line.at("exercise"), line.at("verdict"),
-                              line.at("says"),       line.at("seed"),     line.at("seconds"),
+            const Grade grade{line.at("submission"),
+                              line.at("exercise"),
+                              line.at("verdict"),
+                              line.at("says"),
+                              line.at("seed"),
+                              line.at("seconds"),
                               true};
             const std::string key = key_of(grade.submission, grade.exercise, line.at("text"));
             known_[key] = grade;
@@ -70,9 +69,7 @@ Journal::Journal(const fs::path& file, const std::string& edition) : file_(file)
     if (out_ < 0) throw Stop(Status::bad_use, file.string() + ": cannot be written");
 }
 
-Journal::~Journal() {
-    close(out_);
-}
+Journal::~Journal() { close(out_); }
 
 const Grade* Journal::find(const std::string& submission, const std::string& exercise,
                            const std::string& answer) const {
@@ -91,10 +88,8 @@ void Journal::keep(const Grade& grade, const std::string& answer) {
                                       {"says", grade.says},
                                       {"seed", grade.seed},
                                       {"seconds", grade.seconds}});
-    if (write(out_, line.data(), line.size()) != static_cast<ssize_t>(line.size()) ||
-        fdatasync(out_) != 0)
-        throw Stop(Status::bad_use,
-                   file_.string() + ": cannot be written (" + std::strerror(errno) + ")");
+    if (write(out_, line.data(), line.size()) != static_cast<ssize_t>(line.size()) || fdatasync(out_) != 0)
+        throw Stop(Status::bad_use, file_.string() + ": cannot be written (" + std::strerror(errno) + ")");
 }
 
 }  // namespace course

@@ -2,12 +2,8 @@
 
 namespace course {
 
-nlohmann::json json_of(const std::string& text) {
-    return nlohmann::json::parse(text);
-}
+nlohmann::json json_of(const std::string& text) { return nlohmann::json::parse(text); }
 
-nlohmann::json json_or_nothing(const std::string& text) {
-    return nlohmann::json::parse(text, nullptr, false);
-}
+nlohmann::json json_or_nothing(const std::string& text) { return nlohmann::json::parse(text, nullptr, false); }
 
 }  // namespace course

@@ -40,17 +40,15 @@ const std::vector<Part> parts{
     {"tools/live", {".hpp", ".md"}},
     {"tools/processes", {".cpp", ".hpp", "CMakeLists.txt"}},
 };
-const std::vector<std::string> single_files{".gitignore",           "CMakeLists.txt",
-                                            "CMakePresets.json",    "LICENSE",
-                                            "tools/CMakeLists.txt", "tools/set_up.sh",
+const std::vector<std::string> single_files{".gitignore", "CMakeLists.txt",       "CMakePresets.json",
+                                            "LICENSE",    "tools/CMakeLists.txt", "tools/set_up.sh",
                                             "course"};
 
 // The folder in the making, beside the one that is wanted; gone unless it comes to that.
 class Unfinished {
 public:
     explicit Unfinished(const fs::path& wanted) : wanted_(wanted) {
-        folder_ =
-            wanted.parent_path() / (".unfinished_kit_" + std::to_string(std::random_device{}()));
+        folder_ = wanted.parent_path() / (".unfinished_kit_" + std::to_string(std::random_device{}()));
         fs::create_directory(folder_);
     }
     ~Unfinished() {
@@ -67,9 +65,7 @@ public:
         return folder_ / place;
     }
     void copy(const fs::path& from, const fs::path& place) const { fs::copy_file(from, at(place)); }
-    void write(const fs::path& place, const std::string& text) const {
-        write_whole(at(place), text);
-    }
+    void write(const fs::path& place, const std::string& text) const { write_whole(at(place), text); }
     void keep() const { fs::rename(folder_, wanted_); }
 
 private:
@@ -106,11 +102,10 @@ std::string told_of(const Exercise& exercise) {
 
 // A built file without the names and lines of its sources.
 void copy_stripped(const fs::path& from, const fs::path& to, const std::string& what_to_strip) {
-    const Outcome outcome =
-        run_within({"strip", what_to_strip, "-o", to.string(), from.string()}, {60});
+    const Outcome outcome = run_within({"strip", what_to_strip, "-o", to.string(), from.string()}, {60});
     if (outcome.status != 0)
-        throw Stop(Status::bad_use, to.string() + ": cannot be written (" +
-                                        outcome.said.substr(0, outcome.said.find('\n')) + ")");
+        throw Stop(Status::bad_use,
+                   to.string() + ": cannot be written (" + outcome.said.substr(0, outcome.said.find('\n')) + ")");
 }
 
 void write_exercises(const Unfinished& kit, bool with_solutions) {
@@ -127,11 +122,9 @@ void write_exercises(const Unfinished& kit, bool with_solutions) {
     const auto commands = json_of(contents(built / "commands.json"));
     copy_stripped(places().build / "tools/course/kit_course", kit.at("kit/course"), "--strip-all");
     copy_stripped(built / "check", kit.at("kit/check"), "--strip-all");
-    copy_stripped(std::string(commands.at("worker")), kit.at("kit/libtimestep_worker.a"),
-                  "--strip-debug");
+    copy_stripped(std::string(commands.at("worker")), kit.at("kit/libtimestep_worker.a"), "--strip-debug");
     for (const auto& [name, object] : commands.at("workers").items())
-        copy_stripped(std::string(object), kit.at("kit/workers/" + name + "_worker.o"),
-                      "--strip-debug");
+        copy_stripped(std::string(object), kit.at("kit/workers/" + name + "_worker.o"), "--strip-debug");
     kit.copy(built / "machine.json", "kit/kit.json");
 }
 
@@ -139,9 +132,8 @@ void write_kit(const Unfinished& kit, bool with_solutions) {
     const fs::path& source = places().source;
     for (const auto& part : parts)
         for (const fs::path& file : files_in(source / part.folder))
-            if (std::any_of(part.endings.begin(), part.endings.end(), [&](const auto& ending) {
-                    return file.filename().string().ends_with(ending);
-                }))
+            if (std::any_of(part.endings.begin(), part.endings.end(),
+                            [&](const auto& ending) { return file.filename().string().ends_with(ending); }))
                 kit.copy(source / part.folder / file, part.folder / file);
     for (const auto& file : single_files) kit.copy(source / file, file);
     kit.copy(source / "tools/kit/README.md", "README.md");
@@ -194,9 +186,7 @@ void setup_kit() {
 }
 
 void kit(const std::string& name, bool with_solutions) {
-    if (is_kit())
-        throw Stop(Status::bad_use,
-                   "this is the learner's edition: it is itself what ./course kit makes");
+    if (is_kit()) throw Stop(Status::bad_use, "this is the learner's edition: it is itself what ./course kit makes");
     const fs::path folder = wanted(name);
     {
         ProgressLine progress;
@@ -208,8 +198,7 @@ void kit(const std::string& name, bool with_solutions) {
         write_kit(unfinished, with_solutions);
         unfinished.keep();
     } catch (const fs::filesystem_error& error) {
-        throw Stop(Status::bad_use, "kit: '" + name + "' cannot be written (" +
-                                        error.code().message() +
+        throw Stop(Status::bad_use, "kit: '" + name + "' cannot be written (" + error.code().message() +
                                         "; is the disk full?); nothing is left of it");
     }
     std::printf(

@@ -31,16 +31,13 @@ void list(bool json) {
                                  {"practises", exercise.practises},
                                  {"state", state_of(exercise, progress)},
                                  {"file", exercise.file().string()}});
-        std::printf("%s\n", nlohmann::ordered_json{{"chapters", chapters}, {"exercises", exercises}}
-                                .dump(2)
-                                .c_str());
+        std::printf("%s\n", nlohmann::ordered_json{{"chapters", chapters}, {"exercises", exercises}}.dump(2).c_str());
         return;
     }
     const auto exercises = read_exercises();
     for (const auto& chapter : read_chapters()) {
-        std::printf("%s  %s\n    %s\n    ./course run %d   chapters/%s\n\n",
-                    chapter.folder.substr(0, 2).c_str(), bold(chapter.title).c_str(),
-                    chapter.question.c_str(), chapter.number(), chapter.folder.c_str());
+        std::printf("%s  %s\n    %s\n    ./course run %d   chapters/%s\n\n", chapter.folder.substr(0, 2).c_str(),
+                    bold(chapter.title).c_str(), chapter.question.c_str(), chapter.number(), chapter.folder.c_str());
         bool any = false;
         for (const auto& exercise : exercises) {
             if (exercise.chapter != chapter.folder) continue;
@@ -49,8 +46,8 @@ void list(bool json) {
                         state == "passed"    ? "✓"
                         : state == "started" ? "…"
                                              : "·",
-                        exercise.place().c_str(), padded(exercise.name, 24).c_str(),
-                        padded(exercise.level, 10).c_str(), exercise.title.c_str());
+                        exercise.place().c_str(), padded(exercise.name, 24).c_str(), padded(exercise.level, 10).c_str(),
+                        exercise.title.c_str());
             any = true;
         }
         if (any) std::printf("\n");

@@ -28,13 +28,16 @@ const std::map<std::string, std::string>& families() {
         {"near", "a near thing: is there a tolerance, a number with too few digits, a rounding, or a < for a ≤?"},
         {"one_more", "one more than the right one."},
         {"one_less", "one less than the right one."},
-        {"constant", "the right one times a number near one, the same in every call: is there a constant with too few "
-                     "digits, as 3.14 for π?"},
-        {"digits", "mostly off by little, less than a five-hundredth of it: is there a constant with too few digits, a float, a "
-                   "tolerance, a difference of nearly equal numbers, a slope that is found by differences, a loop that ends too "
-                   "soon, or another method?"},
-        {"single", "off by as much as numbers of six or seven digits make it: is there a float, a number with an f at "
-                   "its end, a constant with too few digits, or a tolerance?"}};
+        {"constant",
+         "the right one times a number near one, the same in every call: is there a constant with too few "
+         "digits, as 3.14 for π?"},
+        {"digits",
+         "mostly off by little, less than a five-hundredth of it: is there a constant with too few digits, a float, a "
+         "tolerance, a difference of nearly equal numbers, a slope that is found by differences, a loop that ends too "
+         "soon, or another method?"},
+        {"single",
+         "off by as much as numbers of six or seven digits make it: is there a float, a number with an f at "
+         "its end, a constant with too few digits, or a tolerance?"}};
     return words;
 }
 
@@ -49,9 +52,13 @@ const std::map<std::string, std::string>& slips() {
         {"factor", "one factor or divisor left out"},
         {"upside_down", "something turned upside down: multiplied where it should be divided, or the other way round"},
         {"power", "one factor or divisor counted twice"},
-        {"function", "a function left out, or another of its kind in its place: a root, a length, sine and cosine, a logarithm, a rounding"},
+        {"function",
+         "a function left out, or another of its kind in its place: a root, a length, sine and cosine, a logarithm, a "
+         "rounding"},
         {"reversed", "a comparison the wrong way round, or the larger of two taken for the smaller"},
-        {"edge", "a comparison that is off at its very edge, with < for ≤ or the other way round, or a count that is off by one"},
+        {"edge",
+         "a comparison that is off at its very edge, with < for ≤ or the other way round, or a count that is off by "
+         "one"},
         {"guard", "a condition or a limit left out"},
         {"absolute", "an absolute value left out, or one too many: a number that has lost its sign, or kept it"},
         {"limit", "a limit that does not belong there: a number that cannot fall below zero, or not rise above it"},
@@ -59,7 +66,9 @@ const std::map<std::string, std::string>& slips() {
         {"brackets", "brackets left out of a sum: only its first term is multiplied or divided"},
         {"line", "one line left out"},
         {"loop", "a loop that begins one too late or ends one too soon"},
-        {"exchanged", "two arguments, or two parts of one, that have changed places, or the two factors of a product that has an order"},
+        {"exchanged",
+         "two arguments, or two parts of one, that have changed places, or the two factors of a product that has an "
+         "order"},
         {"variable", "one variable, or one part of it, taken for another"},
         {"constant", "π with too few digits"},
         {"degrees", "an angle in degrees where radians belong, or the other way round"},
@@ -101,12 +110,18 @@ std::vector<std::string> numbers_in(const std::string& declaration) {
             for (const char* part : parts) names.push_back(name + part);
         };
         if (is("vector<")) return names.push_back(name), names;
-        if (is("State<")) add({".t", ".x", ".v"});
-        else if (is("Vector3d")) add({".x()", ".y()", ".z()"});
-        else if (is("Quaterniond")) add({".x()", ".y()", ".z()", ".w()"});
-        else if (is("Matrix3d")) add({"(0, 0)", "(1, 0)", "(2, 0)", "(0, 1)", "(1, 1)", "(2, 1)", "(0, 2)", "(1, 2)", "(2, 2)"});
-        else if (is("array<double, 2>")) add({"[0]", "[1]"});
-        else add({""});
+        if (is("State<"))
+            add({".t", ".x", ".v"});
+        else if (is("Vector3d"))
+            add({".x()", ".y()", ".z()"});
+        else if (is("Quaterniond"))
+            add({".x()", ".y()", ".z()", ".w()"});
+        else if (is("Matrix3d"))
+            add({"(0, 0)", "(1, 0)", "(2, 0)", "(0, 1)", "(1, 1)", "(2, 1)", "(0, 2)", "(1, 2)", "(2, 2)"});
+        else if (is("array<double, 2>"))
+            add({"[0]", "[1]"});
+        else
+            add({""});
         argument.clear();
     }
     return names;
@@ -125,7 +140,9 @@ std::string of_where(const std::string& name, const std::string& declaration) {
         where = "only where " + names[number] + " is " + how;
         if (how == "nonzero") {
             where = "wherever " + names[number] + " is not zero, or nearly so";
-            if (is == std::string::npos) return "Of all that was tried, your answer is wrong " + where + ". Where does " + names[number] + " come in?";
+            if (is == std::string::npos)
+                return "Of all that was tried, your answer is wrong " + where + ". Where does " + names[number] +
+                       " come in?";
         }
         if (how == "above" || how == "below") {
             const auto limit = name.find('_', behind + 1);
@@ -138,10 +155,14 @@ std::string of_where(const std::string& name, const std::string& declaration) {
     }
     if (is != std::string::npos) what = name.substr(is + 3);
     const bool is_yes_or_no = declaration.compare(0, 5, "bool ") == 0;
-    if (what == "given") what = "what was given, unchanged: does it return too soon, or has a line no effect?";
-    else if (!what.empty()) what = "always " + (is_yes_or_no ? what == "0" ? "false" : "true" : what) +
-                                   ": is there a condition too many, one too few, or a tolerance?";
-    if (what.empty()) return "Of all that was tried, your answer is wrong " + where + ". Does that case have its own condition, or want one?";
+    if (what == "given")
+        what = "what was given, unchanged: does it return too soon, or has a line no effect?";
+    else if (!what.empty())
+        what = "always " + (is_yes_or_no ? what == "0" ? "false" : "true" : what) +
+               ": is there a condition too many, one too few, or a tolerance?";
+    if (what.empty())
+        return "Of all that was tried, your answer is wrong " + where +
+               ". Does that case have its own condition, or want one?";
     if (where.empty()) return "Wherever your answer is wrong, it is " + what;
     return "Of all that was tried, your answer is wrong " + where + ", and there it is " + what;
 }

@@ -22,9 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void give_up(const std::string& line) {
-    throw Stop(Status::bad_use, line);
-}
+[[noreturn]] void give_up(const std::string& line) { throw Stop(Status::bad_use, line); }
 
 // What stands in the files of tools/new, and what takes its place.
 using Replacements = std::vector<std::pair<std::string, std::string>>;
@@ -161,30 +159,40 @@ void new_chapter(const std::string& name) {
     check_chapter_is_new(name);
 
     const std::string digits = (number < 10 ? "0" : "") + std::to_string(number), folder = digits + "_" + name;
-    const Replacements words{{"NEW_NAME", name}, {"NEW_TITLE", title_from(name)}, {"NEW_NUMBER", std::to_string(number)},
-                      {"NEW_DIGITS", digits}, {"NEW_CHAPTER", folder}};
+    const Replacements words{{"NEW_NAME", name},
+                             {"NEW_TITLE", title_from(name)},
+                             {"NEW_NUMBER", std::to_string(number)},
+                             {"NEW_DIGITS", digits},
+                             {"NEW_CHAPTER", folder}};
     const std::string room = "chapters/" + folder + "/";
     const std::vector<Skeleton> parts{
         {"chapter/about.json", room + "about.json", "title, question, claims of the talks, figures"},
         {"chapter/chapter.md", room + "chapter.md", "the page"},
-        {"chapter/program.cpp", room + name + ".cpp", "the program: one short file, its numbers to play with at the top"},
+        {"chapter/program.cpp", room + name + ".cpp",
+         "the program: one short file, its numbers to play with at the top"},
         {"chapter/figures.gp", room + "figures.gp", "its picture"},
-        {"chapter/live.cpp", room + "live/" + name + ".cpp", "a live panel: the same, in the reader's hand (or no folder live)"},
+        {"chapter/live.cpp", room + "live/" + name + ".cpp",
+         "a live panel: the same, in the reader's hand (or no folder live)"},
         {"chapter/study/study.cpp", room + "study/study.cpp", "what finds the page's numbers and checks"},
         {"chapter/study/figures.gp", room + "study/figures.gp", "more figures, from what the study finds"},
         {"chapter/test.cpp", "tests/chapters/" + folder + ".cpp", "what the chapter claims, as tests"}};
     InTheMaking unfinished;
     for (const auto& part : parts) unfinished.write(part.place, filled(part.sample, words));
     const auto about = json_of(filled("chapter/about.json", words));
-    unfinished.change("README.md", readme_with("| [" + std::to_string(number) + " " + std::string(about.at("title")) +
-                                               "](chapters/" + folder + ") | " + std::string(about.at("question")) + " |"));
+    unfinished.change(
+        "README.md", readme_with("| [" + std::to_string(number) + " " + std::string(about.at("title")) + "](chapters/" +
+                                 folder + ") | " + std::string(about.at("question")) + " |"));
     try_out(name, unfinished);
     unfinished.keep();
     std::printf("Chapter %d, %s: a small example, whole. Put your own in its place, where FILL IN stands:\n\n", number,
                 name.c_str());
-    tell(parts, "Its title and question stand in README.md, too, in the table of chapters.\n"
-                "Next: ./course run " + std::to_string(number) + ", ./course tour and ./course test; an exercise to it:\n"
-                "./course new exercise " + std::to_string(number) + " NAME\n");
+    tell(parts,
+         "Its title and question stand in README.md, too, in the table of chapters.\n"
+         "Next: ./course run " +
+             std::to_string(number) +
+             ", ./course tour and ./course test; an exercise to it:\n"
+             "./course new exercise " +
+             std::to_string(number) + " NAME\n");
 }
 
 void new_exercise(const std::string& chapter_meant, const std::string& name) {
@@ -198,11 +206,15 @@ void new_exercise(const std::string& chapter_meant, const std::string& name) {
     }
     check_exercise_is_new(name);
 
-    const Replacements words{{"NEW_NAME", name}, {"NEW_TITLE", title_from(name)}, {"NEW_PLACE", std::to_string(number)},
-                      {"NEW_NUMBER", std::to_string(chapter.number())}};
-    const std::string room = "tests/exercises/" + chapter.folder + "/" + name + "/", file = chapter.folder + "/" + name + ".cpp";
+    const Replacements words{{"NEW_NAME", name},
+                             {"NEW_TITLE", title_from(name)},
+                             {"NEW_PLACE", std::to_string(number)},
+                             {"NEW_NUMBER", std::to_string(chapter.number())}};
+    const std::string room = "tests/exercises/" + chapter.folder + "/" + name + "/",
+                      file = chapter.folder + "/" + name + ".cpp";
     const std::vector<Skeleton> parts{
-        {"exercise/solution.cpp", "solutions/" + file, "the task, and the course's answer between two lines // [answer]"},
+        {"exercise/solution.cpp", "solutions/" + file,
+         "the task, and the course's answer between two lines // [answer]"},
         {"exercise/about.json", room + "about.json", "title, declaration, hints"},
         {"exercise/properties.cpp", room + "properties.cpp", "the hidden tests"},
         {"exercise/correct.cpp", room + "correct.cpp", "two answers or more that are right"},
@@ -214,12 +226,14 @@ void new_exercise(const std::string& chapter_meant, const std::string& name) {
     exercise.name = name;
     unfinished.write("exercises/" + file, contents(exercise.stub()));
     unfinished.keep();
-    std::printf("Exercise %d.%d, %s: a small example, whole. Put your own in its place, where FILL IN stands:\n"
-                "  grep -rn 'FILL IN' %s solutions/%s\n\n",
-                chapter.number(), number, name.c_str(), room.c_str(), file.c_str());
+    std::printf(
+        "Exercise %d.%d, %s: a small example, whole. Put your own in its place, where FILL IN stands:\n"
+        "  grep -rn 'FILL IN' %s solutions/%s\n\n",
+        chapter.number(), number, name.c_str(), room.c_str(), file.c_str());
     tell(parts, "The learner's file is exercises/" + file + ";\n./course reset " + name +
                     " makes it again from the solution.\n"
-                    "Next: ./course check " + name + " --file solutions/" + file + ", and ./course test.\n");
+                    "Next: ./course check " +
+                    name + " --file solutions/" + file + ", and ./course test.\n");
 }
 
 }  // namespace course

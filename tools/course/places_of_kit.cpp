@@ -6,8 +6,7 @@ namespace course {
 
 const Places& places() {
     static const Places known = [] {
-        const auto root =
-            std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
+        const auto root = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
         return Places{root, root / "build", "cmake", "ctest"};
     }();
     return known;

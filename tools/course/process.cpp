@@ -119,8 +119,7 @@ void confine(const Allowance& allowance) {
     limit(RLIMIT_FSIZE, allowance.file_megabytes << 20);
     // It counts all that the user runs, which is less than all that the machine runs.
     struct sysinfo machine {};
-    if (allowance.processes > 0 && sysinfo(&machine) == 0)
-        limit(RLIMIT_NPROC, machine.procs + allowance.processes);
+    if (allowance.processes > 0 && sysinfo(&machine) == 0) limit(RLIMIT_NPROC, machine.procs + allowance.processes);
     setenv("LC_ALL", "C.UTF-8", 1);
     unsetenv("LANGUAGE");
     if (!allowance.temporary.empty()) setenv("TMPDIR", allowance.temporary.c_str(), 1);
@@ -186,8 +185,7 @@ void hand_over(const std::vector<std::string>& command) {
     throw Stop(Status::missing, command[0] + ": " + std::strerror(errno));
 }
 
-int listen(const std::vector<std::string>& command,
-           const std::function<void(std::string_view)>& heard,
+int listen(const std::vector<std::string>& command, const std::function<void(std::string_view)>& heard,
            const std::function<void()>& silence) {
     const LeaveInterruptToChild guard;
     const Running running = start(command, [] { std::signal(SIGINT, SIG_DFL); });
@@ -201,17 +199,14 @@ int listen(const std::vector<std::string>& command,
     close(running.output);
 
     const int status = wait_for(running.process);
-    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT)
-        throw Stop(Status::interrupted, "interrupted");
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) throw Stop(Status::interrupted, "interrupted");
     if (WIFSIGNALED(status))
-        throw Stop(Status::wrong, command[0] + " was ended by signal " +
-                                      std::to_string(WTERMSIG(status)) + " (" +
+        throw Stop(Status::wrong, command[0] + " was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
                                       strsignal(WTERMSIG(status)) + ")");
     return WEXITSTATUS(status);
 }
 
-Outcome run_within(const std::vector<std::string>& command, const Allowance& allowance,
-                   const std::string& input) {
+Outcome run_within(const std::vector<std::string>& command, const Allowance& allowance, const std::string& input) {
     const std::size_t most = 1'000'000;
     const double turn = 0.1;  // between two looks at the clock and for an interrupt
     int read_end = -1;

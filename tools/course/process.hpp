@@ -37,7 +37,7 @@ struct Outcome {
     int status = 0;         ///< its exit status; 128 + signal where one ended it
     bool too_slow = false;  ///< it was stopped
     bool waited = false;    ///< and that because it did no work
-    std::string said;       ///< standard output and error together, of a million bytes and more the beginning and the end
+    std::string said;  ///< standard output and error together, of a million bytes and more the beginning and the end
 };
 
 /// Runs `command`, which is to speak English, to its end or to the end of its allowance, and then
@@ -45,8 +45,7 @@ struct Outcome {
 /// be read: nothing can wait for what never comes. Throws Stop where it cannot be started, and where there was an
 /// interrupt (see TidyEnd).
 /// `input`, of at most some kilobytes, is what it reads.
-Outcome run_within(const std::vector<std::string>& command, const Allowance& allowance,
-                   const std::string& input = {});
+Outcome run_within(const std::vector<std::string>& command, const Allowance& allowance, const std::string& input = {});
 
 /// Cuts what comes in pieces into whole lines.
 class Lines {

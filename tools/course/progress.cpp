@@ -12,9 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path file() {
-    return places().source / ".progress" / "exercises.tsv";
-}
+fs::path file() { return places().source / ".progress" / "exercises.tsv"; }
 
 }  // namespace
 
@@ -31,10 +29,10 @@ std::map<std::string, Remembered> read_progress() {
         Remembered remembered;
         if (!(words >> name >> state >> remembered.hints) || (words >> rest) ||
             (state != "passed" && state != "open") || remembered.hints < 0)
-            throw Stop(Status::bad_use, file().string() + ":" + std::to_string(number) + ": '" +
-                                            line +
-                                            "' is not 'exercise, passed or open, number of hints'. Delete the line or the "
-                                            "file; ./course check then marks the exercises that pass again");
+            throw Stop(Status::bad_use,
+                       file().string() + ":" + std::to_string(number) + ": '" + line +
+                           "' is not 'exercise, passed or open, number of hints'. Delete the line or the "
+                           "file; ./course check then marks the exercises that pass again");
         remembered.passed = state == "passed";
         progress[name] = remembered;
     }
@@ -50,8 +48,7 @@ void change_progress(const std::function<void(std::map<std::string, Remembered>&
     change(progress);
     std::string text;
     for (const auto& [name, remembered] : progress)
-        text += name + '\t' + (remembered.passed ? "passed" : "open") + '\t' +
-                std::to_string(remembered.hints) + '\n';
+        text += name + '\t' + (remembered.passed ? "passed" : "open") + '\t' + std::to_string(remembered.hints) + '\n';
     write_whole(file(), text);
 }
 
@@ -59,8 +56,7 @@ std::string state_of(const Exercise& exercise, const std::map<std::string, Remem
     const auto found = progress.find(exercise.name);
     if (found != progress.end() && found->second.passed) return "passed";
     std::error_code error;
-    if (!fs::exists(exercise.file(), error) || !fs::exists(exercise.stub(), error))
-        return "not started";
+    if (!fs::exists(exercise.file(), error) || !fs::exists(exercise.stub(), error)) return "not started";
     return untouched(exercise) ? "not started" : "started";
 }
 

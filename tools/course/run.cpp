@@ -29,11 +29,9 @@ namespace {
 // when it is whole; unless it comes to that, nothing of it stays.
 class Destination {
 public:
-    explicit Destination(const fs::path& folder)
-        : folder_(fs::absolute(folder).lexically_normal()) {
+    explicit Destination(const fs::path& folder) : folder_(fs::absolute(folder).lexically_normal()) {
         std::error_code error;
-        for (fs::path path = folder_; !fs::exists(path, error) && path.has_relative_path();
-             path = path.parent_path())
+        for (fs::path path = folder_; !fs::exists(path, error) && path.has_relative_path(); path = path.parent_path())
             made_.push_back(path);
         fs::create_directories(folder_, error);
         std::random_device random;
@@ -43,8 +41,7 @@ public:
         }
         if (error) {
             tidy();
-            throw Stop(Status::bad_use, "--out " + folder.string() + ": cannot write there (" +
-                                            error.message() + ")");
+            throw Stop(Status::bad_use, "--out " + folder.string() + ": cannot write there (" + error.message() + ")");
         }
     }
     ~Destination() { tidy(); }
@@ -91,8 +88,7 @@ std::string read(const fs::path& path) {
 std::string with_our_help(std::string text, const Chapter& chapter, const std::string& name) {
     const std::string help = chapter.program + " --help lists";
     const auto at = text.find(help);
-    if (at != std::string::npos)
-        text.replace(at, help.size(), "./course run " + name + " --study -- --help lists");
+    if (at != std::string::npos) text.replace(at, help.size(), "./course run " + name + " --study -- --help lists");
     return text;
 }
 
@@ -129,9 +125,7 @@ std::string cmake_error(const std::string& error) {
     return words;
 }
 
-fs::path built(const std::string& program) {
-    return places().build / "chapters" / program;
-}
+fs::path built(const std::string& program) { return places().build / "chapters" / program; }
 
 // Program, study and figures, by the same script that the build uses.
 Complaint make_run(const Chapter& chapter, bool study, const fs::path& folder,
@@ -141,11 +135,10 @@ Complaint make_run(const Chapter& chapter, bool study, const fs::path& folder,
     std::string said;
     const int status =
         listen({places().cmake, "-DPROGRAM=" + built(chapter.program).string(),
-                "-DSTUDY=" + (study ? built(chapter.study()).string() : ""),
-                "-DOUT=" + folder.string(), "-DROOM=" + chapter.sources().string(),
-                "-DSTYLE=" + (source / "tools/figures/style.gp").string(), "-DGNUPLOT=gnuplot", "-DQUIET=ON",
-                "-DARGUMENTS=" + cmake_list(options), "-DCOMPLAINT=" + file.string(), "-P",
-                (source / "tools/cmake/run.cmake").string()},
+                "-DSTUDY=" + (study ? built(chapter.study()).string() : ""), "-DOUT=" + folder.string(),
+                "-DROOM=" + chapter.sources().string(), "-DSTYLE=" + (source / "tools/figures/style.gp").string(),
+                "-DGNUPLOT=gnuplot", "-DQUIET=ON", "-DARGUMENTS=" + cmake_list(options), "-DCOMPLAINT=" + file.string(),
+                "-P", (source / "tools/cmake/run.cmake").string()},
                [&](std::string_view text) { said += text; });
 
     std::istringstream complaint(read(file));
@@ -180,8 +173,8 @@ void run(const std::string& name, bool study, const std::optional<std::string>& 
         }
         if (option.empty()) throw Stop(Status::bad_use, "'': there is an empty word after the --");
         if (option.starts_with("--out"))
-            throw Stop(Status::bad_use, "--out belongs before the --: ./course run " + name +
-                                            " --study --out DIR -- OPTIONS");
+            throw Stop(Status::bad_use,
+                       "--out belongs before the --: ./course run " + name + " --study --out DIR -- OPTIONS");
     }
 
     const fs::path folder = out ? fs::path(*out) : places().build / "runs" / chapter.folder;
@@ -189,8 +182,7 @@ void run(const std::string& name, bool study, const std::optional<std::string>& 
     Destination destination(folder);
     const Complaint complaint = make_run(chapter, study, destination.work(), options);
     if (complaint.status != Status::fine)
-        throw Stop(complaint.status,
-                   with_our_help(destination.in_readers_words(complaint.text), chapter, name));
+        throw Stop(complaint.status, with_our_help(destination.in_readers_words(complaint.text), chapter, name));
     try {
         destination.keep();
     } catch (const fs::filesystem_error& error) {

@@ -15,13 +15,9 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-void add(Words& words, std::initializer_list<std::string> more) {
-    words.insert(words.end(), more);
-}
+void add(Words& words, std::initializer_list<std::string> more) { words.insert(words.end(), more); }
 
-void show(Words& words, const fs::path& place) {
-    add(words, {"--ro-bind", place.string(), place.string()});
-}
+void show(Words& words, const fs::path& place) { add(words, {"--ro-bind", place.string(), place.string()}); }
 
 // Where PATH leads; nowhere: "".
 std::string find_program(const std::string& name) {
@@ -61,8 +57,7 @@ std::vector<fs::path> named_in(const Words& command) {
     for (std::size_t i = 1; i < command.size(); ++i) {
         const std::string& word = command[i];
         const fs::path place = word.starts_with("-I") ? word.substr(2) : word;
-        if (place.is_absolute() && fs::exists(place, ignored) && !is_below(place, "/usr"))
-            named.push_back(place);
+        if (place.is_absolute() && fs::exists(place, ignored) && !is_below(place, "/usr")) named.push_back(place);
     }
     return named;
 }
@@ -74,12 +69,10 @@ Sandbox::Sandbox() : bubblewrap_(find_program("bwrap")) {
         ". Without it a submission could read this machine's files and reach its network; "
         "--trust grades all the same, where you would run every file by hand";
     if (bubblewrap_.empty())
-        throw Stop(Status::missing,
-                   "grade needs bubblewrap (package bubblewrap), which is not here" + otherwise);
+        throw Stop(Status::missing, "grade needs bubblewrap (package bubblewrap), which is not here" + otherwise);
     const std::string fault = fault_of(walls());
     if (!fault.empty())
-        throw Stop(Status::missing,
-                   "grade needs bubblewrap, which cannot work here (" + fault + ")" + otherwise);
+        throw Stop(Status::missing, "grade needs bubblewrap, which cannot work here (" + fault + ")" + otherwise);
 }
 
 std::string Sandbox::fault_of(std::vector<std::string> before) {
@@ -106,16 +99,13 @@ Words Sandbox::walls() const {
         else
             add(words, {"--ro-bind-try", place, place});
     }
-    for (const char* place : {"/etc/alternatives", "/etc/ld.so.cache"})
-        add(words, {"--ro-bind-try", place, place});
-    for (const char* device : {"/dev/null", "/dev/zero", "/dev/urandom"})
-        add(words, {"--dev-bind", device, device});
+    for (const char* place : {"/etc/alternatives", "/etc/ld.so.cache"}) add(words, {"--ro-bind-try", place, place});
+    for (const char* device : {"/dev/null", "/dev/zero", "/dev/urandom"}) add(words, {"--dev-bind", device, device});
     for (const fs::path& own : hidden_again()) add(words, {"--tmpfs", own.string()});
     return words;
 }
 
-Words Sandbox::before_compiler(const Words& command, const fs::path& folder,
-                               const std::vector<fs::path>& reads) const {
+Words Sandbox::before_compiler(const Words& command, const fs::path& folder, const std::vector<fs::path>& reads) const {
     Words words = walls();
     add(words, {"--size", "268435456", "--tmpfs", "/tmp", "--setenv", "TMPDIR", "/tmp"});
     add(words, {"--setenv", "CCACHE_DISABLE", "1", "--setenv", "HOME", "/"});  // the compiler may be ccache's

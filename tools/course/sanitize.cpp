@@ -21,8 +21,7 @@ Verdict unwatched(const Exercise& exercise, const std::filesystem::path& file, s
 
 }  // namespace
 
-Verdict check_sanitized(const Exercise& exercise, const std::filesystem::path& file,
-                        std::uint64_t seed) {
+Verdict check_sanitized(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed) {
     if (!commands_are_whole(exercise)) return check_file(exercise, file, seed);  // which says so
     const auto json = json_of(contents(places().build / "exercises/commands.json"));
     if (json.at("sanitize").empty())
@@ -33,8 +32,7 @@ Verdict check_sanitized(const Exercise& exercise, const std::filesystem::path& f
     if (verdict.kind == "too_slow") return unwatched(exercise, file, seed);
     if (verdict.kind != "pass") return verdict;
     if (run_within({"valgrind", "--version"}, {.seconds = 60, .processor_seconds = 5}).status != 0) {
-        verdict.remark =
-            "Values that were never written have not been looked for: there is no valgrind.";
+        verdict.remark = "Values that were never written have not been looked for: there is no valgrind.";
         return verdict;
     }
     Verdict again = check_file(exercise, file, seed, nullptr, Watch::memcheck);

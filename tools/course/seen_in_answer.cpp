@@ -35,8 +35,8 @@ struct Quotient {
 };
 
 // The first quotient of whole numbers that leaves a rest, or may leave one: "1 / 2", but not that of "x * 1 / 2", which
-// divides x; and "1 / n" and "1 / (n - m)" where n and m are given by the exercise, and no other variables. What "n / 2"
-// is meant to be nobody knows.
+// divides x; and "1 / n" and "1 / (n - m)" where n and m are given by the exercise, and no other variables. What "n /
+// 2" is meant to be nobody knows.
 std::optional<Quotient> quotient_of_whole_numbers(const std::string& code, const std::string& declaration) {
     constexpr std::size_t most_digits = 9;
     const auto is_number = [](const std::string& text) {
@@ -52,8 +52,10 @@ std::optional<Quotient> quotient_of_whole_numbers(const std::string& code, const
         std::string word;
         bool all = true;
         for (const char c : text + ' ') {
-            if (is_of_word(c)) word += c;
-            else if (!word.empty()) all = all && (is_number(word) || is_given(word)), word.clear();
+            if (is_of_word(c))
+                word += c;
+            else if (!word.empty())
+                all = all && (is_number(word) || is_given(word)), word.clear();
             all = all && (is_of_word(c) || is_blank(c) || c == '+' || c == '-' || c == '*' || c == '(' || c == ')');
         }
         return all;
@@ -75,7 +77,8 @@ std::optional<Quotient> quotient_of_whole_numbers(const std::string& code, const
         const char before = behind > 0 ? code[behind - 1] : ' ';
         if (before == '*' || before == '/' || before == '%') continue;
         if (is_number(below) && (std::stol(below) == 0 || std::stol(above) % std::stol(below) == 0)) continue;
-        return Quotient{1 + std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(begin), '\n'), above, below};
+        return Quotient{1 + std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(begin), '\n'), above,
+                        below};
     }
     return {};
 }
@@ -98,15 +101,22 @@ std::string seen_in_answer(const Exercise& exercise, const Verdict& verdict, con
     const std::string code = without_comments(contents(file));
     std::string text;
     if (const auto found = quotient_of_whole_numbers(code, exercise.declaration)) {
-        const std::string is = is_digit(found->below[0]) ? "is " + std::to_string(std::stol(found->above) / std::stol(found->below))
-                                                         : "has lost what is behind the point";
-        text += "\n" + wrapped("Line " + std::to_string(found->line) + " divides whole numbers: in C++ " + found->above + " / " + found->below + " " + is +
-                               ". What you may want is " + found->above + ".0 / " + found->below + ".", 2);
+        const std::string is = is_digit(found->below[0])
+                                   ? "is " + std::to_string(std::stol(found->above) / std::stol(found->below))
+                                   : "has lost what is behind the point";
+        text += "\n" + wrapped("Line " + std::to_string(found->line) + " divides whole numbers: in C++ " +
+                                   found->above + " / " + found->below + " " + is + ". What you may want is " +
+                                   found->above + ".0 / " + found->below + ".",
+                               2);
     }
     // What crashes, or is wrong for no known reason, where an expression of Eigen's may have been kept.
     if (exercise.eigen && !verdict.watched && verdict.misconception.empty() && keeps_by_auto(code))
-        text += "\n" + wrapped("With auto you may keep a sum or a product of Eigen's that is not worked out yet, and refers to "
-                               "what is gone by then. ./course check " + exercise.name + " --sanitize looks for that.", 2);
+        text +=
+            "\n" + wrapped(
+                       "With auto you may keep a sum or a product of Eigen's that is not worked out yet, and refers to "
+                       "what is gone by then. ./course check " +
+                           exercise.name + " --sanitize looks for that.",
+                       2);
     return text;
 }
 

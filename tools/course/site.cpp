@@ -17,7 +17,8 @@ namespace {
 
 // The whole course as a book to print; a browser prints it.
 void print_book() {
-    if (is_kit()) throw Stop(Status::bad_use, "--pdf: the learner's edition has no book; a checkout of the course makes it");
+    if (is_kit())
+        throw Stop(Status::bad_use, "--pdf: the learner's edition has no book; a checkout of the course makes it");
     {
         ProgressLine progress;
         build({"book"}, progress);
@@ -46,8 +47,7 @@ void site(bool open, bool pdf) {
     const char* opener = "xdg-open";
 #endif
     if (listen({opener, site_address()}, [](std::string_view) {}) != 0)
-        throw Stop(Status::missing,
-                   std::string(opener) + " found no browser; open the address above in one");
+        throw Stop(Status::missing, std::string(opener) + " found no browser; open the address above in one");
 }
 
 }  // namespace course

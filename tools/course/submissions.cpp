@@ -17,9 +17,8 @@ namespace fs = std::filesystem;
 namespace {
 
 bool is_answer(const fs::path& entry, const std::vector<Exercise>& exercises) {
-    return std::any_of(exercises.begin(), exercises.end(), [&](const Exercise& exercise) {
-        return is_source(entry) && entry.stem() == exercise.name;
-    });
+    return std::any_of(exercises.begin(), exercises.end(),
+                       [&](const Exercise& exercise) { return is_source(entry) && entry.stem() == exercise.name; });
 }
 
 }  // namespace
@@ -50,8 +49,7 @@ bool holds_answers(const fs::path& place, const std::vector<Exercise>& exercises
     std::error_code error;
     if (!fs::is_directory(fs::symlink_status(place, error))) return false;
     const auto answers = answers_in({"", place}, exercises).all;
-    return std::any_of(answers.begin(), answers.end(),
-                       [](const HandedIn& answer) { return !answer.file.empty(); });
+    return std::any_of(answers.begin(), answers.end(), [](const HandedIn& answer) { return !answer.file.empty(); });
 }
 
 // May it be somebody's, who would be lost where the folder that it is in is taken for one submission?
@@ -65,7 +63,8 @@ bool may_be_anothers(const fs::path& entry) {
     return packed.contains(entry.extension().string()) || (is_source(entry) && !answers_another(entry));
 }
 
-// The names of its folders that hold answers and are no chapters; none where it holds an answer itself: two are a class.
+// The names of its folders that hold answers and are no chapters; none where it holds an answer itself: two are a
+// class.
 std::vector<std::string> learners_in(const fs::path& folder, const std::vector<Exercise>& exercises) {
     std::vector<std::string> names;
     std::error_code error;
@@ -91,9 +90,8 @@ std::string listed(const std::vector<std::string>& names) {
 
 // As it is to be typed.
 std::string typed(const std::string& word) {
-    const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
-        return std::isalnum(c) || std::strchr("_-./", c) != nullptr;
-    });
+    const bool plain = std::all_of(
+        word.begin(), word.end(), [](unsigned char c) { return std::isalnum(c) || std::strchr("_-./", c) != nullptr; });
     std::string inside = word;
     replace_all(inside, "'", "'\\''");
     return plain && !word.empty() ? word : "'" + inside + "'";
@@ -105,18 +103,15 @@ Submissions find_submissions(const fs::path& place, const std::vector<Exercise>&
     std::error_code error;
     const fs::path whole = fs::canonical(place, error);
     const auto refuse = [&](const std::string& why) {
-        throw Stop(Status::bad_use,
-                   (place.empty() ? "''" : in_one_line(place.string())) + ": " + why);
+        throw Stop(Status::bad_use, (place.empty() ? "''" : in_one_line(place.string())) + ": " + why);
     };
     if (error) refuse("cannot be read (" + error.message() + ")");
-    if (!fs::is_directory(whole) && !fs::is_regular_file(whole))
-        refuse("is neither a folder nor a file");
+    if (!fs::is_directory(whole) && !fs::is_regular_file(whole)) refuse("is neither a folder nor a file");
     const Submission itself{in_one_line(whole.filename().string()), whole};
     if (one || fs::is_regular_file(whole)) return {{itself}, {}, true};
 
     std::vector<fs::path> entries;
-    for (fs::directory_iterator entry(whole, error), end; !error && entry != end;
-         entry.increment(error))
+    for (fs::directory_iterator entry(whole, error), end; !error && entry != end; entry.increment(error))
         entries.push_back(entry->path());
     if (error) refuse("cannot be read (" + error.message() + ")");
     std::sort(entries.begin(), entries.end());

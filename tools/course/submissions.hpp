@@ -40,14 +40,14 @@ struct Submissions {
 /// The submissions in `place`: itself, where it is a file, holds answers or a folder `exercises`, else each file
 /// and folder in it; only itself where it is to be `one`. Throws Stop(bad_use) where there is none, and where it may
 /// be one as well as a class.
-Submissions find_submissions(const std::filesystem::path& place,
-                             const std::vector<Exercise>& exercises, bool one);
+Submissions find_submissions(const std::filesystem::path& place, const std::vector<Exercise>& exercises, bool one);
 
 /// What a submission holds for each of these exercises: the file exercises/CHAPTER/NAME.cpp anywhere
 /// in it, or the only file NAME.cpp, or of one exercise the only C++ file there is, unless that is named
 /// after another exercise. A submission that is one file is the answer to the only exercise, or to the one
 /// it is named after. No link is followed. Where an answer lies only in a folder that is left out, or only by its name
-/// in other letters or with another ending, it is refused, with the reason; and beside an answer it is named. For .cpp there may be .cc, .cxx or .c++. (answers_in.cpp)
+/// in other letters or with another ending, it is refused, with the reason; and beside an answer it is named. For .cpp
+/// there may be .cc, .cxx or .c++. (answers_in.cpp)
 Answers answers_in(const Submission& submission, const std::vector<Exercise>& exercises);
 
 /// The text of an answer that is handed in. Throws Stop(bad_use), one line, where it is no file, is

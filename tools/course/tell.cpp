@@ -63,10 +63,10 @@ std::string of_declaration(const Exercise& exercise, const std::string& said, co
 }
 
 std::string does_not_compile(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
-    if (is_utf16(contents(file))) return wrapped("The file is in UTF-16, which the compiler cannot read. Save it as UTF-8.", 2);
+    if (is_utf16(contents(file)))
+        return wrapped("The file is in UTF-16, which the compiler cannot read. Save it as UTF-8.", 2);
     std::string why = of_linker(exercise, verdict.compiler, file);
-    if (why.empty())
-        why = of_declaration(exercise, verdict.compiler, file) + head_of(verdict.compiler, 12, "  ");
+    if (why.empty()) why = of_declaration(exercise, verdict.compiler, file) + head_of(verdict.compiler, 12, "  ");
     return why;
 }
 
@@ -89,9 +89,7 @@ int definition(const Exercise& exercise, const fs::path& file) {
     return 1;
 }
 
-std::string call(const Exercise& exercise, const Verdict& verdict) {
-    return exercise.name + verdict.arguments;
-}
+std::string call(const Exercise& exercise, const Verdict& verdict) { return exercise.name + verdict.arguments; }
 
 // No call has been made where there are no arguments: only the file's variables.
 std::string when(const Exercise& exercise, const Verdict& verdict) {
@@ -115,7 +113,10 @@ std::string wrong(const Exercise& exercise, const Verdict& verdict, const fs::pa
     const std::string seen = seen_in_answer(exercise, verdict, file);
     if (!mistake.empty()) return text + mistake + seen;
     if (!seen.empty()) return text + seen.substr(1);  // a blank line is there
-    return text + wrapped("Your answer matches none of the mistakes that the course knows. Work the property out by hand for the numbers above.", 2);
+    return text + wrapped(
+                      "Your answer matches none of the mistakes that the course knows. Work the property out by hand "
+                      "for the numbers above.",
+                      2);
 }
 
 std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path& file) {
@@ -133,20 +134,19 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
     if (kind == "crash") {
         std::string text = wrapped(verdict.detail + ", " + when(exercise, verdict), 2);
         if (verdict.line > 0)
-            text += "  Line " + std::to_string(verdict.line) + ":  " + line_of(file, verdict.line) +
-                    "\n";
+            text += "  Line " + std::to_string(verdict.line) + ":  " + line_of(file, verdict.line) + "\n";
         return text + seen_in_answer(exercise, verdict, file);
     }
     if (kind == "too_slow" && verdict.detail == too_much_work_for_the_tests)
-        return wrapped("The hidden tests have worked for a minute on what your function returned, and were not done. "
-                       "Are its answers huge, or such that a loop over them never ends?", 2);
+        return wrapped(
+            "The hidden tests have worked for a minute on what your function returned, and were not done. "
+            "Are its answers huge, or such that a loop over them never ends?",
+            2);
     if (kind == "too_slow") {
         const bool asleep = verdict.detail == "asleep";
-        const std::string in_time = "There was no answer in time (2 s " +
-                                    std::string(asleep ? "of sleep" : "of work") +
+        const std::string in_time = "There was no answer in time (2 s " + std::string(asleep ? "of sleep" : "of work") +
                                     " for one call, 8 s for all), " + when(exercise, verdict);
-        if (asleep)
-            return wrapped(in_time + ". The code sleeps, or waits for what does not come.", 2);
+        if (asleep) return wrapped(in_time + ". The code sleeps, or waits for what does not come.", 2);
         if (verdict.detail == "by the clock")
             return wrapped("There was no answer in a minute, " + when(exercise, verdict) +
                                ", though there was little work: is the code stopped, or waits it for a disk?",
@@ -154,11 +154,10 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
         return wrapped(in_time + ". Is there a loop that never ends?", 2);
     }
     if (kind == "too_much_memory")
-        return wrapped("The program asked for more memory than there is for an exercise, 1 GB, " +
-                           when(exercise, verdict) + ".",
-                       2);
-    if (kind == "left_early")
-        return wrapped(verdict.detail + ", " + when(exercise, verdict) + ".", 2);
+        return wrapped(
+            "The program asked for more memory than there is for an exercise, 1 GB, " + when(exercise, verdict) + ".",
+            2);
+    if (kind == "left_early") return wrapped(verdict.detail + ", " + when(exercise, verdict) + ".", 2);
     return wrapped("The checker itself failed, which is not your fault: " + verdict.detail, 2);
 }
 
@@ -187,15 +186,14 @@ std::string told(const Exercise& exercise, const Verdict& verdict, const fs::pat
     char seconds[16];
     std::snprintf(seconds, sizeof seconds, "%.2f s", verdict.seconds);
     if (verdict.kind == "pass") {
-        text = bold("✓ " + exercise.place() + " " + exercise.name) + ": right  (" + seconds +
-               ")\n\n" + wrapped(exercise.learned, 2);
+        text = bold("✓ " + exercise.place() + " " + exercise.name) + ": right  (" + seconds + ")\n\n" +
+               wrapped(exercise.learned, 2);
     } else {
-        text = bold("✗ " + exercise.place() + " " + exercise.name) + ": " + headline(verdict.kind) +
-               "\n\n" + why(exercise, verdict, file);
+        text = bold("✗ " + exercise.place() + " " + exercise.name) + ": " + headline(verdict.kind) + "\n\n" +
+               why(exercise, verdict, file);
     }
     if (!verdict.remark.empty()) text += "\n" + wrapped(verdict.remark, 2);
-    if (!verdict.printed.empty())
-        text += "\n  Your code printed:\n" + head_of(verdict.printed, 20, "      ");
+    if (!verdict.printed.empty()) text += "\n  Your code printed:\n" + head_of(verdict.printed, 20, "      ");
     if (verdict.kind != "does_not_compile" && !verdict.compiler.empty())
         text += "\n  The compiler remarks:\n" + head_of(verdict.compiler, 12, "  ");
     return text;

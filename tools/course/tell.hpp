@@ -9,8 +9,7 @@
 namespace course {
 
 /// What is printed of a verdict. `file` is the answer that was checked.
-std::string told(const Exercise& exercise, const Verdict& verdict,
-                 const std::filesystem::path& file);
+std::string told(const Exercise& exercise, const Verdict& verdict, const std::filesystem::path& file);
 
 /// Below it, for an editor: "FILE:LINE: error: words", the line on which it crashed or on which the function begins.
 /// Nothing where there is nothing to mark, or the compiler has marked it.

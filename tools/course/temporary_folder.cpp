@@ -31,8 +31,7 @@ TemporaryFolder::TemporaryFolder() {
     const Lock no_sweep(temporaries / "temporaries.lock");  // before ours has its lock
     sweep(temporaries);
     std::string name = (temporaries / "check_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-        throw Stop(Status::bad_use, temporaries.string() + ": cannot be written");
+    if (mkdtemp(name.data()) == nullptr) throw Stop(Status::bad_use, temporaries.string() + ": cannot be written");
     folder_ = name;
     in_use_.emplace(folder_ / lock);
 }

@@ -17,9 +17,7 @@ namespace course {
 
 namespace {
 
-bool continues_character(char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0) == 0x80;
-}
+bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
 // The first `width` characters.
 std::string cut(const std::string& text, std::size_t width) {
@@ -33,8 +31,7 @@ std::string cut(const std::string& text, std::size_t width) {
 // U+2069, which end lines and turn the direction of writing.
 bool is_obeyed(const std::string& character) {
     if (character.size() == 1)
-        return (static_cast<unsigned char>(character[0]) < ' ' && character != "\n" &&
-                character != "\t") ||
+        return (static_cast<unsigned char>(character[0]) < ' ' && character != "\n" && character != "\t") ||
                character == "\x7F";
     return (character >= "\xC2\x80" && character <= "\xC2\x9F") ||
            (character >= "\xE2\x80\xA8" && character <= "\xE2\x80\xAE") ||
@@ -62,12 +59,12 @@ std::size_t character_at(const std::string& text, std::size_t at) {
 // What Unicode calls control, format, blank, no character, or not to be shown.
 bool is_seen(const std::string& character) {
     static const std::pair<char32_t, char32_t> unseen[]{
-        {0x00, 0x1F},     {0x7F, 0xA0},     {0xAD, 0xAD},     {0x34F, 0x34F},   {0x600, 0x605},
-        {0x61C, 0x61C},   {0x6DD, 0x6DD},   {0x70F, 0x70F},   {0x890, 0x891},   {0x8E2, 0x8E2},
-        {0x115F, 0x1160}, {0x1680, 0x1680}, {0x17B4, 0x17B5}, {0x180B, 0x180F}, {0x2000, 0x200F},
-        {0x2028, 0x202F}, {0x205F, 0x206F}, {0x2800, 0x2800}, {0x3000, 0x3000}, {0x3164, 0x3164},
-        {0xE000, 0xF8FF}, {0xFE00, 0xFE0F}, {0xFDD0, 0xFDEF}, {0xFEFF, 0xFEFF}, {0xFFA0, 0xFFA0},
-        {0xFFF0, 0xFFFF}, {0x110BD, 0x110BD}, {0x110CD, 0x110CD}, {0x13430, 0x1343F}, {0x1BCA0, 0x1BCA3},
+        {0x00, 0x1F},       {0x7F, 0xA0},       {0xAD, 0xAD},       {0x34F, 0x34F},     {0x600, 0x605},
+        {0x61C, 0x61C},     {0x6DD, 0x6DD},     {0x70F, 0x70F},     {0x890, 0x891},     {0x8E2, 0x8E2},
+        {0x115F, 0x1160},   {0x1680, 0x1680},   {0x17B4, 0x17B5},   {0x180B, 0x180F},   {0x2000, 0x200F},
+        {0x2028, 0x202F},   {0x205F, 0x206F},   {0x2800, 0x2800},   {0x3000, 0x3000},   {0x3164, 0x3164},
+        {0xE000, 0xF8FF},   {0xFE00, 0xFE0F},   {0xFDD0, 0xFDEF},   {0xFEFF, 0xFEFF},   {0xFFA0, 0xFFA0},
+        {0xFFF0, 0xFFFF},   {0x110BD, 0x110BD}, {0x110CD, 0x110CD}, {0x13430, 0x1343F}, {0x1BCA0, 0x1BCA3},
         {0x1D173, 0x1D17A}, {0xE0000, 0x10FFFF}};
     const std::size_t size = character.empty() ? 0 : character_at(character, 0);
     if (size == 0 || size != character.size()) return false;
@@ -75,8 +72,8 @@ bool is_seen(const std::string& character) {
     char32_t code = size == 1 ? first : first & (0x7Fu >> size);
     for (std::size_t i = 1; i < size; ++i) code = code << 6 | (static_cast<unsigned char>(character[i]) & 0x3Fu);
     return (code & 0xFFFE) != 0xFFFE && std::none_of(std::begin(unseen), std::end(unseen), [&](const auto& range) {
-        return code >= range.first && code <= range.second;
-    });
+               return code >= range.first && code <= range.second;
+           });
 }
 
 std::size_t columns() {
@@ -87,17 +84,12 @@ std::size_t columns() {
     return 80;
 }
 
-bool on_terminal() {
-    return isatty(STDOUT_FILENO) == 1;
-}
+bool on_terminal() { return isatty(STDOUT_FILENO) == 1; }
 
-std::string bold(const std::string& text) {
-    return on_terminal() ? "\033[1m" + text + "\033[0m" : text;
-}
+std::string bold(const std::string& text) { return on_terminal() ? "\033[1m" + text + "\033[0m" : text; }
 
 std::size_t width_of(const std::string& text) {
-    return text.size() -
-           static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues_character));
+    return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues_character));
 }
 
 std::string sanitized(const std::string& text) {
@@ -118,7 +110,8 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
 
 std::string sanitized_line(const std::string& text) {
     std::string line = sanitized(text);
-    std::replace_if(line.begin(), line.end(), [](char c) { return c == '\n' || c == '\t'; }, '?');
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c == '\n' || c == '\t'; }, '?');
     return line;
 }
 
@@ -154,19 +147,14 @@ namespace {
 bool waits_are_told = false;
 }
 
-TellWaits::TellWaits() {
-    waits_are_told = true;
-}
-TellWaits::~TellWaits() {
-    waits_are_told = false;
-}
+TellWaits::TellWaits() { waits_are_told = true; }
+TellWaits::~TellWaits() { waits_are_told = false; }
 
 void Wait::look() {
     const auto now = std::chrono::steady_clock::now();
     if (!waits_are_told || what_.empty() || now < next_) return;
     next_ = now + std::chrono::seconds(1);
-    if (isatty(STDERR_FILENO) == 1)
-        return line_.now(what_);
+    if (isatty(STDERR_FILENO) == 1) return line_.now(what_);
     line_.say(what_);
     what_.clear();
 }

@@ -24,8 +24,7 @@ namespace {
 // "100% tests passed, 0 tests failed out of 12" begins ctest's closing summary.
 bool begins_summary(const std::string& line) {
     const auto end = line.find_first_not_of("0123456789");
-    return end != std::string::npos &&
-           std::string_view(line).substr(end).starts_with("% tests passed");
+    return end != std::string::npos && std::string_view(line).substr(end).starts_with("% tests passed");
 }
 
 // "\t  5 - the pages open in a browser (Skipped)" stands in the summary for a test that was
@@ -51,8 +50,7 @@ void print_left_out(const char* label, const char* command) {
     std::istringstream lines(list);
     for (std::string line; std::getline(lines, line);) {
         const auto number = line.find("Test"), name = line.find(": ");
-        if (number != std::string::npos && line.find('#') != std::string::npos &&
-            name != std::string::npos)
+        if (number != std::string::npos && line.find('#') != std::string::npos && name != std::string::npos)
             names.push_back(line.substr(name + 2));
     }
     if (names.empty()) return;
@@ -94,13 +92,9 @@ void test(Tests which) {
     });
     // One more than there are processors: many a test waits for what sleeps.
     const std::string jobs = std::to_string(1 + std::max(1u, std::thread::hardware_concurrency()));
-    std::vector<std::string> command{places().ctest,
-                                     "--test-dir",
-                                     places().build.string(),
-                                     "--output-on-failure",
-                                     "--no-tests=error",
-                                     "--parallel",
-                                     jobs};
+    std::vector<std::string> command{
+        places().ctest, "--test-dir", places().build.string(), "--output-on-failure", "--no-tests=error",
+        "--parallel",   jobs};
     if (which == Tests::quick) command.insert(command.end(), {"--label-exclude", "long|release"});
     if (which == Tests::all) command.insert(command.end(), {"--label-exclude", "release"});
     const int status = listen(command, std::ref(lines));
@@ -117,8 +111,8 @@ void test(Tests which) {
     flush();
     if (status != 0) throw Stop(Status::wrong, "");
     if (strict && !left_out.empty())
-        throw Stop(Status::wrong,
-                   std::to_string(left_out.size()) + " skipped, which " + (which == Tests::all ? "--all" : "--release") + " counts as failed");
+        throw Stop(Status::wrong, std::to_string(left_out.size()) + " skipped, which " +
+                                      (which == Tests::all ? "--all" : "--release") + " counts as failed");
 }
 
 }  // namespace course

@@ -39,8 +39,8 @@ void print_table(const std::vector<Chapter>& chapters) {
         name_width = std::max(name_width, chapter.folder.size());
         title_width = std::max(title_width, width_of(chapter.title));
     }
-    const auto print_row = [&](const std::string& name, const std::string& title, double seconds,
-                               std::size_t figures, std::size_t rows) {
+    const auto print_row = [&](const std::string& name, const std::string& title, double seconds, std::size_t figures,
+                               std::size_t rows) {
         std::printf("%s  %s  %7.2f  %7zu  %17zu\n", padded(name, name_width).c_str(),
                     padded(title, title_width).c_str(), seconds, figures, rows);
     };
@@ -50,8 +50,7 @@ void print_table(const std::vector<Chapter>& chapters) {
     double seconds = 0;
     std::size_t figures = 0, rows = 0;
     for (const auto& chapter : chapters) {
-        print_row(chapter.folder, chapter.title, seconds_of(chapter), chapter.figures.size(),
-                  chapter.claims.size());
+        print_row(chapter.folder, chapter.title, seconds_of(chapter), chapter.figures.size(), chapter.claims.size());
         seconds += seconds_of(chapter);
         figures += chapter.figures.size();
         rows += chapter.claims.size();

@@ -46,13 +46,12 @@ Commands read_commands(const Exercise& exercise) {
                 json.at("workers").at(exercise.name),
                 json.at("worker")};
     } catch (const nlohmann::json::exception&) {
-        throw Stop(Status::missing, file.string() + " is damaged; delete the folder build, and ./course will make it again");
+        throw Stop(Status::missing,
+                   file.string() + " is damaged; delete the folder build, and ./course will make it again");
     }
 }
 
-void put_before(Words& words, const Words& others) {
-    words.insert(words.begin(), others.begin(), others.end());
-}
+void put_before(Words& words, const Words& others) { words.insert(words.begin(), others.begin(), others.end()); }
 
 // What looks like bubblewrap's words may be the learner's; so it is asked again.
 void stop_if_broken(const Words& around, const std::string& said) {
@@ -83,8 +82,7 @@ std::string ended_by(const Outcome& outcome) {
     const std::string line = said.substr(begin, end - begin);
     const auto name = line.find_first_of(": /");  // of a program, which is no place in the answer
     for (const std::string mark : {": fatal error: ", ": internal compiler error: "})
-        if (name != std::string::npos && line.substr(name).starts_with(mark))
-            return line.substr(name + mark.size());
+        if (name != std::string::npos && line.substr(name).starts_with(mark)) return line.substr(name + mark.size());
     return "";
 }
 
@@ -94,9 +92,8 @@ constexpr double idle_seconds = 5;
 // Runs the compiler; false where it refuses, or has not come to an end.
 bool succeeds(const Words& command, const TemporaryFolder& temporary, Verdict& verdict, int patience) {
     const int seconds = places().compiler_seconds * patience;
-    const Outcome outcome = run_within(
-        command, {10. * seconds, 4096, 64, 64, temporary.folder().string(), seconds, idle_seconds,
-                  "Waiting for the compiler"});
+    const Outcome outcome = run_within(command, {10. * seconds, 4096, 64, 64, temporary.folder().string(), seconds,
+                                                 idle_seconds, "Waiting for the compiler"});
     // The words may be the answer's own: so the disk is asked, too.
     if (outcome.status != 0 && outcome.said.find("No space left on device") != std::string::npos)
         stop_if_full(temporary.folder());
@@ -110,16 +107,14 @@ bool succeeds(const Words& command, const TemporaryFolder& temporary, Verdict& v
         verdict.compiler += "The compiler had not come to an end after " +
                             std::to_string(too_much_work ? seconds : 10 * seconds) + " s" +
                             (too_much_work ? " of work" : "") + ".\n";
-    if (signal == strsignal(SIGXFSZ))
-        verdict.compiler += "What the compiler makes of the file is larger than 64 MB.\n";
+    if (signal == strsignal(SIGXFSZ)) verdict.compiler += "What the compiler makes of the file is larger than 64 MB.\n";
     if (!too_much_work) verdict.compiler += outcome.said;  // "Please submit a full bug report"
     return outcome.status == 0 && !outcome.too_slow;
 }
 
 // The line of the learner's file that the addresses of a crash lead to, the innermost first; 0 if
 // none.
-int line_of_crash(const std::string& trace, const Words& around, const fs::path& worker,
-                  const fs::path& file) {
+int line_of_crash(const std::string& trace, const Words& around, const fs::path& worker, const fs::path& file) {
     if (trace.empty()) return 0;
     Words command{"addr2line", "-i", "-e", worker.string()};
     put_before(command, around);  // a stranger may have written what it reads
@@ -127,8 +122,7 @@ int line_of_crash(const std::string& trace, const Words& around, const fs::path&
     for (std::string address; addresses >> address;) command.push_back(address);
     std::istringstream places(run_within(command, {.seconds = 60, .megabytes = 512, .processor_seconds = 5}).said);
     for (std::string place; std::getline(places, place);)
-        if (place.starts_with(file.string() + ":"))
-            return std::atoi(place.c_str() + file.string().size() + 1);
+        if (place.starts_with(file.string() + ":")) return std::atoi(place.c_str() + file.string().size() + 1);
     return 0;
 }
 
@@ -163,15 +157,15 @@ std::map<std::string, std::string> read_lines(const std::string& said) {
 // Compiles the answer in `file`, or the course's own.
 Words compiling(Words words, const Exercise& exercise, const fs::path& file, const fs::path& object) {
     for (const std::string& word :
-         {std::string("-include"), exercise.declared().string(), std::string("-x"),
-          std::string("c++"), std::string("-c"), file.string(), std::string("-o"), object.string()})
+         {std::string("-include"), exercise.declared().string(), std::string("-x"), std::string("c++"),
+          std::string("-c"), file.string(), std::string("-o"), object.string()})
         words.push_back(word);
     return words;
 }
 
 Words linking(Words words, const Commands& commands, const fs::path& object, const fs::path& program) {
-    for (const std::string& word : {object.string(), commands.worker_object, commands.worker_library,
-                                    std::string("-o"), program.string()})
+    for (const std::string& word :
+         {object.string(), commands.worker_object, commands.worker_library, std::string("-o"), program.string()})
         words.push_back(word);
     return words;
 }
@@ -183,11 +177,13 @@ void stop_if_damaged(const Exercise& exercise, const Commands& commands, const S
     const fs::path object = temporary.folder() / "own.o";
     Verdict own;
     const auto works = [&](Words words) {
-        if (sandbox != nullptr) put_before(words, sandbox->before_compiler(words, temporary.folder(), {exercise.declared()}));
+        if (sandbox != nullptr)
+            put_before(words, sandbox->before_compiler(words, temporary.folder(), {exercise.declared()}));
         return succeeds(words, temporary, own, patience);
     };
     if (!works(compiling(commands.compile, exercise, exercise.stub(), object))) throw Damaged(true, own.compiler);
-    if (links && !works(linking(commands.link, commands, object, temporary.folder() / "own"))) throw Damaged(false, own.compiler);
+    if (links && !works(linking(commands.link, commands, object, temporary.folder() / "own")))
+        throw Damaged(false, own.compiler);
 }
 
 // What the learner's code has printed; nothing where it has put something else in the file's place,
@@ -211,8 +207,10 @@ bool meddled_with(const Outcome& outcome, const std::string& verdict) {
 }  // namespace
 
 Damaged::Damaged(bool header, const std::string& compiler)
-    : Stop(Status::missing, "the compiler refuses the course's own file, so no answer was checked. If this happens again, "
-                            "delete the folder build. The compiler says: " + compiler.substr(0, compiler.find('\n'))),
+    : Stop(Status::missing,
+           "the compiler refuses the course's own file, so no answer was checked. If this happens again, "
+           "delete the folder build. The compiler says: " +
+               compiler.substr(0, compiler.find('\n'))),
       header_(header) {}
 
 std::uint64_t new_seed() {
@@ -220,9 +218,7 @@ std::uint64_t new_seed() {
     return (static_cast<std::uint64_t>(random()) << 32) | random();
 }
 
-fs::path hidden_tests_of(const Exercise& exercise) {
-    return read_commands(exercise).check;
-}
+fs::path hidden_tests_of(const Exercise& exercise) { return read_commands(exercise).check; }
 
 std::vector<fs::path> parts_of_check(const Exercise& exercise) {
     const Commands commands = read_commands(exercise);
@@ -242,8 +238,8 @@ bool commands_are_whole(const Exercise& exercise) {
     }
 }
 
-Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_t seed,
-                   const Sandbox* sandbox, Watch watch, int patience) {
+Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_t seed, const Sandbox* sandbox,
+                   Watch watch, int patience) {
     const auto begin = std::chrono::steady_clock::now();
     const std::string answer = answer_in(exercise, given);  // or one clear line
     const Commands commands = read_commands(exercise);
@@ -261,8 +257,7 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     const auto ended = [&](const std::string& kind) {
         verdict.kind = kind;
         replace_all(verdict.compiler, file.string(), shown(given));
-        for (auto text : {&verdict.compiler, &verdict.printed, &verdict.detail})
-            *text = sanitized(*text);
+        for (auto text : {&verdict.compiler, &verdict.printed, &verdict.detail}) *text = sanitized(*text);
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         verdict.seconds = taken.count();
         return verdict;
@@ -286,13 +281,11 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
         compile.push_back(word);
     }
     Words around;
-    if (sandbox != nullptr)
-        around = sandbox->before_compiler(compile, temporary.folder(), {exercise.declared()});
+    if (sandbox != nullptr) around = sandbox->before_compiler(compile, temporary.folder(), {exercise.declared()});
     put_before(compile, around);
     const bool compiles = succeeds(compile, temporary, verdict, patience);
     if (!compiles) stop_if_broken(around, verdict.compiler);
-    const std::string not_own =
-        not_ones_own(files_in({object.string() + ".d", object.string() + ".incbin.d"}), file);
+    const std::string not_own = not_ones_own(files_in({object.string() + ".d", object.string() + ".incbin.d"}), file);
     if (!compiles && not_own.empty() && watch == Watch::nobody)
         stop_if_damaged(exercise, commands, sandbox, temporary, false, patience);
     if (!not_own.empty()) verdict.compiler = not_own;
@@ -307,20 +300,18 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     // The learner's code is not to reach our files through /proc: what we print is the verdict.
     prctl(PR_SET_DUMPABLE, 0);
     Words check{commands.check, exercise.name, worker.string(), printed.string()};
-    if (watch != Watch::nobody)
-        check.push_back(watch == Watch::sanitizers ? "sanitizers" : "memcheck");
+    if (watch != Watch::nobody) check.push_back(watch == Watch::sanitizers ? "sanitizers" : "memcheck");
     around = sandbox != nullptr ? sandbox->before_worker(worker) : Words{};
     check.insert(check.end(), around.begin(), around.end());
     // It gives the learner's code its limits itself, and for all calls a few minutes by the clock.
-    const Outcome outcome = run_within(
-        check, {.seconds = 600, .processor_seconds = 60, .waiting_for = "Waiting for your code to answer"},
-        std::to_string(seed) + "\n");
+    const Outcome outcome =
+        run_within(check, {.seconds = 600, .processor_seconds = 60, .waiting_for = "Waiting for your code to answer"},
+                   std::to_string(seed) + "\n");
     auto said = read_lines(outcome.said);
     const auto text = printed_in(printed);
     verdict.printed = text.value_or("");
     stop_if_broken(around, verdict.printed);
-    if (said["verdict"] == "wrong" || said["verdict"] == "not_finite")
-        verdict.property = said["property"];
+    if (said["verdict"] == "wrong" || said["verdict"] == "not_finite") verdict.property = said["property"];
     verdict.misconception = said["misconception"];
     verdict.detail = said["detail"];
     verdict.arguments = said["arguments"];
@@ -343,8 +334,7 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
         return ended("too_slow");
     }
     if (outcome.status > 1 || said["verdict"].empty()) {
-        verdict.detail =
-            outcome.too_slow ? "the hidden tests did not come to an end" : outcome.said;
+        verdict.detail = outcome.too_slow ? "the hidden tests did not come to an end" : outcome.said;
         return ended("course_error");
     }
     verdict.line = line_of_crash(said["trace"], around, worker, file);

@@ -44,7 +44,9 @@ enum class Watch { nobody, sanitizers, memcheck };
 class Damaged : public Stop {
 public:
     Damaged(bool header, const std::string& compiler);
-    bool header() const { return header_; }  ///< is it the header compiled beforehand, or what an answer is linked with?
+    bool header() const {
+        return header_;
+    }  ///< is it the header compiled beforehand, or what an answer is linked with?
 
 private:
     bool header_;
@@ -71,7 +73,6 @@ Verdict check_file(const Exercise& exercise, const std::filesystem::path& file, 
 /// The same with the sanitizers and, where nothing is wrong and it is there, with valgrind: errors
 /// that do not show in the numbers are crashes. Throws Stop(missing) where the compiler has no
 /// sanitizers.
-Verdict check_sanitized(const Exercise& exercise, const std::filesystem::path& file,
-                        std::uint64_t seed);
+Verdict check_sanitized(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed);
 
 }  // namespace course

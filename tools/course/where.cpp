@@ -60,9 +60,7 @@ std::string first_line_of(const fs::path& file) {
     return line;
 }
 
-std::string from_root(const fs::path& file) {
-    return fs::relative(file, places().source).generic_string();
-}
+std::string from_root(const fs::path& file) { return fs::relative(file, places().source).generic_string(); }
 
 // What no program has told of is where its name stands in a source: a small program's data and the
 // figures.
@@ -108,8 +106,7 @@ std::vector<Run> runs_meant(const std::string& folder) {
     const fs::path all = places().build / "chapters";
     for (const char* beside : {"instructions", "programs"})
         if (folder.empty() || folder == beside)
-            runs.push_back(
-                {beside, places().source / "tools/instructions", all / beside / "run", {}});
+            runs.push_back({beside, places().source / "tools/instructions", all / beside / "run", {}});
     if (!folder.empty() && runs.empty()) {
         const Chapter chapter = find_chapter(folder);
         return {{chapter.folder, chapter.sources(), chapter.run(), {}}};
@@ -142,8 +139,7 @@ bool shows(const std::string& words, const std::string& own, const Thing& thing)
     std::istringstream text(words.substr(0, words.find(':')));
     std::string first, reference;
     text >> first;
-    const bool named =
-        first == "check" || first == "figure" || first == "table" || first == "where";
+    const bool named = first == "check" || first == "figure" || first == "table" || first == "where";
     if (!named)
         reference = first;
     else
@@ -164,20 +160,14 @@ std::map<std::string, std::set<std::ptrdiff_t>> uses_of(const Thing& thing) {
             const bool drawing = entry.path().extension() == ".gp" && thing.kind == "data";
             if (!page && !drawing) continue;
             const std::string text = contents(entry.path()), file = from_root(entry.path());
-            const std::string own =
-                fs::relative(entry.path(), places().source / "chapters").begin()->string();
+            const std::string own = fs::relative(entry.path(), places().source / "chapters").begin()->string();
             if (drawing && own != thing.folder) continue;
             const std::string mark = page ? "{{" : thing.name;
             for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) {
                 const auto end = std::min(text.find("}}", at), text.size());
-                const bool quoted =
-                    at > 0 && std::string("\"'").find(text[at - 1]) != std::string::npos;
-                if (page ? !shows(text.substr(at + 2, end - std::min(end, at + 2)), own, thing)
-                         : !quoted)
-                    continue;
-                uses[file].insert(1 + std::count(text.begin(),
-                                                 text.begin() + static_cast<std::ptrdiff_t>(at),
-                                                 '\n'));
+                const bool quoted = at > 0 && std::string("\"'").find(text[at - 1]) != std::string::npos;
+                if (page ? !shows(text.substr(at + 2, end - std::min(end, at + 2)), own, thing) : !quoted) continue;
+                uses[file].insert(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
             }
         }
     return uses;
@@ -185,26 +175,21 @@ std::map<std::string, std::set<std::ptrdiff_t>> uses_of(const Thing& thing) {
 
 // Has the source been changed since it was run, so that the line may stand elsewhere now?
 bool has_changed(const Thing& thing, const Run& run) {
-    const auto done = written_at(run.place / "done"),
-               written = written_at(places().source / thing.file);
+    const auto done = written_at(run.place / "done"), written = written_at(places().source / thing.file);
     return done && (!written || *written > *done);
 }
 
 const char* words_before(const std::string& kind) {
-    return kind == "check"    ? "check "
-           : kind == "data"   ? "data file "
-           : kind == "figure" ? "figure "
-                              : "";
+    return kind == "check" ? "check " : kind == "data" ? "data file " : kind == "figure" ? "figure " : "";
 }
 
 void print(const Thing& thing, const Run& run) {
-    std::printf("%s:%d\n  %s%s/%s%s\n", thing.file.c_str(), thing.line, words_before(thing.kind),
-                thing.folder.c_str(), thing.name.c_str(), thing.words.c_str());
+    std::printf("%s:%d\n  %s%s/%s%s\n", thing.file.c_str(), thing.line, words_before(thing.kind), thing.folder.c_str(),
+                thing.name.c_str(), thing.words.c_str());
     for (const auto& [file, lines] : uses_of(thing))
         for (const auto line : lines) std::printf("  used at %s:%td\n", file.c_str(), line);
     if (has_changed(thing, run))
-        std::printf(
-            "  (that file has changed since the run: ./course tour brings the run up to date)\n");
+        std::printf("  (that file has changed since the run: ./course tour brings the run up to date)\n");
 }
 
 // Of a run that has not been made: does a page show a thing of this name, or does a source write one?
@@ -224,9 +209,9 @@ void where(const std::string& asked) {
     const auto slash = name.rfind('/');
     std::vector<Run> runs = runs_meant(slash == std::string::npos ? "" : name.substr(0, slash));
     if (slash != std::string::npos) name.erase(0, slash + 1);
-    if (name.empty())
-        throw Stop(Status::bad_use, "'" + asked + "' names nothing; a name is 03/energy_mean, say");
-    const auto made = std::stable_partition(runs.begin(), runs.end(), [](const Run& run) { return fs::exists(run.place / "done"); });
+    if (name.empty()) throw Stop(Status::bad_use, "'" + asked + "' names nothing; a name is 03/energy_mean, say");
+    const auto made =
+        std::stable_partition(runs.begin(), runs.end(), [](const Run& run) { return fs::exists(run.place / "done"); });
     std::vector<Run> missing(made, runs.end());
     runs.erase(made, runs.end());
     bool found = false;
@@ -243,9 +228,8 @@ void where(const std::string& asked) {
     for (auto& run : missing)  // which may have it
         if (speaks_of(run, name))
             throw Stop(Status::missing, "the run of " + run.folder + " has not been made here: ./course tour makes it");
-    throw Stop(Status::bad_use,
-               "'" + asked + "': no run has a number, check, data file or figure of that name" +
-                   near_names(runs, name));
+    throw Stop(Status::bad_use, "'" + asked + "': no run has a number, check, data file or figure of that name" +
+                                    near_names(runs, name));
 }
 
 }  // namespace course

@@ -1,8 +1,9 @@
-// Takes a number of gyroscopic steps, in float, with the spin in the world and the orientation at hand, as an engine has
-// them, by one rule or by several, one after the other: a program for a profiler to count. `plain library calm 1000` takes the library's
-// templates, `plain any calm 1000` them for a body whose kind is not known before, `plain functions calm 1000` those of gyroscopic.h, and `plain bullet own 1000` Bullet's rule. With
-// `calm_in_body` and so on the spin is in the body's axes, with `calm_in_double` the numbers are double, with
-// `calm_capsule` two moments are equal.
+// Takes a number of gyroscopic steps, in float, with the spin in the world and the orientation at hand, as an engine
+// has them, by one rule or by several, one after the other: a program for a profiler to count. `plain library calm
+// 1000` takes the library's templates, `plain any calm 1000` them for a body whose kind is not known before, `plain
+// functions calm 1000` those of gyroscopic.h, and `plain bullet own 1000` Bullet's rule. With `calm_in_body` and so on
+// the spin is in the body's axes, with `calm_in_double` the numbers are double, with `calm_capsule` two moments are
+// equal.
 
 #include <cstdio>
 #include <cstdlib>
@@ -47,7 +48,8 @@ template <class Solver, class Inertia, class Real>
 // The same where the kind is asked in every step, as gyroscopic.h's functions do.
 template <class Solver, class Inertia, class Real>
 [[gnu::noinline, gnu::flatten]] void any(const Solver& solver, Body<Inertia>& b, Real h) {
-    b.omega = std::visit([&](const auto& inertia) { return after_gyroscopic_torque(solver, inertia, b.q, b.omega, h); }, b.any.kind());
+    b.omega = std::visit([&](const auto& inertia) { return after_gyroscopic_torque(solver, inertia, b.q, b.omega, h); },
+                         b.any.kind());
 }
 template <class Solver, class Inertia, class Real>
 [[gnu::noinline, gnu::flatten]] void any_in_body(const Solver& solver, Body<Inertia>& b, Real h) {
@@ -73,12 +75,15 @@ bool keep(Body<Inertia> b, long n, const Step& step) {
 
 // Takes the rule of that name, if it is this one. `in_body` and `in_world` are gyroscopic.h's.
 template <auto in_body, auto in_world, class Solver, class Inertia>
-bool by(const std::string& name, const Solver& solver, const Body<Inertia>& b, const std::string& whose, const std::string& rule, long n) {
+bool by(const std::string& name, const Solver& solver, const Body<Inertia>& b, const std::string& whose,
+        const std::string& rule, long n) {
     using Real = typename Inertia::Scalar;
     if (whose == "library" && rule == name) return keep(b, n, [&](auto& body, Real h) { library(solver, body, h); });
     if (whose == "any" && rule == name) return keep(b, n, [&](auto& body, Real h) { any(solver, body, h); });
-    if (whose == "any" && rule == name + "_in_body") return keep(b, n, [&](auto& body, Real h) { any_in_body(solver, body, h); });
-    if (whose == "functions" && rule == name) return keep(b, n, [](auto& body, Real h) { functions<in_world>(body, h); });
+    if (whose == "any" && rule == name + "_in_body")
+        return keep(b, n, [&](auto& body, Real h) { any_in_body(solver, body, h); });
+    if (whose == "functions" && rule == name)
+        return keep(b, n, [](auto& body, Real h) { functions<in_world>(body, h); });
     if (whose == "library" && rule == name + "_in_body")
         return keep(b, n, [&](auto& body, Real h) { library_in_body(solver, body, h); });
     return whose == "functions" && rule == name + "_in_body" &&
@@ -87,19 +92,26 @@ bool by(const std::string& name, const Solver& solver, const Body<Inertia>& b, c
 
 // All rules of one body, whose kind is the end of their names: nothing, `_capsule`, `_ball`; and of its type of number.
 template <class Real, class Inertia>
-bool of_body(const std::string& kind, const Inertia& inertia, Real x, Real y, Real z, const std::string& whose, const std::string& rule, long n) {
+bool of_body(const std::string& kind, const Inertia& inertia, Real x, Real y, Real z, const std::string& whose,
+             const std::string& rule, long n) {
     const Real size = Real(unknown_one);
     const Quaternion<Real> q = Quaternion<Real>(size, 2, 3, 4).normalized();
     if constexpr (std::is_same_v<Real, float>) {
         const Body<Inertia> b{inertia, gyroscopic_from_momentsf(x, y, z), q, {size, 2, 3}, AnyInertia<Real>({x, y, z})};
-        return by<gyroscopic_passivef, gyroscopic_passive_in_worldf>("passive" + kind, passive_gyroscopic, b, whose, rule, n) ||
-               by<gyroscopic_half_stepf, gyroscopic_half_step_in_worldf>("half_step" + kind, half_step_jacobian, b, whose, rule, n) ||
-               by<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>("calm" + kind, calm_half_step, b, whose, rule, n);
+        return by<gyroscopic_passivef, gyroscopic_passive_in_worldf>("passive" + kind, passive_gyroscopic, b, whose,
+                                                                     rule, n) ||
+               by<gyroscopic_half_stepf, gyroscopic_half_step_in_worldf>("half_step" + kind, half_step_jacobian, b,
+                                                                         whose, rule, n) ||
+               by<gyroscopic_calm_half_stepf, gyroscopic_calm_half_step_in_worldf>("calm" + kind, calm_half_step, b,
+                                                                                   whose, rule, n);
     } else {
         const Body<Inertia> b{inertia, gyroscopic_from_moments(x, y, z), q, {size, 2, 3}, AnyInertia<Real>({x, y, z})};
-        return by<gyroscopic_passive, gyroscopic_passive_in_world>("passive" + kind, passive_gyroscopic, b, whose, rule, n) ||
-               by<gyroscopic_half_step, gyroscopic_half_step_in_world>("half_step" + kind, half_step_jacobian, b, whose, rule, n) ||
-               by<gyroscopic_calm_half_step, gyroscopic_calm_half_step_in_world>("calm" + kind, calm_half_step, b, whose, rule, n);
+        return by<gyroscopic_passive, gyroscopic_passive_in_world>("passive" + kind, passive_gyroscopic, b, whose, rule,
+                                                                   n) ||
+               by<gyroscopic_half_step, gyroscopic_half_step_in_world>("half_step" + kind, half_step_jacobian, b, whose,
+                                                                       rule, n) ||
+               by<gyroscopic_calm_half_step, gyroscopic_calm_half_step_in_world>("calm" + kind, calm_half_step, b,
+                                                                                 whose, rule, n);
     }
 }
 template <class Real>
@@ -121,7 +133,8 @@ void take(const std::string& whose, const std::string& rule, long n) {
         body.setCenterOfMassTransform(place);
         body.setAngularVelocity(btVector3(btScalar(size), 2, 3));
         for (long i = 0; i < n; ++i)
-            body.setAngularVelocity(body.getAngularVelocity() + body.computeGyroscopicImpulseImplicit_Body(btScalar(0.001)));
+            body.setAngularVelocity(body.getAngularVelocity() +
+                                    body.computeGyroscopicImpulseImplicit_Body(btScalar(0.001)));
         kept = double(body.getAngularVelocity().x());
         return;
     }

@@ -1,5 +1,5 @@
-// Takes a number of gyroscopic steps of one solver on one kind of inertia, or of several, one after the other: a program
-// for a profiler to count. `spins passive box 1000`.
+// Takes a number of gyroscopic steps of one solver on one kind of inertia, or of several, one after the other: a
+// program for a profiler to count. `spins passive box 1000`.
 
 #include <cstdio>
 #include <cstdlib>
@@ -19,8 +19,8 @@ using namespace timestep;
 
 // The orientation stays, as only the solver is counted.
 template <class Solver, class Inertia>
-[[gnu::noinline]] Vector3<double> spin(const Solver& solver, const Inertia& inertia,
-                                       const Matrix3<double>& R, Vector3<double> omega, long n) {
+[[gnu::noinline]] Vector3<double> spin(const Solver& solver, const Inertia& inertia, const Matrix3<double>& R,
+                                       Vector3<double> omega, long n) {
     for (long i = 0; i < n; ++i) omega = after_gyroscopic_torque(solver, inertia, R, omega, 0.001);
     return omega;
 }
@@ -44,10 +44,14 @@ Vector3<double> spin(const Solver& solver, const std::string& body, double size,
 void take(const std::string& solver, const std::string& body, long n) {
     const double size = unknown_one;
     Vector3<double> omega;
-    if (solver == "explicit") omega = spin(explicit_gyroscopic, body, size, n);
-    else if (solver == "iteration") omega = spin(implicit_gyroscopic, body, size, n);
-    else if (solver == "passive") omega = spin(passive_gyroscopic, body, size, n);
-    else std::exit((std::fprintf(stderr, "spins: %s: no such solver\n", solver.c_str()), 2));
+    if (solver == "explicit")
+        omega = spin(explicit_gyroscopic, body, size, n);
+    else if (solver == "iteration")
+        omega = spin(implicit_gyroscopic, body, size, n);
+    else if (solver == "passive")
+        omega = spin(passive_gyroscopic, body, size, n);
+    else
+        std::exit((std::fprintf(stderr, "spins: %s: no such solver\n", solver.c_str()), 2));
     kept = omega.sum();
 }
 

@@ -1,7 +1,7 @@
 // Takes a number of steps with one method, or with several, one after the other: a program for a profiler to
 // count. `steps semi_implicit_euler 1000` steps the library, `steps hand_semi_implicit_euler 1000`
-// the same loop written by hand; `steps spring_gravity 1000` steps a scene. The hand-written loops keep no time; nobody reads the library's here, so
-// the compiler drops it too.
+// the same loop written by hand; `steps spring_gravity 1000` steps a scene. The hand-written loops keep no time; nobody
+// reads the library's here, so the compiler drops it too.
 
 #include <cstdio>
 #include <cstdlib>
@@ -111,26 +111,40 @@ template <class Model>
 void take(const char* what, long n) {
     const double x = unknown_one, v = 0;
     double end = 0;
-    if (!std::strcmp(what, "hand_explicit_euler")) end = explicit_by_hand(x, v, n);
-    else if (!std::strcmp(what, "hand_semi_implicit_euler")) end = semi_implicit_by_hand(x, v, n);
-    else if (!std::strcmp(what, "hand_implicit_euler")) end = implicit_by_hand(x, v, n);
-    else if (!std::strcmp(what, "hand_runge_kutta_4")) end = runge_kutta_by_hand(x, v, n);
-    else if (!std::strcmp(what, "explicit_euler")) end = by_library(explicit_euler, x, v, n);
-    else if (!std::strcmp(what, "semi_implicit_euler")) end = by_library(semi_implicit_euler, x, v, n);
-    else if (!std::strcmp(what, "implicit_euler")) end = by_library(implicit_euler, x, v, n);
-    else if (!std::strcmp(what, "runge_kutta_4")) end = by_library(runge_kutta_4, x, v, n);
-    else if (!std::strcmp(what, "hand_gravity")) end = gravity_by_hand(x, v, n);
-    else if (!std::strcmp(what, "hand_spring_gravity")) end = spring_by_hand(x, v, n);
-    else if (!std::strcmp(what, "hand_spring_damper_gravity")) end = legs_by_hand(x, v, n);
-    else if (!std::strcmp(what, "hand_spring_damper_gravity_drag")) end = drag_by_hand(x, v, n);
-    else if (!std::strcmp(what, "gravity")) end = scene_by_library(Scene{Projectile(-g)}, x, v, n);
+    if (!std::strcmp(what, "hand_explicit_euler"))
+        end = explicit_by_hand(x, v, n);
+    else if (!std::strcmp(what, "hand_semi_implicit_euler"))
+        end = semi_implicit_by_hand(x, v, n);
+    else if (!std::strcmp(what, "hand_implicit_euler"))
+        end = implicit_by_hand(x, v, n);
+    else if (!std::strcmp(what, "hand_runge_kutta_4"))
+        end = runge_kutta_by_hand(x, v, n);
+    else if (!std::strcmp(what, "explicit_euler"))
+        end = by_library(explicit_euler, x, v, n);
+    else if (!std::strcmp(what, "semi_implicit_euler"))
+        end = by_library(semi_implicit_euler, x, v, n);
+    else if (!std::strcmp(what, "implicit_euler"))
+        end = by_library(implicit_euler, x, v, n);
+    else if (!std::strcmp(what, "runge_kutta_4"))
+        end = by_library(runge_kutta_4, x, v, n);
+    else if (!std::strcmp(what, "hand_gravity"))
+        end = gravity_by_hand(x, v, n);
+    else if (!std::strcmp(what, "hand_spring_gravity"))
+        end = spring_by_hand(x, v, n);
+    else if (!std::strcmp(what, "hand_spring_damper_gravity"))
+        end = legs_by_hand(x, v, n);
+    else if (!std::strcmp(what, "hand_spring_damper_gravity_drag"))
+        end = drag_by_hand(x, v, n);
+    else if (!std::strcmp(what, "gravity"))
+        end = scene_by_library(Scene{Projectile(-g)}, x, v, n);
     else if (!std::strcmp(what, "spring_gravity"))
         end = scene_by_library(Scene{Spring(omega), Projectile(-g)}, x, v, n);
     else if (!std::strcmp(what, "spring_damper_gravity"))
         end = scene_by_library(Scene{DampedSpring(omega, zeta), Projectile(-g)}, x, v, n);
     else if (!std::strcmp(what, "spring_damper_gravity_drag"))
         end = scene_by_library(Scene{DampedSpring(omega, zeta), Projectile(-g), Drag(drag)}, x, v, n);
-    else std::exit((std::fprintf(stderr, "steps: %s: no such method\n", what), 2));
+    else
+        std::exit((std::fprintf(stderr, "steps: %s: no such method\n", what), 2));
     kept = end;
 }
 

@@ -94,8 +94,7 @@ template <class Body, class... Terms>
     }
     return seen(m);
 }
-[[gnu::noinline]] double slide_by_hand(double gravity, double mu, Ball ball, Motion<double> m,
-                                       long n) {
+[[gnu::noinline]] double slide_by_hand(double gravity, double mu, Ball ball, Motion<double> m, long n) {
     const double r = ball.radius, I = ball.inertia.moment;
     V& v = m.v;
     V& spin = m.turning.omega;
@@ -166,17 +165,14 @@ void take(const std::string& term, const std::string& way, long n) {
     };
     const Ball ball{sphere(one, 0.1 * one), one, 0.1 * one};
     const Crate crate{box(one, 1.0, 2.0, 3.0)};
-    const Motion<double> start{{0, Quaternion<double>(one, 2, 3, 4).normalized(), V(one, 2, 3)},
-                               V(0, 0, 0.1 * one),
-                               V(3, one, 0)};
+    const Motion<double> start{
+        {0, Quaternion<double>(one, 2, 3, 4).normalized(), V(one, 2, 3)}, V(0, 0, 0.1 * one), V(3, one, 0)};
     const Weight weight(g * one);
     const Ground ground(mu * one);
     const Gyroscopic torque(passive_gyroscopic);
-    const auto bodies = [&](const auto& body, const auto& with, const auto& without,
-                            const auto& hand) {
+    const auto bodies = [&](const auto& body, const auto& with, const auto& without, const auto& hand) {
         return one_of(
-            way, [&] { return fly(with, body, start, n); },
-            [&] { return fly(without, body, start, n); }, hand);
+            way, [&] { return fly(with, body, start, n); }, [&] { return fly(without, body, start, n); }, hand);
     };
     const auto fly_hand = [&] { return fly_by_hand(g * one, start, n); };
 
@@ -196,8 +192,7 @@ void take(const std::string& term, const std::string& way, long n) {
     else if (term == "contact")
         end = bodies(ball, BodyScene(weight, ground), BodyScene(weight), fly_hand);
     else if (term == "rolling")
-        end = bodies(ball, BodyScene(weight, ground, RollingResistance(0.01 * one)),
-                     BodyScene(weight, ground),
+        end = bodies(ball, BodyScene(weight, ground, RollingResistance(0.01 * one)), BodyScene(weight, ground),
                      [&] { return slide_by_hand(g * one, mu * one, ball, start, n); });
     else if (term == "iterations")
         end = one_of(

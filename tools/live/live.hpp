@@ -184,7 +184,8 @@ public:
         if (y > most_ && left_at_[i] < 0) left_at_[i] = t;
     }
     // With these looks, in this part of the picture; the first of them wide behind the others, if that one is `behind`.
-    void draw(Picture& p, const std::array<const char*, lines>& looks, bool behind, double from_x, double to_x, double to_y) const {
+    void draw(Picture& p, const std::array<const char*, lines>& looks, bool behind, double from_x, double to_x,
+              double to_y) const {
         const double end = std::fmax(seconds, now_);
         p.window(end - seconds, end, 0, most_, false, from_x, to_x, 0, to_y);
         p.axes("t, s", what_);
@@ -193,7 +194,8 @@ public:
             p.ink(looks[i], behind && i == 0 ? 5 : 2, behind && i == 0 ? 0.6 : 1);
             trails_[i].draw(p);
             if (left_at_[i] < 0) continue;
-            p.text(std::fmin(std::fmax(left_at_[i], end - seconds) + 0.4, end - (p.narrow ? 17 : 9)), row * most_, "leaves upwards");
+            p.text(std::fmin(std::fmax(left_at_[i], end - seconds) + 0.4, end - (p.narrow ? 17 : 9)), row * most_,
+                   "leaves upwards");
             row -= 0.25;
         }
     }
@@ -211,7 +213,7 @@ private:
 inline double log10(double x) {
     int twos = 0;
     const double root = 0.70710678118654752, part = std::frexp(x, &twos);  // x = part · 2^twos, part from 1/2 to 1
-    const double z = (part - root) / (part + root);                       // ln(part/root) = 2 (z + z³/3 + z⁵/5 + …)
+    const double z = (part - root) / (part + root);  // ln(part/root) = 2 (z + z³/3 + z⁵/5 + …)
     double series = 0;
     for (int n = 17; n > 0; n -= 2) series = series * z * z + 1.0 / n;
     return 0.30102999566398120 * (twos - 0.5) + 0.86858896380650366 * z * series;
@@ -236,7 +238,7 @@ public:
     virtual void restart() = 0;  // to the start, as the controls stand
     virtual void step() = 0;
     virtual void draw(Picture& picture) const = 0;
-    virtual double seconds() const { return 1.0 / 60; }  // of the reader's time that a step stands for
+    virtual double seconds() const { return 1.0 / 60; }           // of the reader's time that a step stands for
     virtual bool restarts(const Control&) const { return true; }  // when the reader changes this one
     // Does the panel move this one by itself? Then it stops when the reader takes it, and goes on from there by Play.
     virtual bool moves(const Control&) const { return false; }
@@ -315,10 +317,10 @@ Panel& the_panel();
 }  // namespace live
 
 // At the end of a panel's file: this is the one.
-#define LIVE_PANEL(Type)                                                                                               \
-    live::Panel& live::the_panel() {                                                                                   \
-        static Type panel;                                                                                             \
-        return panel;                                                                                                  \
+#define LIVE_PANEL(Type)             \
+    live::Panel& live::the_panel() { \
+        static Type panel;           \
+        return panel;                \
     }
 
 #ifdef __wasm__

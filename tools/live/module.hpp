@@ -6,28 +6,18 @@
 #include "live.hpp"
 
 // A module has no words for what cannot go on (tools/cmake/live.cmake): it stops, and the page says so.
-extern "C" void __cxa_pure_virtual() {
-    __builtin_trap();
-}
+extern "C" void __cxa_pure_virtual() { __builtin_trap(); }
 
 extern "C" __attribute__((import_module("page"), import_name("clock"))) double page_clock();
-double live::clock() {
-    return page_clock();
-}
+double live::clock() { return page_clock(); }
 
 namespace live {
 namespace {
 
 Picture picture;
-const Control& control(int i) {
-    return *the_panel().controls[static_cast<std::size_t>(i)];
-}
-const Readout& readout(int i) {
-    return *the_panel().readouts[static_cast<std::size_t>(i)];
-}
-const Fuse& fuse(int i) {
-    return *the_panel().fuses[static_cast<std::size_t>(i)];
-}
+const Control& control(int i) { return *the_panel().controls[static_cast<std::size_t>(i)]; }
+const Readout& readout(int i) { return *the_panel().readouts[static_cast<std::size_t>(i)]; }
+const Fuse& fuse(int i) { return *the_panel().fuses[static_cast<std::size_t>(i)]; }
 template <class Parts>
 int count(const Parts& parts) {
     int n = 0;

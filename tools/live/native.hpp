@@ -16,7 +16,8 @@
 #include "live.hpp"
 #include "still.hpp"
 
-// With the word clock=2 each look at the clock is 2 ms after the one before: so what measures ends on the same bits, too.
+// With the word clock=2 each look at the clock is 2 ms after the one before: so what measures ends on the same bits,
+// too.
 static double live_tick = 0, live_ticks = 0;
 double live::clock() {
     if (live_tick > 0) return live_ticks += live_tick;
@@ -64,13 +65,15 @@ inline std::string carry_out(Panel& panel, const std::string& word) {
         return "";
     }
     if (name == "steps") {
-        if (!numbers_in(value, numbers, 1) || numbers[0] != std::floor(numbers[0]) || numbers[0] < 0 || numbers[0] > 1e9)
+        if (!numbers_in(value, numbers, 1) || numbers[0] != std::floor(numbers[0]) || numbers[0] < 0 ||
+            numbers[0] > 1e9)
             return word + ": steps must be a whole number from 0 to 1e9";
         for (long n = std::lround(numbers[0]); n > 0; --n) panel.go_on();
         return "";
     }
     if (name == "clock") {
-        if (!numbers_in(value, numbers, 1) || numbers[0] <= 0) return word + ": clock must be a number of ms above zero";
+        if (!numbers_in(value, numbers, 1) || numbers[0] <= 0)
+            return word + ": clock must be a number of ms above zero";
         live_tick = numbers[0];
         return "";
     }
@@ -119,8 +122,10 @@ int main(int count, char** words) {
     panel.draw(picture);
     std::printf("%ld steps\n", panel.steps);
     for (const Readout* readout : panel.readouts)
-        if (readout && readout->known) std::printf("%s: %.17g %s\n", readout->label, readout->value, readout->unit);
-        else if (readout) std::printf("%s: not yet\n", readout->label);
+        if (readout && readout->known)
+            std::printf("%s: %.17g %s\n", readout->label, readout->value, readout->unit);
+        else if (readout)
+            std::printf("%s: not yet\n", readout->label);
     for (const Fuse* fuse : panel.fuses)
         if (fuse && fuse->blown_at >= 0) std::printf("%s blew up at step %ld\n", fuse->name, fuse->blown_at);
     if (picture.broken()) std::printf("a place in the picture is no number\n");

@@ -135,7 +135,8 @@ private:
         for (const Paint each : {soft, blue, orange}) fill(p, turned, x, y, paint, each, look[each], 1);
         for (int level = -levels; level <= levels; ++level) {
             const double brighter = 1.0 * level / levels - 0.5;
-            fill(p, turned, x, y, light, level, brighter > 0 ? "paper" : "ink", brighter > 0 ? brighter : -0.35 * brighter);
+            fill(p, turned, x, y, light, level, brighter > 0 ? "paper" : "ink",
+                 brighter > 0 ? brighter : -0.35 * brighter);
         }
     }
     // The faces of this kind.

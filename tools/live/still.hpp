@@ -20,7 +20,8 @@ public:
         const double height = key();
         return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width_) + "\" height=\"" + number(height) +
                "\" viewBox=\"0 0 " + number(width_) + " " + number(height) +
-               "\" font-family=\"sans-serif\" font-size=\"14\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" +
+               "\" font-family=\"sans-serif\" font-size=\"14\">\n<rect width=\"100%\" height=\"100%\" "
+               "fill=\"#fff\"/>\n" +
                svg_ + "</svg>\n";
     }
 
@@ -76,8 +77,8 @@ private:
         unclip();
         const std::string name = "part" + number(++parts_);
         svg_ += "<clipPath id=\"" + name + "\"><rect x=\"" + number(left_) + "\" y=\"" + number(top_) + "\" width=\"" +
-                number(right_ - left_) + "\" height=\"" + number(bottom_ - top_) + "\"/></clipPath>\n<g clip-path=\"url(#" +
-                name + ")\">\n";
+                number(right_ - left_) + "\" height=\"" + number(bottom_ - top_) +
+                "\"/></clipPath>\n<g clip-path=\"url(#" + name + ")\">\n";
         clipped_ = true;
     }
     void unclip() {
@@ -94,17 +95,25 @@ private:
                 bottom_ = (1 - a[7]) * height_ - 8, top_ = (1 - a[8]) * height_ + 8;
                 std::copy_n(a, 5, shown_);
                 return fit(), clip(), at + 10;
-            case 1: return unclip(), axes(a), clip(), at + 5;
-            case 2: colour_ = look_of(word(a[0])).colour, dashes_ = look_of(word(a[0])).dashes;
+            case 1:
+                return unclip(), axes(a), clip(), at + 5;
+            case 2:
+                colour_ = look_of(word(a[0])).colour, dashes_ = look_of(word(a[0])).dashes;
                 stroke_ = number(a[1]), strength_ = number(a[2]);
                 return at + 4;
             case 3:
                 if (!begun_) path_.clear();
                 begun_ = true, path_ += "M" + place(a);
                 return at + 3;
-            case 4: path_ += "L" + place(a); return at + 3;
-            case 5: path("none", colour_); return at + 1;
-            case 6: path(colour_, "none"); return at + 1;
+            case 4:
+                path_ += "L" + place(a);
+                return at + 3;
+            case 5:
+                path("none", colour_);
+                return at + 1;
+            case 6:
+                path(colour_, "none");
+                return at + 1;
             case 7:
                 svg_ += "<circle cx=\"" + number(x(a[0])) + "\" cy=\"" + number(y(a[1])) + "\" r=\"" + number(a[2]) +
                         "\" fill=\"" + colour_ + "\" opacity=\"" + strength_ + "\"/>\n";
@@ -122,8 +131,8 @@ private:
         begun_ = false;  // it may be drawn once more, but the next move begins another
     }
     void text(double px, double py, const std::string& words, const std::string& anchor, const std::string& colour) {
-        svg_ += "<text x=\"" + number(px) + "\" y=\"" + number(py) + "\" text-anchor=\"" + anchor + "\" fill=\"" + colour +
-                "\">" + words + "</text>\n";
+        svg_ += "<text x=\"" + number(px) + "\" y=\"" + number(py) + "\" text-anchor=\"" + anchor + "\" fill=\"" +
+                colour + "\">" + words + "</text>\n";
     }
     void tick_line(double x1, double y1, double x2, double y2, const char* colour) {
         svg_ += "<path d=\"M" + number(x1) + " " + number(y1) + "L" + number(x2) + " " + number(y2) + "\" stroke=\"" +
@@ -167,7 +176,7 @@ private:
     const Picture& picture_;
     const Panel& panel_;
     const double width_ = 640, height_;
-    bool begun_ = false;  // is a path?
+    bool begun_ = false;        // is a path?
     std::string texts_ = "\n";  // all words in the picture
     std::string svg_, path_, colour_ = "#333333", dashes_, stroke_ = "2", strength_ = "1";
     double left_ = 0, right_ = 0, bottom_ = 0, top_ = 0;

@@ -26,7 +26,8 @@ std::string between(const std::string& text, std::string_view begin, std::string
 }
 
 /// An attribute of a tag on `page`, with the blank before it, as it is in the book.
-std::string moved(const std::string& name, const std::string& value, const std::string& page, const std::set<std::string>& pages) {
+std::string moved(const std::string& name, const std::string& value, const std::string& page,
+                  const std::set<std::string>& pages) {
     const bool leaves = value.find(':') != std::string::npos;
     if (name == "id" || name == "name") {
         return " " + name + "=\"" + page + "." + value + "\"";
@@ -40,13 +41,15 @@ std::string moved(const std::string& name, const std::string& value, const std::
         if (pages.count(to) == 0) {
             return {};
         }
-        return " href=\"#" + to + (value.find('#') == std::string::npos ? "" : "." + value.substr(value.find('#') + 1)) + "\"";
+        return " href=\"#" + to +
+               (value.find('#') == std::string::npos ? "" : "." + value.substr(value.find('#') + 1)) + "\"";
     }
     // In a book nothing moves, and every picture is printed.
     return name == "loading" || name == "data-module" ? "" : " " + name + "=\"" + value + "\"";
 }
 
-std::string chapter_of_book(const fs::path& site, const std::string& page, const std::set<std::string>& pages, std::string& title) {
+std::string chapter_of_book(const fs::path& site, const std::string& page, const std::set<std::string>& pages,
+                            std::string& title) {
     const std::string file = page + ".html", html = page::read_file(site / file);
     title = page::trim(between(html, "<div class=\"title\" role=\"heading\" aria-level=\"1\">", "</div>", file));
     std::string text = between(html, "<div class=\"contents\">", "</div><!-- PageDoc -->", file);
@@ -74,14 +77,16 @@ std::string chapter_of_book(const fs::path& site, const std::string& page, const
                 break;
             }
             const auto blank = inside.rfind(' ', equals);
-            book += inside.substr(next, blank - next) +
-                    moved(inside.substr(blank + 1, equals - blank - 1), inside.substr(equals + 2, quote - equals - 2), page, pages);
+            book +=
+                inside.substr(next, blank - next) + moved(inside.substr(blank + 1, equals - blank - 1),
+                                                          inside.substr(equals + 2, quote - equals - 2), page, pages);
             next = quote + 1;
         }
         book += '>';
         at = end + 1;
     }
-    return "<section class=\"page\" id=\"" + page + "\">\n<h1 class=\"title\">" + title + "</h1>\n" + book + "</section>\n";
+    return "<section class=\"page\" id=\"" + page + "\">\n<h1 class=\"title\">" + title + "</h1>\n" + book +
+           "</section>\n";
 }
 
 }  // namespace
@@ -105,12 +110,14 @@ int main(int argc, char** argv) {
                 head += "<link rel=\"stylesheet\" href=\"html/" + std::string{style} + "\">\n";
             }
         }
-        page::write_file(argv[2], "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Timestep</title>\n" +
-                                      head + "<script>const katexFolder = \"html/katex/\";</script>\n" +
-                                      "<script defer src=\"html/timestep.js\"></script>\n</head>\n<body class=\"book\">\n" +
-                                      "<div class=\"contents\">\n<h1 class=\"title\">Timestep</h1>\n<p>Numerical methods for game "
-                                      "physics, by building them</p>\n<ul>\n" +
-                                      contents + "</ul>\n" + chapters + "</div>\n</body>\n</html>\n");
+        page::write_file(
+            argv[2],
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Timestep</title>\n" + head +
+                "<script>const katexFolder = \"html/katex/\";</script>\n" +
+                "<script defer src=\"html/timestep.js\"></script>\n</head>\n<body class=\"book\">\n" +
+                "<div class=\"contents\">\n<h1 class=\"title\">Timestep</h1>\n<p>Numerical methods for game "
+                "physics, by building them</p>\n<ul>\n" +
+                contents + "</ul>\n" + chapters + "</div>\n</body>\n</html>\n");
         return 0;
     } catch (const std::exception& wrong) {
         std::cerr << wrong.what() << "\n";

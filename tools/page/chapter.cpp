@@ -25,37 +25,23 @@ std::vector<std::string> list(const Json& about, const std::string& key) {
 
 /// Chapters live in folders like 03_euler_variants; chapters/support is none.
 bool is_chapter(const std::string& folder) {
-    const auto digit = [&](std::size_t i) {
-        return std::isdigit(static_cast<unsigned char>(folder[i])) != 0;
-    };
+    const auto digit = [&](std::size_t i) { return std::isdigit(static_cast<unsigned char>(folder[i])) != 0; };
     return folder.size() > 3 && digit(0) && digit(1) && folder[2] == '_';
 }
 
 }  // namespace
 
-std::string Chapter::id(bool more) const {
-    return (more ? "more_" : "chapter_") + folder.substr(0, 2);
-}
+std::string Chapter::id(bool more) const { return (more ? "more_" : "chapter_") + folder.substr(0, 2); }
 
-std::string Chapter::section_prefix(bool more) const {
-    return (more ? "more" : "ch") + std::to_string(number) + "_";
-}
+std::string Chapter::section_prefix(bool more) const { return (more ? "more" : "ch") + std::to_string(number) + "_"; }
 
-std::string Chapter::source(bool more) const {
-    return "chapters/" + folder + (more ? "/more.md" : "/chapter.md");
-}
+std::string Chapter::source(bool more) const { return "chapters/" + folder + (more ? "/more.md" : "/chapter.md"); }
 
-std::string Chapter::heading() const {
-    return std::to_string(number) + " · " + title;
-}
+std::string Chapter::heading() const { return std::to_string(number) + " · " + title; }
 
-std::string Chapter::program() const {
-    return "chapters/" + folder + "/" + folder.substr(3) + ".cpp";
-}
+std::string Chapter::program() const { return "chapters/" + folder + "/" + folder.substr(3) + ".cpp"; }
 
-std::string Chapter::about() const {
-    return "chapters/" + folder + "/about.json";
-}
+std::string Chapter::about() const { return "chapters/" + folder + "/about.json"; }
 
 std::vector<Chapter> load_chapters(const std::filesystem::path& root) {
     std::vector<std::string> folders;

@@ -12,7 +12,7 @@ struct Chapter {
     int number;            ///< 3
     std::string title;     ///< `Three ways to take a step`
     std::string question;  ///< in a game programmer's words
-    std::string picture;  ///< one of the figures: what its program draws
+    std::string picture;   ///< one of the figures: what its program draws
     std::vector<std::string> builds_on, claims, figures;
     bool has_more;  ///< is there a second page, more.md?
 

@@ -20,7 +20,8 @@ std::string seconds(long milliseconds) {
     return text;
 }
 
-/// How long it takes to read a page, without what it folds away: so many words a minute, with formulas and figures between them.
+/// How long it takes to read a page, without what it folds away: so many words a minute, with formulas and figures
+/// between them.
 std::string minutes_to_read(std::string source) {
     constexpr std::size_t words_a_minute = 150, grain = 5;
     for (std::size_t open; (open = source.find("{{ask:")) != std::string::npos;) {
@@ -37,7 +38,8 @@ std::string card(Context& context, const Chapter& chapter) {
     const std::string& file = chapter.picture;
     const std::filesystem::path drawn = context.run_of(chapter.folder + "/", name).figure(file);
     return "<a class=\"card\" aria-hidden=\"true\" tabindex=\"-1\" href=\"" + chapter.id() + ".html\">" +
-           replace_all(picture_html(context, chapter.folder, drawn, ""), "screen and (max-width: 560px)", "screen") + "</a>";
+           replace_all(picture_html(context, chapter.folder, drawn, ""), "screen and (max-width: 560px)", "screen") +
+           "</a>";
 }
 
 }  // namespace
@@ -50,10 +52,14 @@ std::string chapter_header(Context& context, const std::string& source) {
     std::vector<std::filesystem::path> inputs;
     const std::size_t exercises = load_exercises(context.root(), chapter.folder, inputs).size();
     context.inputs.insert(inputs.begin(), inputs.end());
-    std::string facts = "Chapter " + number + " of " + std::to_string(context.chapters().size()) + " · " + minutes_to_read(source) +
-        " minutes to read" + (exercises == 0 ? "" : " · [" + std::to_string(exercises) + (exercises == 1 ? " exercise" : " exercises") +
-        "](@ref " + chapter.section_prefix() + "exercises)") + " · <code>./course run " + number + "</code>: " +
-        source_link(program, 0, escape_markdown(program.substr(program.rfind('/') + 1)));
+    std::string facts =
+        "Chapter " + number + " of " + std::to_string(context.chapters().size()) + " · " + minutes_to_read(source) +
+        " minutes to read" +
+        (exercises == 0 ? ""
+                        : " · [" + std::to_string(exercises) + (exercises == 1 ? " exercise" : " exercises") +
+                              "](@ref " + chapter.section_prefix() + "exercises)") +
+        " · <code>./course run " + number +
+        "</code>: " + source_link(program, 0, escape_markdown(program.substr(program.rfind('/') + 1)));
     try {
         const RunData& run = context.run_of(chapter.folder + "/", name);
         facts += ", runs in " + seconds(run.milliseconds()) + "\u202fs";
@@ -71,8 +77,8 @@ std::string chapter_header(Context& context, const std::string& source) {
     if (!before.empty()) {
         facts += " · Builds on: " + before;
     }
-    return "# " + chapter.heading() + " {#" + chapter.id() + "}\n\n[TOC]\n\n<div class=\"facts\">" +
-           facts + "</div>\n\n";
+    return "# " + chapter.heading() + " {#" + chapter.id() + "}\n\n[TOC]\n\n<div class=\"facts\">" + facts +
+           "</div>\n\n";
 }
 
 std::string chapter_footer(const Context& context) {
@@ -108,8 +114,8 @@ std::string chapters_markdown(Context& context) {
         }
         list += "\n\\htmlonly[block]<div class=\"chapter\">" + picture +
                 "<div class=\"about\">\\endhtmlonly\n<b>\\subpage " + chapter.id() + " \"" +
-                replace_all(chapter.heading(), "\"", "'") + "\"</b>" + state + "\n\n" +
-                chapter.question + "\n\n\\htmlonly[block]</div></div>\\endhtmlonly\n";
+                replace_all(chapter.heading(), "\"", "'") + "\"</b>" + state + "\n\n" + chapter.question +
+                "\n\n\\htmlonly[block]</div></div>\\endhtmlonly\n";
     }
     return list + "\n\\htmlonly[block]</div>\\endhtmlonly\n";
 }

@@ -17,8 +17,7 @@ void for_each_record(const std::filesystem::path& file, std::size_t fields, Take
         const std::vector<std::string> record = split(line, '\t');
         if (record.size() != fields || !is_row(record.front())) {
             throw Error{file.string(), number,
-                        "must be a claim and " + std::to_string(fields - 1) +
-                            " more fields with tabs between"};
+                        "must be a claim and " + std::to_string(fields - 1) + " more fields with tabs between"};
         }
         take(record, number);
     }
@@ -61,8 +60,7 @@ std::vector<IndexEntry> load_indexes(const std::filesystem::path& folder) {
 std::string index_lines(const std::vector<IndexEntry>& index) {
     std::string lines;
     for (const IndexEntry& entry : index) {
-        lines += entry.row + "\t" + entry.kind + "\t" + entry.page + "\t" + entry.anchor + "\t" +
-                 entry.title + "\n";
+        lines += entry.row + "\t" + entry.kind + "\t" + entry.page + "\t" + entry.anchor + "\t" + entry.title + "\n";
     }
     return lines;
 }

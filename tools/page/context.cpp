@@ -29,8 +29,7 @@ const std::string& Context::folder_of(const std::string& reference) {
     const std::size_t slash = reference.find('/');
     if (slash == std::string::npos) {
         if (chapter_ == nullptr) {
-            throw std::out_of_range{"\"" + reference + "\" needs its chapter before it: NN_name/" +
-                                    reference};
+            throw std::out_of_range{"\"" + reference + "\" needs its chapter before it: NN_name/" + reference};
         }
         return chapter_->folder;
     }
@@ -50,8 +49,7 @@ RunData& Context::run_of(const std::string& reference, std::string& name) {
     const std::size_t slash = reference.find('/');
     name = slash == std::string::npos ? reference : reference.substr(slash + 1);
     const std::string& folder = folder_of(reference);
-    if (const std::filesystem::path done = runs_ / folder / "run/done";
-        std::filesystem::exists(done)) {
+    if (const std::filesystem::path done = runs_ / folder / "run/done"; std::filesystem::exists(done)) {
         inputs.insert(done);  // the page is out of date when that run is made again
     }
     return data_.at(folder);

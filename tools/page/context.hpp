@@ -54,13 +54,13 @@ public:
 
     std::vector<IndexEntry> index;                         ///< rows taught and drawn here
     std::map<std::string, std::filesystem::path> figures;  ///< shown here: `chapter/file`, drawn at
-    std::vector<Numbered> order;  ///< the figures of the page, of both of a chapter's
+    std::vector<Numbered> order;                           ///< the figures of the page, of both of a chapter's
     std::set<std::string> left_out;                        ///< figures that this run leaves out: `chapter/file`
     std::set<std::string> anchors;                         ///< ids of those figures
     std::set<std::filesystem::path> inputs;                ///< files read besides the runs'
     std::map<std::string, std::string> pages;              ///< what goes on pages beside this one: file, Markdown
-    bool draft = false;  ///< what no run has left yet becomes a gap
-    int gaps = 0;        ///< so many, in a draft
+    bool draft = false;                                    ///< what no run has left yet becomes a gap
+    int gaps = 0;                                          ///< so many, in a draft
     std::filesystem::path indexes;                         ///< for the page of the talks
 
 private:

@@ -28,28 +28,29 @@ std::string number_markdown(Context& context, const std::string& reference);
 std::string number_tex(Context& context, const std::string& reference);
 /// `{{check name}}`: a check mark that tells what the run confirmed.
 std::string check_markdown(Context& context, const Directive& directive);
-/// Marks with nothing but blanks between them become one, which tells all that they tell; it stands on the line of the word before it.
+/// Marks with nothing but blanks between them become one, which tells all that they tell; it stands on the line of the
+/// word before it.
 std::string with_marks_joined(std::string page);
 /// `{{line explicit_euler}}`: a piece of the line that figures draw for a method.
 std::string line_markdown(Context& context, const Directive& directive);
 /// `{{figure file.svg N22 N24: caption}}`; `caption` is the filled caption.
-std::string figure_markdown(Context& context, const Directive& directive,
-                            const std::string& caption);
+std::string figure_markdown(Context& context, const Directive& directive, const std::string& caption);
 /// `{{see file.svg}}`, `{{see 03_euler_variants/portraits.svg}}`: "Figure 3.2", as a link.
 std::string see_markdown(Context& context, const Directive& directive);
 /// The id of a figure on its page.
 std::string figure_anchor(const std::filesystem::path& drawn);
 /// The figures of a page's source as they follow each other. `folder` and `page` are the chapter's,
 /// or nothing.
-std::vector<Numbered> figures_of(std::string_view source, const std::string& file,
-                                 const std::string& folder, const std::string& page);
-/// The figures of a chapter: those of its page, then those of its second one. Not those between a {{where name}} that the
-/// chapter's run has not measured and its {{end}}; these go to `context.left_out` where the page is the chapter's.
+std::vector<Numbered> figures_of(std::string_view source, const std::string& file, const std::string& folder,
+                                 const std::string& page);
+/// The figures of a chapter: those of its page, then those of its second one. Not those between a {{where name}} that
+/// the chapter's run has not measured and its {{end}}; these go to `context.left_out` where the page is the chapter's.
 std::vector<Numbered> figures_of(Context& context, const Chapter& chapter);
 /// Did the run find a value for the number that `{{where name}}` names? `folder` is the chapter's whose page that is.
 bool is_measured(Context& context, const Directive& directive, const std::string& folder);
 /// The picture `drawn` as HTML, `folder/file` below the site's figures; on phones the narrow one, where there is one.
-std::string picture_html(Context& context, const std::string& folder, const std::filesystem::path& drawn, const std::string& words);
+std::string picture_html(Context& context, const std::string& folder, const std::filesystem::path& drawn,
+                         const std::string& words);
 /// `{{live panel: caption}}`, `{{live 03_chapter/panel: caption}}`; `caption` is the filled caption.
 std::string live_markdown(Context& context, const Directive& directive, const std::string& caption);
 /// The caption's first sentence without marks, for those who cannot see the picture.

@@ -56,8 +56,12 @@ std::string as_hex(std::string_view colour) {
     if (std::sscanf(std::string{colour}.c_str(), "rgb(%u,%u,%u)", &parts[0], &parts[1], &parts[2]) == 3) {
         return hex(parts[0], parts[1], parts[2]);
     }
-    std::string text{colour == "black" ? "#000000" : colour == "white" ? "#ffffff" : colour == "lightgrey" ? "#d3d3d3" : colour};
-    std::transform(text.begin(), text.end(), text.begin(), [](char c) { return c >= 'A' && c <= 'F' ? static_cast<char>(c + 32) : c; });
+    std::string text{colour == "black"       ? "#000000"
+                     : colour == "white"     ? "#ffffff"
+                     : colour == "lightgrey" ? "#d3d3d3"
+                                             : colour};
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](char c) { return c >= 'A' && c <= 'F' ? static_cast<char>(c + 32) : c; });
     if (text.size() == 4 && text[0] == '#') {
         text = {'#', text[1], text[1], text[2], text[2], text[3], text[3]};
     }
@@ -65,8 +69,9 @@ std::string as_hex(std::string_view colour) {
 }
 
 bool is_hex(std::string_view colour) {
-    return colour.size() == 7 && colour[0] == '#' &&
-           std::all_of(colour.begin() + 1, colour.end(), [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
+    return colour.size() == 7 && colour[0] == '#' && std::all_of(colour.begin() + 1, colour.end(), [](char c) {
+               return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
+           });
 }
 
 // ---- Lines ------------------------------------------------------------------------------------------
@@ -155,17 +160,18 @@ std::string rounded(const std::string& text) {
 
 // ---- Tags -------------------------------------------------------------------------------------------
 
-constexpr std::string_view font = "Helvetica Neue,Helvetica,Arial,sans-serif";  // as figure.gp has it
+constexpr std::string_view font = "Helvetica Neue,Helvetica,Arial,sans-serif";             // as figure.gp has it
 constexpr std::string_view round = " stroke-linecap=\"round\" stroke-linejoin=\"round\"";  // and its lines end so
 
 /// Light or shadow on a body, in the still picture of a panel: a grey area that shines through.
 bool is_veil(std::string_view inside) {
     const auto has = [&](std::string_view words) { return inside.find(words) != std::string_view::npos; };
-    return (has(" fill=\"#333333\"") || has(" fill=\"#ffffff\"")) && has(" stroke=\"none\"") && has(" opacity=\"") && !has(" opacity=\"1\"");
+    return (has(" fill=\"#333333\"") || has(" fill=\"#ffffff\"")) && has(" stroke=\"none\"") && has(" opacity=\"") &&
+           !has(" opacity=\"1\"");
 }
 
-/// One tag with its attributes in short; `colours` gets each attribute that is a colour, as `stroke="#333333"`. A map and
-/// the scale beside it (an image and polygons) keep their colours, on both grounds; so do veils.
+/// One tag with its attributes in short; `colours` gets each attribute that is a colour, as `stroke="#333333"`. A map
+/// and the scale beside it (an image and polygons) keep their colours, on both grounds; so do veils.
 std::string tag(std::string_view inside, std::set<std::string>& colours, bool map) {
     const std::string_view name = inside.substr(0, inside.find_first_of(" \n\t/"));
     const bool keeps_colours = map && name == "polygon", veil = is_veil(inside);
@@ -180,18 +186,22 @@ std::string tag(std::string_view inside, std::set<std::string>& colours, bool ma
         }
         std::string value{inside.substr(open + 1, close - open - 1)};
         at = close + 1;
-        const bool of_all = name == "g" && attribute.starts_with("stroke-line") && value == "round";  // the first tag says so
+        const bool of_all =
+            name == "g" && attribute.starts_with("stroke-line") && value == "round";  // the first tag says so
         if (attribute == "class" || of_all || (attribute == "font-family" && value == font)) {
             continue;
         }
         if (attribute == "stroke" || attribute == "fill" || attribute == "color" || attribute == "flood-color") {
-            value = keeps_colours ? value : veil && attribute == "fill" ? (value == "#ffffff" ? "rgb(255,255,255)" : "rgb(51,51,51)") : as_hex(value);
+            value = keeps_colours                 ? value
+                    : veil && attribute == "fill" ? (value == "#ffffff" ? "rgb(255,255,255)" : "rgb(51,51,51)")
+                                                  : as_hex(value);
             if (is_hex(value)) {
                 colours.insert(std::string{attribute} + "=\"" + value + "\"");
             }
         } else if (attribute == "d") {
             value = path(value);
-        } else if (attribute == "points" || (name == "use" && attribute == "transform") || (name == "g" && attribute == "transform")) {
+        } else if (attribute == "points" || (name == "use" && attribute == "transform") ||
+                   (name == "g" && attribute == "transform")) {
             value = rounded(value);
         }
         text += " " + std::string{attribute} + "=\"" + value + "\"";
@@ -270,7 +280,8 @@ std::string on_dark_ground(std::string_view colour) {
     const double more = std::min((here + aim) / 2 / here, 1 / *std::max_element(light.begin(), light.end()));
     const double share = (aim - more * here) / (1 - more * here);
     Light mixed{};
-    std::transform(light.begin(), light.end(), mixed.begin(), [&](double part) { return more * part + share * (1 - more * part); });
+    std::transform(light.begin(), light.end(), mixed.begin(),
+                   [&](double part) { return more * part + share * (1 - more * part); });
     return colour_of(mixed);
 }
 
@@ -291,9 +302,12 @@ std::string for_pages(std::string_view svg) {
         }
         const std::string_view inside = svg.substr(open + 1, close - open - 1);
         if (head.empty()) {
-            const bool gnuplot = svg.find("gnuplot_canvas") != std::string_view::npos;  // else a panel's, which says so itself
-            head = "<" + tag(inside, colours, map) + (gnuplot ? " font-family=\"" + std::string{font} + "\"" + std::string{round} : "") + ">";
-        } else if (inside.starts_with("g>") || inside.starts_with('/') || inside.starts_with('!') || inside.starts_with('?')) {
+            const bool gnuplot =
+                svg.find("gnuplot_canvas") != std::string_view::npos;  // else a panel's, which says so itself
+            head = "<" + tag(inside, colours, map) +
+                   (gnuplot ? " font-family=\"" + std::string{font} + "\"" + std::string{round} : "") + ">";
+        } else if (inside.starts_with("g>") || inside.starts_with('/') || inside.starts_with('!') ||
+                   inside.starts_with('?')) {
             body += "<" + std::string{inside} + ">";
         } else {
             body += "<" + tag(inside, colours, map) + ">";

@@ -35,7 +35,8 @@ std::string task(const fs::path& file, const std::set<std::string>& names) {
     enum { words, rows, formulas } inside = words;
     std::string markdown, pending;  // a row, or sentences: a formula may go over the end of a line
     const auto flush = [&] {
-        if (!pending.empty()) markdown += inside == rows ? row(pending, names) + " |\n" : with_formulas(pending, names) + "\n";
+        if (!pending.empty())
+            markdown += inside == rows ? row(pending, names) + " |\n" : with_formulas(pending, names) + "\n";
         if (inside == formulas) markdown += "\\end{aligned}\\f]\n";
         pending.clear();
     };
@@ -54,7 +55,8 @@ std::string task(const fs::path& file, const std::set<std::string>& names) {
         if (now != before || in == 2 || text.empty()) flush();
         inside = now;
         if (inside == formulas) {
-            markdown += (before == formulas ? "\\\\" : "\\f[\\begin{aligned}") + ("&" + formula_tex(std::string{trim(text)})) + "\n";
+            markdown += (before == formulas ? "\\\\" : "\\f[\\begin{aligned}") +
+                        ("&" + formula_tex(std::string{trim(text)})) + "\n";
         } else if (inside == rows) {
             if (before != rows) markdown += "| name | what it is |\n|---|---|\n";
             pending += in == 2 ? text.substr(2) : " " + text.substr(in);
@@ -74,8 +76,7 @@ std::string Exercise::place() const {
     return std::to_string(std::stoi(chapter.substr(0, 2))) + "." + std::to_string(number);
 }
 
-std::vector<Exercise> load_exercises(const fs::path& root, const std::string& chapter,
-                                     std::vector<fs::path>& inputs) {
+std::vector<Exercise> load_exercises(const fs::path& root, const std::string& chapter, std::vector<fs::path>& inputs) {
     std::vector<Exercise> exercises;
     const fs::path folder = root / "tests/exercises" / chapter;
     if (!fs::is_directory(folder)) {

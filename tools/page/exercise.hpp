@@ -13,7 +13,7 @@ struct Exercise {
     int number;                 ///< its place in the chapter
     std::string title, level, practises, declaration;
     std::vector<std::string> hints;  ///< as Markdown
-    std::string task;  ///< the comment that its file begins with, as Markdown
+    std::string task;                ///< the comment that its file begins with, as Markdown
 
     /// `1.2`
     std::string place() const;
@@ -33,8 +33,8 @@ std::string formula_tex(const std::string& plain);
 /// The names of the parameters in a declaration.
 std::set<std::string> names_in(const std::string& declaration);
 
-/// A sentence as Markdown, in which what is a formula by the looks of it, made of `names`, letters, numbers and signs, is
-/// set as one, and what is C++ as code. What looks like half a formula stays as it is.
+/// A sentence as Markdown, in which what is a formula by the looks of it, made of `names`, letters, numbers and signs,
+/// is set as one, and what is C++ as code. What looks like half a formula stays as it is.
 std::string with_formulas(const std::string& sentence, const std::set<std::string>& names);
 
 }  // namespace page

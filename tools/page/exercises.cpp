@@ -7,9 +7,7 @@
 namespace page {
 namespace {
 
-std::string quoted(const std::string& text) {
-    return "\"" + replace_all(text, "\"", "'") + "\"";
-}
+std::string quoted(const std::string& text) { return "\"" + replace_all(text, "\"", "'") + "\""; }
 
 /// On a chapter's page: one line each, with the way to the task.
 std::string in_brief(const std::vector<Exercise>& exercises) {
@@ -46,13 +44,12 @@ std::string in_lines(const std::string& declaration) {
 std::string in_full(const Exercise& exercise) {
     std::string text = "\n## " + exercise.place() + " " + exercise.title + " {#" + exercise.id() + "}\n\n*" +
                        exercise.level + "; practises " + escape_markdown(exercise.practises) + "*\n\n```cpp\n" +
-                       in_lines(exercise.declaration) + "\n```\n\n" + exercise.task +
-                       "\nYour file is `exercises/" + exercise.chapter + "/" + exercise.name +
-                       ".cpp`; `./course check " + exercise.name + "` checks it.\n";
+                       in_lines(exercise.declaration) + "\n```\n\n" + exercise.task + "\nYour file is `exercises/" +
+                       exercise.chapter + "/" + exercise.name + ".cpp`; `./course check " + exercise.name +
+                       "` checks it.\n";
     for (std::size_t i = 0; i < exercise.hints.size(); ++i) {
         text += "\n\\htmlonly[block]<details class=\"hint\"><summary>Hint " + std::to_string(i + 1) +
-                "</summary>\\endhtmlonly\n" + exercise.hints[i] +
-                "\n\\htmlonly[block]</details>\\endhtmlonly\n";
+                "</summary>\\endhtmlonly\n" + exercise.hints[i] + "\n\\htmlonly[block]</details>\\endhtmlonly\n";
     }
     return text;
 }
@@ -70,8 +67,9 @@ std::string exercises_markdown(Context& context) {
             const auto exercises = load_exercises(context.root(), chapter.folder, inputs);
             if (exercises.empty()) continue;
             const std::string id = "exercises_" + std::to_string(chapter.number);
-            std::string page = "# Exercises: " + chapter.heading() + " {#" + id + "}\n\n[TOC]\n\nWhat they need is in chapter \\ref " +
-                               chapter.id() + " " + quoted(chapter.heading()) +
+            std::string page = "# Exercises: " + chapter.heading() + " {#" + id +
+                               "}\n\n[TOC]\n\nWhat they need is in chapter \\ref " + chapter.id() + " " +
+                               quoted(chapter.heading()) +
                                "; how they are done and checked, in \\ref exercises_how \"How it works\".\n";
             for (const Exercise& exercise : exercises) page += in_full(exercise);
             context.pages[id + ".md"] = page;

@@ -29,21 +29,23 @@ static std::string shown_file(const std::filesystem::path& drawn) {
     return drawn.extension() == ".gif" ? drawn.stem().string() + ".still.gif" : drawn.filename().string();
 }
 
-std::string picture_html(Context& context, const std::string& folder, const std::filesystem::path& drawn, const std::string& words) {
+std::string picture_html(Context& context, const std::string& folder, const std::filesystem::path& drawn,
+                         const std::string& words) {
     const auto size_of = [](const std::filesystem::path& file) {
         const ImageSize size = image_size(file);
         return " width=\"" + std::to_string(size.width) + "\" height=\"" + std::to_string(size.height) + "\"";
     };
     const std::string file = drawn.filename().string(), source = "figures/" + folder + "/" + shown_file(drawn);
     context.figures.emplace(folder + "/" + file, drawn);
-    const std::string image = "<img src=\"" + source + "\" alt=\"" + words + "\"" + size_of(drawn) + " loading=\"lazy\">";
+    const std::string image =
+        "<img src=\"" + source + "\" alt=\"" + words + "\"" + size_of(drawn) + " loading=\"lazy\">";
     const std::filesystem::path narrow = drawn.parent_path() / "narrow" / file;
     if (drawn.extension() == ".gif" || !std::filesystem::exists(narrow.parent_path())) {
         return image;
     }
     context.figures.emplace(folder + "/narrow/" + file, narrow);
-    return "<picture><source srcset=\"figures/" + folder + "/narrow/" + file + "\" media=\"screen and (max-width: 560px)\"" +
-           size_of(narrow) + ">" + image + "</picture>";
+    return "<picture><source srcset=\"figures/" + folder + "/narrow/" + file +
+           "\" media=\"screen and (max-width: 560px)\"" + size_of(narrow) + ">" + image + "</picture>";
 }
 
 namespace {
@@ -60,13 +62,11 @@ using Order = std::vector<Numbered>;
 /// "Figure 3.2" in a chapter, "Figure 2" elsewhere.
 std::string label(const Chapter* chapter, const Order& order, Order::const_iterator found) {
     const std::string number = std::to_string(found - order.begin() + 1);
-    return "Figure\u00a0" +
-           (chapter == nullptr ? number : std::to_string(chapter->number) + "." + number);
+    return "Figure\u00a0" + (chapter == nullptr ? number : std::to_string(chapter->number) + "." + number);
 }
 
 Order::const_iterator find(const Order& order, const std::string& figure) {
-    return std::find_if(order.begin(), order.end(),
-                        [&](const Numbered& each) { return each.figure == figure; });
+    return std::find_if(order.begin(), order.end(), [&](const Numbered& each) { return each.figure == figure; });
 }
 
 }  // namespace
@@ -76,15 +76,14 @@ std::string figure_anchor(const std::filesystem::path& drawn) {
     return "fig-" + figure_name(drawn, moves) + (moves ? "-film" : "");
 }
 
-std::vector<Numbered> figures_of(std::string_view source, const std::string& file,
-                                 const std::string& folder, const std::string& page) {
+std::vector<Numbered> figures_of(std::string_view source, const std::string& file, const std::string& folder,
+                                 const std::string& page) {
     Order order;
     for (const Piece& piece : scan(source, file)) {
         if (piece.kind == Piece::Kind::directive && piece.text.starts_with("figure ")) {
             const std::vector<std::string> words = split_words(piece.text.substr(0, piece.text.find(':')));
             const std::string& shown = words.size() > 1 ? words[1] : words[0];
-            order.push_back(
-                {shown.find('/') == std::string::npos ? folder + "/" + shown : shown, page});
+            order.push_back({shown.find('/') == std::string::npos ? folder + "/" + shown : shown, page});
         }
     }
     return order;
@@ -96,18 +95,25 @@ bool is_measured(Context& context, const Directive& directive, const std::string
     }
     const std::string& reference = directive.arguments.front();
     std::string name;
-    return !context.run_of(reference.find('/') == std::string::npos && !folder.empty() ? folder + "/" + reference : reference, name)
-                .number(name).value.empty();
+    return !context
+                .run_of(
+                    reference.find('/') == std::string::npos && !folder.empty() ? folder + "/" + reference : reference,
+                    name)
+                .number(name)
+                .value.empty();
 }
 
 namespace {
 
 /// The figures of a chapter's page that its run leaves out.
-std::set<std::string> left_out(Context& context, const Chapter& chapter, std::string_view source, const std::string& file) {
+std::set<std::string> left_out(Context& context, const Chapter& chapter, std::string_view source,
+                               const std::string& file) {
     std::set<std::string> figures;
     std::string where;  // the {{where …}} that we are in
     for (const Piece& piece : scan(source, file)) {
-        const std::vector<std::string> words = piece.kind == Piece::Kind::directive ? split_words(piece.text.substr(0, piece.text.find(':'))) : std::vector<std::string>{};
+        const std::vector<std::string> words = piece.kind == Piece::Kind::directive
+                                                   ? split_words(piece.text.substr(0, piece.text.find(':')))
+                                                   : std::vector<std::string>{};
         const std::string kind = words.empty() ? "" : words[0];
         if (kind == "where" || kind == "end") {
             where = kind == "where" ? piece.text : "";
@@ -152,10 +158,9 @@ std::string see_markdown(Context& context, const Directive& directive) {
     const std::string& folder = context.folder_of(reference);
     const auto link = [&](const Chapter* chapter, const Order& order) {
         const auto found = find(order, folder + "/" + file);
-        return found == order.end()
-                   ? std::string{}
-                   : "<a href=\"" + (found->page == context.page() ? "" : found->page + ".html") +
-                         "#" + figure_anchor(file) + "\">" + label(chapter, order, found) + "</a>";
+        return found == order.end() ? std::string{}
+                                    : "<a href=\"" + (found->page == context.page() ? "" : found->page + ".html") +
+                                          "#" + figure_anchor(file) + "\">" + label(chapter, order, found) + "</a>";
     };
     std::string html = link(context.chapter(), context.order);
     for (const Chapter& chapter : context.chapters()) {
@@ -169,8 +174,7 @@ std::string see_markdown(Context& context, const Directive& directive) {
     return html;
 }
 
-std::string figure_markdown(Context& context, const Directive& directive,
-                            const std::string& caption) {
+std::string figure_markdown(Context& context, const Directive& directive, const std::string& caption) {
     if (directive.arguments.empty() || trim(caption).empty()) {
         throw std::invalid_argument{"a figure is {{figure file.svg N22: caption}}"};
     }
@@ -179,8 +183,7 @@ std::string figure_markdown(Context& context, const Directive& directive,
     RunData& run = context.run_of(reference, file);
     const std::string& folder = context.folder_of(reference);
     for (const Chapter& chapter : context.chapters()) {
-        if (chapter.folder == folder &&
-            std::count(chapter.figures.begin(), chapter.figures.end(), file) == 0) {
+        if (chapter.folder == folder && std::count(chapter.figures.begin(), chapter.figures.end(), file) == 0) {
             throw std::out_of_range{file + " is not among the figures in " + chapter.about()};
         }
     }
@@ -203,23 +206,20 @@ std::string figure_markdown(Context& context, const Directive& directive,
     for (std::size_t i = 1; i < directive.arguments.size(); ++i) {
         const std::string& row = directive.arguments[i];
         const Chapter* chapter = context.chapter();
-        if (chapter == nullptr ||
-            std::count(chapter->claims.begin(), chapter->claims.end(), row) == 0) {
+        if (chapter == nullptr || std::count(chapter->claims.begin(), chapter->claims.end(), row) == 0) {
             throw std::out_of_range{"\"" + row + "\" is none of this chapter's claims"};
         }
-        context.index.push_back({row, "figure", context.page() + ".html", anchor,
-                                 replace_all(name, "_", " ") + (moves ? ", film" : "")});
+        context.index.push_back(
+            {row, "figure", context.page() + ".html", anchor, replace_all(name, "_", " ") + (moves ? ", film" : "")});
     }
 
     const std::string picture = picture_html(context, folder, drawn, escape_html(first_sentence(caption)));
-    return "\n\\htmlonly[block]<figure id=\"" + anchor + "\" class=\"" +
-           (moves ? "picture animation" : "picture") +
-           "\" style=\"--width:" + std::to_string(image_size(drawn).width) +
-           "px\"><a class=\"card\" href=\"figures/" + folder + "/" + shown_file(drawn) + "\">" + picture +
+    return "\n\\htmlonly[block]<figure id=\"" + anchor + "\" class=\"" + (moves ? "picture animation" : "picture") +
+           "\" style=\"--width:" + std::to_string(image_size(drawn).width) + "px\"><a class=\"card\" href=\"figures/" +
+           folder + "/" + shown_file(drawn) + "\">" + picture +
            "</a><figcaption>\\endhtmlonly\n<span class=\"figure-number\">" +
-           label(context.chapter(), context.order, find(context.order, folder + "/" + file)) +
-           ".</span> " + std::string{trim(caption)} +
-           "\n\\htmlonly[block]</figcaption></figure>\\endhtmlonly\n";
+           label(context.chapter(), context.order, find(context.order, folder + "/" + file)) + ".</span> " +
+           std::string{trim(caption)} + "\n\\htmlonly[block]</figcaption></figure>\\endhtmlonly\n";
 }
 
 }  // namespace page

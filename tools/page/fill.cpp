@@ -41,8 +41,9 @@ public:
         }
         try {
             if (beginnings.empty() || !whole) {
-                throw std::out_of_range{"the page does not show the chapter's program, in parts and then whole "
-                                        "({{program: its first words}}, {{program}})"};
+                throw std::out_of_range{
+                    "the page does not show the chapter's program, in parts and then whole "
+                    "({{program: its first words}}, {{program}})"};
             }
             parts_ = parts_of(program_, beginnings);
         } catch (const std::out_of_range& wrong) {
@@ -114,8 +115,9 @@ private:
         if (is_block && piece.text.starts_with("figure ")) {
             id = " id=\"" + figure_anchor(parse_directive(piece.text).arguments.at(0)) + "\"";
         }
-        return is_block ? "\n<div class=\"gap\"" + id + ">Not there yet: this comes from a run that is still "
-                          "to be made.</div>\n"
+        return is_block ? "\n<div class=\"gap\"" + id +
+                              ">Not there yet: this comes from a run that is still "
+                              "to be made.</div>\n"
                         : "<span class=\"gap\">(…)</span>";
     }
 
@@ -144,8 +146,7 @@ private:
     /// A chapter's title comes from about.json, with the header; its second page has one of its
     /// own.
     std::string fill_heading(const Piece& piece) {
-        if (piece.text.find_first_of("$") != std::string::npos ||
-            piece.text.find("{{") != std::string::npos) {
+        if (piece.text.find_first_of("$") != std::string::npos || piece.text.find("{{") != std::string::npos) {
             throw std::invalid_argument{
                 "a heading stands in the tree and in the search as plain text: "
                 "no formula and no number in it"};
@@ -197,8 +198,9 @@ private:
         if (name == "line") {
             return line_markdown(context_, directive);
         }
-        static const std::set<std::string> blocks{"figure", "code",     "run",  "table",    "claims",
-                                                  "talks",  "chapters", "said", "exercises", "which", "program", "compile", "live", "ask", "answered"};
+        static const std::set<std::string> blocks{"figure",  "code",     "run",  "table",     "claims",
+                                                  "talks",   "chapters", "said", "exercises", "which",
+                                                  "program", "compile",  "live", "ask",       "answered"};
         if (blocks.count(name) == 0) {
             if (!directive.arguments.empty() || !directive.text.empty()) {
                 throw std::invalid_argument{"there is no {{" + name + " …}}"};
@@ -214,10 +216,8 @@ private:
         if (name == "figure" || name == "live") {
             const std::size_t before = piece.text.size() - directive.text.size();
             const int lines_before = static_cast<int>(
-                std::count(piece.text.begin(),
-                           piece.text.begin() + static_cast<std::ptrdiff_t>(before), '\n'));
-            const std::vector<Piece> caption =
-                scan(directive.text, file_, piece.line + lines_before);
+                std::count(piece.text.begin(), piece.text.begin() + static_cast<std::ptrdiff_t>(before), '\n'));
+            const std::vector<Piece> caption = scan(directive.text, file_, piece.line + lines_before);
             return (name == "live" ? live_markdown : figure_markdown)(context_, directive, fill(caption));
         }
         if (name == "code") {
@@ -247,18 +247,19 @@ private:
         if (name == "claims") {
             return rows_markdown(context_, directive, below_heading ? heading_ : Heading{});
         }
-        return fill_generated(
-            name == "talks" ? talks_markdown(context_) : chapters_markdown(context_), piece);
+        return fill_generated(name == "talks" ? talks_markdown(context_) : chapters_markdown(context_), piece);
     }
 
     /// A question whose answer is folded: `{{ask: question}}`, the answer, `{{answered}}`.
     std::string fold(const Directive& directive) {
         const bool asks = directive.name == "ask";
         if (asks == asked_ || !directive.arguments.empty() || directive.text.empty() == asks) {
-            throw std::invalid_argument{"{{ask: question}} and {{answered}} come by turns, with the answer between them"};
+            throw std::invalid_argument{
+                "{{ask: question}} and {{answered}} come by turns, with the answer between them"};
         }
         asked_ = asks;
-        return asks ? "\n\\htmlonly[block]<details class=\"ask\"><summary>" + escape_html(directive.text) + "</summary><div>\\endhtmlonly\n"
+        return asks ? "\n\\htmlonly[block]<details class=\"ask\"><summary>" + escape_html(directive.text) +
+                          "</summary><div>\\endhtmlonly\n"
                     : "\n\\htmlonly[block]</div></details>\\endhtmlonly\n";
     }
 
@@ -316,16 +317,14 @@ Directive parse_directive(const std::string& inner) {
     }
     directive.name = words.front();
     directive.arguments.assign(words.begin() + 1, words.end());
-    directive.text = colon == std::string::npos
-                         ? ""
-                         : std::string{trim(std::string_view{inner}.substr(colon + 1))};
+    directive.text = colon == std::string::npos ? "" : std::string{trim(std::string_view{inner}.substr(colon + 1))};
     return directive;
 }
 
 std::string fill(Context& context, std::string_view source, const std::string& file) {
     const std::vector<Piece> pieces = scan(source, file);
-    context.order = context.chapter() == nullptr ? figures_of(source, file, "", "")
-                                                 : figures_of(context, *context.chapter());
+    context.order =
+        context.chapter() == nullptr ? figures_of(source, file, "", "") : figures_of(context, *context.chapter());
     Filler filler{context, file};
     std::string page;
     if (context.chapter() == nullptr) {

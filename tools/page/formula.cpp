@@ -16,8 +16,11 @@ bool digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// A name: `omega2`, `x_above`, `L.x`, `inertia.x()`, `up'`; or a word of English.
 std::string name_tex(std::string name) {
-    static const std::array<std::string, 7> greek{"omega", "theta", "gamma", "beta", "zeta", "lambda", "alpha"}, words{"of", "sum", "with", "force", "all", "and", "for"};
-    const auto in = [](const auto& list, const std::string& word) { return std::find(list.begin(), list.end(), word) != list.end(); };
+    static const std::array<std::string, 7> greek{"omega", "theta", "gamma", "beta", "zeta", "lambda", "alpha"},
+        words{"of", "sum", "with", "force", "all", "and", "for"};
+    const auto in = [](const auto& list, const std::string& word) {
+        return std::find(list.begin(), list.end(), word) != list.end();
+    };
     if (in(words, name)) {
         return "\\text{ " + name + " }";
     }
@@ -31,8 +34,13 @@ std::string name_tex(std::string name) {
         index += name[at] == '_' || name[at] == '.' ? "" : std::string{name[at]};
     }
     static const std::array<std::string, 3> functions{"sin", "cos", "exp"};
-    const std::string set = in(greek, base) || in(functions, base) ? "\\" + base : base.size() > 1 ? "\\mathit{" + base + "}" : base;
-    return set + (index.empty() ? "" : "_{" + (index.size() > 1 && letter(index[0]) ? "\\text{" + index + "}" : index) + "}") + name.substr(at);
+    const std::string set = in(greek, base) || in(functions, base) ? "\\" + base
+                            : base.size() > 1                      ? "\\mathit{" + base + "}"
+                                                                   : base;
+    return set +
+           (index.empty() ? ""
+                          : "_{" + (index.size() > 1 && letter(index[0]) ? "\\text{" + index + "}" : index) + "}") +
+           name.substr(at);
 }
 
 }  // namespace
@@ -50,13 +58,13 @@ std::string formula_tex(const std::string& plain) {
             tex += end - at > 1 ? "\\quad " : goes_on ? "\\," : "";
         } else if (letter(c)) {
             while (end < size && (letter(plain[end]) || digit(plain[end]) || plain[end] == '_' || plain[end] == '\'' ||
-                                  (plain[end] == '.' && end + 1 < size && letter(plain[end + 1])) || plain.compare(end, 2, "()") == 0 ||
-                                  plain.compare(end - 1, 2, "()") == 0)) {
+                                  (plain[end] == '.' && end + 1 < size && letter(plain[end + 1])) ||
+                                  plain.compare(end, 2, "()") == 0 || plain.compare(end - 1, 2, "()") == 0)) {
                 ++end;
             }
             const std::string name = plain.substr(at, end - at);
-            const bool cross = name == "x" && operand && at > 0 && plain[at - 1] == ' ' && end + 1 < size && plain[end] == ' ' &&
-                               (letter(plain[end + 1]) || plain[end + 1] == '(');
+            const bool cross = name == "x" && operand && at > 0 && plain[at - 1] == ' ' && end + 1 < size &&
+                               plain[end] == ' ' && (letter(plain[end + 1]) || plain[end + 1] == '(');
             const std::size_t close = plain.find(')', end);
             if (name == "sqrt" && plain.compare(end, 1, "(") == 0 && close != std::string::npos) {
                 tex += "\\sqrt{" + formula_tex(plain.substr(end + 1, close - end - 1)) + "}";

@@ -17,9 +17,7 @@ unsigned byte_at(std::string_view data, std::size_t at) {
 }
 
 /// A colour table's bytes, from the flags that announce it.
-std::size_t colour_table(unsigned flags) {
-    return (flags & 0x80u) != 0 ? 3u << ((flags & 7u) + 1) : 0;
-}
+std::size_t colour_table(unsigned flags) { return (flags & 0x80u) != 0 ? 3u << ((flags & 7u) + 1) : 0; }
 
 /// Past a chain of data blocks: each tells its length, the last one is empty.
 std::size_t after_blocks(std::string_view gif, std::size_t at) {

@@ -28,8 +28,8 @@ void flatten(const nlohmann::json& object, const std::string& prefix, const std:
             flat[key] = {value.get<std::string>()};
         } else if (value.is_number() || value.is_boolean()) {
             flat[key] = {value.dump()};
-        } else if (value.is_array() && std::all_of(value.begin(), value.end(),
-                                                   [](const auto& item) { return item.is_string(); })) {
+        } else if (value.is_array() &&
+                   std::all_of(value.begin(), value.end(), [](const auto& item) { return item.is_string(); })) {
             flat[key] = value.get<std::vector<std::string>>();
         } else {
             throw Error{file, 1, "\"" + key + "\" must be words, a list of them, a number, true or false"};

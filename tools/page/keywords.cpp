@@ -1,4 +1,5 @@
-// The words of C++20 in listings: Doxygen 1.9 colours the double in <double> not at all, and two parts of floating_point.
+// The words of C++20 in listings: Doxygen 1.9 colours the double in <double> not at all, and two parts of
+// floating_point.
 
 #include "listings.hpp"
 #include "text.hpp"
@@ -12,13 +13,22 @@ namespace {
 
 /// Doxygen's class for a word of the language; nothing for any other.
 std::string_view kind_of(std::string_view word) {
-    static const std::set<std::string_view> types{"bool", "char", "double", "float", "int", "long", "short", "signed", "unsigned", "void"};
-    static const std::set<std::string_view> flow{"break", "case", "catch", "continue", "default", "do", "else", "for", "goto", "if", "return", "switch", "throw", "try", "while"};
+    static const std::set<std::string_view> types{"bool", "char",  "double", "float",    "int",
+                                                  "long", "short", "signed", "unsigned", "void"};
+    static const std::set<std::string_view> flow{"break", "case", "catch",  "continue", "default", "do",  "else", "for",
+                                                 "goto",  "if",   "return", "switch",   "throw",   "try", "while"};
     static const std::set<std::string_view> others{
-        "alignas", "auto", "class", "concept", "const", "const_cast", "consteval", "constexpr", "constinit", "decltype", "delete", "dynamic_cast", "enum", "explicit", "extern",
-        "false", "friend", "inline", "mutable", "namespace", "new", "noexcept", "nullptr", "operator", "override", "private", "protected", "public", "requires", "sizeof", "static",
-        "static_assert", "static_cast", "struct", "template", "this", "thread_local", "true", "typedef", "typename", "union", "using", "virtual", "volatile"};
-    return types.contains(word) ? "keywordtype" : flow.contains(word) ? "keywordflow" : others.contains(word) ? "keyword" : "";
+        "alignas",   "auto",         "class",    "concept",       "const",        "const_cast", "consteval",
+        "constexpr", "constinit",    "decltype", "delete",        "dynamic_cast", "enum",       "explicit",
+        "extern",    "false",        "friend",   "inline",        "mutable",      "namespace",  "new",
+        "noexcept",  "nullptr",      "operator", "override",      "private",      "protected",  "public",
+        "requires",  "sizeof",       "static",   "static_assert", "static_cast",  "struct",     "template",
+        "this",      "thread_local", "true",     "typedef",       "typename",     "union",      "using",
+        "virtual",   "volatile"};
+    return types.contains(word)    ? "keywordtype"
+           : flow.contains(word)   ? "keywordflow"
+           : others.contains(word) ? "keyword"
+                                   : "";
 }
 
 /// A line of code without the spans of keywords that are a part of a longer word.
@@ -68,17 +78,20 @@ std::string with_all_words(const std::string& line) {
 }  // namespace
 
 std::string with_keywords(std::string html) {
-    static const std::string open = "<div class=\"fragment\">", close = "<!-- fragment -->", line_open = "<div class=\"line\">";
+    static const std::string open = "<div class=\"fragment\">", close = "<!-- fragment -->",
+                             line_open = "<div class=\"line\">";
     for (std::size_t at = html.find(open); at != std::string::npos; at = html.find(open, at + 1)) {
         const std::size_t last = html.find(close, at);
         const std::string fragment = html.substr(at, last - at);
-        if (last == std::string::npos || fragment.find("<span class=\"") == std::string::npos) continue;  // no code of C++, but a command
+        if (last == std::string::npos || fragment.find("<span class=\"") == std::string::npos)
+            continue;  // no code of C++, but a command
         std::string coloured;
         for (std::size_t begin = 0; begin < fragment.size();) {
             std::size_t end = fragment.find('\n', begin);
             if (end == std::string::npos) end = fragment.size();
             const std::string line = fragment.substr(begin, end - begin);
-            coloured += (line.find(line_open) == std::string::npos ? line : with_all_words(with_whole_words(line))) + (end < fragment.size() ? "\n" : "");
+            coloured += (line.find(line_open) == std::string::npos ? line : with_all_words(with_whole_words(line))) +
+                        (end < fragment.size() ? "\n" : "");
             begin = end + 1;
         }
         html.replace(at, fragment.size(), coloured);

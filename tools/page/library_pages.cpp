@@ -75,7 +75,8 @@ std::string words_of(const std::string& html) {
 
 /// The page with the units beside its parameters.
 std::string with_units(const std::string& html, Units& units, std::set<std::string>& missing) {
-    static const std::string cell = "<td class=\"paramname\">", open = "<em>", close = "</em>", of = "<td class=\"memname\">";
+    static const std::string cell = "<td class=\"paramname\">", open = "<em>", close = "</em>",
+                             of = "<td class=\"memname\">";
     std::string filled;
     std::size_t done = 0;
     for (std::size_t at = 0; (at = html.find(cell, at)) != std::string::npos;) {
@@ -89,7 +90,8 @@ std::string with_units(const std::string& html, Units& units, std::set<std::stri
         const std::string parameter = html.substr(begin + open.size(), end - begin - open.size());
         const Unit* unit = find_unit(units, parameter, where);
         if (unit == nullptr) {
-            missing.insert("docs/library/units.tsv:1: has no unit for the parameter " + parameter + " of " + std::string{page::trim(where)});
+            missing.insert("docs/library/units.tsv:1: has no unit for the parameter " + parameter + " of " +
+                           std::string{page::trim(where)});
             continue;
         }
         filled += html.substr(done, end + close.size() - done);
@@ -163,7 +165,8 @@ int main(int argc, char** argv) {
         }
         for (const auto& [parameter, unit] : units) {
             if (!unit.used) {
-                throw page::Error{(folder / "units.tsv").string(), unit.line, "no function has a parameter " + parameter + " there"};
+                throw page::Error{(folder / "units.tsv").string(), unit.line,
+                                  "no function has a parameter " + parameter + " there"};
             }
         }
         return 0;

@@ -18,7 +18,8 @@ std::string line_markdown(Context& context, const Directive& directive) {
         const std::vector<std::string> words = split_words(line);
         if (words.size() < 9 || words[0] != name || words[1] != "=" || words[2] != "\"lc" || words[7] != "dt") continue;
         const char* dashes = words[8] == "1\"" ? "solid" : "dashed";
-        return "<span class=\"line\" style=\"border-top: 3px " + std::string{dashes} + " " + words[4].substr(1, 7) + "\"></span>";
+        return "<span class=\"line\" style=\"border-top: 3px " + std::string{dashes} + " " + words[4].substr(1, 7) +
+               "\"></span>";
     }
     throw std::out_of_range{"tools/figures/style.gp draws no line \"" + name + "\""};
 }

@@ -91,7 +91,8 @@ std::string named_once(const std::string& html) {
 
 /// Is it a page of what the library has, whose examples speak of nothing else?
 bool is_of_library(const std::string& name) {
-    return name.starts_with("group__") || name.starts_with("struct") || name.starts_with("class") || name.starts_with("namespace") || name.starts_with("concept");
+    return name.starts_with("group__") || name.starts_with("struct") || name.starts_with("class") ||
+           name.starts_with("namespace") || name.starts_with("concept");
 }
 
 /// What Doxygen does not say of its page: which part is what, for those who hear it read.
@@ -137,7 +138,8 @@ int main(int argc, char** argv) {
                     resolved = named_once(html);
                 } else {
                     resolved = listings.meant(resolve(html, pages, name, argc == 4 ? argv[3] : ""));
-                    resolved = is_of_library(name) ? page::Listings::calls_alone(resolved) : page::Listings::types_alone(resolved);
+                    resolved = is_of_library(name) ? page::Listings::calls_alone(resolved)
+                                                   : page::Listings::types_alone(resolved);
                 }
                 resolved = with_named_parts(page::with_keywords(resolved));
                 if (resolved != html) {

@@ -41,13 +41,15 @@ std::string code_of(std::string html) {
         html = without(html, std::string{"<span class=\""} + kind + "\">", "</span>");
     html = without(html, "<div class=\"ttc\"", "\n");
     html = without(html, "<", ">");
-    for (const auto& [sign, is] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}, {"&#160;", " "}}) html = replace_all(html, sign, is);
+    for (const auto& [sign, is] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}, {"&#160;", " "}})
+        html = replace_all(html, sign, is);
     return html;
 }
 
 /// Does the text before a name end in a type, as in `double `, `Vector3<Real>& ` and `auto [x, `?
 bool ends_in_type(const std::string& code, std::size_t at) {
-    if (at < 2 || code[at - 1] != ' ') return at > 0 && code[at - 1] == '[' && code.substr(0, at - 1).ends_with("auto ");
+    if (at < 2 || code[at - 1] != ' ')
+        return at > 0 && code[at - 1] == '[' && code.substr(0, at - 1).ends_with("auto ");
     const char last = code[at - 2];
     if (last == ',') {
         const std::size_t open = code.find_last_of("[]{}();", at);
@@ -58,7 +60,8 @@ bool ends_in_type(const std::string& code, std::size_t at) {
     std::size_t begin = at - 2;
     while (begin > 0 && in_word(code[begin - 1])) --begin;
     const std::string word = code.substr(begin, at - 1 - begin);
-    static constexpr std::array<std::string_view, 8> no_types{"return", "throw", "case", "new", "delete", "else", "goto", "using"};
+    static constexpr std::array<std::string_view, 8> no_types{"return", "throw", "case", "new",
+                                                              "delete", "else",  "goto", "using"};
     return std::find(no_types.begin(), no_types.end(), word) == no_types.end();
 }
 
@@ -70,7 +73,9 @@ bool declares(const std::string& code, const std::string& name) {
         const std::string next = code.substr(end, 3);
         const bool assigned = next.starts_with(" =") && next != " ==" && (at == 0 || code[at - 1] != '.');
         if (assigned) return true;
-        if (!next.empty() && std::string_view{",);{(]"}.find(next[0]) != std::string_view::npos && ends_in_type(code, at)) return true;
+        if (!next.empty() && std::string_view{",);{(]"}.find(next[0]) != std::string_view::npos &&
+            ends_in_type(code, at))
+            return true;
     }
     return false;
 }
@@ -95,7 +100,8 @@ void Listings::read_tags(const fs::path& tags) {
         if (kind == "file") {
             if (const std::string named = inner("filename"); !named.empty()) file = file_of_page(named);
             if (const std::string id = between(line, "<includes id=\"", "\""); !id.empty()) includes_[file].insert(id);
-            if (const std::string one = between(line, "<class kind=\"", "</class>"); !one.empty()) home_of_class[one.substr(one.find('>') + 1)] = file;
+            if (const std::string one = between(line, "<class kind=\"", "</class>"); !one.empty())
+                home_of_class[one.substr(one.find('>') + 1)] = file;
             if (const std::string anchored = inner("anchorfile"); !anchored.empty()) page = anchored;
             if (const std::string anchor = inner("anchor"); !anchor.empty()) home_[page + "#" + anchor] = file;
         }
@@ -103,11 +109,13 @@ void Listings::read_tags(const fs::path& tags) {
         if (const std::string named = inner("name"); !named.empty()) (owner.empty() ? owner : name) = named;
         if (const std::string filename = inner("filename"); !filename.empty() && kind != "namespace") {
             const std::size_t last = owner.rfind("::");
-            things_[filename] = {last == std::string::npos ? owner : owner.substr(last + 2), owner.substr(0, std::min(last, owner.size()))};
+            things_[filename] = {last == std::string::npos ? owner : owner.substr(last + 2),
+                                 owner.substr(0, std::min(last, owner.size()))};
             if (home_of_class.contains(owner)) home_[filename] = home_of_class[owner];
         }
         if (const std::string anchored = inner("anchorfile"); !anchored.empty()) page = anchored;
-        if (const std::string anchor = inner("anchor"); !anchor.empty() && !owner.ends_with("::" + name)) {  // a constructor is no other thing
+        if (const std::string anchor = inner("anchor");
+            !anchor.empty() && !owner.ends_with("::" + name)) {  // a constructor is no other thing
             things_[page + "#" + anchor] = {name, owner};
             if (home_of_class.contains(owner)) home_[page + "#" + anchor] = home_of_class[owner];
         }
@@ -135,7 +143,8 @@ void Listings::read_sources(const fs::path& site) {
         const std::set<std::string> named = includes_[file];
         for (const std::string& name : named)
             for (const auto& [other, id] : by_path)
-                if (!name.empty() && (other == name || other.ends_with("/" + name)) && (id != file)) includes_[file].insert(id);
+                if (!name.empty() && (other == name || other.ends_with("/" + name)) && (id != file))
+                    includes_[file].insert(id);
     }
 }
 
@@ -168,8 +177,8 @@ bool Listings::means(const std::string& file, const std::set<std::string>& seen,
 
 namespace {
 
-/// Can it be what its link says? A function is called, and a value stands behind its enumeration: else a variable of the
-/// same name is meant.
+/// Can it be what its link says? A function is called, and a value stands behind its enumeration: else a variable of
+/// the same name is meant.
 bool can_be(const std::string& link, char before, char after) {
     if (link.find("hl_function") != std::string::npos) return after == '(' || after == '&' || after == '{';
     return link.find("hl_enumvalue") == std::string::npos || before == ':';
@@ -182,8 +191,10 @@ std::string with_links(std::string listing, const Keeps& keeps) {
     static const std::string link = "<a class=\"code ", tip = "<div class=\"ttc\"";
     std::set<std::string> kept;
     for (std::size_t in = listing.find(link); in != std::string::npos; in = listing.find(link, in)) {
-        const std::string address = between(listing, "href=\"", "\"", in), opened = listing.substr(in, listing.find('>', in) - in);
-        const char before = in > 0 ? listing[in - 1] : ' ', after = listing[std::min(listing.find("</a>", in) + 4, listing.size() - 1)];
+        const std::string address = between(listing, "href=\"", "\"", in),
+                          opened = listing.substr(in, listing.find('>', in) - in);
+        const char before = in > 0 ? listing[in - 1] : ' ',
+                   after = listing[std::min(listing.find("</a>", in) + 4, listing.size() - 1)];
         if (can_be(opened, before, after) && keeps(opened, address, before)) {
             kept.insert(address);
             ++in;
@@ -210,8 +221,8 @@ std::string Listings::meant(std::string html) const {
         if (file.empty() || !code_.contains(file)) continue;
         const std::set<std::string> seen = seen_from(file);
         html.replace(at, end - at, with_links(figure, [&](const std::string&, const std::string& address, char before) {
-            return means(file, seen, address) && !(before == '.' && in_namespace(address));
-        }));
+                         return means(file, seen, address) && !(before == '.' && in_namespace(address));
+                     }));
     }
     return html;
 }

@@ -22,8 +22,8 @@ public:
     /// of whose `step` it speaks nobody can tell.
     static std::string types_alone(std::string html);
 
-    /// The page of the library, whose examples have variables of their own: a member that belongs to another, a function
-    /// that is not called and a value without its enumeration are not linked.
+    /// The page of the library, whose examples have variables of their own: a member that belongs to another, a
+    /// function that is not called and a value without its enumeration are not linked.
     static std::string calls_alone(std::string html);
 
 private:
@@ -37,10 +37,10 @@ private:
     bool means(const std::string& file, const std::set<std::string>& seen, const std::string& address) const;
 
     // A file is named by its page: "run_8hpp".
-    std::map<std::string, Thing> things_;                  // by address
-    std::map<std::string, std::string> home_;              // the file of an address
-    std::multimap<std::string, std::string> called_;       // addresses by name
-    std::map<std::string, std::string> code_;              // of a file, without comments
+    std::map<std::string, Thing> things_;             // by address
+    std::map<std::string, std::string> home_;         // the file of an address
+    std::multimap<std::string, std::string> called_;  // addresses by name
+    std::map<std::string, std::string> code_;         // of a file, without comments
     std::map<std::string, std::set<std::string>> includes_;
 };
 

@@ -17,7 +17,8 @@ std::string live_markdown(Context& context, const Directive& directive, const st
     const std::string& reference = directive.arguments.front();
     const std::size_t slash = reference.find('/');
     if (slash == std::string::npos && context.chapter() == nullptr) {
-        throw std::invalid_argument{"{{live " + reference + "}}: outside of a chapter a panel is named 03_chapter/panel"};
+        throw std::invalid_argument{"{{live " + reference +
+                                    "}}: outside of a chapter a panel is named 03_chapter/panel"};
     }
     const std::string folder = slash == std::string::npos ? context.chapter()->folder : reference.substr(0, slash);
     const std::string name = reference.substr(slash + 1);  // npos + 1 is 0
@@ -45,12 +46,12 @@ std::string live_markdown(Context& context, const Directive& directive, const st
         attributes = " data-live=\"" + folder + "/" + name + "\" data-module=\"figures/" + shown + ".wasm\"";
     }
     const ImageSize size = image_size(still);
-    return "\n\\htmlonly[block]<figure id=\"" + anchor + "\" class=\"picture live\"" + attributes + " style=\"--width:" +
-           std::to_string(size.width) + "px\"><a class=\"card\" href=\"figures/" + shown + ".svg\"><img src=\"figures/" +
-           shown + ".svg\" alt=\"" + escape_html(first_sentence(caption)) + "\" width=\"" + std::to_string(size.width) +
-           "\" height=\"" + std::to_string(size.height) + "\" loading=\"lazy\"></a><figcaption>\\endhtmlonly\n" +
-           std::string{trim(caption)} + " (" + source_link(source, 1, "Its C++") + ".)" +
-           "\n\\htmlonly[block]</figcaption></figure>\\endhtmlonly\n";
+    return "\n\\htmlonly[block]<figure id=\"" + anchor + "\" class=\"picture live\"" + attributes +
+           " style=\"--width:" + std::to_string(size.width) + "px\"><a class=\"card\" href=\"figures/" + shown +
+           ".svg\"><img src=\"figures/" + shown + ".svg\" alt=\"" + escape_html(first_sentence(caption)) +
+           "\" width=\"" + std::to_string(size.width) + "\" height=\"" + std::to_string(size.height) +
+           "\" loading=\"lazy\"></a><figcaption>\\endhtmlonly\n" + std::string{trim(caption)} + " (" +
+           source_link(source, 1, "Its C++") + ".)" + "\n\\htmlonly[block]</figcaption></figure>\\endhtmlonly\n";
 }
 
 }  // namespace page

@@ -37,9 +37,7 @@ std::string typeset_unit(std::string_view unit) {
             continue;
         }
         set += "<sup>";
-        for (++i; i < unit.size() &&
-                  (unit[i] == '-' || std::isdigit(static_cast<unsigned char>(unit[i])) != 0);
-             ++i) {
+        for (++i; i < unit.size() && (unit[i] == '-' || std::isdigit(static_cast<unsigned char>(unit[i])) != 0); ++i) {
             set += unit[i] == '-' ? std::string{minus} : std::string{unit[i]};
         }
         --i;
@@ -85,8 +83,7 @@ std::string typeset(std::string_view value, std::string_view unit) {
         if (parts->exponent.empty()) {
             set += parts->mantissa;
         } else {
-            const std::string power =
-                "10<sup>" + replace_all(parts->exponent, "-", minus) + "</sup>";
+            const std::string power = "10<sup>" + replace_all(parts->exponent, "-", minus) + "</sup>";
             // 1e-06 is a power of ten, not one times it.
             set += parts->mantissa == "1" ? power : parts->mantissa + "\u202f×\u202f" + power;
         }

@@ -52,7 +52,8 @@ int line_with(const std::string& words, const std::string& code) {
         }
     }
     if (count != 1) {
-        throw std::out_of_range{std::to_string(count) + " of the quoted lines hold \"" + words + "\", instead of the one that matters"};
+        throw std::out_of_range{std::to_string(count) + " of the quoted lines hold \"" + words +
+                                "\", instead of the one that matters"};
     }
     return found;
 }
@@ -85,14 +86,14 @@ std::string code_markdown(Context& context, const Directive& directive) {
     const Snippet snippet = tag.empty() ? whole(context.root(), file) : quote(context.root(), file, tag);
     context.inputs.insert(context.root() / file);
     // The site shows C++ sources whole; other files are quoted without a link.
-    const std::string caption = language(file).empty()
-                                    ? escape_markdown(file)
-                                    : source_link(file, snippet.first_line, escape_markdown(file));
+    const std::string caption =
+        language(file).empty() ? escape_markdown(file) : source_link(file, snippet.first_line, escape_markdown(file));
     const std::string fence = snippet.code.find("```") == std::string::npos ? "```" : "~~~~";
-    const std::string marked = directive.text.empty() ? "" : " data-line=\"" + std::to_string(line_with(directive.text, snippet.code)) + "\"";
+    const std::string marked =
+        directive.text.empty() ? "" : " data-line=\"" + std::to_string(line_with(directive.text, snippet.code)) + "\"";
     return "\n\\htmlonly[block]<figure class=\"listing\"" + marked + "><figcaption>\\endhtmlonly\n" + caption +
-           "\n\\htmlonly[block]</figcaption>\\endhtmlonly\n\n" + fence + language(file) + "\n" +
-           snippet.code + fence + "\n\n\\htmlonly[block]</figure>\\endhtmlonly\n";
+           "\n\\htmlonly[block]</figcaption>\\endhtmlonly\n\n" + fence + language(file) + "\n" + snippet.code + fence +
+           "\n\n\\htmlonly[block]</figure>\\endhtmlonly\n";
 }
 
 std::string run_markdown(Context& context, const Directive& directive) {
@@ -100,16 +101,15 @@ std::string run_markdown(Context& context, const Directive& directive) {
         throw std::invalid_argument{"{{run}} or {{run: Heading}} stands on a chapter's page"};
     }
     std::string name;
-    const std::string printed =
-        context.run_of(context.chapter()->folder + "/", name).printed(directive.text);
+    const std::string printed = context.run_of(context.chapter()->folder + "/", name).printed(directive.text);
     const std::size_t first = printed.find_first_not_of('\n');
     if (first == std::string::npos) {
         throw std::out_of_range{"the run of " + context.chapter()->folder + " printed nothing"};
     }
-    const std::string prompt = "./course run " + std::to_string(context.chapter()->number) +
-                               (directive.text.empty() ? "" : " --study");
-    return "\n\\htmlonly[block]<pre class=\"run\" tabindex=\"0\"><span class=\"prompt\">$ " +
-           prompt + "</span>\n" + escape_html(printed.substr(first)) + "</pre>\\endhtmlonly\n";
+    const std::string prompt =
+        "./course run " + std::to_string(context.chapter()->number) + (directive.text.empty() ? "" : " --study");
+    return "\n\\htmlonly[block]<pre class=\"run\" tabindex=\"0\"><span class=\"prompt\">$ " + prompt + "</span>\n" +
+           escape_html(printed.substr(first)) + "</pre>\\endhtmlonly\n";
 }
 
 std::string said_markdown(Context& context, const Directive& directive) {
@@ -122,8 +122,7 @@ std::string said_markdown(Context& context, const Directive& directive) {
     if (trim(words).empty()) {
         throw std::out_of_range{file + " holds no word"};
     }
-    return "\n\\htmlonly[block]<pre class=\"run said\">" + escape_html(words) +
-           "</pre>\\endhtmlonly\n";
+    return "\n\\htmlonly[block]<pre class=\"run said\">" + escape_html(words) + "</pre>\\endhtmlonly\n";
 }
 
 // A bar in a formula becomes TeX's; any other would end the cell.

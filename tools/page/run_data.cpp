@@ -24,8 +24,7 @@ std::filesystem::path RunData::existing(const std::string& file) const {
 }
 
 /// A file of named records: the name, then the other fields.
-std::map<std::string, std::vector<std::string>> RunData::records(const std::string& file,
-                                                                 std::size_t fields) const {
+std::map<std::string, std::vector<std::string>> RunData::records(const std::string& file, std::size_t fields) const {
     const std::filesystem::path path = existing(file);
     std::map<std::string, std::vector<std::string>> found;
     int line = 0;
@@ -35,8 +34,7 @@ std::map<std::string, std::vector<std::string>> RunData::records(const std::stri
             continue;
         }
         if (record.size() != fields) {
-            throw Error{path.string(), line,
-                        "must have " + std::to_string(fields) + " fields with tabs between"};
+            throw Error{path.string(), line, "must have " + std::to_string(fields) + " fields with tabs between"};
         }
         const std::string name = record.front();
         record.erase(record.begin());
@@ -131,22 +129,15 @@ std::string RunData::printed(const std::string& heading) const {
         }
     }
     if (part.empty()) {
-        throw std::out_of_range{"the run of " + chapter_ + " prints no heading \"" + heading +
-                                "\""};
+        throw std::out_of_range{"the run of " + chapter_ + " prints no heading \"" + heading + "\""};
     }
     return part;
 }
 
-std::string RunData::text(const std::string& file) const {
-    return read_file(existing(file));
-}
+std::string RunData::text(const std::string& file) const { return read_file(existing(file)); }
 
-std::filesystem::path RunData::figure(const std::string& file) const {
-    return existing(file);
-}
+std::filesystem::path RunData::figure(const std::string& file) const { return existing(file); }
 
-long RunData::milliseconds() const {
-    return std::strtol(read_file(existing("seconds.txt")).c_str(), nullptr, 10);
-}
+long RunData::milliseconds() const { return std::strtol(read_file(existing("seconds.txt")).c_str(), nullptr, 10); }
 
 }  // namespace page

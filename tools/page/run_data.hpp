@@ -49,8 +49,7 @@ public:
 
 private:
     std::filesystem::path existing(const std::string& file) const;
-    std::map<std::string, std::vector<std::string>> records(const std::string& file,
-                                                            std::size_t fields) const;
+    std::map<std::string, std::vector<std::string>> records(const std::string& file, std::size_t fields) const;
 
     std::string chapter_;
     std::filesystem::path folder_;

@@ -56,8 +56,7 @@ private:
 
     void take_text() {
         if (at_ > text_begin_) {
-            pieces_.push_back({Kind::text,
-                               std::string{source_.substr(text_begin_, at_ - text_begin_)},
+            pieces_.push_back({Kind::text, std::string{source_.substr(text_begin_, at_ - text_begin_)},
                                line_of(text_begin_), false, in_table(text_begin_)});
         }
         text_begin_ = at_;
@@ -71,15 +70,13 @@ private:
         if (mark != '`' && mark != '~') {
             return 0;
         }
-        const std::size_t length =
-            std::min(source_.find_first_not_of(mark, at_), source_.size()) - at_;
+        const std::size_t length = std::min(source_.find_first_not_of(mark, at_), source_.size()) - at_;
         return length >= 3 ? length : 0;
     }
 
     std::size_t end_of_fence() const {
         const std::string fence(fence_length(), source_[at_]);
-        for (std::size_t line = end_of_line(at_); line < source_.size();
-             line = end_of_line(line + 1)) {
+        for (std::size_t line = end_of_line(at_); line < source_.size(); line = end_of_line(line + 1)) {
             if (source_.substr(line + 1).starts_with(fence)) {
                 return end_of_line(line + 1);
             }
@@ -88,14 +85,12 @@ private:
     }
 
     bool is_heading() const {
-        const std::size_t level =
-            std::min(source_.find_first_not_of('#', at_), source_.size()) - at_;
+        const std::size_t level = std::min(source_.find_first_not_of('#', at_), source_.size()) - at_;
         return level >= 1 && level <= 6 && source_.substr(at_ + level).starts_with(' ');
     }
 
     std::size_t end_of_inline_code(std::size_t from) const {
-        const std::size_t ticks =
-            std::min(source_.find_first_not_of('`', from), source_.size()) - from;
+        const std::size_t ticks = std::min(source_.find_first_not_of('`', from), source_.size()) - from;
         const std::size_t end = source_.find(std::string(ticks, '`'), from + ticks);
         if (end == npos || end > end_of_paragraph(from)) {
             fail(from, "this inline code has no closing backtick");
@@ -114,8 +109,7 @@ private:
         do {
             end = source_.find(dollars, end);
             if (end == npos || end > end_of_paragraph(from)) {
-                fail(from, "this formula has no closing " + std::string{dollars} +
-                               " (write \\$ for a dollar)");
+                fail(from, "this formula has no closing " + std::string{dollars} + " (write \\$ for a dollar)");
             }
             end += dollars.size();
         } while (source_[end - dollars.size() - 1] == '\\');
@@ -154,9 +148,7 @@ private:
         return before == npos ? 0 : before + 1;
     }
 
-    std::size_t end_of_line(std::size_t at) const {
-        return std::min(source_.find('\n', at), source_.size());
-    }
+    std::size_t end_of_line(std::size_t at) const { return std::min(source_.find('\n', at), source_.size()); }
 
     /// The next blank line, or the end.
     std::size_t end_of_paragraph(std::size_t at) const {

@@ -33,7 +33,8 @@ std::string quoted(const std::string& text) {
 class Places {
 public:
     void add(const std::string& address, const std::string& title, const std::string& page, const std::string& words) {
-        entries_ += (entries_.empty() ? "{\"u\":" : ",\n{\"u\":") + quoted(address) + ",\"t\":" + quoted(title) + ",\"p\":" + quoted(page) + ",\"x\":" + quoted(words) + "}";
+        entries_ += (entries_.empty() ? "{\"u\":" : ",\n{\"u\":") + quoted(address) + ",\"t\":" + quoted(title) +
+                    ",\"p\":" + quoted(page) + ",\"x\":" + quoted(words) + "}";
     }
     const std::string& entries() const { return entries_; }
 
@@ -43,19 +44,27 @@ private:
 
 /// Words without tags, formulas and listings.
 std::string words_of(std::string html) {
-    const std::pair<std::string, std::string> gone[] = {{"<div class=\"fragment\">", "<!-- fragment -->"}, {"<pre", "</pre>"}, {"<script", "</script>"},
-                                                        {"<!--", "-->"}, {"\\(", "\\)"}, {"\\[", "\\]"}, {"<", ">"}};
+    const std::pair<std::string, std::string> gone[] = {{"<div class=\"fragment\">", "<!-- fragment -->"},
+                                                        {"<pre", "</pre>"},
+                                                        {"<script", "</script>"},
+                                                        {"<!--", "-->"},
+                                                        {"\\(", "\\)"},
+                                                        {"\\[", "\\]"},
+                                                        {"<", ">"}};
     for (const auto& [open, close] : gone)
         for (std::size_t at = 0; (at = html.find(open, at)) != std::string::npos;) {
             const std::size_t end = html.find(close, at);
-            html.replace(at, end == std::string::npos ? end : end - at + close.size(), open[0] == '\\' ? " … " : " ");  // a formula leaves a gap
+            html.replace(at, end == std::string::npos ? end : end - at + close.size(),
+                         open[0] == '\\' ? " … " : " ");  // a formula leaves a gap
         }
     std::string text = html;
-    for (const auto& [name, sign] : {std::pair{"&#39;", "'"}, {"&quot;", "\""}, {"&lt;", "<"}, {"&gt;", ">"}, {"&#160;", " "}, {"&amp;", "&"}})
+    for (const auto& [name, sign] :
+         {std::pair{"&#39;", "'"}, {"&quot;", "\""}, {"&lt;", "<"}, {"&gt;", ">"}, {"&#160;", " "}, {"&amp;", "&"}})
         text = page::replace_all(text, name, sign);
     std::string line;
     for (const std::string& word : page::split_words(text)) line += (line.empty() ? "" : " ") + word;
-    for (const auto& [apart, close] : {std::pair{"( ", "("}, {" )", ")"}, {" .", "."}, {" ,", ","}, {" :", ":"}, {" ;", ";"}})
+    for (const auto& [apart, close] :
+         {std::pair{"( ", "("}, {" )", ")"}, {" .", "."}, {" ,", ","}, {" :", ":"}, {" ;", ";"}})
         line = page::replace_all(line, apart, close);
     return line;
 }
@@ -68,7 +77,9 @@ std::string between(const std::string& text, const std::string& open, const std:
 
 /// Is that one of the pages that we have written?
 bool has_words(const std::string& name) {
-    static const std::set<std::string> pages{"chapter_", "more_", "index", "which_method", "exercises", "exercises_", "teaching", "promises", "methods", "rigid_methods", "in_your_engine"};
+    static const std::set<std::string> pages{"chapter_",  "more_",         "index",         "which_method",
+                                             "exercises", "exercises_",    "teaching",      "promises",
+                                             "methods",   "rigid_methods", "in_your_engine"};
     if (!name.ends_with(".html")) return false;
     const std::string stem = name.substr(0, name.size() - 5);
     const std::size_t number = stem.find_last_not_of("0123456789") + 1;
@@ -78,14 +89,16 @@ bool has_words(const std::string& name) {
 /// A page of words, section by section.
 void add_sections(const fs::path& file, Places& places) {
     const std::string html = page::read_file(file), name = file.filename().string();
-    const std::string title = words_of(between(html, "<div class=\"title\" role=\"heading\" aria-level=\"1\">", "</div>"));
+    const std::string title =
+        words_of(between(html, "<div class=\"title\" role=\"heading\" aria-level=\"1\">", "</div>"));
     const std::size_t begin = html.find("<div class=\"textblock\">");
     if (begin == std::string::npos) return;
     const std::string text = html.substr(begin, html.find("<!-- contents -->") - begin);
     static const std::string heading = "<a class=\"anchor\" id=\"";
     const auto next_heading = [&text](std::size_t from) {  // an anchor in a text begins no section
         std::size_t at = text.find(heading, from);
-        while (at != std::string::npos && (at < 4 || text.compare(at - 4, 2, "<h") != 0)) at = text.find(heading, at + 1);
+        while (at != std::string::npos && (at < 4 || text.compare(at - 4, 2, "<h") != 0))
+            at = text.find(heading, at + 1);
         return at;
     };
     std::size_t at = next_heading(0);
@@ -117,7 +130,8 @@ void add_glossary(const fs::path& file, Places& places) {
         if (entry.compare(end, 6, " (<em>") == 0) end = std::min(entry.find("</em>)", end), entry.size() - 6) + 6;
         const std::string rest = entry.substr(end), address = between(rest, "href=\"", "\"");
         const std::string other = address.empty() ? words_of(between(rest, "see <em>", "</em>")) : "";
-        entries[word] = {words_of(entry.substr(0, end)), address.empty() ? other : address, words_of(rest.substr(std::min(rest.find(' '), rest.size())))};
+        entries[word] = {words_of(entry.substr(0, end)), address.empty() ? other : address,
+                         words_of(rest.substr(std::min(rest.find(' '), rest.size())))};
     }
     for (const auto& [word, entry] : entries) {
         const auto other = entries.find(entry.address);
@@ -130,7 +144,9 @@ void add_glossary(const fs::path& file, Places& places) {
 std::string apart(const std::string& name) {
     std::string words;
     for (std::size_t i = 0; i < name.size(); ++i) {
-        if (i > 0 && std::isupper(static_cast<unsigned char>(name[i])) && std::islower(static_cast<unsigned char>(name[i - 1]))) words += ' ';
+        if (i > 0 && std::isupper(static_cast<unsigned char>(name[i])) &&
+            std::islower(static_cast<unsigned char>(name[i - 1])))
+            words += ' ';
         words += name[i] == '_' ? ' ' : name[i];
     }
     return words;
@@ -142,7 +158,8 @@ void add_names(const fs::path& tags, Places& places) {
     std::set<std::string> seen;
     std::string compound, kind, name, page_file;
     for (std::string line; std::getline(stream, line);) {
-        if (const std::string opened = between(line, "<compound kind=\"", "\""); !opened.empty()) compound = kind = opened;
+        if (const std::string opened = between(line, "<compound kind=\"", "\""); !opened.empty())
+            compound = kind = opened;
         if (const std::string opened = between(line, "<member kind=\"", "\""); !opened.empty()) kind = opened;
         if (const std::string found = between(line, "<name>", "</name>"); !found.empty()) name = words_of(found);
         std::string address;
@@ -153,7 +170,9 @@ void add_names(const fs::path& tags, Places& places) {
         if (line.find("<anchorfile>") != std::string::npos) page_file = between(line, "<anchorfile>", "</anchorfile>");
         if (line.find("<anchor>") != std::string::npos && kind == "function" && compound == "namespace")
             address = page_file + "#" + between(line, "<anchor>", "</anchor>");
-        if (address.empty() || name.find("detail") != std::string::npos || !address.ends_with("html") == (address.find('#') == std::string::npos)) continue;
+        if (address.empty() || name.find("detail") != std::string::npos ||
+            !address.ends_with("html") == (address.find('#') == std::string::npos))
+            continue;
         const std::string bare = name.substr(name.rfind(':') == std::string::npos ? 0 : name.rfind(':') + 1);
         if (bare.starts_with("operator") || !seen.insert(page_file + bare).second) continue;
         places.add(address, bare, "The library", apart(bare));

@@ -29,8 +29,7 @@ std::set<std::string> rows_of_more(const Context& context) {
 
 }  // namespace
 
-void check_skeleton(const std::vector<Piece>& pieces, const Chapter& chapter,
-                    const std::string& file) {
+void check_skeleton(const std::vector<Piece>& pieces, const Chapter& chapter, const std::string& file) {
     constexpr std::array sections{"question", "mathematics", "code",      "run",        "pictures",
                                   "break_it", "cost",        "exercises", "in_the_talk"};
     std::size_t next = 0;
@@ -40,8 +39,7 @@ void check_skeleton(const std::vector<Piece>& pieces, const Chapter& chapter,
         }
         const Heading heading = parse_heading(piece.text);
         if (heading.level == 1 && heading.title != chapter.title) {
-            throw Error{file, piece.line,
-                        "the page's title must be that of about.json: " + chapter.title};
+            throw Error{file, piece.line, "the page's title must be that of about.json: " + chapter.title};
         }
         if (heading.level != 2) {
             continue;
@@ -51,9 +49,8 @@ void check_skeleton(const std::vector<Piece>& pieces, const Chapter& chapter,
         }
         const std::string wanted = chapter.section_prefix() + sections[next++];
         if (heading.id != wanted) {
-            throw Error{
-                file, piece.line,
-                "section " + std::to_string(next) + " of 9 must have the id {#" + wanted + "}"};
+            throw Error{file, piece.line,
+                        "section " + std::to_string(next) + " of 9 must have the id {#" + wanted + "}"};
         }
     }
     if (next < sections.size()) {
@@ -71,15 +68,13 @@ void check_more(const std::vector<Piece>& pieces, const Chapter& chapter, const 
         }
         const Heading heading = parse_heading(piece.text);
         if (!titled && (heading.level != 1 || heading.id != chapter.id(true))) {
+            throw Error{file, piece.line,
+                        "the first heading must be the title, with the id {#" + chapter.id(true) + "}"};
+        }
+        if (titled && (heading.level == 1 || !heading.id.starts_with(chapter.section_prefix(true)))) {
             throw Error{
                 file, piece.line,
-                "the first heading must be the title, with the id {#" + chapter.id(true) + "}"};
-        }
-        if (titled &&
-            (heading.level == 1 || !heading.id.starts_with(chapter.section_prefix(true)))) {
-            throw Error{file, piece.line,
-                        "below the title a section is ## or ###, with an id that begins {#" +
-                            chapter.section_prefix(true)};
+                "below the title a section is ## or ###, with an id that begins {#" + chapter.section_prefix(true)};
         }
         titled = true;
     }
@@ -94,8 +89,7 @@ void check_complete(const Context& context) {
         const std::string name = chapter.folder + "/" + figure;
         const auto found = std::find_if(context.order.begin(), context.order.end(),
                                         [&](const Numbered& each) { return each.figure == name; });
-        const bool belongs_here =
-            found == context.order.end() ? !context.is_more() : found->page == context.page();
+        const bool belongs_here = found == context.order.end() ? !context.is_more() : found->page == context.page();
         if (belongs_here && context.figures.count(name) == 0 && context.left_out.count(name) == 0) {
             throw Error{chapter.about(), 1, "the page does not show " + figure};
         }
@@ -105,14 +99,10 @@ void check_complete(const Context& context) {
     }
     const std::set<std::string> beside = rows_of_more(context);
     for (const std::string& row : chapter.claims) {
-        const auto teaches = [&](const IndexEntry& entry) {
-            return entry.row == row && entry.kind == "section";
-        };
-        if (beside.count(row) == 0 &&
-            std::none_of(context.index.begin(), context.index.end(), teaches)) {
+        const auto teaches = [&](const IndexEntry& entry) { return entry.row == row && entry.kind == "section"; };
+        if (beside.count(row) == 0 && std::none_of(context.index.begin(), context.index.end(), teaches)) {
             throw Error{chapter.about(), 1,
-                        row + " is claimed, but no section of the page teaches it ({{claims " +
-                            row + "}})"};
+                        row + " is claimed, but no section of the page teaches it ({{claims " + row + "}})"};
         }
     }
 }

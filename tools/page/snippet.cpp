@@ -36,9 +36,7 @@ std::string marker_tag(std::string_view line) {
     }
     // An interval or a unit in brackets is a remark, no tag.
     const std::string_view tag = line.substr(1, line.size() - 2);
-    const auto fits = [](unsigned char c) {
-        return std::isalnum(c) != 0 || c == '_' || c == '-' || c == ' ';
-    };
+    const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == ' '; };
     return std::all_of(tag.begin(), tag.end(), fits) ? std::string{tag} : std::string{};
 }
 
@@ -59,8 +57,8 @@ Snippet quote(const std::filesystem::path& root, const std::string& file, const 
         }
     }
     if (markers != 2) {
-        throw std::out_of_range{"[" + tag + "] stands " + std::to_string(markers) + " times in " +
-                                file + " instead of twice"};
+        throw std::out_of_range{"[" + tag + "] stands " + std::to_string(markers) + " times in " + file +
+                                " instead of twice"};
     }
     while (!lines.empty() && trim(lines.front()).empty()) {
         lines.erase(lines.begin());

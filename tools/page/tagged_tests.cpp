@@ -33,8 +33,7 @@ std::string read_literal(std::string_view text, std::size_t& at) {
 /// "[N22][ch3]" names the row N22.
 std::vector<std::string> rows_in(const std::string& tags) {
     std::vector<std::string> rows;
-    for (std::size_t open = tags.find('['); open != std::string::npos;
-         open = tags.find('[', open + 1)) {
+    for (std::size_t open = tags.find('['); open != std::string::npos; open = tags.find('[', open + 1)) {
         const std::string tag = tags.substr(open + 1, tags.find(']', open) - open - 1);
         if (is_row(tag)) {
             rows.push_back(tag);

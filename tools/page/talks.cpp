@@ -22,8 +22,7 @@ std::string index_links(const Sources& sources, const std::string& row, const st
     std::string links;
     for (const IndexEntry& entry : sources.index) {
         if (entry.row == row && entry.kind == kind) {
-            links += (links.empty() ? "" : "<br>") +
-                     ("<a href=\"" + entry.page + "#" + entry.anchor) + "\">" +
+            links += (links.empty() ? "" : "<br>") + ("<a href=\"" + entry.page + "#" + entry.anchor) + "\">" +
                      escape_markdown(entry.title) + "</a>";
         }
     }
@@ -33,8 +32,7 @@ std::string index_links(const Sources& sources, const std::string& row, const st
 /// A test's name where neither Doxygen nor the page tool shall find Markdown in it.
 std::string plain_html(const std::string& name) {
     std::string html = escape_html(name);
-    for (const auto& [mark, entity] :
-         {std::pair{"$", "&#36;"}, {"`", "&#96;"}, {"{", "&#123;"}, {"\\", "&#92;"}}) {
+    for (const auto& [mark, entity] : {std::pair{"$", "&#36;"}, {"`", "&#96;"}, {"{", "&#123;"}, {"\\", "&#92;"}}) {
         html = replace_all(html, mark, entity);
     }
     return html;
@@ -80,13 +78,10 @@ std::string row_markdown(const Sources& sources, const std::string& row, const C
 
     const TalkRow& talk = found->second;
     const std::string erratum =
-        talk.erratum.empty()
-            ? ""
-            : "<br><span class=\"erratum\"><b>Erratum.</b> " + talk.erratum + "</span>";
-    return "<tr id=\"row_" + row + "\">\n<td class=\"id\"><b>" + row + "</b></td>\n<td>" +
-           talk.text + erratum + "</td>\n<td class=\"section\">" + sections +
-           "</td>\n<td class=\"figures\">" + figures + "</td>\n<td class=\"tests\">" + tests +
-           "</td>\n</tr>\n";
+        talk.erratum.empty() ? "" : "<br><span class=\"erratum\"><b>Erratum.</b> " + talk.erratum + "</span>";
+    return "<tr id=\"row_" + row + "\">\n<td class=\"id\"><b>" + row + "</b></td>\n<td>" + talk.text + erratum +
+           "</td>\n<td class=\"section\">" + sections + "</td>\n<td class=\"figures\">" + figures +
+           "</td>\n<td class=\"tests\">" + tests + "</td>\n</tr>\n";
 }
 
 }  // namespace
@@ -96,8 +91,7 @@ std::string talks_markdown(Context& context) {
         throw std::invalid_argument{"{{talks}} needs the option --indexes"};
     }
     const std::filesystem::path file = context.root() / "docs/talks.tsv";
-    const Sources sources{load_talks(file), load_indexes(context.indexes),
-                          load_tests(context.root())};
+    const Sources sources{load_talks(file), load_indexes(context.indexes), load_tests(context.root())};
     context.inputs.insert(file);
     for (const std::filesystem::path& source : test_sources(context.root())) {
         context.inputs.insert(source);

@@ -19,11 +19,11 @@ Number look_up(Context& context, std::string reference) {
     RunData& run = context.run_of(reference, name);
     Number number = run.number(name);
     if (number.value == "nan" || number.value == "-nan" || number.value.empty()) {
-        throw std::out_of_range{"the number \"" + name + "\" is " +
-                                (number.value.empty() ? "not measured here; what needs it stands between {{where " +
-                                                            name + "}} and {{end}}"
-                                                      : "\"" + number.value + "\"") +
-                                run.written_at(name, "number")};
+        throw std::out_of_range{
+            "the number \"" + name + "\" is " +
+            (number.value.empty() ? "not measured here; what needs it stands between {{where " + name + "}} and {{end}}"
+                                  : "\"" + number.value + "\"") +
+            run.written_at(name, "number")};
     }
     number.unit = bare ? "" : number.unit;
     return number;
@@ -49,15 +49,15 @@ std::string check_markdown(Context& context, const Directive& directive) {
         throw std::invalid_argument{"{{check name}} takes one name"};
     }
     std::string name;
-    const std::string statement =
-        attribute(context.run_of(directive.arguments.front(), name).check(name));
+    const std::string statement = attribute(context.run_of(directive.arguments.front(), name).check(name));
     // Shown by the style sheet under the pointer, and on a phone at a tap.
-    return "<span class=\"check\" tabindex=\"0\" role=\"note\" aria-label=\"The run confirms: " +
-           statement + "\" data-statement=\"" + statement + "\">✓</span>";
+    return "<span class=\"check\" tabindex=\"0\" role=\"note\" aria-label=\"The run confirms: " + statement +
+           "\" data-statement=\"" + statement + "\">✓</span>";
 }
 
 std::string with_marks_joined(std::string page) {
-    static const std::string begin = "<span class=\"check\"", told = "data-statement=\"", end = "\">✓</span>", label = "The run confirms: ";
+    static const std::string begin = "<span class=\"check\"", told = "data-statement=\"", end = "\">✓</span>",
+                             label = "The run confirms: ";
     for (std::size_t at = page.find(end); at != std::string::npos; at = page.find(end, at + 1)) {
         while (true) {
             const std::size_t next = page.find_first_not_of(" \n", at + end.size());
@@ -74,7 +74,8 @@ std::string with_marks_joined(std::string page) {
         }
         // No line begins with a mark.
         const std::size_t open = page.rfind(begin, at), words = page.find_last_not_of(" \n", open - 1);
-        if (words != std::string::npos && words + 1 < open && std::string{"|-*>"}.find(page[words]) == std::string::npos && page.compare(words + 1, 2, "\n\n") != 0) {
+        if (words != std::string::npos && words + 1 < open &&
+            std::string{"|-*>"}.find(page[words]) == std::string::npos && page.compare(words + 1, 2, "\n\n") != 0) {
             page.replace(words + 1, open - words - 1, "\u00a0");
             at = page.find(end, words);
         }

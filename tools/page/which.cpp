@@ -22,8 +22,8 @@ std::string with_formulas(std::string text) {
 
 /// "ch6_kicks" is section 6's: a link that says so, or that it is on this page.
 std::string link(const Context& context, const std::string& where) {
-    const bool here = context.chapter() != nullptr &&
-                      where.starts_with(context.chapter()->section_prefix(context.is_more()));
+    const bool here =
+        context.chapter() != nullptr && where.starts_with(context.chapter()->section_prefix(context.is_more()));
     const std::size_t digits = where.find_first_of("0123456789");
     const std::string chapter = where.substr(digits, where.find('_') - digits);
     return "[" + (here ? std::string{"below"} : "chapter " + chapter) + "](@ref " + where + ")";

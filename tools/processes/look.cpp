@@ -45,8 +45,7 @@ Stat read_stat(const fs::path& folder) {
 std::vector<fs::path> numbered(const fs::path& folder) {
     std::vector<fs::path> found;
     std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error))
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
         if (std::isdigit(static_cast<unsigned char>(entry->path().filename().string()[0])))
             found.push_back(entry->path());
     return found;
@@ -68,15 +67,13 @@ Look look_at(pid_t process, bool descendants) {
     std::map<pid_t, Stat> all;
     const fs::path own = "/proc/" + std::to_string(process);
     for (const fs::path& place : descendants ? numbered("/proc") : std::vector<fs::path>{own})
-        if (const Stat stat = read_stat(place); stat.state != '?')
-            all[std::stoi(place.filename())] = stat;
+        if (const Stat stat = read_stat(place); stat.state != '?') all[std::stoi(place.filename())] = stat;
     Look look;
     if (!all.contains(process)) return look;
     look.known = look.asleep = true;
     for (const auto& [id, stat] : all) {
         pid_t ancestor = id;
-        for (std::size_t i = 0; i < all.size() && ancestor != process && all.contains(ancestor);
-             ++i)
+        for (std::size_t i = 0; i < all.size() && ancestor != process && all.contains(ancestor); ++i)
             ancestor = all.at(ancestor).parent;
         if (ancestor != process) continue;
         look.seconds += static_cast<double>(stat.ticks) / ticks_a_second;

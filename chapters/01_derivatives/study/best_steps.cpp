@@ -134,21 +134,23 @@ void all(const Function& f, double x, lab::Findings& out) {
                "from 1 to the next float", 2);
     out.number("epsilon_double", std::numeric_limits<double>::epsilon(), "",
                "from 1 to the next double", 2);
-    out.check("float_errs_more", float_errs_more,
-              "in float every formula has a larger optimal step size and a larger error than in double");
-    out.check("order_helps", order_helps,
-              "the higher the order, the larger the optimal step size and the smaller the error there");
+    out.check(
+        "float_errs_more", float_errs_more,
+        "in float every formula has a larger optimal step size and a larger error than in double");
+    out.check(
+        "order_helps", order_helps,
+        "the higher the order, the larger the optimal step size and the smaller the error there");
     out.check("best_steps", as_predicted,
               "every predicted step is within a factor 2 of the best one measured, and its error "
               "within 1.3");
 
     const double best = best_step(forward_difference, rounding<double>(f, x), size(f, 2, x));
     const double tiny = best / 1000;
-    out.check(
-        "rises_again",
-        largest_error<double>(forward_difference, f, x, tiny) >
-            100 * largest_error<double>(forward_difference, f, x, best),
-        "a thousand times below its optimal step size the forward difference errs over 100 times more");
+    out.check("rises_again",
+              largest_error<double>(forward_difference, f, x, tiny) >
+                  100 * largest_error<double>(forward_difference, f, x, best),
+              "a thousand times below its optimal step size the forward difference errs over 100 "
+              "times more");
 }
 
 }  // namespace

@@ -18,12 +18,8 @@ namespace {
 // The hand moves by half a metre to each side, at up to 1 m/s.
 constexpr double amplitude = 0.5;  // m
 constexpr double omega = 2;        // rad/s
-double position(double t) {
-    return amplitude * std::sin(omega * t);
-}
-double velocity(double t) {
-    return amplitude * omega * std::cos(omega * t);
-}
+double position(double t) { return amplitude * std::sin(omega * t); }
+double velocity(double t) { return amplitude * omega * std::cos(omega * t); }
 constexpr double most_acceleration = amplitude * omega * omega;  // m/s²
 constexpr double most_jerk = most_acceleration * omega;          // the acceleration's slope, m/s³
 
@@ -88,8 +84,8 @@ void dots(double h, lab::Findings& out) {
     out.number("dots_v", x_dot(t), "m/s", "velocity there, a difference of positions", 4);
     out.number("dots_v_exact", velocity(t), "m/s", "velocity there, exactly", 4);
     out.number("dots_a", x_dot_dot(t), "m/s²", "acceleration, a difference of velocities", 4);
-    out.number("dots_a_exact", -omega * omega * position(t), "m/s²",
-               "acceleration there, exactly", 4);
+    out.number("dots_a_exact", -omega * omega * position(t), "m/s²", "acceleration there, exactly",
+               4);
 }
 
 }  // namespace

@@ -42,8 +42,9 @@ double remainder_order(int n) {
     return measured_order(steps, errors);
 }
 
-// The second difference of a sine at 1. Its error is h²/12 sin t − h⁴/360 sin t + …, so the local order is 2 less h²/15: up to
-// a step of 1/2 that is below 0.02. Rounding, 4e-16/h², is below a millionth of it from 1/50 on.
+// The second difference of a sine at 1. Its error is h²/12 sin t − h⁴/360 sin t + …, so the local
+// order is 2 less h²/15: up to a step of 1/2 that is below 0.02. Rounding, 4e-16/h², is below a
+// millionth of it from 1/50 on.
 double second_difference_order() {
     const double t = 1;
     std::vector<double> steps, errors;
@@ -81,7 +82,8 @@ void taylor_series(lab::Findings& out) {
 
     const double second = second_difference_order();
     std::printf("second difference of sin at 1: order %.3f\n", second);
-    out.check("order_second", std::fabs(second - 2) <= 0.05, "the second difference has order 2 to within 0.05");
+    out.check("order_second", std::fabs(second - 2) <= 0.05,
+              "the second difference has order 2 to within 0.05");
 
     auto& table = out.table("taylor.tsv", {"t", "sin", "1", "3", "5", "7", "9"});
     for (int i = -160; i <= 160; ++i) {

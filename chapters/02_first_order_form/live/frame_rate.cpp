@@ -1,6 +1,6 @@
-// A character on springy legs is pulled and let go, in two games: in one each frame is one step, in the other an
-// accumulator pays the frames in steps of one length. Four seconds are computed at once, and then played.
-// still: steps=190
+// A character on springy legs is pulled and let go, in two games: in one each frame is one step, in
+// the other an accumulator pays the frames in steps of one length. Four seconds are computed at
+// once, and then played. still: steps=190
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,8 @@ public:
     }
     double seconds() const override { return 1.0 / 120; }
 
-    // The reader's clock goes on, and the screen keeps the last frame that was drawn. Then once more.
+    // The reader's clock goes on, and the screen keeps the last frame that was drawn. Then once
+    // more.
     void step() override {
         if (held) return;
         clock += seconds();
@@ -42,7 +43,8 @@ public:
 
     void draw(live::Picture& p) const override {
         const double side = p.narrow ? 1.2 : 0.45;
-        p.window(-2 * side, 2 * side, -0.1, 2.8, true, 0, p.narrow ? 1 : 0.36, p.narrow ? 0.58 : 0, 1);
+        p.window(-2 * side, 2 * side, -0.1, 2.8, true, 0, p.narrow ? 1 : 0.36, p.narrow ? 0.58 : 0,
+                 1);
         p.ink("ink", 2);
         p.segment(-4, 0, 4, 0);
         draw_character(p, -side, "variable step", variable_name, frames[shown].variable);
@@ -52,7 +54,8 @@ public:
         p.axes("time, s", "height of the hip, m");
         p.ink("exact", 5, 0.6);
         for (std::size_t i = 0; i + 1 < exact.size(); ++i)
-            i == 0 ? p.move(0, 1 + exact[0].x) : p.line(gap * static_cast<double>(i), 1 + exact[i].x);
+            i == 0 ? p.move(0, 1 + exact[0].x)
+                   : p.line(gap * static_cast<double>(i), 1 + exact[i].x);
         p.stroke();
         draw_trace(p, variable_name, &Frame::variable);
         draw_trace(p, fixed_name, &Frame::fixed);
@@ -64,7 +67,9 @@ public:
     }
     void drag(double, double height) override { set(start, height - 1); }
     void let_go() override { held = false; }
-    bool handle(double& x, double& height) const override { return x = 0, height = 1 + start, true; }
+    bool handle(double& x, double& height) const override {
+        return x = 0, height = 1 + start, true;
+    }
 
 private:
     using Character = State<double>;
@@ -95,9 +100,11 @@ private:
         variable_far = 0, fixed_far = 0;
         double time = 0;
         for (count = 0; count < frames.size() && time <= length; ++count) {
-            frames[count] = {time, variable.x, (interpolated ? interpolate(before, now, loop.alpha()) : now).x};
+            frames[count] = {time, variable.x,
+                             (interpolated ? interpolate(before, now, loop.alpha()) : now).x};
             double passed = 1 / rate;
-            if (std::floor(time + 0.5 + passed) > std::floor(time + 0.5)) passed += hitch / 1000;  // once a second
+            if (std::floor(time + 0.5 + passed) > std::floor(time + 0.5))
+                passed += hitch / 1000;  // once a second
             time += passed;
 
             if (variable_holds) variable = step(variable, passed);
@@ -110,7 +117,8 @@ private:
         }
     }
 
-    // Has it blown up, at the step of its own with this number? And how far from the true motion has it been at most?
+    // Has it blown up, at the step of its own with this number? And how far from the true motion
+    // has it been at most?
     void look(const Character& state, live::Fuse& holds, long number, live::Readout& far) const {
         if (holds && std::fabs(state.x) > too_far) holds.blown_at = number;
         if (state.t <= length) far = std::max(far.value, std::fabs(state.x - true_place(state.t)));
@@ -120,7 +128,8 @@ private:
         return step(runge_kutta_4, near, t - near.t).x;
     }
 
-    // The formula has exp and sin, whose last bits are another in each browser; tiny steps of RK4 are as good here.
+    // The formula has exp and sin, whose last bits are another in each browser; tiny steps of RK4
+    // are as good here.
     void follow_exactly() {
         Character state{0, start, 0};
         for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -130,7 +139,8 @@ private:
         }
     }
 
-    static void draw_character(live::Picture& p, double x, const char* words, const char* look, double height) {
+    static void draw_character(live::Picture& p, double x, const char* words, const char* look,
+                               double height) {
         p.ink(look, 2);
         p.text(x - 0.35, 2.6, words);
         if (std::fabs(height) > too_far) return;
@@ -151,14 +161,16 @@ private:
             i == 0 ? p.move(0, 1 + frames[i].*x) : p.line(frames[i].time, 1 + frames[i].*x);
         p.stroke();
         for (std::size_t i = 0; i < count && std::fabs(frames[i].*x) <= too_far; ++i)
-            if (i == shown || rate < 100) p.dot(frames[i].time, 1 + frames[i].*x, i == shown ? 7 : 2.5);
+            if (i == shown || rate < 100)
+                p.dot(frames[i].time, 1 + frames[i].*x, i == shown ? 7 : 2.5);
     }
 
     live::Slider rate{this, "rate", "frame rate", 10, 240, 1, 30, "Hz"};
     live::Slider hitch{this, "hitch", "hitch each second", 0, 250, 5, 0, "ms"};
     live::Slider fixed_rate{this, "fixed", "fixed step rate", 20, 240, 1, 60, "Hz"};
     live::Toggle interpolated{this, "interpolated", "interpolate", true};
-    live::Choice method{this, "method", "method", "explicit Euler|semi-implicit Euler|Runge-Kutta 4"};
+    live::Choice method{this, "method", "method",
+                        "explicit Euler|semi-implicit Euler|Runge-Kutta 4"};
     live::Slider start{this, "start", "let go at", -0.5, 0.5, 0.01, -0.45, "m"};
     // How far from the true motion each has been at most.
     live::Readout variable_far{this, variable_name, "m off"}, fixed_far{this, fixed_name, "m off"};

@@ -23,7 +23,8 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-// A first-order system, whatever it describes: f(t, y). The solver is compiled once for each size of y.
+// A first-order system, whatever it describes: f(t, y). The solver is compiled once for each size
+// of y.
 template <class Y>
 using System = std::function<Y(double, const Y&)>;
 
@@ -205,8 +206,8 @@ void one_solver(const Settings& settings, lab::Findings& out) {
                      stacked(State{0, Vector3(1.5, 0, 0.5), Vector3(0, 3, 1)}));
     const CoupledSprings row(Vector2(80, 80), Vector3(5120, 512, 5120));
     const State pulled{0, Vector2(dip, 0), Vector2(0, 0)};
-    every.scene("two coupled bodies", "$v$, and the springs' pulls over the masses", FirstOrderForm{row}, stacked(pulled),
-                stacked(row.exact(pulled, 1)).y);
+    every.scene("two coupled bodies", "$v$, and the springs' pulls over the masses",
+                FirstOrderForm{row}, stacked(pulled), stacked(row.exact(pulled, 1)).y);
     out.number("scenes", every.scenes, "", "scenes that one solver steps");
 }
 

@@ -63,17 +63,20 @@ void taking_turns(lab::Findings& out) {
     out.number("turns_growth", predicted, "",
                "by this each pair of frames multiplies the amplitude");
     out.number("turns_pairs", 2 * rounds, "", "pairs of frames in the run");
-    out.number("turns_power", std::pow(predicted, 2 * rounds), "", "growth that many pairs make", 2);
+    out.number("turns_power", std::pow(predicted, 2 * rounds), "", "growth that many pairs make",
+               2);
     out.number("turns_grown", grown, "", "amplitude after the run, of one at the start", 2);
     out.number("turns_seconds", turns.t, "s", "length of the run");
     out.number("steady_60", most_60, "", "largest amplitude at a steady 60 frames/s", 2);
     out.number("steady_30", most_30, "", "largest amplitude at a steady 30 frames/s", 2);
-    out.number("turns_lean", grown / std::pow(predicted, 2 * rounds), "", "one over the other: what the first pairs add", 2);
+    out.number("turns_lean", grown / std::pow(predicted, 2 * rounds), "",
+               "one over the other: what the first pairs add", 2);
     out.check("steady_holds", most_60 < 3 && most_30 < 3,
               "at a steady rate the spring stays bounded");
     const double lean = grown / std::pow(predicted, 2 * rounds);
     out.check("turns_blow_up", grown > 1e3 && lean > 1 && lean < 3,
-              "with frames taking turns it blows up, by one to three times what the factor of a pair makes");
+              "with frames taking turns it blows up, by one to three times what the factor of a "
+              "pair makes");
 }
 
 // A step costs a fifth more time than it simulates. Each frame then owes a fifth more than the
@@ -84,7 +87,8 @@ void spiral_of_death(lab::Findings& out) {
     auto& table = out.table("spiral_of_death.tsv", {"frame", "no_cap", "cap"});
     double a = h, b = h;
     const int frames = 30;
-    double speed = 0;  // of the game with the cap, in the last frame: time simulated over time passed
+    double speed =
+        0;  // of the game with the cap, in the last frame: time simulated over time passed
     for (int i = 0;; ++i) {
         table.row({double(i), 1000 * a, 1000 * b});
         if (i == frames) break;
@@ -103,7 +107,8 @@ void spiral_of_death(lab::Findings& out) {
     out.number("death_frame", a, "s", "how long the last frame of the run takes without a cap", 2);
     out.number("capped_frame", 1000 * b, "ms", "and with a cap of five steps");
     out.number("death_frames", frames, "", "number of that frame");
-    out.number("capped_speed", 100 * speed, "%", "speed of the game in a steady frame with the cap", 2);
+    out.number("capped_speed", 100 * speed, "%", "speed of the game in a steady frame with the cap",
+               2);
     out.check("spiral_grows", a > 10 * b, "without the cap frames take longer and longer");
     out.check("cap_holds", b < drawing + 5.01 * cost,
               "with the cap no frame takes more than five steps");

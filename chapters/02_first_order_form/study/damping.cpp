@@ -121,7 +121,8 @@ void zero_crossing(double omega, lab::Findings& out) {
             const double when = std::log((start.v + p * dip) / (start.v + q * dip)) / (q - p);
             out.number("crossing_zeta", zeta, "", "damping ratio of the throws");
             out.number("crossing_time", when, "s", "when the fast throw crosses zero");
-            out.number("crossing_speed", q * dip, "m/s", "the speed q x0 beyond which it crosses", 4);
+            out.number("crossing_speed", q * dip, "m/s", "the speed q x0 beyond which it crosses",
+                       4);
             out.number("thrown_speed", -start.v, "m/s", "speed of the throw that crosses", 4);
             out.check("crosses_once", count == 1, "thrown faster than q x0, it crosses zero once");
             out.check("crossing_predicted", std::fabs(legs.exact(start, when).x) < 1e-14 * dip,

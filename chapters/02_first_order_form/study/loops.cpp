@@ -21,9 +21,7 @@ namespace {
 constexpr double seconds = 3;
 
 // Never less than is due: what a cap does is another picture.
-long most_steps(double step) {
-    return std::lround(1 / step);
-}
+long most_steps(double step) { return std::lround(1 / step); }
 
 using Frames = std::vector<double>;  // how long each of them takes, s
 
@@ -36,7 +34,8 @@ Frames unsteady() {
     std::mt19937 random(42);
     Frames frames;
     for (double t = 0; t < seconds;) {
-        const double passed = std::min(0.005 + 0.065 * std::pow(random() / 4294967296.0, 3), seconds - t);
+        const double passed =
+            std::min(0.005 + 0.065 * std::pow(random() / 4294967296.0, 3), seconds - t);
         frames.push_back(passed);
         t += passed;
     }
@@ -81,9 +80,7 @@ double within(double x, double limit) {
     return std::isfinite(x) ? std::clamp(x, -limit, limit) : limit;
 }
 
-double hip(const State<double>& s) {
-    return leg + within(s.x, 5);
-}
+double hip(const State<double>& s) { return leg + within(s.x, 5); }
 
 // How far up and down one swing goes.
 struct Swing {
@@ -156,16 +153,17 @@ void frame_rates(const Method& method, const Settings& settings, lab::Findings& 
                       same_bits(at_144.states, uneven.states);
     std::printf("  with the fixed step all four find the same states%s\n",
                 same ? ", bit for bit" : ": NO, THEY DIFFER");
-    std::printf("  its first oscillation goes over %.4g m, its last over %.4g m: it %s\n", at_60.first,
-                at_60.fixed, at_60.fixed < at_60.first ? "settles" : "grows");
+    std::printf("  its first oscillation goes over %.4g m, its last over %.4g m: it %s\n",
+                at_60.first, at_60.fixed, at_60.fixed < at_60.first ? "settles" : "grows");
     out.number("swing_144", at_144.variable, "m", "the last oscillation at 144 steps a second", 2);
     out.number("swing_30", at_30.variable, "m", "the last oscillation at 30 steps a second", 2);
     out.check("same_at_every_rate", same,
               "with a fixed step the states are the same bit for bit at every frame rate");
     // The first swing would go from −v/ω to v/ω.
     const double first = 2 * std::fabs(landing.v) / settings.omega();
-    out.check("frame_rate_matters", at_144.variable < first && at_30.variable > first,
-              "with a step as long as the frame the oscillation shrinks at 144 frames/s and grows at 30");
+    out.check(
+        "frame_rate_matters", at_144.variable < first && at_30.variable > first,
+        "with a step as long as the frame the oscillation shrinks at 144 frames/s and grows at 30");
     if (settings.step == Settings{}.step)  // the page speaks of this step alone
         out.check("one_step_short", at_144.states.size() + 1 == at_60.states.size(),
                   "after three seconds 144 frames/s have taken one step fewer than 60");
@@ -210,7 +208,8 @@ void accumulator(const Settings& settings, lab::Findings& out) {
     }
     // Some twenty sums of numbers below the clock's.
     out.check("one_step_late", most_off < 40 * 2.3e-16 * clock,
-              "once there is a step, what is drawn is one step behind the player's clock, never more or less");
+              "once there is a step, what is drawn is one step behind the player's clock, never "
+              "more or less");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The same program, other bits: what a compiler may do with one line of a step, and what becomes of it. And places so far
-// away that a float has no number for the next step.
+// The same program, other bits: what a compiler may do with one line of a step, and what becomes of
+// it. And places so far away that a float has no number for the next step.
 
 #include <algorithm>
 #include <bit>
@@ -18,19 +18,16 @@ constexpr double h = 1.0 / 60;
 
 /// [builds]
 // The product is rounded, and then the sum.
-double as_written(double y, double f) {
-    return y + h * f;
-}
+double as_written(double y, double f) { return y + h * f; }
 
 // Contraction: product and sum are rounded once.
-double fused(double y, double f) {
-    return std::fma(h, f, y);
-}
+double fused(double y, double f) { return std::fma(h, f, y); }
 /// [builds]
 
 using Line = double (*)(double, double);
 
-// A ball falls among three round pegs between two walls, and loses nothing when it bounces. Semi-implicit Euler.
+// A ball falls among three round pegs between two walls, and loses nothing when it bounces.
+// Semi-implicit Euler.
 struct Pinball {
     double x = -0.1, y = 2, vx = 0.7, vy = 0;
 
@@ -39,7 +36,8 @@ struct Pinball {
         x = line(x, vx);
         y = line(y, vy);
         for (const auto& [px, py] : {std::pair{-0.5, 0.5}, {0.5, 0.5}, {0.0, 1.0}}) {
-            const double dx = x - px, dy = y - py, square = dx * dx + dy * dy, inwards = dx * vx + dy * vy;
+            const double dx = x - px, dy = y - py, square = dx * dx + dy * dy,
+                         inwards = dx * vx + dy * vy;
             if (square > 0.2 * 0.2 || inwards > 0) continue;
             vx -= 2 * inwards / square * dx;
             vy -= 2 * inwards / square * dy;
@@ -69,13 +67,16 @@ std::vector<Scene> recorded(Line line, int steps) {
     return states;
 }
 
-bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+bool same_bits(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 
 template <class Scene>
 int first_difference(const std::vector<Scene>& here, const std::vector<Scene>& there) {
     for (std::size_t i = 0; i < here.size(); ++i) {
         const Scene &a = here[i], &b = there[i];
-        if (!same_bits(a.x, b.x) || !same_bits(a.y, b.y) || !same_bits(a.vx, b.vx) || !same_bits(a.vy, b.vy))
+        if (!same_bits(a.x, b.x) || !same_bits(a.y, b.y) || !same_bits(a.vx, b.vx) ||
+            !same_bits(a.vy, b.vy))
             return static_cast<int>(i);
     }
     return -1;
@@ -88,8 +89,10 @@ double apart(const std::vector<Scene>& here, const std::vector<Scene>& there, st
 
 void two_builds(lab::Findings& out) {
     const int steps = 15 * 60;
-    const auto ball = recorded<Pinball>(as_written, steps), ball_fused = recorded<Pinball>(fused, steps);
-    const auto spring = recorded<OnSpring>(as_written, steps), spring_fused = recorded<OnSpring>(fused, steps);
+    const auto ball = recorded<Pinball>(as_written, steps),
+               ball_fused = recorded<Pinball>(fused, steps);
+    const auto spring = recorded<OnSpring>(as_written, steps),
+               spring_fused = recorded<OnSpring>(fused, steps);
     auto& table = out.table("other_bits.tsv", {"t", "pinball", "spring"});
     double ball_most = 0, spring_most = 0;
     int seen = -1;
@@ -103,14 +106,17 @@ void two_builds(lab::Findings& out) {
     }
     const int first = first_difference(ball, ball_fused);
     std::printf(
-        "  two builds of one program: step %d is the first whose bits differ; after %.1f s the balls are\n"
+        "  two builds of one program: step %d is the first whose bits differ; after %.1f s the "
+        "balls are\n"
         "    1 cm apart, and up to %.1f m later on; on a spring they stay within %.0e m\n",
         first, seen * h, ball_most, spring_most);
-    out.number("bits_first", first, "", "the first step whose bits differ between two builds of one program");
+    out.number("bits_first", first, "",
+               "the first step whose bits differ between two builds of one program");
     out.number("bits_seen", seen * h, "s", "after this the balls are a centimetre apart", 2);
     out.number("bits_apart", ball_most, "m", "how far apart they are at most", 2);
     out.number("bits_spring", spring_most, "m", "and on a spring", 2);
-    out.check("builds_part", first > 0 && ball_most > 1, "among pegs two builds of one program play two games");
+    out.check("builds_part", first > 0 && ball_most > 1,
+              "among pegs two builds of one program play two games");
     out.check("spring_stays", first_difference(spring, spring_fused) > 0 && spring_most < 1e-12,
               "on a linear spring other bits stay roundoff");
 }
@@ -121,7 +127,8 @@ std::string rounded(double value) {
     return text;
 }
 
-// Someone walks away from the origin at 1 m/s, a float for the place: how fast, seen over ten seconds?
+// Someone walks away from the origin at 1 m/s, a float for the place: how fast, seen over ten
+// seconds?
 void far_away(lab::Findings& out) {
     auto& table = out.table("far_away.tsv", {"distance (km)", "next float (mm)", "walks at (m/s)"});
     const float step = static_cast<float>(h);
@@ -131,7 +138,8 @@ void far_away(lab::Findings& out) {
         float x = start;
         for (int i = 0; i < 600; ++i) x += step * 1.0f;
         const double speed = (double(x) - start) / 10;
-        table.row({km, rounded(1000 * (double(std::nextafter(start, 1e9f)) - start)), rounded(speed)});
+        table.row(
+            {km, rounded(1000 * (double(std::nextafter(start, 1e9f)) - start)), rounded(speed)});
         if (km == 300) at_300 = speed;
         if (km == 600) at_600 = speed;
     }
@@ -143,12 +151,16 @@ void far_away(lab::Findings& out) {
         if (rest >= 1000) ++cell, rest -= 1000;
     }
     const double in_cells = (1000.0 * (cell - 600) + rest) / 10;
-    std::printf("  who walks at 1 m/s goes at %.3f m/s 300 km from the origin, at %.3f beyond 600; in cells %.4f\n", at_300,
-                at_600, in_cells);
-    out.number("walk_300", at_300, "m/s", "speed of a walk at 1 m/s in float, 300 km from the origin", 4);
+    std::printf(
+        "  who walks at 1 m/s goes at %.3f m/s 300 km from the origin, at %.3f beyond 600; in "
+        "cells %.4f\n",
+        at_300, at_600, in_cells);
+    out.number("walk_300", at_300, "m/s",
+               "speed of a walk at 1 m/s in float, 300 km from the origin", 4);
     out.number("walk_600", at_600, "m/s", "and at 600 km");
     out.check("walk_stops", at_600 == 0, "at 600 km a float stands still");
-    out.check("walk_in_cells", std::fabs(in_cells - 1) < 1e-4, "in cells of a kilometre it goes on at its speed");
+    out.check("walk_in_cells", std::fabs(in_cells - 1) < 1e-4,
+              "in cells of a kilometre it goes on at its speed");
 }
 
 }  // namespace

@@ -66,4 +66,4 @@ void arrays(const Settings&, lab::Findings&);         // several bodies, one sol
 void hard_problems(const Settings&, lab::Findings&);  // drag, and a tether in space
 void game_loop(const Settings&, lab::Findings&);      // frames and steps
 void break_it(const Settings&, lab::Findings&);       // what goes wrong, on purpose
-void other_bits(const Settings&, lab::Findings&);     // the same program, other bits; places far away
+void other_bits(const Settings&, lab::Findings&);  // the same program, other bits; places far away

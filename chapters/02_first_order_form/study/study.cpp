@@ -6,9 +6,7 @@ namespace {
 
 // The pictures show four seconds or so: steps and swings must fit into them, and a shell whose long
 // fall ends more slowly would be stopped by the air within the coarsest steps.
-bool between(double value, double least, double most) {
-    return value >= least && value <= most;
-}
+bool between(double value, double least, double most) { return value >= least && value <= most; }
 const lab::Rule masses{[](double m) { return between(m, 0.01, 1e6); }, "from 0.01 to 1e6"};
 const lab::Rule stiffnesses{[](double k) { return between(k, 0.01, 1e9); }, "from 0.01 to 1e9"};
 const lab::Rule dampings{[](double c) { return between(c, 0, 1e9); }, "from 0 to 1e9"};

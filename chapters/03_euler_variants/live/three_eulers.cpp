@@ -19,7 +19,8 @@ double length(double x, double y) {
 
 // One method's run: a state, where it has been, and the corners of a cloud of states around it.
 struct Run {
-    Run(live::Panel* panel, const char* name) : name(name), number{panel, name}, holds{panel, name} {}
+    Run(live::Panel* panel, const char* name)
+        : name(name), number{panel, name}, holds{panel, name} {}
 
     void begin(const State<double>& start) {
         state = start;
@@ -27,7 +28,8 @@ struct Run {
         double c = 0.3, s = 0;
         for (State<double>& corner : cloud) {
             corner = {0, start.x + c, start.v + s};
-            const double turned = 0.96592582628906831 * c - 0.25881904510252074 * s;  // by a 24th of a turn
+            const double turned =
+                0.96592582628906831 * c - 0.25881904510252074 * s;  // by a 24th of a turn
             s = 0.25881904510252074 * c + 0.96592582628906831 * s, c = turned;
         }
     }
@@ -88,7 +90,9 @@ public:
         if (runs[0].amplitude() > 4) p.text(-2.9, 2.1, "explicit Euler has left the picture");
         p.ink(semi_implicit_euler.name);
         if (h >= 2 && runs[2].amplitude() > 40)
-            p.text(-2.9, 1.7, h > 2 ? "semi-implicit Euler has left the picture" : "semi-implicit Euler grows, at its limit");
+            p.text(-2.9, 1.7,
+                   h > 2 ? "semi-implicit Euler has left the picture"
+                         : "semi-implicit Euler grows, at its limit");
         p.ink("ink", 2);
         p.dot(x, v, 4);
     }
@@ -113,7 +117,8 @@ private:
         if (cloud) {
             p.ink(run.name, 2, 0.5);
             for (const State<double>& corner : run.cloud)
-                &corner == run.cloud.data() ? p.move(corner.x, corner.v) : p.line(corner.x, corner.v);
+                &corner == run.cloud.data() ? p.move(corner.x, corner.v)
+                                            : p.line(corner.x, corner.v);
             p.fill();
         }
         p.ink(run.name, 2);
@@ -126,7 +131,8 @@ private:
     live::Slider v{this, "v", "start v/ω", -2, 2, 0.01, 0, "m"};
     live::Toggle cloud{this, "cloud", "a cloud of states"};
     // Under the names of the methods: how far each is from the centre, or how large its cloud is.
-    std::array<Run, 3> runs{Run(this, explicit_euler.name), Run(this, implicit_euler.name), Run(this, semi_implicit_euler.name)};
+    std::array<Run, 3> runs{Run(this, explicit_euler.name), Run(this, implicit_euler.name),
+                            Run(this, semi_implicit_euler.name)};
     double area_at_start = 1;
 };
 LIVE_PANEL(ThreeEulers)

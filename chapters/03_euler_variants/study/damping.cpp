@@ -40,13 +40,15 @@ double new_damping_limit(double zeta) { return 2 * (std::sqrt(1 + zeta * zeta) +
 
 void damping(const Settings&, lab::Findings& out) {
     out.section("Damping and the longest stable step");
-    std::printf("  %5s %20s %25s %25s\n", "zeta", "explicit", "semi-implicit, old v", "semi-implicit, new v");
+    std::printf("  %5s %20s %25s %25s\n", "zeta", "explicit", "semi-implicit, old v",
+                "semi-implicit, new v");
     auto& lines = out.table("damping_lines.tsv", {"zeta", "explicit", "old", "new"});
     auto& points = out.table("damping_points.tsv", {"zeta", "explicit", "old", "new"});
     double worst = 0;
     for (int i = 0; i <= 300; ++i) {
         const double zeta = i / 100.0;
-        const double predicted[] = {explicit_limit(zeta), old_damping_limit(zeta), new_damping_limit(zeta)};
+        const double predicted[] = {explicit_limit(zeta), old_damping_limit(zeta),
+                                    new_damping_limit(zeta)};
         lines.row({zeta, predicted[0], predicted[1], predicted[2]});
         if (i % 25 != 0) continue;
         const double found[] = {limit(explicit_euler, zeta), limit(semi_implicit_euler, zeta),
@@ -56,14 +58,20 @@ void damping(const Settings&, lab::Findings& out) {
         if (i % 50 == 0)
             std::printf("  %5.2f %20.6f %25.6f %25.6f\n", zeta, found[0], found[1], found[2]);
     }
-    out.number("damping_worst", worst, "", "longest stable omega h, found against formula, worst", 1);
-    out.number("critical_explicit", limit(explicit_euler, 1), "", "longest stable omega h at zeta = 1");
-    out.number("critical_old", limit(semi_implicit_euler, 1), "", "longest stable omega h at zeta = 1");
+    out.number("damping_worst", worst, "", "longest stable omega h, found against formula, worst",
+               1);
+    out.number("critical_explicit", limit(explicit_euler, 1), "",
+               "longest stable omega h at zeta = 1");
+    out.number("critical_old", limit(semi_implicit_euler, 1), "",
+               "longest stable omega h at zeta = 1");
     out.number("critical_new", limit(semi_implicit_euler_new_damping, 1), "",
                "longest stable omega h at zeta = 1");
-    out.check("damping_limits", worst < 1e-6, "the limits found by bisection are those of the formulas");
-    out.check("damping_shrinks",
-              limit(semi_implicit_euler, 1) < limit(semi_implicit_euler, 0) &&
-                  limit(semi_implicit_euler_new_damping, 1) > limit(semi_implicit_euler_new_damping, 0),
-              "damping at the old velocity shortens the longest step, at the new velocity it lengthens it");
+    out.check("damping_limits", worst < 1e-6,
+              "the limits found by bisection are those of the formulas");
+    out.check(
+        "damping_shrinks",
+        limit(semi_implicit_euler, 1) < limit(semi_implicit_euler, 0) &&
+            limit(semi_implicit_euler_new_damping, 1) > limit(semi_implicit_euler_new_damping, 0),
+        "damping at the old velocity shortens the longest step, at the new velocity it lengthens "
+        "it");
 }

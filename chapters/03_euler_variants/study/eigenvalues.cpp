@@ -13,8 +13,9 @@ using namespace timestep;
 
 namespace {
 
-// The growth a step that a simulation shows. The scene is linear, so the state may be brought back to
-// amplitude 1 after each step without changing how it goes on; the first 500 steps let the start fade.
+// The growth a step that a simulation shows. The scene is linear, so the state may be brought back
+// to amplitude 1 after each step without changing how it goes on; the first 500 steps let the start
+// fade.
 template <class Method>
 double measured_growth(const Method& method, const Spring<double>& spring, double h) {
     State state{0, 1.0, 0.0};
@@ -47,7 +48,8 @@ double path(const Method& method, const Formula& formula, lab::Findings& out) {
             worst = std::max(worst, std::fabs(growth / formula(wh) - 1));
         }
     }
-    std::printf("  %-20s growth a step, measured against the formula: within %.1e\n", Method::name, worst);
+    std::printf("  %-20s growth a step, measured against the formula: within %.1e\n", Method::name,
+                worst);
     return worst;
 }
 
@@ -65,10 +67,12 @@ void eigenvalue_paths(const Settings&, lab::Findings& out) {
     const double e = path(explicit_euler, grows, out);
     const double i = path(implicit_euler, shrinks, out);
     const double s = path(semi_implicit_euler, turns, out);
-    // A swing that keeps its size still ends anywhere on its ellipse: the logarithm of the axes' ratio,
-    // below 5 here, is spread over 2000 steps. At ωh = 2 growth is linear: log(2500/500)/2000.
+    // A swing that keeps its size still ends anywhere on its ellipse: the logarithm of the axes'
+    // ratio, below 5 here, is spread over 2000 steps. At ωh = 2 growth is linear:
+    // log(2500/500)/2000.
     const double spread = 5.0 / 2000;
-    out.number("growth_worst", std::max({e, i, s}), "", "measured growth against formula, worst", 1);
+    out.number("growth_worst", std::max({e, i, s}), "", "measured growth against formula, worst",
+               1);
     out.check("growth_as_predicted", e < spread && i < spread && s < spread,
               "the growth that simulations show is the eigenvalues' magnitude");
 
@@ -77,7 +81,8 @@ void eigenvalue_paths(const Settings&, lab::Findings& out) {
     };
     const double limit = largest_stable_step(stable, 10.0);
     std::printf("  semi-implicit Euler stops being stable at omega h = %.9f\n", limit);
-    out.number("semi_implicit_limit", limit, "", "largest stable omega h of semi-implicit Euler", 7);
+    out.number("semi_implicit_limit", limit, "", "largest stable omega h of semi-implicit Euler",
+               7);
     out.check("semi_implicit_limit_is_2", std::fabs(limit - 2) < 1e-6,
               "semi-implicit Euler is stable up to omega h = 2");
 }

@@ -12,8 +12,8 @@
 inline constexpr double pi = 3.141592653589793;
 
 struct Settings {
-    double omega = 10;           // rad/s, the spring of all pictures
-    double step = 1.0 / 60;      // s
+    double omega = 10;       // rad/s, the spring of all pictures
+    double step = 1.0 / 60;  // s
     long steps = 120;
     std::string method = "all";  // draw only this one
 
@@ -21,21 +21,21 @@ struct Settings {
     bool wants(const std::string& name) const { return method == "all" || method == lab::id(name); }
 };
 
-// Position and velocity over ω have the same unit, so a state is a point in a plane and its distance
-// from the origin is the amplitude of the swing.
+// Position and velocity over ω have the same unit, so a state is a point in a plane and its
+// distance from the origin is the amplitude of the swing.
 inline double amplitude(const timestep::State<double>& s, double omega) {
     return std::hypot(s.x, s.v / omega);
 }
 
-void portraits(const Settings&, lab::Findings&);    // portraits.cpp
-void energies(const Settings&, lab::Findings&);     // energy.cpp
+void portraits(const Settings&, lab::Findings&);         // portraits.cpp
+void energies(const Settings&, lab::Findings&);          // energy.cpp
 void eigenvalue_paths(const Settings&, lab::Findings&);  // eigenvalues.cpp
-void matrices(const Settings&, lab::Findings&);    // matrices.cpp
-void areas(const Settings&, lab::Findings&);        // areas.cpp
-void sweep(const Settings&, lab::Findings&);        // sweep.cpp
-void damping(const Settings&, lab::Findings&);      // damping.cpp
-void dampers(const Settings&, lab::Findings&);      // dampers.cpp
+void matrices(const Settings&, lab::Findings&);          // matrices.cpp
+void areas(const Settings&, lab::Findings&);             // areas.cpp
+void sweep(const Settings&, lab::Findings&);             // sweep.cpp
+void damping(const Settings&, lab::Findings&);           // damping.cpp
+void dampers(const Settings&, lab::Findings&);           // dampers.cpp
 void soft_constraints(const Settings&, lab::Findings&);  // soft.cpp
-void orders(const Settings&, lab::Findings&);       // orders.cpp
-void costs(const Settings&, lab::Findings&);        // costs.cpp
-void bounces(const Settings&, lab::Findings&);      // bounces.cpp
+void orders(const Settings&, lab::Findings&);            // orders.cpp
+void costs(const Settings&, lab::Findings&);             // costs.cpp
+void bounces(const Settings&, lab::Findings&);           // bounces.cpp

@@ -31,10 +31,13 @@ public:
         gust_before = gust = {0, 0.0, 0.0};
         gust.x = 0.03;
     }
-    bool restarts(const live::Control&) const override { return steps == 0; }  // else they act on the moving cloth
+    bool restarts(const live::Control&) const override {
+        return steps == 0;
+    }  // else they act on the moving cloth
 
     void step() override {
-        if (still > 0 && grabbed < 0) return void(--still);  // so that what has torn is seen before it flies away
+        if (still > 0 && grabbed < 0)
+            return void(--still);  // so that what has torn is seen before it flies away
         // Gusts come and go as a spring swings; Verlet steps that, too.
         const State<double> next_gust = verlet.step(Spring(2.0), gust_before, gust, h);
         gust_before = gust, gust = next_gust;
@@ -46,7 +49,8 @@ public:
             // What is held follows within some frames: so it has a speed when it is let go.
             if (i == grabbed) next[i].x = now[i].x + (finger - now[i].x) / 3;
             if (hangs(i)) next[i].x = now[i].x + (start(i) + rail - now[i].x) / 3;
-            if (next[i].x(1) < floor) next[i].x = {now[i].x(0), floor, now[i].x(2)};  // what is torn off lies there
+            if (next[i].x(1) < floor)
+                next[i].x = {now[i].x(0), floor, now[i].x(2)};  // what is torn off lies there
         }
         before = now, now = next;
 
@@ -62,7 +66,8 @@ public:
         // A cell whose links are whole is a piece of cloth; the more it faces us, the stronger.
         for (int i = 0; i < points - columns; ++i) {
             const int right = i + 1, below = i + columns, opposite = below + 1;
-            if (right % columns == 0 || !whole_down[i] || !whole_down[right] || !whole_across[i] || !whole_across[below])
+            if (right % columns == 0 || !whole_down[i] || !whole_down[right] || !whole_across[i] ||
+                !whole_across[below])
                 continue;
             const Vector3d normal = (now[opposite].x - now[i].x).cross(now[right].x - now[below].x);
             p.ink("first", 1, 0.25 + 0.6 * std::fabs(direction(normal)(2)));
@@ -75,13 +80,18 @@ public:
         p.ink("ink");
         for (int i = 0; i < points; ++i)
             if (hangs(i) || i == grabbed) p.dot(across(now[i].x), up(now[i].x), 4);
-        if (torn.value > 0) p.text(-0.88, -1.43, still > 0 ? "orange: the first to tear" : "torn: Restart gives a new one");
+        if (torn.value > 0)
+            p.text(-0.88, -1.43,
+                   still > 0 ? "orange: the first to tear" : "torn: Restart gives a new one");
         if (still == 0) return;
         p.ink("explicit", 3);
-        each_link([&](bool whole, int a, int b) { whole ? void() : (to(p, a, true), to(p, b), p.stroke()); });
+        each_link([&](bool whole, int a, int b) {
+            whole ? void() : (to(p, a, true), to(p, b), p.stroke());
+        });
     }
 
-    // The finger takes the nearest point, and pulls it in the plane in which it is; a ring takes the rail with it.
+    // The finger takes the nearest point, and pulls it in the plane in which it is; a ring takes
+    // the rail with it.
     bool grab(double x, double y) override {
         double nearest = 0.15;
         grabbed = -1;
@@ -95,26 +105,34 @@ public:
     void drag(double x, double y) override {
         if (grabbed < 0) return;  // started anew under the finger
         const double z = now[grabbed].x(2);
-        finger = {std::fmin(std::fmax(x, -1.2), 1.2) - 0.35 * z, std::fmin(std::fmax(y, -1.5), 0.5) + 0.2 * z, z};
+        finger = {std::fmin(std::fmax(x, -1.2), 1.2) - 0.35 * z,
+                  std::fmin(std::fmax(y, -1.5), 0.5) + 0.2 * z, z};
         if (hangs(grabbed)) rail = finger - start(grabbed);
     }
     void let_go() override { grabbed = -1; }
-    bool handle(double& x, double& y) const override { return x = across(now[0].x), y = up(now[0].x), true; }
+    bool handle(double& x, double& y) const override {
+        return x = across(now[0].x), y = up(now[0].x), true;
+    }
 
 private:
     static constexpr int columns = 14, rows = 10, points = columns * rows;
     static constexpr double link = 0.1, width = (columns - 1) * link, floor = -1.4;  // m
-    static constexpr double h = 1.0 / 60;  // s
+    static constexpr double h = 1.0 / 60;                                            // s
 
     // Where a point is at the start; and is it a ring, which holds the cloth?
-    static Vector3d start(int i) { return {i % columns * link - width / 2, -(i / columns) * link, 0}; }
+    static Vector3d start(int i) {
+        return {i % columns * link - width / 2, -(i / columns) * link, 0};
+    }
     static bool hangs(int i) { return i == 0 || i == 4 || i == 9 || i == columns - 1; }
 
-    // Wind pushes along the normal, the more the more it is faced: that takes positions only, as Verlet must have it.
+    // Wind pushes along the normal, the more the more it is faced: that takes positions only, as
+    // Verlet must have it.
     Vector3d push_of_wind(int i) const {
         const int column = i % columns, row = i / columns;
-        const Vector3d along = now[column < columns - 1 ? i + 1 : i].x - now[column > 0 ? i - 1 : i].x;
-        const Vector3d down = now[row < rows - 1 ? i + columns : i].x - now[row > 0 ? i - columns : i].x;
+        const Vector3d along =
+            now[column < columns - 1 ? i + 1 : i].x - now[column > 0 ? i - 1 : i].x;
+        const Vector3d down =
+            now[row < rows - 1 ? i + columns : i].x - now[row > 0 ? i - columns : i].x;
         const Vector3d normal = direction(Vector3d(down.cross(along)));
         return wind * (1 + gust.x) * normal.dot(Vector3d(0.6, 0, 0.8)) * normal;
     }
@@ -129,9 +147,13 @@ private:
 
     // Calls f(whole, a, b) for the links to the right of each point and below it.
     template <class F>
-    void each_link(const F& f) { visit(*this, f); }
+    void each_link(const F& f) {
+        visit(*this, f);
+    }
     template <class F>
-    void each_link(const F& f) const { visit(*this, f); }
+    void each_link(const F& f) const {
+        visit(*this, f);
+    }
     template <class Self, class F>
     static void visit(Self& self, const F& f) {
         for (int i = 0; i < points; ++i) {

@@ -62,9 +62,7 @@ bool blows_up(double a, double b, const Step& step) {
 }
 
 const int last = 20;
-int count_of(int i) {
-    return 2 * int(std::lround(10 * std::pow(2.0, i / 2.0)));
-}
+int count_of(int i) { return 2 * int(std::lround(10 * std::pow(2.0, i / 2.0))); }
 
 // The mean errors of each of the forms with count_of(0) … count_of(last) steps of lengths by
 // chance, the same lengths for all.
@@ -142,7 +140,8 @@ void changing_steps(const Settings&, lab::Findings& out) {
          "with a changing step the time-corrected repair is of order two");
     both("velocity", with_velocity, 2,
          "with a changing step velocity Verlet is of order two, as it stands");
-    out.check("turns_blow_up", each_leaves && all_stay,
-              "steps of omega h = 1.2 and 1.9 are stable alone and blow up in turn, for plain Verlet, "
-              "both repairs and velocity Verlet");
+    out.check(
+        "turns_blow_up", each_leaves && all_stay,
+        "steps of omega h = 1.2 and 1.9 are stable alone and blow up in turn, for plain Verlet, "
+        "both repairs and velocity Verlet");
 }

@@ -57,8 +57,12 @@ void constant_force(const Settings& settings, lab::Findings& out) {
         // moves x for the rest of the 2.8 s. And 2.8/steps is rounded itself.
         within = within && distance(end, exact) < (steps + 2.0) * 2 * eps * (12 + 14 * 2.8);
     }
-    std::printf("  a ball, 2.8 s in 1 to 2800 steps: the constant-acceleration step is off by %.1e at most\n", worst);
-    out.number("ball_worst", worst, "m", "the constant-acceleration step's error on a projectile, any step", 2);
+    std::printf(
+        "  a ball, 2.8 s in 1 to 2800 steps: the constant-acceleration step is off by %.1e at "
+        "most\n",
+        worst);
+    out.number("ball_worst", worst, "m",
+               "the constant-acceleration step's error on a projectile, any step", 2);
     out.check("ball_exact", within,
               "the constant-force method is exact on a projectile but for rounding");
 
@@ -76,9 +80,9 @@ void constant_force(const Settings& settings, lab::Findings& out) {
         points.row({wh, growth});
         if (wh < 4) {
             off = std::max(off, std::fabs(growth / formula(wh) - 1));
-            // Every step multiplies x² + v² − (ωh/2) x v, whose axes are as √(1 + ωh/4) to √(1 − ωh/4),
-            // by the same: the amplitude's logarithm wanders by no more than that of their ratio. And
-            // a step's rounds by an ε or two.
+            // Every step multiplies x² + v² − (ωh/2) x v, whose axes are as √(1 + ωh/4) to √(1 −
+            // ωh/4), by the same: the amplitude's logarithm wanders by no more than that of their
+            // ratio. And a step's rounds by an ε or two.
             const double ripple = std::log((1 + wh / 4) / (1 - wh / 4)) / 2;
             as_it_says = as_it_says && std::fabs(std::log(growth) - std::log1p(wh * wh / 2) / 2) <
                                            ripple / measured_steps + 4 * eps;
@@ -92,13 +96,17 @@ void constant_force(const Settings& settings, lab::Findings& out) {
         "  an undamped spring grows by sqrt(1 + (omega h)^2/2) a step: %.5f at omega h = %.3g,\n"
         "  %.3g in a second; measured within %.1e up to omega h = 4\n",
         formula(wh), wh, a_second, off);
-    out.number("newton_growth", formula(wh), "", "the constant-acceleration step's growth a step", 5);
-    out.number("newton_per_second", a_second, "", "the constant-acceleration step's growth a second");
-    out.number("newton_at_5", beyond, "", "the constant-acceleration step's growth a step at omega h = 5");
+    out.number("newton_growth", formula(wh), "", "the constant-acceleration step's growth a step",
+               5);
+    out.number("newton_per_second", a_second, "",
+               "the constant-acceleration step's growth a second");
+    out.number("newton_at_5", beyond, "",
+               "the constant-acceleration step's growth a step at omega h = 5");
     out.number("newton_at_5_root", std::sqrt(1 + 12.5), "",
                "what the root would say at omega h = 5");
     out.check("newton_grows", as_it_says,
-              "the constant-acceleration step multiplies an undamped spring's amplitude by sqrt(1 + (omega h)^2/2) a step, "
+              "the constant-acceleration step multiplies an undamped spring's amplitude by sqrt(1 "
+              "+ (omega h)^2/2) a step, "
               "up to omega h = 4");
     out.check("newton_beyond", beyond > 1.05 * std::sqrt(1 + 12.5),
               "beyond omega h = 4 the constant-acceleration step grows faster than by the root");

@@ -70,15 +70,16 @@ void demos(const Settings&, lab::Findings& out) {
 
         // With a constant force these four are pieces of the parabola itself; the Eulers miss it by
         // h g t/2.
-        const bool parabola =
-            id == "verlet" || id == "velocity_verlet" || id == "leapfrog" || id == "constant_acceleration";
+        const bool parabola = id == "verlet" || id == "velocity_verlet" || id == "leapfrog" ||
+                              id == "constant_acceleration";
         if (parabola)
             exact_on_ball = std::max(exact_on_ball, off);
         else
             off_on_ball = std::min(off_on_ball, off);
         if (method.order == 2 || id == "semi_implicit_euler")
             least = std::min(least, reached), most = std::max(most, reached);
-        if (id == "constant_acceleration" || id == "explicit_euler" || id == "semi_implicit_euler") {
+        if (id == "constant_acceleration" || id == "explicit_euler" ||
+            id == "semi_implicit_euler") {
             out.number("ball_" + id, off, "m", "off at the end of the flight");
             out.number("spring_" + id, reached, "m", "amplitude after 1000 steps");
         }
@@ -93,11 +94,11 @@ void demos(const Settings&, lab::Findings& out) {
     out.number("ball_parabolas", exact_on_ball, "m", "worst of the four that fly parabolas", 2);
     // 24 steps, each rounding positions below 20 m and velocities that act for 2.4 s; see
     // constant_force.cpp.
-    out.check(
-        "parabolas", exact_on_ball < steps * 4 * eps * (20 + 12 * 2.4) && off_on_ball > 1,
-        "Verlet in all its forms and constant acceleration fly the parabola itself, and every Euler misses it");
-    // Semi-implicit Euler keeps x² + (v/ω)² − ωh x (v/ω), here 1: on the ellipse's axes, x = ±v/ω, the
-    // amplitude is 1/√(1 ∓ ωh/2). The others swing on an upright one within it.
+    out.check("parabolas", exact_on_ball < steps * 4 * eps * (20 + 12 * 2.4) && off_on_ball > 1,
+              "Verlet in all its forms and constant acceleration fly the parabola itself, and "
+              "every Euler misses it");
+    // Semi-implicit Euler keeps x² + (v/ω)² − ωh x (v/ω), here 1: on the ellipse's axes, x = ±v/ω,
+    // the amplitude is 1/√(1 ∓ ωh/2). The others swing on an upright one within it.
     const double half = omega * step / 2;
     out.check("verlets_stay", least > 1 / std::sqrt(1 + half) && most < 1 / std::sqrt(1 - half),
               "semi-implicit Euler and Verlet in all its forms keep the oscillation");

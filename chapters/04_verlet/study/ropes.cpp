@@ -69,11 +69,13 @@ void stretch_table(const Settings& settings, lab::Findings& out) {
     }
     const double own = stretch_at_rest(60, int(settings.sweeps));
     std::printf(
-        "  %zu links of %g m, at rest, 60 steps a second: %.3g %% too long with 1 iteration a step,\n"
+        "  %zu links of %g m, at rest, 60 steps a second: %.3g %% too long with 1 iteration a "
+        "step,\n"
         "  %.3g %% with %ld\n",
         links, link, 100 * first, 100 * own, settings.sweeps);
     std::printf(
-        "  480 iterations a second: 60 Hz %.3g %%, 120 Hz %.3g %%, 240 Hz %.3g %%,\n  480 Hz %.3g %%\n",
+        "  480 iterations a second: 60 Hz %.3g %%, 120 Hz %.3g %%, 240 Hz %.3g %%,\n  480 Hz %.3g "
+        "%%\n",
         100 * budget[0], 100 * budget[1], 100 * budget[2], 100 * budget[3]);
     out.number("links", double(links), "", "links of the rope");
     out.number("stretch_one", 100 * first, "%", "stretch at 60 Hz with one iteration", 2);
@@ -89,7 +91,8 @@ void stretch_table(const Settings& settings, lab::Findings& out) {
               "eight iterations a step stretch seven to nine times less than one");
     out.check("stretch_budget",
               budget[3] < budget[2] && budget[2] < budget[1] && budget[1] < budget[0],
-              "for the same number of iterations a second, more steps with fewer iterations stretch less");
+              "for the same number of iterations a second, more steps with fewer iterations "
+              "stretch less");
 
     // The stiffest springs that Verlet can carry have ωh = 1 (see below): they hang g (n + 1) h²/2L
     // too long on the mean, and one sweep (n − 1) where they have (n + 1): the derivation stands in
@@ -98,11 +101,12 @@ void stretch_table(const Settings& settings, lab::Findings& out) {
     out.number("stretch_springs", stiffest, "%",
                "stretch of the stiffest springs that hold at 480 Hz", 2);
     const double one_sweep = g * (double(links) - 1) / (2 * link * 480 * 480);
-    out.check("sweep_is_stiffest",
-              std::fabs(budget[3] / one_sweep - 1) < 1e-7 &&
-                  100 * budget[3] > 0.8 * stiffest && 100 * budget[3] < stiffest,
-              "one iteration a step hangs about as little too long as the stiffest springs that the "
-              "step can carry: within a fifth");
+    out.check(
+        "sweep_is_stiffest",
+        std::fabs(budget[3] / one_sweep - 1) < 1e-7 && 100 * budget[3] > 0.8 * stiffest &&
+            100 * budget[3] < stiffest,
+        "one iteration a step hangs about as little too long as the stiffest springs that the "
+        "step can carry: within a fifth");
 
     // A chain of springs that hangs as little too long: g n/(2ω²L) on the mean, hence ω. Its
     // fastest swing has 2ω, and Verlet holds while that times h is below 2.
@@ -131,15 +135,15 @@ void stretch_table(const Settings& settings, lab::Findings& out) {
     };
     std::printf("  springs as stiff as 8 iterations need %.0f steps a second, or they blow up\n",
                 spring_omega);
-    out.check(
-        "springs_blow_up", blows_up(1.02 / spring_omega) && !blows_up(0.98 / spring_omega),
-        "a chain of springs as stiff as eight iterations blows up with a step 2 % longer than 1/omega");
+    out.check("springs_blow_up", blows_up(1.02 / spring_omega) && !blows_up(0.98 / spring_omega),
+              "a chain of springs as stiff as eight iterations blows up with a step 2 % longer "
+              "than 1/omega");
 }
 
-// Let go from the level with any step. At rest with one sweep the rope hangs n(n − 1)/2 h²g too long
-// (tests/library/rope.cpp). At the bottom of its swing it pulls with three times its weight, as any
-// pendulum let go from there, and what is pulled all at once goes twice as far as it comes to rest:
-// six times in all. What blows up passes any bound, and overflows.
+// Let go from the level with any step. At rest with one sweep the rope hangs n(n − 1)/2 h²g too
+// long (tests/library/rope.cpp). At the bottom of its swing it pulls with three times its weight,
+// as any pendulum let go from there, and what is pulled all at once goes twice as far as it comes
+// to rest: six times in all. What blows up passes any bound, and overflows.
 void any_step(lab::Findings& out) {
     const double n = double(links);
     double worst = 0;
@@ -158,9 +162,10 @@ void any_step(lab::Findings& out) {
         "  3000 steps of 1/240 to 1 s, 1 to 32 iterations: it gets longer by %.2g times what it\n"
         "  hangs too long with one iteration, at the most\n",
         worst);
-    out.check("rope_holds", worst < 6,
-              "with steps of 1/240 to 1 s and 1 to 32 iterations the rope gets longer by less than six "
-              "times what it hangs too long with one iteration");
+    out.check(
+        "rope_holds", worst < 6,
+        "with steps of 1/240 to 1 s and 1 to 32 iterations the rope gets longer by less than six "
+        "times what it hangs too long with one iteration");
 }
 
 // Let go from the level: the shape, and the energy that the links take away.
@@ -227,9 +232,10 @@ void swing(lab::Findings& out) {
     out.number("rope_energy_4", end_4, "", "rope's energy after 20 s at 60 Hz, 4 iterations", 2);
     out.number("rope_energy_32", end_32, "", "the same with 32 iterations", 2);
     out.number("rope_energy_fast", end_fast, "", "at 480 Hz with 4 iterations", 2);
-    out.check("rope_loses", most < 1.001 && end_4 < 0.1 && end_32 < 0.1 && end_fast > 0.2,
-              "no rope gains energy; at 60 Hz the oscillation is gone after 20 s, at 480 Hz part of it "
-              "is left");
+    out.check(
+        "rope_loses", most < 1.001 && end_4 < 0.1 && end_32 < 0.1 && end_fast > 0.2,
+        "no rope gains energy; at 60 Hz the oscillation is gone after 20 s, at 480 Hz part of it "
+        "is left");
     out.number("rope_energy_most", most, "", "the most that any of them had", 3);
 }
 

@@ -25,11 +25,11 @@ inline double distance(const timestep::State<double>& a, const timestep::State<d
     return std::hypot(a.x - b.x, a.v - b.v);
 }
 
-void two_positions(const Settings&, lab::Findings&);   // two_positions.cpp
-void constant_force(const Settings&, lab::Findings&);  // constant_force.cpp
-void three_forms(const Settings&, lab::Findings&);     // three_forms.cpp
-void changing_steps(const Settings&, lab::Findings&);  // changing_steps.cpp
-void demos(const Settings&, lab::Findings&);           // demos.cpp
-void ropes(const Settings&, lab::Findings&);           // ropes.cpp
+void two_positions(const Settings&, lab::Findings&);    // two_positions.cpp
+void constant_force(const Settings&, lab::Findings&);   // constant_force.cpp
+void three_forms(const Settings&, lab::Findings&);      // three_forms.cpp
+void changing_steps(const Settings&, lab::Findings&);   // changing_steps.cpp
+void demos(const Settings&, lab::Findings&);            // demos.cpp
+void ropes(const Settings&, lab::Findings&);            // ropes.cpp
 void compliant_ropes(const Settings&, lab::Findings&);  // compliance.cpp
-void costs(const Settings&, lab::Findings&);           // costs.cpp
+void costs(const Settings&, lab::Findings&);            // costs.cpp

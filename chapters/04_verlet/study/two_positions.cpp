@@ -89,21 +89,27 @@ void far_away_in_float(lab::Findings& out) {
     const auto last_digit = [](float x) { return double(std::nextafter(x, 2 * x) - x); };
     const double near = fall_in_float(verlet, 5000), far = fall_in_float(verlet, 20000),
                  with_velocity = fall_in_float(velocity_verlet, 20000);
-    std::printf("  a second of fall at 60 Hz in float, %.4g m: at 5 km Verlet falls %.3g m,\n"
-                "  at 20 km %.3g m, velocity Verlet %.3g m\n",
-                true_fall, near, far, with_velocity);
+    std::printf(
+        "  a second of fall at 60 Hz in float, %.4g m: at 5 km Verlet falls %.3g m,\n"
+        "  at 20 km %.3g m, velocity Verlet %.3g m\n",
+        true_fall, near, far, with_velocity);
     out.number("fall_true", true_fall, "m", "a second of fall", 4);
     out.number("fall_frame", 1e3 * frame, "mm", "h²g at 60 Hz", 2);
-    out.number("fall_digit_near", 1e3 * last_digit(5000), "mm", "the last binary digit of 5 km in float", 2);
-    out.number("fall_digit_far", 1e3 * last_digit(20000), "mm", "the last binary digit of 20 km in float", 2);
-    out.number("fall_near", near, "m", "a second of fall by Verlet in float, 5 km from the origin", 3);
+    out.number("fall_digit_near", 1e3 * last_digit(5000), "mm",
+               "the last binary digit of 5 km in float", 2);
+    out.number("fall_digit_far", 1e3 * last_digit(20000), "mm",
+               "the last binary digit of 20 km in float", 2);
+    out.number("fall_near", near, "m", "a second of fall by Verlet in float, 5 km from the origin",
+               3);
     out.number("fall_far", far, "m", "the same 20 km from the origin", 3);
-    out.number("fall_velocity", with_velocity, "m", "the same by velocity Verlet, 20 km from the origin", 3);
-    out.check("fall_in_float",
-              std::fabs(near / true_fall - 1) > 0.05 && std::fabs(far / true_fall - 1) > 0.2 &&
-                  std::fabs(with_velocity / true_fall - 1) < 0.02,
-              "in float, a second of fall by Verlet is off by more than 5 % at 5 km from the origin and "
-              "by more than 20 % at 20 km; by velocity Verlet by less than 2 % at 20 km");
+    out.number("fall_velocity", with_velocity, "m",
+               "the same by velocity Verlet, 20 km from the origin", 3);
+    out.check(
+        "fall_in_float",
+        std::fabs(near / true_fall - 1) > 0.05 && std::fabs(far / true_fall - 1) > 0.2 &&
+            std::fabs(with_velocity / true_fall - 1) < 0.02,
+        "in float, a second of fall by Verlet is off by more than 5 % at 5 km from the origin and "
+        "by more than 20 % at 20 km; by velocity Verlet by less than 2 % at 20 km");
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
-// One throw, six ways to step it: spun about the intermediate axis, with a touch of the other two. Drag to look from
-// elsewhere.
-// still: steps=480
+// One throw, six ways to step it: spun about the intermediate axis, with a touch of the other two.
+// Drag to look from elsewhere. still: steps=480
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +19,9 @@
 using namespace timestep;
 using V = Vector3<double>;
 
-// A wing nut: a block with a wing on each side, along z; its thread is along y. The sides and centres are such that
-// the centre of mass is at zero. About each of them the blocks' moments add, by the parallel axis theorem.
+// A wing nut: a block with a wing on each side, along z; its thread is along y. The sides and
+// centres are such that the centre of mass is at zero. About each of them the blocks' moments add,
+// by the parallel axis theorem.
 struct Block {
     double mass;
     V centre, sides;
@@ -52,7 +52,8 @@ public:
     double seconds() const override { return 1 / rate; }
 
     void restart() override {
-        const Quaternion<double> upright = Quaternion<double>(1, 1, 0, 0).normalized();  // the body's y axis points up
+        const Quaternion<double> upright =
+            Quaternion<double>(1, 1, 0, 0).normalized();  // the body's y axis points up
         true_one = {0, upright, V(touch, spin, touch)};
         now.fill(in_world(true_one));
         energies.clear(), momenta.clear();
@@ -66,9 +67,11 @@ public:
     void step() override {
         with_body([&](const auto& inertia) {
             const double h = 1 / rate;
-            // As good as exact: many short steps of chapter 8's solver, which keeps energy and |L|. In the body's
-            // axes: there a zero stays zero, and what spins about one axis alone never turns over.
-            for (int n = 0; n < 100; ++n) true_one = tumble<CalmHalfStep>.step(inertia, true_one, h / 100);
+            // As good as exact: many short steps of chapter 8's solver, which keeps energy and |L|.
+            // In the body's axes: there a zero stays zero, and what spins about one axis alone
+            // never turns over.
+            for (int n = 0; n < 100; ++n)
+                true_one = tumble<CalmHalfStep>.step(inertia, true_one, h / 100);
             now[0] = in_world(true_one);
             now[1] = turn(no_gyroscopic, inertia, now[1], h);
             if (holds[2]) now[2] = turn(explicit_gyroscopic, inertia, now[2], h);
@@ -107,8 +110,12 @@ public:
 
 private:
     static constexpr double width = 1.75, height = 1.5;  // of a body's place in the picture, m
-    static constexpr std::array names{"exact", no_gyroscopic.name, explicit_gyroscopic.name, lagged_inertia.name,
-                                      implicit_gyroscopic.name, passive_gyroscopic.name};
+    static constexpr std::array names{"exact",
+                                      no_gyroscopic.name,
+                                      explicit_gyroscopic.name,
+                                      lagged_inertia.name,
+                                      implicit_gyroscopic.name,
+                                      passive_gyroscopic.name};
 
     // A staff has two equal moments, and says so by its type: other closed forms step it.
     template <class Use>

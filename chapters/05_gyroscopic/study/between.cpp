@@ -27,7 +27,9 @@ Q nlerp(const Q& q1, Q q2, double alpha) {
 }
 /// [nlerp]
 
-double off(const Q& p, const Q& q) { return 2 * std::asin(std::min(1.0, apart(p, q) / 2)) / degree; }
+double off(const Q& p, const Q& q) {
+    return 2 * std::asin(std::min(1.0, apart(p, q) / 2)) / degree;
+}
 
 }  // namespace
 
@@ -44,14 +46,17 @@ void between_steps(const Settings& settings, lab::Findings& out) {
         double worst = 0;
         for (int i = 0; i <= 200; ++i) {
             const double alpha = i / 200.0;
-            const Q truth = q1 * Q(Eigen::AngleAxisd(alpha * turn * degree, V(2, -1, 2).normalized()));
+            const Q truth =
+                q1 * Q(Eigen::AngleAxisd(alpha * turn * degree, V(2, -1, 2).normalized()));
             const Q mean = nlerp(q1, q2, alpha);
             worst = std::max(worst, off(mean, truth));
-            axis = std::max(axis, (q1.conjugate() * mean).vec().cross(V(2, -1, 2).normalized()).norm());
+            axis = std::max(axis,
+                            (q1.conjugate() * mean).vec().cross(V(2, -1, 2).normalized()).norm());
             if (i % 200 == 0) ends = std::max(ends, off(mean, truth));
             if (turn < 180) ends = std::max(ends, off(q1.slerp(alpha, q2), truth));
         }
-        // A box about its intermediate axis, in the middle of its first flip, where ω turns fastest.
+        // A box about its intermediate axis, in the middle of its first flip, where ω turns
+        // fastest.
         const double spin = 10, h = turn * degree / spin;
         // A quarter of the way to the next step: half-way slerp and nlerp are the same orientation.
         const auto exact = ExactFreeBody<double>(brick, spinning(0.1, spin, 0.1));
@@ -71,27 +76,41 @@ void between_steps(const Settings& settings, lab::Findings& out) {
         if (turn == 90) turn_90 = worst;
         if (turn == 180) turn_180 = worst;
         last = worst, last_box = box_worst;
-        std::printf("  %5.1f degrees a step: nlerp off by %8.2g, slerp on a tumbling box by %8.2g degrees\n", turn,
-                    worst, box_worst);
+        std::printf(
+            "  %5.1f degrees a step: nlerp off by %8.2g, slerp on a tumbling box by %8.2g "
+            "degrees\n",
+            turn, worst, box_worst);
     }
-    const Q q1 = Q::Identity(), q2(Eigen::AngleAxisd(30 * degree, V::UnitX())), 
+    const Q q1 = Q::Identity(), q2(Eigen::AngleAxisd(30 * degree, V::UnitX())),
             minus(-q2.w(), -q2.x(), -q2.y(), -q2.z());
     const Q bare = Q((q1.coeffs() + minus.coeffs()) / 2).normalized();
     const double long_way = off(bare, Q(Eigen::AngleAxisd(15 * degree, V::UnitX())));
-    std::printf("  with the other sign, half-way: off by %.0f degrees; at 60 Hz and 10 rad/s a step is %.1f degrees\n", long_way, at_60);
+    std::printf(
+        "  with the other sign, half-way: off by %.0f degrees; at 60 Hz and 10 rad/s a step is "
+        "%.1f degrees\n",
+        long_way, at_60);
     out.number("between_30", turn_30, "°", "nlerp off, 30 degrees a step", 2);
     out.number("between_90", turn_90, "°", "nlerp off, a quarter turn a step", 2);
     out.number("between_180", turn_180, "°", "nlerp off, half a turn a step", 2);
     out.number("between_order", order, "", "the power of the turn with which that falls", 2);
-    out.number("between_box", box_60, "°", "slerp off a quarter of the way on a tumbling box that turns 10 degrees a step", 2);
+    out.number("between_box", box_60, "°",
+               "slerp off a quarter of the way on a tumbling box that turns 10 degrees a step", 2);
     out.number("between_box_nlerp", box_nlerp, "°", "nlerp there", 2);
-    out.number("between_long_way", long_way, "°", "off half-way with the other sign, 30 degrees a step", 3);
+    out.number("between_long_way", long_way, "°",
+               "off half-way with the other sign, 30 degrees a step", 3);
     out.check("nlerp_right_axis", axis < 1e-14 && ends < 1e-5,
-              "nlerp turns about the right axis and is right at both ends, and slerp is right all the way at a constant spin");
-    out.check("nlerp_cube", std::fabs(order - 3) < 0.05 && turn_30 < 0.1, "nlerp's error falls with the cube of the turn");
-    out.check("slerp_no_better", std::fabs(box_nlerp / box_60 - 1) < 0.01 && std::fabs(box_order - 2) < 0.2,
-              "on a tumbling box slerp is off as much as nlerp, a quarter of the way between two steps, and that falls with the square of the turn");
-    out.check("long_way", std::fabs(long_way - 180) < 1e-5 && off(nlerp(q1, minus, 0.5), nlerp(q1, q2, 0.5)) < 1e-5,
-              "with the other sign the mean of two orientations, half-way, is half a turn off, and nlerp, which looks at the sign, "
-              "is not");
+              "nlerp turns about the right axis and is right at both ends, and slerp is right all "
+              "the way at a constant spin");
+    out.check("nlerp_cube", std::fabs(order - 3) < 0.05 && turn_30 < 0.1,
+              "nlerp's error falls with the cube of the turn");
+    out.check("slerp_no_better",
+              std::fabs(box_nlerp / box_60 - 1) < 0.01 && std::fabs(box_order - 2) < 0.2,
+              "on a tumbling box slerp is off as much as nlerp, a quarter of the way between two "
+              "steps, and that falls with the square of the turn");
+    out.check(
+        "long_way",
+        std::fabs(long_way - 180) < 1e-5 && off(nlerp(q1, minus, 0.5), nlerp(q1, q2, 0.5)) < 1e-5,
+        "with the other sign the mean of two orientations, half-way, is half a turn off, and "
+        "nlerp, which looks at the sign, "
+        "is not");
 }

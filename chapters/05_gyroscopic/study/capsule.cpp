@@ -16,9 +16,7 @@ namespace {
 using V = Vector3<double>;
 
 // The body's long axis in the world.
-V axis(const RigidState<double>& s) {
-    return s.q * V(V::UnitZ());
-}
+V axis(const RigidState<double>& s) { return s.q * V(V::UnitZ()); }
 
 double turn_rate(const RigidState<double>& a, const RigidState<double>& b, const V& about) {
     const V u = axis(a) - about * about.dot(axis(a)), v = axis(b) - about * about.dot(axis(b));
@@ -100,8 +98,9 @@ void free_capsule(const Settings& settings, lab::Findings& out) {
             // L is rotated there and back each step: some ε of it a step.
             out.check("capsule_old_momentum", off < 1e-6,
                       "with the lagged inertia the angular momentum stays");
-            out.check("capsule_old_energy", energy > 1.5,
-                      "with the lagged inertia the capsule ends with more than 1.5 times its energy");
+            out.check(
+                "capsule_old_energy", energy > 1.5,
+                "with the lagged inertia the capsule ends with more than 1.5 times its energy");
         } else if (solver.key == "passive") {
             // A step keeps the energy to 8 ε, and going into the body's axes and back to as much
             // again. In n steps such errors add up like √n: to some 16 ε √600 = 9e-14 here, if they
@@ -130,11 +129,15 @@ void uneven_capsule(const Settings& settings, lab::Findings& out) {
         const V omega = passive_gyroscopic.step(pill, V(1, 0, theta / pill.wobble), 1.0);
         return std::atan2(omega.y(), omega.x());
     };
-    bool falls = true;  // with p = θ²/12 the tangent θ/2 / (1 − p + p²) is largest at p = (1 + √13)/6: θ = 3.03
+    bool falls = true;  // with p = θ²/12 the tangent θ/2 / (1 − p + p²) is largest at p = (1 +
+                        // √13)/6: θ = 3.03
     for (const double theta : {3.1, 3.5, 4.0, 6.0, 10.0, 30.0, 100.0})
         falls = falls && turned(1.01 * theta) < turned(theta) && turned(theta) > 0;
-    out.number("symmetric_turn_2", 100 * (1 - turned(2) / 2), "%", "by which passive turns ω too little, two equal moments, at two radians", 2);
-    out.check("symmetric_turn_falls", falls, "with two equal moments passive turns ω less, the faster the body spins, from three radians a step on");
+    out.number("symmetric_turn_2", 100 * (1 - turned(2) / 2), "%",
+               "by which passive turns ω too little, two equal moments, at two radians", 2);
+    out.check("symmetric_turn_falls", falls,
+              "with two equal moments passive turns ω less, the faster the body spins, from three "
+              "radians a step on");
     const auto start = spinning(0.5, 0, 20);
     const double h = settings.step, seconds = 10;
     out.text("uneven_start", "(0.5, 0, 20) rad/s", "spin at the start, the last along the length");

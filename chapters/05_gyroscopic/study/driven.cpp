@@ -19,13 +19,9 @@ const PrincipalInertia<double> inertia = box(1.0, 1.0, 2.0, 3.0);
 constexpr double seconds = 2;
 
 // A torque that changes with time, in world coordinates, N m.
-V motor(double t) {
-    return {3 * std::cos(2 * t), 3 * std::sin(3 * t), 1.5};
-}
+V motor(double t) { return {3 * std::cos(2 * t), 3 * std::sin(3 * t), 1.5}; }
 
-RigidState<double> start() {
-    return {0, Quaternion<double>::Identity(), V(1, 2, 2)};
-}
+RigidState<double> start() { return {0, Quaternion<double>::Identity(), V(1, 2, 2)}; }
 
 // The rate of (q, ω) with ω in body coordinates: q̇ = ½ q ω, ω̇ = I⁻¹(T − ω × Iω). Written apart from
 // everything it is compared with.

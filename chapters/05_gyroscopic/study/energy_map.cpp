@@ -57,11 +57,10 @@ std::string words(const char* format, double value) {
 }
 
 // What a step that multiplies the energy by `gain` adds, as a share of it; roundoff is nothing.
-std::string added(double gain) {
-    return gain < 1 + 1e-12 ? "0" : words("%.2g", gain - 1);
-}
+std::string added(double gain) { return gain < 1 + 1e-12 ? "0" : words("%.2g", gain - 1); }
 
-// Not inlined: g++ 12 at -O3 takes double → float → double for no change where it does so with several numbers at once.
+// Not inlined: g++ 12 at -O3 takes double → float → double for no change where it does so with
+// several numbers at once.
 [[gnu::noinline]] PrincipalInertia<float> rounded(const Body& inertia) {
     return {float(inertia.moments.x()), float(inertia.moments.y()), float(inertia.moments.z())};
 }
@@ -160,9 +159,8 @@ void energy_map(const Settings& settings, lab::Findings& out) {
         }
         map.gap();
     }
-    std::printf(
-        "  worst found up to h|omega| = 1: x %.3g, at %.2g and a ratio of %.2g\n", top, top_size,
-        top_ratio);
+    std::printf("  worst found up to h|omega| = 1: x %.3g, at %.2g and a ratio of %.2g\n", top,
+                top_size, top_ratio);
     std::printf(
         "  a gain of 1 %% begins at h|omega| = %.2g (ratio %.0f): %.1f rad/s at this step\n", first,
         first_ratio, first / settings.step);
@@ -214,8 +212,9 @@ void energy_map(const Settings& settings, lab::Findings& out) {
     out.number("debris_highest", highest, "", "the most that any of them gained");
     std::printf("  by the passive step %d of them end about their largest moment\n", settled);
     out.number("pieces", pieces, "", "pieces of debris");
-    out.check("passive_settles", settled == pieces,
-              "passive: after 3000 steps every piece turns about its largest moment, to a hundredth");
+    out.check(
+        "passive_settles", settled == pieces,
+        "passive: after 3000 steps every piece turns about its largest moment, to a hundredth");
     std::printf("  as they tumble, exactly, |omega| rises by up to x %.2f\n", most_swell);
     const double calm = first / most_swell;
     out.number("calm", calm, "", "h|omega| from which a tumbling piece may come to a gain", 2);
@@ -255,7 +254,8 @@ void energy_map(const Settings& settings, lab::Findings& out) {
     // of h|ω₂||L₁|, little is along L₁; for long steps a part in a million is a generous bound.
     out.check("passive_momentum", least_momentum > 1 - 1e-6,
               "the passive step never takes from the angular momentum's length");
-    out.number("passive_bodies", tried, "", "bodies that have taken a passive step, in float and in double");
+    out.number("passive_bodies", tried, "",
+               "bodies that have taken a passive step, in float and in double");
     out.number("passive_over", std::max(over, 0.0), "ε",
                "the most that a passive step added, in units of roundoff", 2);
     out.check("passive_never_gains", over <= 8,

@@ -32,8 +32,7 @@ void minute(const Settings& settings, lab::Findings& out) {
                           burst ? end.t : E);
             std::snprintf(momentum, sizeof momentum, burst ? "–" : "%.3f", L);
             cells.push_back(std::string(energy)), cells.push_back(std::string(momentum));
-            const std::string id =
-                (inertia == &brick ? "minute_" : "minute_other_") + solver.key;
+            const std::string id = (inertia == &brick ? "minute_" : "minute_other_") + solver.key;
             if (!burst) {
                 out.number(id + "_energy", E, "", "energy after a minute over that at the start");
                 out.number(id + "_momentum", L, "",
@@ -43,7 +42,8 @@ void minute(const Settings& settings, lab::Findings& out) {
                         inertia == &brick ? "sides 1:2:3" : "moments 1:2:3", energy, momentum);
             const std::string& k = solver.key;
             const std::string of = inertia == &brick ? "the box" : "the body with moments 1:2:3";
-            if (k == "explicit") out.check(id, burst, "explicit: " + of + " blows up within the minute");
+            if (k == "explicit")
+                out.check(id, burst, "explicit: " + of + " blows up within the minute");
             if (k == "implicit" || k == "converged" || k == "passive")
                 out.check(id, E < (k == "passive" ? 1 : 0.5),
                           k == "passive" ? "passive: after a minute " + of + " has gained no energy"

@@ -83,9 +83,8 @@ void newton(const Settings&, lab::Findings& out) {
               "times");
 
     // Random boxes: rounds needed, and how often they do not suffice.
-    auto& needed =
-        out.table("newton_rounds.tsv", {"$h\\lvert\\omega\\rvert$", "iterations, median",
-                                             "iterations, largest", "not found"});
+    auto& needed = out.table("newton_rounds.tsv", {"$h\\lvert\\omega\\rvert$", "iterations, median",
+                                                   "iterations, largest", "not found"});
     RandomBody random(1);
     double missed_at_3 = 0;
     for (const double size : {0.01, 0.1, 0.3, 1.0, 3.0}) {

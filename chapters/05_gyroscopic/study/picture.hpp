@@ -28,9 +28,7 @@ struct Face {
     int paint;
 };
 
-inline double degrees(double angle) {
-    return angle * std::acos(-1.0) / 180;
-}
+inline double degrees(double angle) { return angle * std::acos(-1.0) / 180; }
 
 // The eye looks along the world's y axis and a little downwards, from far away.
 struct Camera {

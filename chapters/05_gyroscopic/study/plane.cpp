@@ -151,13 +151,15 @@ void one_throw(const Settings& settings, lab::Findings& out) {
     out.check("plane_dropped",
               dropped.spin > 10 && dropped.most_energy <= 1 && dropped.upright > 80,
               "dropped: after 20 s with rolling resistance it stands on its end and spins");
-    out.check("plane_old", old.spin > scene::spin && old.energy > 2,
-              "momentum with lagged inertia: it stands on its end and spins faster than at the start");
+    out.check(
+        "plane_old", old.spin > scene::spin && old.energy > 2,
+        "momentum with lagged inertia: it stands on its end and spins faster than at the start");
     out.check("plane_rests", implicit.rest > 0 && passive.rest > 0,
               "implicit and passive: the capsule comes to rest");
-    out.check("plane_one_iteration",
-              implicit.rest == converged.rest && implicit.energy == converged.energy,
-              "a capsule is symmetric: one Newton step and the converged solution are the same run");
+    out.check(
+        "plane_one_iteration",
+        implicit.rest == converged.rest && implicit.energy == converged.energy,
+        "a capsule is symmetric: one Newton step and the converged solution are the same run");
 
     // The same scene, with steps so short that the way to treat the torque hardly matters.
     const auto with_step = [&](const char* key, double h) {
@@ -173,12 +175,13 @@ void one_throw(const Settings& settings, lab::Findings& out) {
     out.number("plane_fine_rest", fine.rest, "s", "passive: at rest, with a 32nd of the step", 2);
     out.number("plane_quarter_rest", quarter_implicit.rest, "s",
                "one Newton step: at rest, with a quarter of the step", 2);
-    out.check("plane_fine",
-              fine.rest > 0 && fine_implicit.rest > 0 &&
-                  std::fabs(fine.rest - fine_implicit.rest) < 0.1 && passive.rest < 2 * fine.rest &&
-                  dropped.spin > 10,
-              "a 32nd of the step: passive and one Newton step come to rest at the same time, to 0.1 "
-              "s; with the whole step passive takes less than twice as long");
+    out.check(
+        "plane_fine",
+        fine.rest > 0 && fine_implicit.rest > 0 &&
+            std::fabs(fine.rest - fine_implicit.rest) < 0.1 && passive.rest < 2 * fine.rest &&
+            dropped.spin > 10,
+        "a 32nd of the step: passive and one Newton step come to rest at the same time, to 0.1 "
+        "s; with the whole step passive takes less than twice as long");
 }
 
 // A ball has no gyroscopic torque: every variant compiles to the same step.
@@ -278,8 +281,8 @@ void many_throws(const Settings& settings, lab::Findings& out) {
                 run(solver.key, solver.name, solver, arms, settings.step);
         run(after.key, after.name, after, arms, settings.step);
     }
-    run("fine", "passive, an eighth of the step", scene::plane_solver("passive"), plane::Arms::middle,
-        settings.step / 8);
+    run("fine", "passive, an eighth of the step", scene::plane_solver("passive"),
+        plane::Arms::middle, settings.step / 8);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ void spin_on(const Solver& solver, const Inertia& inertia, timestep::RigidState<
 }
 
 void torque(const Settings&, lab::Findings&);            // torque.cpp
-void orientation(const Settings&, lab::Findings&);          // torque.cpp
+void orientation(const Settings&, lab::Findings&);       // torque.cpp
 void between_steps(const Settings&, lab::Findings&);     // between.cpp
 void newton(const Settings&, lab::Findings&);            // newton.cpp
 void free_capsule(const Settings&, lab::Findings&);      // capsule.cpp

@@ -39,7 +39,7 @@ template <class Make>
 auto all(const Make& make) {
     return std::vector{
         make("explicit", explicit_gyroscopic),   make("dropped", no_gyroscopic),
-        make("lagged_inertia", lagged_inertia),        make("implicit", implicit_gyroscopic),
+        make("lagged_inertia", lagged_inertia),  make("implicit", implicit_gyroscopic),
         make("converged", converged_gyroscopic), make("passive", passive_gyroscopic)};
 }
 
@@ -57,9 +57,7 @@ const std::vector<Solver>& solvers() {
         all([](auto key, const auto& method) { return solver_of(key, method); });
     return list;
 }
-const Solver& solver(const std::string& key) {
-    return named(key, solvers());
-}
+const Solver& solver(const std::string& key) { return named(key, solvers()); }
 
 const std::vector<scene::PlaneSolver>& scene::plane_solvers() {
     static const auto list =

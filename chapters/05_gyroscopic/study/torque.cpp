@@ -112,17 +112,21 @@ void orientation(const Settings&, lab::Findings& out) {
     }
     const double order = measured_order(h, error);
     std::printf("  after a second the orientation is off with order %.2f in the step\n", order);
-    out.number("orientation_price", price, "", "error of the passive step over that of one Newton step",
-               2);
+    out.number("orientation_price", price, "",
+               "error of the passive step over that of one Newton step", 2);
     out.number("orientation_order", order, "", "measured order of the orientation");
     out.check("orientation_order", std::fabs(order - 1) < 0.1, "the orientation is of order one");
     // A quarter turn about z, and a spin along the body's x: that is the world's y.
     const Quaternion<double> quarter(Eigen::AngleAxisd(std::acos(0.0), Eigen::Vector3d::UnitZ()));
     const Quaternion<double> along_x(0, 1, 0, 0);  // (0, ω), ω in the axes of the body
-    const auto axis = [&](const Quaternion<double>& rate) { return (rate * quarter.conjugate()).vec().eval(); };
-    out.check("wrong_side", (axis(quarter * along_x) - Eigen::Vector3d::UnitY()).norm() < 1e-15 &&
-                                (axis(along_x * quarter) - Eigen::Vector3d::UnitX()).norm() < 1e-15,
-              "a quarter turn about z, a spin along the body's x: the factor on the right turns about the world's y, as it "
+    const auto axis = [&](const Quaternion<double>& rate) {
+        return (rate * quarter.conjugate()).vec().eval();
+    };
+    out.check("wrong_side",
+              (axis(quarter * along_x) - Eigen::Vector3d::UnitY()).norm() < 1e-15 &&
+                  (axis(along_x * quarter) - Eigen::Vector3d::UnitX()).norm() < 1e-15,
+              "a quarter turn about z, a spin along the body's x: the factor on the right turns "
+              "about the world's y, as it "
               "should, that on the left about the world's x");
     // Scaling rounds four squares, a sum, a root and a quotient: a few ε.
     out.check("orientation_norm", norm_off < 8 * 2.3e-16,

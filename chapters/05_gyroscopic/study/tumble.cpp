@@ -11,9 +11,7 @@ namespace {
 
 using V = Vector3<double>;
 
-V in_body(const RigidState<double>& s) {
-    return s.q.conjugate() * s.omega;
-}
+V in_body(const RigidState<double>& s) { return s.q.conjugate() * s.omega; }
 
 // The times at which the spin about the middle axis changes its sign.
 struct Flips {
@@ -173,9 +171,10 @@ void tumble(const Settings& settings, lab::Findings& out) {
             if (k == "implicit") {
                 out.number("tumble_implicit_off", off, "s", "the largest error of its flips", 2);
                 // As early as the first: what a flip starts from is what the last one left.
-                out.check("tumble_implicit_keeps_time", all && off < h * sigma / 2 * truth.at[0],
-                          "one Newton step has all flips, each early or late by less than the share "
-                          "hσ/2 of the time to the first");
+                out.check(
+                    "tumble_implicit_keeps_time", all && off < h * sigma / 2 * truth.at[0],
+                    "one Newton step has all flips, each early or late by less than the share "
+                    "hσ/2 of the time to the first");
             }
             if (k == "passive") {
                 out.number("tumble_passive_flips", double(seen.at.size()), "",

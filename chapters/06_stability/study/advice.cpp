@@ -30,8 +30,9 @@ public:
     }
     double even_in_log(double low, double high) { return low * std::pow(high / low, even(0, 1)); }
 
-    // One scene for one method. Those without a boundary make up a quarter of all, so of the others two in
-    // three are put within 10 % of theirs. Below ωh = 0.02 no run of this length shows a slow growth.
+    // One scene for one method. Those without a boundary make up a quarter of all, so of the others
+    // two in three are put within 10 % of theirs. Below ωh = 0.02 no run of this length shows a
+    // slow growth.
     void spring(const OnSprings& method, bool near, Tally& tally) {
         const bool damped = method.damped.takes_force();
         const double zeta = damped && even(0, 1) > 0.1 ? even_in_log(0.01, 10) : 0;
@@ -46,7 +47,8 @@ public:
                                  : grows(method.spring, Spring<double>(omega), omega, h);
         count(said, grew, tally);
         if (said == (grew ? Verdict::stable : Verdict::grows))
-            std::printf("  missed: %s, zeta = %g, omega h = %.6g of %.6g\n", method.name, zeta, s, limit);
+            std::printf("  missed: %s, zeta = %g, omega h = %.6g of %.6g\n", method.name, zeta, s,
+                        limit);
     }
 
     static void count(Verdict said, bool grew, Tally& tally) {
@@ -74,8 +76,8 @@ private:
 // The energy after a step over that before it, at an angular velocity.
 using Gain = std::function<double(const Vector3<double>& omega)>;
 
-// Can one step raise the energy of a body at this rate of spin? A thousand directions are tried, and
-// the one that the advice itself names.
+// Can one step raise the energy of a body at this rate of spin? A thousand directions are tried,
+// and the one that the advice itself names.
 bool gains(const Gain& gain, double spin, const Vector3<double>& named, Scenes& scenes) {
     double most = named.isZero() ? 1 : gain(named);
     for (int i = 0; i < 1000 && !(most > 1 + 1e-12); ++i)
@@ -114,30 +116,40 @@ Tally total_of(const std::vector<Tally>& tallies) {
 std::string percent(double share) {
     const double digit = std::pow(10, std::floor(std::log10(100 * share)) - 1);
     char text[32];
-    std::snprintf(text, sizeof text, share < 0.995 ? "%.2g %%" : "%.0f %%", share < 0.995 ? 100 * share : digit * std::round(100 * share / digit));
+    std::snprintf(text, sizeof text, share < 0.995 ? "%.2g %%" : "%.0f %%",
+                  share < 0.995 ? 100 * share : digit * std::round(100 * share / digit));
     return text;
 }
 
-// What the recommended method costs, in whole substeps, over the cheapest one that would have been as near at steps of any
-// length: at random springs and steps, to one percent.
+// What the recommended method costs, in whole substeps, over the cheapest one that would have been
+// as near at steps of any length: at random springs and steps, to one percent.
 void recommended(lab::Findings& out) {
     Scenes scenes(18);
     std::vector<double> dearer;
     for (int i = 0; i < 300; ++i) {
-        const DampedSpring<double> spring(1, scenes.even(0, 1) < 0.25 ? 0 : scenes.even_in_log(0.01, 30));
+        const DampedSpring<double> spring(
+            1, scenes.even(0, 1) < 0.25 ? 0 : scenes.even_in_log(0.01, 30));
         const double h = scenes.even_in_log(0.05, 1e4);
         const auto all = advise(spring, h);
         const Recommendation answer = recommend(spring, h, {.precise = true}, all);
         for (const Advice& each : all)
             if (each.method == answer.method && answer.substeps > 0)
-                dearer.push_back(each.cost * double(answer.substeps) / best_cost(*cheapest(all, h), h));
+                dearer.push_back(each.cost * double(answer.substeps) /
+                                 best_cost(*cheapest(all, h), h));
     }
     std::sort(dearer.begin(), dearer.end());
     const double worst = dearer.back(), half = dearer[dearer.size() / 2];
-    std::printf("  recommended to one percent, over the cheapest that is: × %.3g in the middle, × %.3g at worst\n", half, worst);
-    out.number("recommended_usual", half, "", "cost of the recommended method over the cheapest as near, in the middle of 300 springs", 2);
+    std::printf(
+        "  recommended to one percent, over the cheapest that is: × %.3g in the middle, × %.3g at "
+        "worst\n",
+        half, worst);
+    out.number(
+        "recommended_usual", half, "",
+        "cost of the recommended method over the cheapest as near, in the middle of 300 springs",
+        2);
     out.check("recommended", dearer.size() == 300 && half < 1.2 && worst < 2,
-              "to one percent the recommended method, in whole substeps, costs less than twice what the cheapest would at steps of "
+              "to one percent the recommended method, in whole substeps, costs less than twice "
+              "what the cheapest would at steps of "
               "any length, and in half of the springs less than 1.2 times");
 }
 
@@ -148,10 +160,12 @@ void your_spring(const Settings& settings, lab::Findings& out) {
     const DampedSpring<double> spring(settings.omega, settings.zeta);
     const auto all = advise(spring, settings.step);  // refuses before anything is printed
     out.section("Your spring");
-    auto& table = out.table("your_spring.tsv", {"method", "verdict", "off by", "a second later", "why"});
+    auto& table =
+        out.table("your_spring.tsv", {"method", "verdict", "off by", "a second later", "why"});
     std::printf("  omega = %g rad/s, zeta = %g, h = %.4g s, omega h = %.4g\n", settings.omega,
                 settings.zeta, settings.step, settings.omega * settings.step);
-    // Of the true motion the slower part is left in the long run: e^(−ζωt), or the slow one of two decays.
+    // Of the true motion the slower part is left in the long run: e^(−ζωt), or the slow one of two
+    // decays.
     const double zeta = settings.zeta;
     const double slow = zeta < 1 ? zeta : 1 / (zeta + std::sqrt(zeta * zeta - 1));
     table.row({"the true motion", "", "", times(std::exp(-slow * settings.omega)), ""});
@@ -161,12 +175,15 @@ void your_spring(const Settings& settings, lab::Findings& out) {
         const std::string verdict = told_verdict(advice);
         // Of a limit that is the root of a long equation the number is enough.
         const std::string off = told ? percent(advice.position_error) : "–";
-        table.row({advice.method, verdict, off, growth, advice.reason.substr(0, advice.reason.find(", the "))});
+        table.row({advice.method, verdict, off, growth,
+                   advice.reason.substr(0, advice.reason.find(", the "))});
         std::printf("  %-34s %-18s %s\n", advice.method.c_str(), verdict.c_str(), growth.c_str());
     }
     recommended(out);
     if (const Advice* best = cheapest(all, settings.step)) {
-        out.text("cheapest", best->method, "the cheapest method whose positions are right to one percent in the first period");
+        out.text(
+            "cheapest", best->method,
+            "the cheapest method whose positions are right to one percent in the first period");
         out.number("cheapest_rate", 1 / best_step(*best, settings.step), "Hz",
                    "the steps a second that it takes");
     }
@@ -176,7 +193,8 @@ void advice(const Settings&, lab::Findings& out) {
     out.section("Ten thousand scenes");
     std::printf("  %-34s %6s %6s %6s %6s %6s\n", "verdicts and what the simulation says", "stable",
                 "grows", "close", "right", "wrong");
-    auto& table = out.table("advice.tsv", {"scenes of", "stable", "grows", "too close to call", "right", "wrong"});
+    auto& table = out.table(
+        "advice.tsv", {"scenes of", "stable", "grows", "too close to call", "right", "wrong"});
     Scenes scenes(6);
     std::vector<Tally> tallies;
 
@@ -202,7 +220,8 @@ void advice(const Settings&, lab::Findings& out) {
             spinning(implicit_gyroscopic, inertia, spin, h, scenes, bodies);
         } else {
             for_each_gyroscopic([&](const auto& solver) {
-                if (which++ == i / 2 % 6) spinning(solver, inertia, spin, size / spin, scenes, bodies);
+                if (which++ == i / 2 % 6)
+                    spinning(solver, inertia, spin, size / spin, scenes, bodies);
             });
         }
     }
@@ -214,15 +233,20 @@ void advice(const Settings&, lab::Findings& out) {
     const double all = double(total.stable + total.growing + total.close);
     const double decided = double(total.right + total.wrong);
     out.number("scenes", all, "", "random scenes");
-    out.number("right_share", 100 * total.right / decided, "%", "verdicts that the simulation confirms", 5);
+    out.number("right_share", 100 * total.right / decided, "%",
+               "verdicts that the simulation confirms", 5);
     char share[32];
     std::snprintf(share, sizeof share, "%.2f %%", 100 * total.right / decided);
-    out.text("right_words", total.wrong == 0 ? "all" : share, "verdicts that the simulation confirms");
+    out.text("right_words", total.wrong == 0 ? "all" : share,
+             "verdicts that the simulation confirms");
     out.number("near_share", 100 * total.near / all, "%", "scenes within 10 % of a boundary", 2);
     std::printf("  %ld of them within 10 %% of a boundary\n", total.near);
     out.number("close_share", 100 * total.close / all, "%", "scenes too close to call", 2);
     out.number("wrong", double(total.wrong), "", "verdicts that the simulation contradicts");
-    out.check("advice_right", total.right >= 0.999 * decided && total.close <= 0.01 * all && total.near >= 0.5 * all,
-              "at least 99.9 % of the verdicts are right, and at most 1 % of the scenes too close to call, where "
-              "half of them are within 10 % of a boundary");
+    out.check(
+        "advice_right",
+        total.right >= 0.999 * decided && total.close <= 0.01 * all && total.near >= 0.5 * all,
+        "at least 99.9 % of the verdicts are right, and at most 1 % of the scenes too close to "
+        "call, where "
+        "half of them are within 10 % of a boundary");
 }

@@ -33,17 +33,13 @@ double predicted(const Method& method, double zeta) {
 }
 // No R here. With s = ωh, from the step's trace and determinant: an eigenvalue is −1 where
 // 1 + trace + determinant = 4 ∓ 4ζs − s² = 0, with − for damping at the old velocity, + at the new.
-double predicted(const SemiImplicitEuler&, double zeta) {
-    return 2 / (std::hypot(1, zeta) + zeta);
-}
+double predicted(const SemiImplicitEuler&, double zeta) { return 2 / (std::hypot(1, zeta) + zeta); }
 double predicted(const SemiImplicitEulerNewDamping&, double zeta) {
     return 2 * (std::hypot(1, zeta) + zeta);
 }
 // Determinant 1 − 2ζs + s²/2: a swing grows from s = 4ζ on. 1 + trace + determinant = 4 − 4ζs: a
 // state flips from s = 1/ζ on.
-double predicted(const Newton&, double zeta) {
-    return std::min(4 * zeta, 1 / zeta);
-}
+double predicted(const Newton&, double zeta) { return std::min(4 * zeta, 1 / zeta); }
 
 /// [grows]
 // Longer after twice the steps? Enough steps for 200 swings.
@@ -74,14 +70,14 @@ double found_by_bisection(const Grows& grows) {
     return std::exp(stable);
 }
 
-// The condition number of A's eigenvectors, the columns (a.xv, λ − a.xx) of length one. The squares of
-// the two singular values are 1 ± c with the cosine c between the columns, and so the larger over the
-// smaller is (1 + c) over their product, the determinant.
+// The condition number of A's eigenvectors, the columns (a.xv, λ − a.xx) of length one. The squares
+// of the two singular values are 1 ± c with the cosine c between the columns, and so the larger
+// over the smaller is (1 + c) over their product, the determinant.
 double condition(const StepMatrix<double>& a) {
     const auto [first, second] = eigenvalues(a);
     const Complex below1 = first - a.xx, below2 = second - a.xx;
-    const double sizes = std::sqrt(a.xv * a.xv + std::norm(below1)) *
-                         std::sqrt(a.xv * a.xv + std::norm(below2));
+    const double sizes =
+        std::sqrt(a.xv * a.xv + std::norm(below1)) * std::sqrt(a.xv * a.xv + std::norm(below2));
     const double cosine = std::abs(a.xv * a.xv + std::conj(below1) * below2) / sizes;
     const double determinant = std::abs(a.xv * (below2 - below1)) / sizes;
     return (1 + cosine) / determinant;

@@ -18,23 +18,21 @@ namespace {
 constexpr double frame = 1.0 / 60;                // s
 constexpr double exactly = 1e-6, roughly = 1e-2;  // tolerances of the conjugate gradients
 
-// Processor time, s: whoever shares the machine does not count. Where that is too short to be seen, by the clock.
+// Processor time, s: whoever shares the machine does not count. Where that is too short to be seen,
+// by the clock.
 template <class Work>
 double seconds_of(const Work& work) {
     const std::clock_t processor = std::clock();
     const auto begin = std::chrono::steady_clock::now();
     work();
-    const double clock = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double clock =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const double spent = double(std::clock() - processor) / CLOCKS_PER_SEC;
     return spent > 0 ? spent : clock;
 }
 
-double reach(const Cloth& cloth) {
-    return cloth.x().cwiseAbs().maxCoeff();
-}
-double lowest(const Cloth& cloth) {
-    return cloth.x()(cloth.x().size() - 1);
-}
+double reach(const Cloth& cloth) { return cloth.x().cwiseAbs().maxCoeff(); }
+double lowest(const Cloth& cloth) { return cloth.x()(cloth.x().size() - 1); }
 
 // Steps until a mass is ten metres away; `most` if none ever is.
 long survives(Cloth cloth, double h, long most) {
@@ -43,9 +41,7 @@ long survives(Cloth cloth, double h, long most) {
     return n;
 }
 
-long substeps(const Cloth& cloth) {
-    return std::lround(std::ceil(frame * cloth.fastest() / 2));
-}
+long substeps(const Cloth& cloth) { return std::lround(std::ceil(frame * cloth.fastest() / 2)); }
 
 // A cloth that has begun to fall and swing, and what one frame costs it.
 struct Fallen {
@@ -121,7 +117,8 @@ void survivors(lab::Findings& out) {
     std::printf("  solved to one percent only, a mass is %.0f cm elsewhere after a second\n",
                 apart);
     out.number("cloth_mass", 144 * cloth.mass(), "kg", "mass of a cloth of 12 x 12");
-    out.number("cloth_fastest", cloth.fastest(), "rad/s", "fastest oscillation of a cloth of 12 x 12");
+    out.number("cloth_fastest", cloth.fastest(), "rad/s",
+               "fastest oscillation of a cloth of 12 x 12");
     out.number("cloth_alone", double(alone), "",
                "steps until it is gone, one explicit step a frame");
     out.number("cloth_enough", double(enough), "", "explicit steps a frame that it needs");

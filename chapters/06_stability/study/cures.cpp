@@ -1,4 +1,5 @@
-// Substeps against iterations; what a method has to forget after a kick; and the mass that a spring feels.
+// Substeps against iterations; what a method has to forget after a kick; and the mass that a spring
+// feels.
 
 #include <array>
 #include <cmath>
@@ -28,8 +29,10 @@ constexpr double point = 1;  // kg, of the rope
 double too_long(int steps, int sweeps, double load) {
     const int links = 10;
     const double length = 0.1, h = frame / steps, keep = std::exp(-10 * h);
-    std::array<double, links + 1> x, before, w;  // depth, that of the step before, one over the mass
-    for (int i = 0; i <= links; ++i) x[i] = before[i] = i * length, w[i] = i == 0 ? 0 : 1 / (i == links ? load : point);
+    std::array<double, links + 1> x, before,
+        w;  // depth, that of the step before, one over the mass
+    for (int i = 0; i <= links; ++i)
+        x[i] = before[i] = i * length, w[i] = i == 0 ? 0 : 1 / (i == links ? load : point);
     for (int n = 0; n < 3600 * steps; ++n) {
         for (int i = 1; i <= links; ++i) {
             const double next = x[i] + keep * (x[i] - before[i]) + h * h * 9.81;
@@ -55,22 +58,30 @@ void substeps(lab::Findings& out) {
         if (n == 16) sixteen = iterations;
         if (n > 1) slope = std::log2(last / steps);
         table.row({double(n), 100 * iterations, 100 * steps});
-        std::printf("  a load of %g kg, %2d sweeps a frame: %8.4g %% too long in one step, %8.4g %% in %d substeps\n", load, n,
-                    100 * iterations, 100 * steps, n);
+        std::printf(
+            "  a load of %g kg, %2d sweeps a frame: %8.4g %% too long in one step, %8.4g %% in %d "
+            "substeps\n",
+            load, n, 100 * iterations, 100 * steps, n);
     }
     out.number("sub_mass", point, "kg", "a point of the rope");
     out.number("sub_load", load, "kg", "the load on the rope");
     out.number("sub_sweeps", 32, "", "sweeps a frame");
-    out.number("sub_iterations", 100 * iterations, "%", "too long with so many iterations in one step", 2);
+    out.number("sub_iterations", 100 * iterations, "%",
+               "too long with so many iterations in one step", 2);
     out.number("sub_steps", 100 * steps, "%", "and with as many substeps of one sweep", 2);
     out.number("sub_four", 100 * four, "%", "with four substeps of one sweep", 2);
     out.number("sub_sixteen", 100 * sixteen, "%", "with sixteen iterations in one step", 2);
-    out.check("substeps_win", iterations > 20 * steps && std::fabs(four / sixteen - 1) < 0.1 && std::fabs(slope - 2) < 0.01,
-              "32 substeps leave less than a twentieth of what 32 iterations leave of a loaded rope's stretch; four substeps "
-              "are within a tenth of sixteen iterations; twice the substeps are a quarter of the stretch");
+    out.check("substeps_win",
+              iterations > 20 * steps && std::fabs(four / sixteen - 1) < 0.1 &&
+                  std::fabs(slope - 2) < 0.01,
+              "32 substeps leave less than a twentieth of what 32 iterations leave of a loaded "
+              "rope's stretch; four substeps "
+              "are within a tenth of sixteen iterations; twice the substeps are a quarter of the "
+              "stretch");
 }
 
-// From rest, kicked to 1 m/s after ten steps. `told` methods begin anew, the others go on as if nothing had been.
+// From rest, kicked to 1 m/s after ten steps. `told` methods begin anew, the others go on as if
+// nothing had been.
 enum class Method { bdf2, adams_bashforth, verlet };
 std::vector<double> kicked(Method method, bool told) {
     const Projectile nothing(0.0);
@@ -80,7 +91,8 @@ std::vector<double> kicked(Method method, bool told) {
     for (int n = 1; n <= 40; ++n) {
         if (n == 11) {
             now.v += 1;
-            if (told && method == Method::verlet) before.x -= h * 1;  // the stored place makes the velocity
+            if (told && method == Method::verlet)
+                before.x -= h * 1;  // the stored place makes the velocity
             if (told && method != Method::verlet) before = {now.t - h, now.x - h * now.v, now.v};
         }
         State<double> next{now.t + h, 0, now.v};  // no force: the velocity stays
@@ -105,17 +117,23 @@ void restarts(lab::Findings& out) {
             worst = std::fmax(worst, std::fabs(kicked(m, true)[n] - exact));
     }
     const double ahead = adams.back() - 30 * frame;
-    std::printf("  a kick that nobody tells of: BDF2 gets %.3g as far, Adams-Bashforth is %.3g steps ahead, Verlet at %g;\n"
-                "  told, all are within %.1e m\n", bdf.back() / (30 * frame), ahead / frame, stored.back(), worst);
-    out.number("adams_ahead", ahead / frame, "", "steps by which Adams–Bashforth is ahead after a kick", 3);
+    std::printf(
+        "  a kick that nobody tells of: BDF2 gets %.3g as far, Adams-Bashforth is %.3g steps "
+        "ahead, Verlet at %g;\n"
+        "  told, all are within %.1e m\n",
+        bdf.back() / (30 * frame), ahead / frame, stored.back(), worst);
+    out.number("adams_ahead", ahead / frame, "",
+               "steps by which Adams–Bashforth is ahead after a kick", 3);
     out.check("kick_restarts",
               worst < 1e-12 && stored.back() == 0 && std::fabs(ahead / frame - 0.5) < 1e-9 &&
                   std::fabs(bdf.back() / (30 * frame) - 1.5) < 0.1,
-              "not told of a kick BDF2 goes half as fast again, Adams-Bashforth is half a step ahead and Verlet stays; told, "
+              "not told of a kick BDF2 goes half as fast again, Adams-Bashforth is half a step "
+              "ahead and Verlet stays; told, "
               "all three are right to roundoff");
 }
 
-// A free body on one spring that takes hold at r and pulls along n: height of that point is n·x + (r×n)·turn.
+// A free body on one spring that takes hold at r and pulls along n: height of that point is n·x +
+// (r×n)·turn.
 struct Held {
     Eigen::Vector3d r, n, moments;
     double m, k;
@@ -143,7 +161,8 @@ double longest_step(const Held& body) {
 }
 
 void effective_mass(lab::Findings& out) {
-    const double m = 6, k = 6000;  // a plank of 2 m by 0.2 m by 0.1 m, held a distance from its centre
+    const double m = 6,
+                 k = 6000;  // a plank of 2 m by 0.2 m by 0.1 m, held a distance from its centre
     const Eigen::Vector3d moments = m / 12 * Eigen::Vector3d(0.04 + 0.01, 4 + 0.01, 4 + 0.04);
     auto& lines = out.table("effective_mass.tsv", {"arm", "formula", "naive"});
     auto& points = out.table("effective_mass_points.tsv", {"arm", "found"});
@@ -159,10 +178,14 @@ void effective_mass(lab::Findings& out) {
         worst = std::fmax(worst, std::fabs(found / formula - 1));
         if (i == 40) end = body.inverse_mass() * m;
     }
-    std::printf("  a plank held at its corner feels as 1/%.3g of its mass; found against formula: %.1e\n", end, worst);
-    out.number("corner_lighter", end, "", "how many times lighter a plank is to a spring at its corner", 3);
+    std::printf(
+        "  a plank held at its corner feels as 1/%.3g of its mass; found against formula: %.1e\n",
+        end, worst);
+    out.number("corner_lighter", end, "",
+               "how many times lighter a plank is to a spring at its corner", 3);
     out.check("effective_mass", worst < 1e-3 && end > 3,
-              "the longest step of a body on one spring is 2 over the root of k/m_eff, found by running to a thousandth, and "
+              "the longest step of a body on one spring is 2 over the root of k/m_eff, found by "
+              "running to a thousandth, and "
               "a plank's corner is over three times as light as the plank");
 }
 

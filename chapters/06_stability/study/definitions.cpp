@@ -29,8 +29,7 @@ struct Always42 {
         return {state1.t + h, 42, 0};
     }
     template <class System, class Y>
-    FirstOrder<Y> step(const System&, const FirstOrder<Y>& state1,
-                       real_of<Y> h) const {
+    FirstOrder<Y> step(const System&, const FirstOrder<Y>& state1, real_of<Y> h) const {
         return {state1.t + h, 42};
     }
 };
@@ -48,7 +47,8 @@ struct Tried {
     AnyMethod<Decay<double>, FirstOrder<double>> decay;
 
     template <class Method>
-    Tried(const Method& m) : name(m.name), order(-1), spring(m), damped(m), pendulum(m), fall(m), decay(m) {
+    Tried(const Method& m)
+        : name(m.name), order(-1), spring(m), damped(m), pendulum(m), fall(m), decay(m) {
         if constexpr (requires { Method::order; }) order = Method::order;
     }
 };
@@ -162,7 +162,8 @@ constexpr int many = 20000;  // steps
 // Does the answer leave every bound? A swing of size 1 or a decay may reach a few times that on its
 // way; what grows by a thousandth a step is past 10⁶ after as many steps.
 template <class Model, class S>
-std::string bounded(const AnyMethod<Model, S>& method, const Model& model, const S& start, double h) {
+std::string bounded(const AnyMethod<Model, S>& method, const Model& model, const S& start,
+                    double h) {
     if (!method.takes_force()) return "refused";
     double most = 0;
     run(method, model, start, h, many, [&](const S& s) {
@@ -175,8 +176,9 @@ std::string bounded(const AnyMethod<Model, S>& method, const Model& model, const
 void boundedness(lab::Findings& out) {
     std::printf("\n  %-32s %9s %9s %9s %9s\n", "", "swing .5", "swing 2.5", "damped2.5",
                 "decay -10");
-    auto& table = out.table("bounded.tsv", {"method", "oscillation, ωh = 0.5", "oscillation, ωh = 2.5",
-                                            "the same, ζ = 0.5", "decay, hλ = −10"});
+    auto& table =
+        out.table("bounded.tsv", {"method", "oscillation, ωh = 0.5", "oscillation, ωh = 2.5",
+                                  "the same, ζ = 0.5", "decay, hλ = −10"});
     const State<double> swing{0, 1.0, 0.0};
     const FirstOrder<double> one{0, 1.0};
     out.number("bounded_steps", many, "",
@@ -211,9 +213,11 @@ void accuracy(lab::Findings& out) {
     out.number("swing_steps", steps, "", "in so many steps");
     out.number("swing_implicit", 100 * size(implicit_euler), "%",
                "what implicit Euler leaves of an oscillation");
-    out.number("swing_explicit", size(explicit_euler), "", "what explicit Euler makes of an oscillation");
+    out.number("swing_explicit", size(explicit_euler), "",
+               "what explicit Euler makes of an oscillation");
     out.check("stable_not_accurate", size(implicit_euler) < 0.3,
-              "implicit Euler, which is stable, loses most of an oscillation in 13 steps, about a period, at omega h = 0.5");
+              "implicit Euler, which is stable, loses most of an oscillation in 13 steps, about a "
+              "period, at omega h = 0.5");
 }
 
 }  // namespace

@@ -12,14 +12,15 @@ using namespace extremes;
 namespace {
 
 const Outcome all_words[] = {Outcome::refused, Outcome::exact,    Outcome::bounded,
-                          Outcome::grows,   Outcome::reported, Outcome::does_not_compile};
+                             Outcome::grows,   Outcome::reported, Outcome::does_not_compile};
 
 long count(const std::vector<Cell>& cells, Outcome word) {
     return std::count_if(cells.begin(), cells.end(),
                          [=](const Cell& cell) { return cell.found == word; });
 }
 
-const Cell& find(const std::vector<Cell>& cells, std::string_view real, std::string_view scene, std::string_view method) {
+const Cell& find(const std::vector<Cell>& cells, std::string_view real, std::string_view scene,
+                 std::string_view method) {
     for (const Cell& cell : cells)
         if (cell.real == real && cell.scene == scene && cell.method == method) return cell;
     throw std::logic_error("extremes: no cell " + std::string(scene) + ", " + std::string(method));
@@ -111,7 +112,8 @@ void grid(const std::vector<Cell>& cells, lab::Findings& out) {
     for (const Cell& cell : cells) {
         if (cell.real != "double") continue;
         columns.try_emplace(cell.method, int(columns.size()));
-        const bool shown = cell.found != Outcome::refused && cell.found != Outcome::does_not_compile &&
+        const bool shown = cell.found != Outcome::refused &&
+                           cell.found != Outcome::does_not_compile &&
                            cell.scene.find("decay") == std::string::npos &&
                            cell.scene.find(" start huge") == std::string::npos;
         if (shown && std::find(scenes.begin(), scenes.end(), cell.scene) == scenes.end())

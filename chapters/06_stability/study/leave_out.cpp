@@ -123,7 +123,8 @@ void leave_out(const Settings&, lab::Findings& out) {
                    "time of virtual over sorted, " + key);
         out.number(key + "_alike_ratio", m.alike / m.sorted, "",
                    "time of boxes only over sorted, " + key, 1);
-        const double off = std::max(std::fabs(m.variant / m.sorted - 1), std::fabs(m.virtually / m.sorted - 1));
+        const double off =
+            std::max(std::fabs(m.variant / m.sorted - 1), std::fabs(m.virtually / m.sorted - 1));
         out.number(key + "_within", std::ceil(100 * off), "%",
                    "how far both are from the sorted bodies' time, " + key);
     }

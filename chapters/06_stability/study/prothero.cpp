@@ -100,19 +100,21 @@ void prothero_robinson(const Settings&, lab::Findings& out) {
         "prothero_sdirk_worse", error(sdirk_3, stiff, 60) > 1000 * euler_60,
         "at 60 Hz SDIRK, of order three, is over a thousand times as far off as implicit Euler");
 
-    // Without the pull's limit |R(hλ)| ≤ 1, which for RK4 ends at hλ = −2.785, nothing explicit stands.
+    // Without the pull's limit |R(hλ)| ≤ 1, which for RK4 ends at hλ = −2.785, nothing explicit
+    // stands.
     const double needed = 2 / -stiff;
     bool fits = true, misses = true;
     const auto at_limit = [&](const auto& method, double limit) {
         const double steps = -stiff / limit;
         const double fitting = error(method, stiff, std::lround(1.01 * steps));
         const double missing = error(method, stiff, std::lround(0.99 * steps));
-        std::printf("  %-18s with %6.0f steps %.0e off, with two percent fewer %s\n", method.name, 1.01 * steps,
-                    fitting, missing < 1 ? "off a little" : "gone");
+        std::printf("  %-18s with %6.0f steps %.0e off, with two percent fewer %s\n", method.name,
+                    1.01 * steps, fitting, missing < 1 ? "off a little" : "gone");
         fits &= fitting < 1e-5;
         misses &= !(missing < 1e3);
     };
-    at_limit(explicit_euler, 2), at_limit(midpoint, 2), at_limit(heun, 2), at_limit(runge_kutta_4, 2.7852936);
+    at_limit(explicit_euler, 2), at_limit(midpoint, 2), at_limit(heun, 2),
+        at_limit(runge_kutta_4, 2.7852936);
     out.number("prothero_steps", 1 / needed, "Hz", "steps a second that explicit Euler needs");
     out.number("prothero_frame", std::ceil(1 / needed / 60), "", "the same a frame");
     out.check("prothero_explicit", fits && misses,

@@ -61,18 +61,19 @@ const Pair van_der_pol_at_2(1.706167732170483, -0.8928097010247975);
 const Shares robertson_at_40(0.7158270687193941, 0.9185534764558135e-5, 0.2841637457458413);
 const Shares robertson_at_1e11(0.2083340149701255e-7, 0.8333360770334713e-13, 0.9999999791665050);
 
-// The same as a force, for semi-implicit Euler. It depends on v, so Verlet's kind does not take it; and it
-// is not linear, so new damping does not.
+// The same as a force, for semi-implicit Euler. It depends on v, so Verlet's kind does not take it;
+// and it is not linear, so new damping does not.
 struct VanDerPolForce {
     double mu;
     double acceleration(double x, double v) const { return mu * ((1 - x * x) * v - x); }
 };
 
 double semi_implicit_steps(double count, lab::Table& table) {
-    const auto end = run(semi_implicit_euler, VanDerPolForce{1e6}, State<double>{0, 2, 0}, 2 / count,
-                         long(count));
+    const auto end = run(semi_implicit_euler, VanDerPolForce{1e6}, State<double>{0, 2, 0},
+                         2 / count, long(count));
     const double error = std::fabs(end.x - van_der_pol_at_2(0));
-    std::printf("  %-28s %8.0f steps: %s\n", "semi-implicit Euler", count, words("%.1e off", error).c_str());
+    std::printf("  %-28s %8.0f steps: %s\n", "semi-implicit Euler", count,
+                words("%.1e off", error).c_str());
     table.row({std::string("semi-implicit Euler"), count, words("%.1e", error)});
     return error;
 }
@@ -146,12 +147,13 @@ void van_der_pol(lab::Findings& out) {
               "with 200000 even steps implicit Euler jumps far more often than the adaptive run");
     out.number("vdp_shortest", account.shortest, "s", "its shortest step", 1);
     out.number("vdp_longest", account.longest, "s", "its longest step", 1);
-    out.check("vdp_explicit",
-              !std::isfinite(four) && std::isfinite(six) && std::isfinite(semi) && six > 1 && semi > 1 &&
-                  !std::isfinite(middle_few + heun_few) && middle_many < 0.1 && heun_many < 0.1 &&
-                  !std::isfinite(few) && many < 0.01,
-              "every explicit method takes millions of steps not to blow up, and those of order one are "
-              "wrong with six million");
+    out.check(
+        "vdp_explicit",
+        !std::isfinite(four) && std::isfinite(six) && std::isfinite(semi) && six > 1 && semi > 1 &&
+            !std::isfinite(middle_few + heun_few) && middle_many < 0.1 && heun_many < 0.1 &&
+            !std::isfinite(few) && many < 0.01,
+        "every explicit method takes millions of steps not to blow up, and those of order one are "
+        "wrong with six million");
     out.check("vdp_fixed_lost",
               euler > 0.1 && longer > 0.1 && turned > 0.1 && bdf > 0.1 &&
                   std::isfinite(euler + longer + turned + bdf),
@@ -217,7 +219,8 @@ void robertson(lab::Findings& out) {
                "steps of an explicit method to t = 1e11", 1);
     out.number("robertson_days", days, "d", "that many at 1e8 steps a second", 2);
     out.check("robertson_explicit", explicit_fails && explicit_arrives,
-              "with 40000 steps to t = 40 explicit methods are gone or far off, explicit Euler with 60000 "
+              "with 40000 steps to t = 40 explicit methods are gone or far off, explicit Euler "
+              "with 60000 "
               "too; with 80000 they arrive");
     out.check("robertson_implicit", euler < 1e-3 && turned < 1e-3 && bdf < 1e-3 && bdf < euler,
               "400 steps do for every implicit method, and no share is lost");

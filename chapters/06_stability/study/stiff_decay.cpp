@@ -164,8 +164,9 @@ void swings(lab::Findings& out) {
     }
     const auto stable = [](double wh) { return factor(runge_kutta_4, wh) <= 1 + 1e-12; };
     const double limit = largest_stable_step(stable, 10.0);
-    std::printf("  implicit midpoint keeps every oscillation within %.1e; RK4 up to omega h = %.6f\n",
-                off, limit);
+    std::printf(
+        "  implicit midpoint keeps every oscillation within %.1e; RK4 up to omega h = %.6f\n", off,
+        limit);
     out.number("rk4_swing_limit", limit, "",
                "largest omega h at which RK4 does not grow on an oscillation", 4);
     out.number("rk4_frame_limit", 60 * limit, "rad/s", "the omega of that at 60 Hz", 3);
@@ -174,9 +175,9 @@ void swings(lab::Findings& out) {
               "RK4 is stable up to omega h = sqrt 8");
     out.check("p_stable", off < 8 * eps,
               "implicit midpoint keeps the size of an oscillation for every omega h");
-    out.check(
-        "not_p_stable", kept && damped,
-        "implicit Euler and BDF2 damp every oscillation; semi-implicit Euler keeps it up to omega h = 2");
+    out.check("not_p_stable", kept && damped,
+              "implicit Euler and BDF2 damp every oscillation; semi-implicit Euler keeps it up to "
+              "omega h = 2");
     // Keeping the size is not keeping the time: by what angle does a step turn?
     const double fast = 100, turn = std::arg(stability_function(implicit_midpoint, {0, fast}));
     out.number("fast_swing", fast, "rad", "what a fast oscillation turns by in a step");

@@ -148,8 +148,7 @@ void stiff_springs(const Settings&, lab::Findings& out) {
         for (const double zeta : {1.0, 10.0, 100.0, 1e4, 1e6}) {
             const std::string what = outcome(method.damped, DampedSpring<double>(10, zeta), 10);
             cells.push_back(what);
-            holds =
-                holds && what.starts_with("gone") == (10 * h > method.limit(zeta));
+            holds = holds && what.starts_with("gone") == (10 * h > method.limit(zeta));
         }
         dampers.row(cells);
     };

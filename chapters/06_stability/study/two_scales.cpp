@@ -45,9 +45,9 @@ Ended after_ten_seconds(const AnyMethod<Row, State<Two>>& method, const Row& row
 void two_scales(const Settings&, lab::Findings& out) {
     out.section("Two time scales in one system");
     const auto row = two_scales_row();
-    auto& table = out.table("two_scales.tsv", {"method", "steps a second",
-                                               "error of the slow oscillation, m",
-                                               "left of the fast oscillation"});
+    auto& table =
+        out.table("two_scales.tsv", {"method", "steps a second", "error of the slow oscillation, m",
+                                     "left of the fast oscillation"});
     std::printf("  %-34s %8s %12s %12s\n", "ten seconds", "steps/s", "slow error", "fast left");
     std::map<std::string, Ended> ended;
     const auto words = [](double x) {
@@ -75,7 +75,8 @@ void two_scales(const Settings&, lab::Findings& out) {
             table.row({method.name, "none is enough", "–", "–"});
     };
     for_all_methods([&](const auto& method) { every(method, stability_limit(method, 0).value); });
-    const Ended euler = ended["implicit Euler"], middle = ended["implicit midpoint"], bdf = ended["BDF2"];
+    const Ended euler = ended["implicit Euler"], middle = ended["implicit midpoint"],
+                bdf = ended["BDF2"];
     int gone = 0, enough = 0;
     for (const auto& [name, e] : ended) {
         gone += !(e.fast < 1e6);
@@ -83,7 +84,8 @@ void two_scales(const Settings&, lab::Findings& out) {
     }
     // Explicit Euler, midpoint, Heun and Newton have no step that is short enough.
     out.check("two_scales_explicit", gone == 10 && enough == 6,
-              "of the ten explicit methods none stands 60 Hz; with as many steps as theory asks for six do");
+              "of the ten explicit methods none stands 60 Hz; with as many steps as theory asks "
+              "for six do");
     out.check("two_scales_implicit", euler.fast < 1e-15 && euler.slow_error > 0.05,
               "implicit Euler kills the fast oscillation and damps the slow one");
     out.check("two_scales_midpoint",

@@ -26,11 +26,14 @@ constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double omega = 6.283185307179586;  // rad/s: one oscillation a second
 constexpr long looks = 60;                   // every 1/15 s: four seconds of game
 
-// The other scene: a tether on a line. It draws the mass to the nearer of two places, so the force jumps halfway.
-constexpr double nearer = 0.25;                  // m: there, and as far on the other side
-constexpr double quarter = 1.9106332362490186;  // rad, from one metre to the middle: its cosine is −1/3
+// The other scene: a tether on a line. It draws the mass to the nearer of two places, so the force
+// jumps halfway.
+constexpr double nearer = 0.25;  // m: there, and as far on the other side
+constexpr double quarter =
+    1.9106332362490186;  // rad, from one metre to the middle: its cosine is −1/3
 
-// One method's points: of a rate the largest error, m, and the best time of a run so far, µs; both as powers of ten.
+// One method's points: of a rate the largest error, m, and the best time of a run so far, µs; both
+// as powers of ten.
 struct Runner {
     template <class Method>
     Runner(live::Panel* panel, const Method& method)
@@ -41,7 +44,8 @@ struct Runner {
         if (measured > 0 && error[0] <= wanted) return time[0];
         for (std::size_t k = 1; k < measured; ++k)
             if (error[k] <= wanted)
-                return time[k - 1] + (wanted - error[k - 1]) / (error[k] - error[k - 1]) * (time[k] - time[k - 1]);
+                return time[k - 1] + (wanted - error[k - 1]) / (error[k] - error[k - 1]) *
+                                         (time[k] - time[k - 1]);
         return never;
     }
 
@@ -50,7 +54,7 @@ struct Runner {
     live::Readout needs;  // the time for the accuracy that is wanted
     std::array<double, most_rates> error{}, time{};
     std::array<long, most_rates> batch{};  // so many runs the clock can see
-    std::size_t measured = 0;  // so many rates
+    std::size_t measured = 0;              // so many rates
 };
 
 class Race : public live::Panel {
@@ -65,10 +69,13 @@ public:
         turn = 0;
     }
     double seconds() const override { return 1.0 / 30; }
-    bool restarts(const live::Control& c) const override { return &c == &scene; }  // else what has been measured stays so
+    bool restarts(const live::Control& c) const override {
+        return &c == &scene;
+    }  // else what has been measured stays so
 
-    // At first nothing counts: a browser compiles what runs often once more, and until then all of it is slow. Then
-    // one batch of one method at one rate. They take turns, so that a bad moment hits all.
+    // At first nothing counts: a browser compiles what runs often once more, and until then all of
+    // it is slow. Then one batch of one method at one rate. They take turns, so that a bad moment
+    // hits all.
     void step() override {
         std::size_t i = 0;
         if (steps <= warm) {
@@ -76,15 +83,20 @@ public:
             return;
         }
         const auto measure_in_turn = [&](const auto& method) {
-            if (i++ == turn % runners.size()) measure(method, runners[i - 1], turn / runners.size());
+            if (i++ == turn % runners.size())
+                measure(method, runners[i - 1], turn / runners.size());
         };
         std::apply([&](const auto&... method) { (measure_in_turn(method), ...); }, methods);
         turn = (turn + 1) % (runners.size() * most_rates);
         for (Runner& runner : runners) {
-            const double time = runner.time_for(level());  // that none gets there, only all of its rates can say
-            if (time < never) runner.needs = live::power_of_ten(time);
-            else if (runner.measured == runner.rates) runner.needs = never;
-            else runner.needs.not_yet();
+            const double time =
+                runner.time_for(level());  // that none gets there, only all of its rates can say
+            if (time < never)
+                runner.needs = live::power_of_ten(time);
+            else if (runner.measured == runner.rates)
+                runner.needs = never;
+            else
+                runner.needs.not_yet();
         }
     }
 
@@ -110,7 +122,8 @@ public:
         const Runner& last = runners.back();
         if (last.measured > 0) p.text(last.time[0] - 0.7, last.error[0] - 0.2, "15 Hz");
         if (last.measured > 2) p.text(last.time[2] - 0.7, last.error[2] - 0.2, "60 Hz");
-        const bool all_known = std::all_of(runners.begin(), runners.end(), [](const Runner& r) { return r.needs.known; });
+        const bool all_known = std::all_of(runners.begin(), runners.end(),
+                                           [](const Runner& r) { return r.needs.known; });
         if (steps <= warm) return p.text(1.7, 2.1, "warming up");
         if (all_known && !first) return;  // none gets there
         p.text(1.7, 2.1, "first there:");
@@ -127,12 +140,15 @@ public:
 
 private:
     static constexpr long warm = 24;  // steps
-    double level() const { return live::log10(wanted / 100); }  // the wanted error, as a power of ten
+    double level() const {
+        return live::log10(wanted / 100);
+    }  // the wanted error, as a power of ten
     template <class Method>
     void warm_up(const Method& method, std::size_t i) {
         if (i != static_cast<std::size_t>(steps) % runners.size()) return;
         State<double> state{0, 1, 0};
-        for (const double begin = live::clock(); live::clock() - begin < 8;) advance(method, state, looks << 4, h(1L << 4));
+        for (const double begin = live::clock(); live::clock() - begin < 8;)
+            advance(method, state, looks << 4, h(1L << 4));
         warmed = state.x;
     }
     template <class Method>
@@ -145,7 +161,9 @@ private:
             runner.measured = rate + 1;
         }
         // A clock cannot see a run that takes 100 ns. So we time as many as take two milliseconds.
-        volatile double pulled = 1, read = 0;  // what nobody reads, or what is the same again, a compiler leaves out
+        volatile double
+            pulled = 1,
+            read = 0;  // what nobody reads, or what is the same again, a compiler leaves out
         for (long& runs = runner.batch[rate]; runs < 1 << 20; runs *= 2) {
             const double begin = live::clock();
             for (long run = 0; run < runs; ++run) {
@@ -155,12 +173,15 @@ private:
             }
             const double took = live::clock() - begin;
             if (took < 2) continue;
-            // Whatever else the machine does makes a run longer, nothing makes it shorter: the best counts.
-            runner.time[rate] = std::fmin(runner.time[rate], live::log10(1000 * took / static_cast<double>(runs)));
+            // Whatever else the machine does makes a run longer, nothing makes it shorter: the best
+            // counts.
+            runner.time[rate] =
+                std::fmin(runner.time[rate], live::log10(1000 * took / static_cast<double>(runs)));
             break;
         }
         // Half the steps never take longer than all of them: what says so was disturbed.
-        for (std::size_t k = runner.measured; k-- > 1;) runner.time[k - 1] = std::fmin(runner.time[k - 1], runner.time[k]);
+        for (std::size_t k = runner.measured; k-- > 1;)
+            runner.time[k - 1] = std::fmin(runner.time[k - 1], runner.time[k]);
         (void)read;
     }
     static double h(long steps_a_look) { return 1.0 / 15 / static_cast<double>(steps_a_look); }
@@ -170,10 +191,12 @@ private:
                    : advance(method, Tether(omega, nearer), state, steps, h);
     }
     template <class Method, class Force>
-    static void advance(const Method& method, const Force& force, State<double>& state, long steps, double h) {
+    static void advance(const Method& method, const Force& force, State<double>& state, long steps,
+                        double h) {
         for (long n = 0; n < steps; ++n) state = method.step(force, state, h);
     }
-    // The true place after this many looks; by the tether each way from one side to the other is the last one, mirrored.
+    // The true place after this many looks; by the tether each way from one side to the other is
+    // the last one, mirrored.
     double truth(long look) const {
         if (scene == 0) return sine_cosine(omega * (look % 15) / 15.0).cosine;
         const double turned = omega * look / 15.0, ways = std::floor(turned / (2 * quarter) + 0.5);

@@ -40,13 +40,13 @@ double seconds_to(const std::vector<Point>& line, double accuracy) {
     return cheapest(line, accuracy, [](const Point&) { return true; }).seconds;
 }
 
-void percent(lab::Findings& out, const std::string& name, double share,
-             const std::string& meaning, lab::Place from = lab::Place::here()) {
+void percent(lab::Findings& out, const std::string& name, double share, const std::string& meaning,
+             lab::Place from = lab::Place::here()) {
     out.number(name, 100 * share, "%", meaning, share < 1 ? 2 : 3, from);
 }
 
-// The slope of our method's line on the spring from a rate to four times that. Of errors alone, so that a
-// slow machine comes as far as a fast one.
+// The slope of our method's line on the spring from a rate to four times that. Of errors alone, so
+// that a slow machine comes as far as a fast one.
 double slope(const char* method, double rate) {
     const Scene scene = contest::spring();
     for (const Entry& entry : scene.entries)
@@ -63,12 +63,11 @@ void springs(const All& all, lab::Findings& out) {
     const auto& spring = all.at("spring");
     const auto of = [&](const char* method) { return line(spring, method, "Timestep"); };
     const auto semi = of("semi-implicit Euler"), verlet = of("Verlet"), rk4 = of("Runge-Kutta 4");
-    out.check(
-        "slopes",
-        std::fabs(slope("semi-implicit Euler", 960) - 1) < 0.05 &&
-            std::fabs(slope("Verlet", 960) - 2) < 0.05 &&
-            std::fabs(slope("Runge-Kutta 4", 60) - 4) < 0.1,
-        "the lines of semi-implicit Euler, Verlet and RK4 have the slopes 1, 2 and 4");
+    out.check("slopes",
+              std::fabs(slope("semi-implicit Euler", 960) - 1) < 0.05 &&
+                  std::fabs(slope("Verlet", 960) - 2) < 0.05 &&
+                  std::fabs(slope("Runge-Kutta 4", 60) - 4) < 0.1,
+              "the lines of semi-implicit Euler, Verlet and RK4 have the slopes 1, 2 and 4");
     percent(out, "semi_60", at(semi, 60).error_max,
             "error of semi-implicit Euler at 60 Hz on the spring");
     percent(out, "verlet_60", at(verlet, 60).error_max, "error of Verlet at 60 Hz on the spring");
@@ -213,9 +212,11 @@ Kept rk4_keeps(double h_omega, int directions, int steps) {
     Kept kept;
     for (int i = 0; i < directions; ++i) {
         // Uniform on the sphere: a height, and an angle around.
-        const double height = 2 * (random() / 4294967296.0) - 1, around = 2 * pi * (random() / 4294967296.0);
+        const double height = 2 * (random() / 4294967296.0) - 1,
+                     around = 2 * pi * (random() / 4294967296.0);
         const double wide = std::sqrt(1 - height * height);
-        timestep::RigidState<double> s{0, timestep::Quaternion<double>::Identity(),
+        timestep::RigidState<double> s{0,
+                                       timestep::Quaternion<double>::Identity(),
                                        {wide * std::cos(around), wide * std::sin(around), height}};
         const double before = kinetic_energy(inertia, s);
         double now = 1;
@@ -234,18 +235,25 @@ Kept rk4_keeps(double h_omega, int directions, int steps) {
 void spins(const All& all, lab::Findings& out) {
     const int directions = 2000, steps = 300;
     const Kept one = rk4_keeps(1, directions, steps), fast_spin = rk4_keeps(2.5, directions, steps);
-    out.number("spin_directions", directions, "", "directions of spin from which RK4 has stepped the box");
+    out.number("spin_directions", directions, "",
+               "directions of spin from which RK4 has stepped the box");
     out.number("spin_steps", steps, "", "steps from each");
     out.number("spin_rk4_turns", 60 / (2 * pi), "", "turns a second at h|omega| = 1 and 60 Hz", 2);
-    percent(out, "spin_rk4_share", one.share, "directions from which RK4's first step adds energy, h|omega| = 1");
+    percent(out, "spin_rk4_share", one.share,
+            "directions from which RK4's first step adds energy, h|omega| = 1");
     percent(out, "spin_rk4_most", one.most, "the most energy that RK4 had added, h|omega| = 1");
     percent(out, "spin_rk4_lost", 1 - one.least, "the most that was lost in the end, h|omega| = 1");
-    percent(out, "spin_rk4_most_fast", fast_spin.most, "the most energy that RK4 had added, h|omega| = 2.5");
-    percent(out, "spin_rk4_lost_fast", 1 - fast_spin.least, "the most that was lost in the end, h|omega| = 2.5");
+    percent(out, "spin_rk4_most_fast", fast_spin.most,
+            "the most energy that RK4 had added, h|omega| = 2.5");
+    percent(out, "spin_rk4_lost_fast", 1 - fast_spin.least,
+            "the most that was lost in the end, h|omega| = 2.5");
     out.check("spin_rk4_slow",
-              one.share > 0.1 && one.most < 1e-3 && one.least > 0.9 && fast_spin.most > 5e-3 && fast_spin.least < 0.5,
-              "at h|omega| = 1 RK4 adds energy from over a tenth of these directions, from none a thousandth, and "
-              "keeps nine tenths in every one of them; at 2.5 it adds over half a percent and loses over half");
+              one.share > 0.1 && one.most < 1e-3 && one.least > 0.9 && fast_spin.most > 5e-3 &&
+                  fast_spin.least < 0.5,
+              "at h|omega| = 1 RK4 adds energy from over a tenth of these directions, from none a "
+              "thousandth, and "
+              "keeps nine tenths in every one of them; at 2.5 it adds over half a percent and "
+              "loses over half");
     const auto& box = all.at("dzhanibekov");
     const auto of = [&](const char* method) { return line(box, method, "Timestep"); };
     const auto rk4 = of("Runge-Kutta 4"), talk = of("one Newton step"),
@@ -318,7 +326,8 @@ void peers(const All& all, lab::Findings& out) {
     const Cheapest six = cheapest(spring, 1e-6, [](const Point&) { return true; });
     out.text("six_digits", six.method + " (" + six.library + ")",
              "the cheapest of all to a millionth on the spring");
-    out.text("peers", there, "libraries that were there; without any of them the page leaves their section out");
+    out.text("peers", there,
+             "libraries that were there; without any of them the page leaves their section out");
 }
 
 }  // namespace

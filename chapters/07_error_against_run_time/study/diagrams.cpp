@@ -14,9 +14,7 @@ namespace {
 
 constexpr double accuracies[] = {0.1, 0.01, 1e-3};
 
-bool ours(const Point& p) {
-    return p.library == "Timestep";
-}
+bool ours(const Point& p) { return p.library == "Timestep"; }
 
 // On a page a number stays with its unit.
 std::string together(const std::string& words) {
@@ -80,8 +78,7 @@ void work_of_a_step(const std::vector<Point>& spring, lab::Findings& out) {
 All diagrams(const Effort& effort, lab::Findings& out) {
     All all;
     out.section("The cheapest method of ours, to 1 %");
-    auto& best_table =
-        out.table("cheapest.tsv", {"scene", "10 %", "1 %", "0.1 %"});
+    auto& best_table = out.table("cheapest.tsv", {"scene", "10 %", "1 %", "0.1 %"});
     for (const auto& [id, make] : all_scenes) {
         const Scene scene = make();
         const std::vector<Point> points = measure(scene, effort);
@@ -90,8 +87,10 @@ All diagrams(const Effort& effort, lab::Findings& out) {
                                  "run time (s)", "evaluations", "solves", "diverged"}));
         std::string best[3];
         for (int i = 0; i < 3; ++i) best[i] = in_words(cheapest(points, accuracies[i], ours));
-        if (id != std::string("spring_3d") && id != std::string("two_time_scales"))  // these have their figures
-            best_table.row({scene.title + " (" + scene.id + ")", together(best[0]), together(best[1]), together(best[2])});
+        if (id != std::string("spring_3d") &&
+            id != std::string("two_time_scales"))  // these have their figures
+            best_table.row({scene.title + " (" + scene.id + ")", together(best[0]),
+                            together(best[1]), together(best[2])});
         std::printf("  %-17s %s\n", scene.id.c_str(), best[1].c_str());
         all[scene.id] = points;
     }

@@ -128,8 +128,8 @@ void equal_runs(lab::Findings& out) {
                 times[500] / times[0], mean / times[0], times.back() / times[0]);
 }
 
-// 5. What has come to rest costs more: near zero, numbers are subnormal, and many processors take them
-// apart by hand.
+// 5. What has come to rest costs more: near zero, numbers are subnormal, and many processors take
+// them apart by hand.
 void at_rest(lab::Findings& out) {
     const auto time_of = [&](const State<double>& from) {
         return fastest([&] { sink = run(explicit_euler, Spring(0.0), from, h, 20000).x; }) / 20000;

@@ -13,6 +13,6 @@ inline constexpr double pi = 3.141592653589793;
 using All = std::map<std::string, std::vector<contest::Point>>;  // by the scene's id
 
 All diagrams(const contest::Effort&, lab::Findings&);  // diagrams.cpp
-void claims(const All&, lab::Findings&);                     // claims.cpp
-void fooled(lab::Findings&);                                  // fooled.cpp
-void sleeping(lab::Findings&);                                // sleeping.cpp
+void claims(const All&, lab::Findings&);               // claims.cpp
+void fooled(lab::Findings&);                           // fooled.cpp
+void sleeping(lab::Findings&);                         // sleeping.cpp

@@ -51,9 +51,7 @@ Outcome thrown(const Step& step, double spin, double h) {
         plane::Motion m = placed(body, q, spin * axis, 0.5);
         const double start = energy(body, ground, m);
         plane::Contacts contacts;
-        const auto lies_still = [&] {
-            return m.turning.omega.norm() < 1e-3 && m.v.norm() < 1e-3;
-        };
+        const auto lies_still = [&] { return m.turning.omega.norm() < 1e-3 && m.v.norm() < 1e-3; };
         while (m.turning.t < patience && !lies_still()) {
             m = step(body, ground, m, h, contacts);
             sum.most = std::max(sum.most, energy(body, ground, m) / start);
@@ -104,8 +102,10 @@ void contacts(const Settings& settings, lab::Findings& out) {
         };
     };
     const Step half_step = by(half_step_jacobian);
-    const auto truth = row("half-step Jacobian, an eighth of the step", half_step, settings.step / 8);
-    const auto other = row("Cayley, an eighth of the step", by(cayley_gyroscopic), settings.step / 8);
+    const auto truth =
+        row("half-step Jacobian, an eighth of the step", half_step, settings.step / 8);
+    const auto other =
+        row("Cayley, an eighth of the step", by(cayley_gyroscopic), settings.step / 8);
     const auto half = row("half-step Jacobian", half_step, settings.step);
     const auto calm = row("calm half-step", by(calm_half_step), settings.step);
     const auto cayley = row("Cayley", by(cayley_gyroscopic), settings.step);
@@ -116,14 +116,16 @@ void contacts(const Settings& settings, lab::Findings& out) {
     for (std::size_t i = 0; i < 3; ++i) {
         apart = std::max(apart, std::fabs(other[i] - truth[i]));
         const auto off = [&](const auto& rest) { return std::fabs(rest[i] - truth[i]); };
-        nearest = nearest && off(talk) < off(passive) && off(calm) < off(passive) && passive[i] < truth[i];
+        nearest = nearest && off(talk) < off(passive) && off(calm) < off(passive) &&
+                  passive[i] < truth[i];
         if (i > 0)
             for (const auto& rest : {half, calm, cayley})
                 nearest = nearest && off(rest) < off(talk) && (i < 2 || off(rest) > 0.3);
     }
     out.number("contacts_throws", throws_of_each, "", "capsules thrown on the plane");
     out.check("contacts_truth", apart < 0.02,
-              "half-step Jacobian and Cayley, with an eighth of the step, agree to a fiftieth of a second on when half "
+              "half-step Jacobian and Cayley, with an eighth of the step, agree to a fiftieth of a "
+              "second on when half "
               "of them lie still");
     out.number("contacts_most", most, "", "the most energy that any capsule ever had", 4);
     out.check("contacts_rest", fewest >= 0.95 * throws_of_each,
@@ -131,8 +133,10 @@ void contacts(const Settings& settings, lab::Findings& out) {
               "95 % come to rest within ten seconds");
     out.check("contacts_calm", most < 1 / (1 - 0.25 * 0.25),
               "none ever has more than 1.07 times its energy");
-    out.check("contacts_nearest", nearest,
-              "by passive they lie still too soon, and farthest from the truth at every spin; at 20 and 30 "
-              "rad/s the half-step Jacobian, the calm one and Cayley are nearer to it than the talk's, "
-              "and at 30 off by more than 0.3 s");
+    out.check(
+        "contacts_nearest", nearest,
+        "by passive they lie still too soon, and farthest from the truth at every spin; at 20 and "
+        "30 "
+        "rad/s the half-step Jacobian, the calm one and Cayley are nearer to it than the talk's, "
+        "and at 30 off by more than 0.3 s");
 }

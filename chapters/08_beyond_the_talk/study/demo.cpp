@@ -106,6 +106,4 @@ void ten_thousand(lab::Findings& out) {
 
 }  // namespace
 
-void demo(const Settings&, lab::Findings& out) {
-    ten_thousand(out);
-}
+void demo(const Settings&, lab::Findings& out) { ten_thousand(out); }

@@ -10,8 +10,6 @@ void engines_fail(lab::Findings& out);  // engines_fail.cpp
 namespace appendix {
 
 // A body at rest in its own axes, turning with that ω, rad/s.
-inline Spin spin_of(double x, double y, double z) {
-    return spinning({x, y, z});
-}
+inline Spin spin_of(double x, double y, double z) { return spinning({x, y, z}); }
 
 }  // namespace appendix

@@ -86,8 +86,8 @@ const Spin& tumbling = throws[1].start;
 
 // What the page says of that minute; by the rule's and the throw's key.
 void claims(std::map<std::string, Left>& left, lab::Findings& out) {
-    bool exact = true, magnus = true, buss = true, adams = true, spiers = true, same = true, lost = true, one_length = true, passive = true,
-         still = true, bursts = true;
+    bool exact = true, magnus = true, buss = true, adams = true, spiers = true, same = true,
+         lost = true, one_length = true, passive = true, still = true, bursts = true;
     for (const Throw& thrown : throws) {
         const auto of = [&](const char* rule) {
             return left[std::string(rule) + "_" + thrown.key];
@@ -103,7 +103,8 @@ void claims(std::map<std::string, Left>& left, lab::Findings& out) {
                 std::fabs(of("adams_bashforth_2").momentum - 1) > 1e-3;
         for (const char* rule : {"spiers", "avian_proposed"})
             for (const char* other : {"buss_2", "buss_augmented", "adams_bashforth_2"})
-                spiers = spiers && of(rule).strayed < 2e-3 && of(rule).strayed < of(other).strayed &&
+                spiers = spiers && of(rule).strayed < 2e-3 &&
+                         of(rule).strayed < of(other).strayed &&
                          std::fabs(of(rule).momentum - 1) < 1e-11;
         same = same && std::fabs(of("bullet").energy / of("mujoco").energy - 1) < 1e-9;
         lost = lost && of("mujoco").energy < 0.98 && of("mujoco").momentum < 1 &&
@@ -122,15 +123,17 @@ void claims(std::map<std::string, Left>& left, lab::Findings& out) {
     out.check("engines_adams", adams,
               "Adams-Bashforth 2: the energy stays within a tenth, and |L| does not stay");
     out.check("engines_spiers", spiers,
-              "Spiers's steps: |L| stays for a minute, to roundoff, and the energy to two thousandths, nearer "
+              "Spiers's steps: |L| stays for a minute, to roundoff, and the energy to two "
+              "thousandths, nearer "
               "than by Buss's and Adams-Bashforth's");
     out.check("engines_same", same, "Bullet's rule and MuJoCo's are one while no guard acts");
     out.check("engines_lost", lost,
               "one Newton step, and four smaller ones, lose energy and |L| in every throw");
-    out.check("engines_lost_half", left["mujoco_middle"].energy < 0.5 &&
-                                       left["box3d_middle"].energy < 0.5 &&
-                                       left["box3d_middle"].energy > left["mujoco_middle"].energy,
-              "thrown about its intermediate axis the box loses more than half, in four substeps less");
+    out.check(
+        "engines_lost_half",
+        left["mujoco_middle"].energy < 0.5 && left["box3d_middle"].energy < 0.5 &&
+            left["box3d_middle"].energy > left["mujoco_middle"].energy,
+        "thrown about its intermediate axis the box loses more than half, in four substeps less");
     out.check("engines_jolt_momentum", one_length, "Jolt: |L| stays to roundoff");
     out.check("engines_jolt_loses", left["jolt_long"].energy < 0.9,
               "Jolt: the box loses energy when thrown about its long axis");
@@ -162,8 +165,10 @@ void a_minute(const Body& brick, const std::map<std::string, double>& ns, lab::F
     std::set<std::string> printed;
     for (const Method& rule : engines()) printed.insert(rule.key);
     std::map<std::string, Left> left_of;
-    std::printf("  energy left of a box thrown about its short, its middle and its long axis,\n"
-                "  after a minute at 60 Hz; implicit midpoint, Moser-Veselov and Magnus keep it to a thousandth:\n");
+    std::printf(
+        "  energy left of a box thrown about its short, its middle and its long axis,\n"
+        "  after a minute at 60 Hz; implicit midpoint, Moser-Veselov and Magnus keep it to a "
+        "thousandth:\n");
     for (const Method& method : others()) {
         const std::string& key = method.key;
         const auto [spin, orientation] = orders(method);
@@ -272,8 +277,7 @@ void price(const Body& brick, const std::map<std::string, double>& ns, lab::Find
                "its time over that of the half-step Jacobian", 2);
     out.number("engines_veselov_price", over("moser_veselov_2"), "",
                "Moser-Veselov's time, of order two, over that of the half-step Jacobian", 2);
-    out.number("engines_veselov_4_price", over("moser_veselov_4"), "",
-               "the same of order four", 2);
+    out.number("engines_veselov_4_price", over("moser_veselov_4"), "", "the same of order four", 2);
     out.check("engines_midpoint_price", each > 2,
               "implicit midpoint: more than two Newton steps in a step of this box");
 
@@ -298,7 +302,8 @@ void flight(const Body& brick, lab::Findings& out) {
     for (const Throw& thrown : throws)
         no_nearer = no_nearer && error(method("buss_augmented"), brick, thrown.start) >
                                      error(method("buss_2"), brick, thrown.start);
-    for (const char* key : {"buss_2", "buss_augmented", "adams_bashforth_2", "magnus_taylor_4", "spiers"})
+    for (const char* key :
+         {"buss_2", "buss_augmented", "adams_bashforth_2", "magnus_taylor_4", "spiers"})
         out.number(std::string("engines_error_") + key, error(method(key), brick, tumbling), "rad",
                    "the orientation's error, the middle throw, two seconds at 60 Hz", 2);
     out.check("engines_augmented", no_nearer,
@@ -306,8 +311,10 @@ void flight(const Body& brick, lab::Findings& out) {
     const Body wheel(1, 1, 0.4);
     const Spin start = spin_of(1, 2, 10);
     out.check("engines_spiers_symmetric",
-              error(method("spiers"), wheel, start) < 1e-11 && error(method("avian_proposed"), wheel, start) > 1e-3,
-              "two equal moments: in two seconds Spiers's step of the whole body is off by roundoff, and one that hands a "
+              error(method("spiers"), wheel, start) < 1e-11 &&
+                  error(method("avian_proposed"), wheel, start) > 1e-3,
+              "two equal moments: in two seconds Spiers's step of the whole body is off by "
+              "roundoff, and one that hands a "
               "new ω to an engine is off");
 }
 

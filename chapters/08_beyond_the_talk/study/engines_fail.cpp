@@ -92,9 +92,10 @@ void ends(lab::Findings& out) {
     out.number("engines_about_largest", about_largest, "",
                "of them turn about the axis of the largest moment in the end, by ODE's rule");
     out.number("engines_jolt_most", most, "", "the most energy that Jolt's rule left one of them");
-    out.check("engines_about_middle", about_middle == many && most > 1.1 && tumbles > 0.9 * many,
-              "Jolt: every random body ends with E = L²/2I of the intermediate moment, to a hundredth, "
-              "over nine in ten tumble on, and some have gained a tenth");
+    out.check(
+        "engines_about_middle", about_middle == many && most > 1.1 && tumbles > 0.9 * many,
+        "Jolt: every random body ends with E = L²/2I of the intermediate moment, to a hundredth, "
+        "over nine in ten tumble on, and some have gained a tenth");
     out.check("engines_about_largest", about_largest == many,
               "ODE: every random body ends about the axis of its largest moment, to a hundredth");
 }
@@ -174,8 +175,9 @@ void cap(lab::Findings& out) {
                2);
     out.number("engines_gain_share", 100.0 * gained_uncapped / many, "%",
                "the same bodies, that gain in one Newton step at h|omega| = 1", 2);
-    out.check("engines_cap", std::fabs(fastest - 47.12) < 0.01 && kept < 0.25 && most < 1.05 &&
-                                 20 * gained < gained_uncapped,
+    out.check("engines_cap",
+              std::fabs(fastest - 47.12) < 0.01 && kept < 0.25 && most < 1.05 &&
+                  20 * gained < gained_uncapped,
               "Box3D's cap takes three quarters of a fast body's energy; at the cap one Newton "
               "step adds less than a twentieth, and seldom");
 }
@@ -255,7 +257,8 @@ void long_steps(lab::Findings& out) {
                "the most energy of a random body there, in 1000 steps", 2);
     out.number("engines_magnus_most", 1 + magnus, "", "the same at h|omega| = 1", 2);
     out.number("engines_spiers_most", 1 + spiers, "", "the same of Spiers's step", 2);
-    out.check("engines_spiers_long", spiers > 0.5, "in 1000 steps at h|ω| = 1 Spiers's step adds more than half to a body's energy");
+    out.check("engines_spiers_long", spiers > 0.5,
+              "in 1000 steps at h|ω| = 1 Spiers's step adds more than half to a body's energy");
     out.check("engines_long_steps",
               magnus_05 < 0.5 && magnus_06 > 1 && magnus > 1 && midpoint < 1e-9,
               "in 1000 steps Magnus-Taylor adds less than half at h|ω| = 0.5, and at times doubles "

@@ -22,7 +22,8 @@ namespace {
 template <class Solver>
 double gain(const Solver& solver, const Body& inertia, const Vector& direction, double size) {
     const Vector w = size * direction;
-    const double g = kinetic_energy(inertia, solver.step(inertia, w, 1.0)) / kinetic_energy(inertia, w);
+    const double g =
+        kinetic_energy(inertia, solver.step(inertia, w, 1.0)) / kinetic_energy(inertia, w);
     return std::isfinite(g) ? g : INFINITY;
 }
 
@@ -60,10 +61,12 @@ double strays(const Body& inertia, Vector omega) {
 }
 
 // What a game does between the steps: they are 1/60 or 1/120 s, by chance; or always the one after
-// which there is more energy; or an impulse every sixth frame, in any direction, that keeps the energy.
+// which there is more energy; or an impulse every sixth frame, in any direction, that keeps the
+// energy.
 enum class Frames { by_chance, by_malice, with_impulses };
 
-// The most energy in ten minutes of such frames, over that at the start; and how far off |L| ever is.
+// The most energy in ten minutes of such frames, over that at the start; and how far off |L| ever
+// is.
 struct Rough {
     double energy = 1, momentum = 0;
 };
@@ -84,8 +87,8 @@ Rough rough(const Solver& solver, const Body& inertia, Vector omega, Frames fram
             omega = whole;
         } else {
             const Vector half = solver.step(inertia, omega, 1.0 / 120);
-            const bool is_half = frames == Frames::by_chance ? random.direction().x() < 0
-                                                             : E(half) > E(whole);
+            const bool is_half =
+                frames == Frames::by_chance ? random.direction().x() < 0 : E(half) > E(whole);
             omega = is_half ? half : whole;
             most.momentum = larger(most.momentum, std::fabs(L() / L1 - 1));
         }
@@ -151,13 +154,14 @@ void fails(const Settings& settings, lab::Findings& out) {
                "what a step there multiplies the energy by");
     out.check("singular", there > 1e3,
               "at its singular spin a step multiplies the energy without limit");
-    std::printf("  moments 3:2:1, intermediate axis, h|omega| = %.3f: energy x %.1g\n", singular, there);
+    std::printf("  moments 3:2:1, intermediate axis, h|omega| = %.3f: energy x %.1g\n", singular,
+                there);
 
     auto& curve = out.table("fails.tsv", {"size", "implicit", "half_step", "cayley", "passive",
                                           "calm", "strang", "remainder_2", "remainder_4"});
-    auto& table = out.table("fails_table.tsv",
-                            {"$h\\lvert\\omega\\rvert$", "one Newton step", "half-step", "calm half-step",
-                             "Cayley, passive", "Strang", "ball + rem. 2", "ball + rem. 4"});
+    auto& table = out.table("fails_table.tsv", {"$h\\lvert\\omega\\rvert$", "one Newton step",
+                                                "half-step", "calm half-step", "Cayley, passive",
+                                                "Strang", "ball + rem. 2", "ball + rem. 4"});
     const int many = 4000;
     RandomBody bodies(2);
     bool never = true, bounded = true, splits_gain = false, later_and_more = true;
@@ -199,8 +203,9 @@ void fails(const Settings& settings, lab::Findings& out) {
         if (i >= 0 && (i % 4 == 0 || i == 2))
             table.row({words("%.2g", size), of_all(talk), of_all(half), of_all(calm),
                        of_all(cayley + passive), of_all(strangs), of_all(second), of_all(fourth)});
-        if (i == 12) out.number("talk_takes", 100 * share(takes), "%",
-                                "bodies that keep less than half by the talk's at the right end", 2);
+        if (i == 12)
+            out.number("talk_takes", 100 * share(takes), "%",
+                       "bodies that keep less than half by the talk's at the right end", 2);
         if (talk > 0 || half > 0)
             later_and_more = later_and_more && (size < 2.5 ? half < talk : size < 3 || half > talk);
         never = never && cayley == 0 && passive == 0 && calm == 0;
@@ -214,7 +219,8 @@ void fails(const Settings& settings, lab::Findings& out) {
             std::printf("  h|omega| = 10: %.0f %% of %d random bodies gain half or more\n",
                         100 * share(half), many);
             std::printf(
-                "  by Strang %.0f %%, by ball and remainder 2 %.0f %%, in 100 of its steps %.0f %%\n",
+                "  by Strang %.0f %%, by ball and remainder 2 %.0f %%, in 100 of its steps %.0f "
+                "%%\n",
                 100 * share(strangs), 100 * share(second), 100 * share(later));
             out.number("splits_strang", 100 * share(strangs), "%",
                        "bodies that gain half by one step of Strang at h|omega| = 10", 2);
@@ -249,28 +255,38 @@ void fails(const Settings& settings, lab::Findings& out) {
         }
     }
     double most = 0, astray_L = 0;
-    for (const Rough& r : calm) most = larger(most, r.energy), astray_L = larger(astray_L, r.momentum);
+    for (const Rough& r : calm)
+        most = larger(most, r.energy), astray_L = larger(astray_L, r.momentum);
     const auto rounded_down = [](double x) { return std::pow(10, std::floor(std::log10(x))); };
-    std::printf("  a ruler, steps of 1/60 and 1/120 s by chance: energy up to x %.0g, with impulses\n"
-                "  that keep the energy x %.0g; by the calm half-step 1 + %.0e, |L| off by %.0e\n",
-                rounded_down(plain[0].energy), rounded_down(plain[2].energy), most - 1, astray_L);
+    std::printf(
+        "  a ruler, steps of 1/60 and 1/120 s by chance: energy up to x %.0g, with impulses\n"
+        "  that keep the energy x %.0g; by the calm half-step 1 + %.0e, |L| off by %.0e\n",
+        rounded_down(plain[0].energy), rounded_down(plain[2].energy), most - 1, astray_L);
     out.number("varying_gain", rounded_down(plain[0].energy), "",
                "the most energy of a ruler, steps that vary, over its first, rounded down");
-    out.check("varying", plain[0].energy > 2 && plain[1].energy > 2 && plain[2].energy > 1.05,
-              "by the half-step Jacobian a ruler at 30 rad/s at some time has more than twice its energy, "
-              "with steps of 1/60 and 1/120 s by chance; and gains between impulses that keep it, too");
-    out.check("calm", most < 1 + 1e-9 && astray_L < 1e-9,
-              "by the calm half-step it keeps energy and |L| to roundoff for ten minutes, with those "
-              "steps by chance and by malice, and the energy with impulses that keep it");
+    out.check(
+        "varying", plain[0].energy > 2 && plain[1].energy > 2 && plain[2].energy > 1.05,
+        "by the half-step Jacobian a ruler at 30 rad/s at some time has more than twice its "
+        "energy, "
+        "with steps of 1/60 and 1/120 s by chance; and gains between impulses that keep it, too");
+    out.check(
+        "calm", most < 1 + 1e-9 && astray_L < 1e-9,
+        "by the calm half-step it keeps energy and |L| to roundoff for ten minutes, with those "
+        "steps by chance and by malice, and the energy with impulses that keep it");
     const double by_passive = football_keeps(passive_gyroscopic, settings.step),
                  by_cayley = football_keeps(cayley_gyroscopic, settings.step),
                  by_calm = football_keeps(calm_half_step, settings.step);
-    std::printf("  a football loses half of its spin after %.2g s by passive, %.2g s by Cayley, by the\n"
-                "  calm half-step not within %.0f s\n", by_passive, by_cayley, by_calm);
-    out.number("football_passive", by_passive, "s", "until a football has lost half of its spin, by passive", 2);
+    std::printf(
+        "  a football loses half of its spin after %.2g s by passive, %.2g s by Cayley, by the\n"
+        "  calm half-step not within %.0f s\n",
+        by_passive, by_cayley, by_calm);
+    out.number("football_passive", by_passive, "s",
+               "until a football has lost half of its spin, by passive", 2);
     out.number("football_cayley", by_cayley, "s", "the same by Cayley", 2);
-    out.check("football", by_passive < 1 && by_cayley < 5 && by_cayley > by_passive && by_calm >= 600,
-              "at 63 rad/s a football loses half of its spin within a second by passive, later by Cayley, "
+    out.check("football",
+              by_passive < 1 && by_cayley < 5 && by_cayley > by_passive && by_calm >= 600,
+              "at 63 rad/s a football loses half of its spin within a second by passive, later by "
+              "Cayley, "
               "and not within ten minutes by the calm half-step");
     const double plate_2 = plate_turns_over(remainder_2), plate_4 = plate_turns_over(remainder_4);
     out.number("plate_2", plate_2, "",
@@ -283,8 +299,10 @@ void fails(const Settings& settings, lab::Findings& out) {
     out.number("fails_below", half_more, "", "h|omega| below which no body ever gains half");
     out.number("fails_below_spin", half_more / settings.step, "rad/s", "the spin that this is", 2);
     out.number("calm_most", CalmHalfStep::most, "", "substeps of the calm half-step, at most");
-    out.number("calm_gain", 1 / (1 - 0.5 * 0.5 / 4), "",
-               "what the energy of the half-step Jacobian may rise by, at h|omega| = 0.5 and constant h", 3);
+    out.number(
+        "calm_gain", 1 / (1 - 0.5 * 0.5 / 4), "",
+        "what the energy of the half-step Jacobian may rise by, at h|omega| = 0.5 and constant h",
+        3);
     out.check("fails_bound", astray < 1e-9,
               "the half-step Jacobian keeps E/Δ and |L|²/Δ to roundoff, 100 steps at h|ω| = 1.8");
     out.check("fails_first", first > half_more,

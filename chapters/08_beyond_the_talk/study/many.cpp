@@ -54,9 +54,10 @@ void measure(std::vector<Way>& ways, std::size_t count) {
         }
 }
 
-// The whole range, into a data file; afterwards the ways hold the times of `told`, one of its sizes. The range is gone through three
-// times, and the fastest of each counts: a disturbance that lasts seconds must not stand in the picture. Returns
-// the count from which on the last way is faster than the second, by a twentieth or more; 0: none.
+// The whole range, into a data file; afterwards the ways hold the times of `told`, one of its
+// sizes. The range is gone through three times, and the fastest of each counts: a disturbance that
+// lasts seconds must not stand in the picture. Returns the count from which on the last way is
+// faster than the second, by a twentieth or more; 0: none.
 std::size_t measure_all(std::vector<Way>& ways, lab::Table& table, double told) {
     const double sizes[] = {1e2, 2e2, 5e2, 1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6};
     std::map<double, std::vector<double>> fastest;
@@ -65,7 +66,8 @@ std::size_t measure_all(std::vector<Way>& ways, lab::Table& table, double told) 
             measure(ways, std::size_t(size));
             std::vector<double>& best = fastest[size];
             best.resize(ways.size(), 1e9);
-            for (std::size_t i = 0; i < ways.size(); ++i) best[i] = std::min(best[i], ways[i].nanoseconds);
+            for (std::size_t i = 0; i < ways.size(); ++i)
+                best[i] = std::min(best[i], ways[i].nanoseconds);
         }
     std::size_t from = 0;
     for (const double size : sizes) {
@@ -81,8 +83,8 @@ std::size_t measure_all(std::vector<Way>& ways, lab::Table& table, double told) 
     return from;
 }
 
-// Two hundred throws at 10 rad/s and 60 Hz, turned by the new ω as in a pack: the worst orientation in
-// two seconds, or the share that is lost.
+// Two hundred throws at 10 rad/s and 60 Hz, turned by the new ω as in a pack: the worst orientation
+// in two seconds, or the share that is lost.
 using Turn = std::function<RigidState<double>(const Body&, const RigidState<double>&, double h)>;
 std::string error_in_a_pack(const Turn& turn, const Body& inertia) {
     RandomBody random(13);
@@ -168,14 +170,19 @@ void many_springs(lab::Findings& out) {
                "a million springs: in lanes, times as fast as one by one", 2);
     const double memory = several_ns / many_steps_ns, memory_once = lanes_ns / one_pass_ns;
     const std::string pass = "With " + std::to_string(several) + " steps a pass over the memory ";
-    const std::string felt =
-        memory < 1.5 && memory_once > 2 * memory
-            ? "a spring among a million costs about what one among a thousand does, so the memory is hardly felt"
-            : "in this run a step of one among a million took " + (memory < 1.05 ? "" : times(memory) + " ") + "as long as of one among a thousand";
-    out.text("many_memory",
-             several_ns > lanes_ns ? "At a million springs something disturbed the curve with " + std::to_string(several) + " steps a pass: that point tells nothing"
-                                   : pass + "they are " + times(alone_ns / several_ns) + " as fast as one by one: " + felt,
-             "what the memory costs, in this run");
+    const std::string felt = memory < 1.5 && memory_once > 2 * memory
+                                 ? "a spring among a million costs about what one among a thousand "
+                                   "does, so the memory is hardly felt"
+                                 : "in this run a step of one among a million took " +
+                                       (memory < 1.05 ? "" : times(memory) + " ") +
+                                       "as long as of one among a thousand";
+    out.text(
+        "many_memory",
+        several_ns > lanes_ns
+            ? "At a million springs something disturbed the curve with " + std::to_string(several) +
+                  " steps a pass: that point tells nothing"
+            : pass + "they are " + times(alone_ns / several_ns) + " as fast as one by one: " + felt,
+        "what the memory costs, in this run");
     out.number("many_springs_passes", lanes_ns / several_ns, "",
                "a million springs: several steps a pass, times as fast as one", 2);
 }
@@ -231,7 +238,7 @@ void many_bodies(lab::Findings& out) {
 
     ways.push_back({"threads", [&](std::size_t count) {
                         parallel_for((count + lanes - 1) / lanes, threads,
-                                  [&](std::size_t a, std::size_t b) { some(packs, a, b); });
+                                     [&](std::size_t a, std::size_t b) { some(packs, a, b); });
                     }});
     auto& table = out.table("many_bodies.tsv", {"count", "one_by_one", "lanes", "balls",
                                                 "lanes, " + std::to_string(threads) + " threads"});
@@ -241,20 +248,25 @@ void many_bodies(lab::Findings& out) {
                  ? "in this run they have not paid for good, up to a million bodies"
                  : "in this run they pay from " + std::to_string(pays) + " bodies on",
              "where threads pay");
-    double start_ns = 1e9;  // to start and join threads that do nothing; the fastest, as of all other times
+    double start_ns =
+        1e9;  // to start and join threads that do nothing; the fastest, as of all other times
     for (int i = 0; i < 101; ++i)
-        start_ns = std::min(start_ns, 1e9 * lab::seconds_of(
-                                              [&] { parallel_for(threads, threads, [](std::size_t, std::size_t) {}); }));
+        start_ns =
+            std::min(start_ns, 1e9 * lab::seconds_of([&] {
+                                   parallel_for(threads, threads, [](std::size_t, std::size_t) {});
+                               }));
     const auto in_lanes = [&](const auto& solver) {
         return [&, solver](std::size_t count) {
             for (std::size_t i = 0; i < (count + lanes - 1) / lanes; ++i) packs[i].step(solver, h);
         };
     };
-    std::vector<Way> others{{"passive", in_lanes(passive_gyroscopic)}, {"cayley", in_lanes(cayley_gyroscopic)}};
+    std::vector<Way> others{{"passive", in_lanes(passive_gyroscopic)},
+                            {"cayley", in_lanes(cayley_gyroscopic)}};
     double passive_ns = 1e9, cayley_ns = 1e9;
     for (int round = 0; round < 3; ++round) {
         measure(others, 10000);
-        passive_ns = std::min(passive_ns, others[0].nanoseconds), cayley_ns = std::min(cayley_ns, others[1].nanoseconds);
+        passive_ns = std::min(passive_ns, others[0].nanoseconds),
+        cayley_ns = std::min(cayley_ns, others[1].nanoseconds);
     }
     out.number("lanes_passive_ns", passive_ns, "ns", "passive, in lanes", 2);
     out.number("lanes_cayley_ns", cayley_ns, "ns", "Cayley, in lanes", 2);
@@ -263,8 +275,9 @@ void many_bodies(lab::Findings& out) {
         const Turn turned = [=](const Body& inertia, const RigidState<double>& s, double step) {
             return turn(solver, inertia, s, step);
         };
-        out.text("lanes_" + id + "_box", error_in_a_pack(turned, brick),
-                 "box, 10 rad/s, turned by the new omega: worst orientation, or share of throws lost");
+        out.text(
+            "lanes_" + id + "_box", error_in_a_pack(turned, brick),
+            "box, 10 rad/s, turned by the new omega: worst orientation, or share of throws lost");
         out.text("lanes_" + id + "_ruler", error_in_a_pack(turned, ruler), "a ruler, the same");
     };
     errors("passive", passive_gyroscopic);
@@ -277,7 +290,8 @@ void many_bodies(lab::Findings& out) {
     std::printf("    by the passive step in lanes %.1f, by Cayley %.1f\n", passive_ns, cayley_ns);
     out.number("many_bodies_ratio", alone_ns / lanes_ns, "",
                "ten thousand boxes: in lanes, times as fast as one by one", 2);
-    out.number("many_alone_ns", alone_ns, "ns", "a step of a box among ten thousand, one by one", 2);
+    out.number("many_alone_ns", alone_ns, "ns", "a step of a box among ten thousand, one by one",
+               2);
     out.number("many_box_ns", lanes_ns, "ns", "a step of a box among ten thousand, in lanes", 2);
     out.number("many_ball_ns", balls_ns, "ns", "a step of a ball among ten thousand, in lanes", 2);
     const double start_boxes = 100 * std::round(start_ns / lanes_ns / 100);

@@ -18,7 +18,8 @@ template <class Rule>
 Method made(const Rule& rule, const std::string& name, const std::string& key) {
     const auto of_body = [=](const Body& inertia) -> Steps {
         const auto body = timestep::detail::prepared(rule, inertia);
-        return [=, rule = rule](Spin s, double h, long steps) mutable {  // one remembers its last slope
+        return [=, rule = rule](Spin s, double h,
+                                long steps) mutable {  // one remembers its last slope
             for (long n = 0; n < steps; ++n) s = rule.step(body, s, h);
             return s;
         };
@@ -33,15 +34,16 @@ Method made(const Rule& rule, const std::string& key) {
 }  // namespace
 
 const std::vector<Method>& methods() {
-    static const std::vector<Method> all{made(tumble<ImplicitGyroscopic>, "one Newton step", "implicit"),
-                                         made(tumble<PassiveGyroscopic>, "passive"),
-                                         made(tumble<HalfStepJacobian>, "half_step"),
-                                         made(tumble<CalmHalfStep>, "calm"),
-                                         made(tumble<CayleyGyroscopic>, "cayley"),
-                                         made(strang, "strang"),
-                                         made(symmetric_remainder_2, "remainder_2"),
-                                         made(symmetric_remainder_4, "remainder_4"),
-                                         made(RungeKuttaSpin{}, "runge_kutta_4")};
+    static const std::vector<Method> all{
+        made(tumble<ImplicitGyroscopic>, "one Newton step", "implicit"),
+        made(tumble<PassiveGyroscopic>, "passive"),
+        made(tumble<HalfStepJacobian>, "half_step"),
+        made(tumble<CalmHalfStep>, "calm"),
+        made(tumble<CayleyGyroscopic>, "cayley"),
+        made(strang, "strang"),
+        made(symmetric_remainder_2, "remainder_2"),
+        made(symmetric_remainder_4, "remainder_4"),
+        made(RungeKuttaSpin{}, "runge_kutta_4")};
     return all;
 }
 

@@ -28,9 +28,9 @@ struct Method {
     std::function<Steps(const Body&)> made;  // for a body: what is needed of it, computed once
 };
 
-const std::vector<Method>& methods();          // the chapter's line
-const std::vector<Method>& others();           // the appendix: first those from books,
-const std::vector<Method>& engines();          // then the rules of engines: these
+const std::vector<Method>& methods();        // the chapter's line
+const std::vector<Method>& others();         // the appendix: first those from books,
+const std::vector<Method>& engines();        // then the rules of engines: these
 const Method& method(std::string_view key);  // any of them
 
 // What a step takes, orientation and all, in ns, by the method's key; measured once.

@@ -38,9 +38,9 @@ void minute(const Settings& settings, lab::Findings& out) {
          spinning(Vector(0.5, 0, 20))},
         {"fast", "the box, fast", box(1.0, 1.0, 2.0, 3.0), spinning(Vector(10, 100, 1))}};
     const std::string L_of = ": $\\lvert L\\rvert$";  // | would end the table's cell
-    auto& table = out.table("minute.tsv", {"method", "box: energy", "box" + L_of, "capsule: energy",
-                                           "capsule" + L_of, "fast box: energy",
-                                           "fast box" + L_of});
+    auto& table =
+        out.table("minute.tsv", {"method", "box: energy", "box" + L_of, "capsule: energy",
+                                 "capsule" + L_of, "fast box: energy", "fast box" + L_of});
     const long steps = std::lround(60 / settings.step);
     std::printf("  %-24s %15s %15s %15s\n", "energy and momentum", "box", "capsule", "fast box");
     for (const Method& method : methods()) {
@@ -122,8 +122,9 @@ void minute(const Settings& settings, lab::Findings& out) {
     const double wheel_cayley = wheel_keeps(cayley_gyroscopic);
     out.number("wheel_cayley", wheel_cayley, "s",
                "Cayley: when a wheel at 30 rad/s has lost half of its spin", 2);
-    out.check("wheel", wheel_cayley < 60 && wheel_keeps(passive_gyroscopic) >= patience &&
-                           wheel_keeps(half_step_jacobian) >= patience,
+    out.check("wheel",
+              wheel_cayley < 60 && wheel_keeps(passive_gyroscopic) >= patience &&
+                  wheel_keeps(half_step_jacobian) >= patience,
               "a wheel at 30 rad/s loses half of its spin within a minute by Cayley, and keeps it "
               "by passive and by the half-step Jacobian");
     out.check("length_remainder", remainder >= patience,

@@ -39,8 +39,10 @@ void one_token(const Settings& settings, lab::Findings& out) {
         }
         const double E = kinetic_energy(brick, s.omega) / E0;
         const double rms = std::sqrt(squares / double(steps));
-        std::printf("  %-18s  energy x %.3f, on the way x %.4f to %.4f; omega off by %.2g %% (at most %.2g %%)\n",
-                    method.name.c_str(), E, least, most, 100 * rms, 100 * worst);
+        std::printf(
+            "  %-18s  energy x %.3f, on the way x %.4f to %.4f; omega off by %.2g %% (at most %.2g "
+            "%%)\n",
+            method.name.c_str(), E, least, most, 100 * rms, 100 * worst);
         out.number("token_" + k + "_energy", E, "", "energy at the end over that at the start");
         out.number("token_" + k + "_error", 100 * rms, "%", "RMS error of omega over the spin", 2);
         if (k == "implicit") worst_of_talk = worst, lost_by_talk = 1 - E;
@@ -71,7 +73,8 @@ void one_token(const Settings& settings, lab::Findings& out) {
         if (n >= all - part) last += E / double(part);
         w = half_step_jacobian.step(brick, w, settings.step);
     }
-    std::printf("  half-step Jacobian, mean energy: first minute x %.6f, 15th x %.6f\n", first, last);
+    std::printf("  half-step Jacobian, mean energy: first minute x %.6f, 15th x %.6f\n", first,
+                last);
     out.check("token_no_drift", std::fabs(last - first) < 1e-3,
               "after a quarter of an hour the half-step Jacobian's energy has not drifted");
 }

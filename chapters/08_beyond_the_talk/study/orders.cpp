@@ -74,15 +74,19 @@ void orders(const Settings&, lab::Findings& out) {
             return s;
         });
     };
-    const auto [spin, orientation] = write("half-step Jacobian, new omega", "half_step_new", by_new(half_step_jacobian, 0));
-    // With ω started half a step back, once, it is the middle's ω by which each step turns: Strang's splitting, but for
-    // half a step of ω at the ends.
-    const double jacobian_back = write("half-step Jacobian, new omega, started half a step back", "half_step_back",
-                                       by_new(half_step_jacobian, 0.5)).second;
-    const double calm_back = write("calm half-step, new omega, started half a step back", "calm_back",
-                                   by_new(CalmHalfStep{}, 0.5)).second;
+    const auto [spin, orientation] =
+        write("half-step Jacobian, new omega", "half_step_new", by_new(half_step_jacobian, 0));
+    // With ω started half a step back, once, it is the middle's ω by which each step turns:
+    // Strang's splitting, but for half a step of ω at the ends.
+    const double jacobian_back = write("half-step Jacobian, new omega, started half a step back",
+                                       "half_step_back", by_new(half_step_jacobian, 0.5))
+                                     .second;
+    const double calm_back = write("calm half-step, new omega, started half a step back",
+                                   "calm_back", by_new(CalmHalfStep{}, 0.5))
+                                 .second;
     out.check("order_back", std::fabs(jacobian_back - 2) < 0.1 && std::fabs(calm_back - 2) < 0.1,
-              "with the new ω, started half a step back, the orientation has order two: half-step Jacobian, calm half-step");
+              "with the new ω, started half a step back, the orientation has order two: half-step "
+              "Jacobian, calm half-step");
     out.number("order_new", orientation, "", "order of the orientation by the new omega");
     out.check("orders", as_declared,
               "every method has the order it declares, in ω and in the orientation");

@@ -1,4 +1,5 @@
-// What a step takes, of every method of the chapter and of its appendix: one measurement for both pages.
+// What a step takes, of every method of the chapter and of its appendix: one measurement for both
+// pages.
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +24,8 @@ struct CalmTwice : timestep::CalmHalfStep {
 
 }  // namespace
 
-// The fastest of many runs of ten seconds at 60 Hz; explicit Euler has not burst by then. In turns: a
-// slow moment hits all. The rate counts: in shorter steps implicit midpoint takes fewer rounds.
+// The fastest of many runs of ten seconds at 60 Hz; explicit Euler has not burst by then. In turns:
+// a slow moment hits all. The rate counts: in shorter steps implicit midpoint takes fewer rounds.
 const std::map<std::string, double>& step_times() {
     static const std::map<std::string, double> all = [] {
         const long steps = 600;

@@ -118,7 +118,8 @@ void work(const Settings&, lab::Findings& out) {
     const auto& ns = step_times();
     const auto cost = [&](const std::string& key, const std::string& name) {
         out.number("ns_" + name, ns.at(key), "ns", "time of a step", 3);
-        out.number("cost_" + name, ns.at(key) / ns.at("implicit"), "", "over that of the talk's", 3);
+        out.number("cost_" + name, ns.at(key) / ns.at("implicit"), "", "over that of the talk's",
+                   3);
     };
     const std::string magnus = "magnus_taylor_4";
     for (const Method& method : methods()) cost(method.key, method.key);
@@ -141,14 +142,19 @@ void work(const Settings&, lab::Findings& out) {
               "at 60 Hz, up to 10 rad/s, Magnus and Taylor are nearer than ball and remainder 2");
     bool alike = true;  // up to 10 rad/s, of box and nearly symmetric body
     for (const char* id : {"near_slow", "near_game", "box_slow", "box_game"}) {
-        const double ratio = at(all[id], "cayley", rate).error / at(all[id], "half_step", rate).error;
+        const double ratio =
+            at(all[id], "cayley", rate).error / at(all[id], "half_step", rate).error;
         alike = alike && ratio > 0.9 && ratio < 1.15;
     }
     out.check("cayley_alike", alike,
-              "at 60 Hz, up to 10 rad/s, box and nearly symmetric body: Cayley's error is that of the half-step "
+              "at 60 Hz, up to 10 rad/s, box and nearly symmetric body: Cayley's error is that of "
+              "the half-step "
               "Jacobian, within 15 %");
-    const double of_needle = at(all["needle_game"], "cayley", rate).error / at(all["needle_game"], "half_step", rate).error;
-    out.check("cayley_needle", of_needle > 2, "needle, 10 rad/s, 60 Hz: Cayley's error is more than twice the half-step Jacobian's");
+    const double of_needle = at(all["needle_game"], "cayley", rate).error /
+                             at(all["needle_game"], "half_step", rate).error;
+    out.check(
+        "cayley_needle", of_needle > 2,
+        "needle, 10 rad/s, 60 Hz: Cayley's error is more than twice the half-step Jacobian's");
     out.number("cayley_price", ns.at("cayley") / ns.at("half_step"), "",
                "time of a step of Cayley over that of the half-step Jacobian", 2);
     bool alone = true, thrice = true;
@@ -165,8 +171,8 @@ void work(const Settings&, lab::Findings& out) {
         const contest::Entry& other = *at(points, "runge_kutta_4", rate).entry;
         for (const Point& p : points)
             if (p.entry->id == "remainder_4" && p.error < 0.1 && p.error > 1e-11)
-                thrice = thrice &&
-                         p.error < other.error(std::lround(3 * p.rate * contest::seconds));
+                thrice =
+                    thrice && p.error < other.error(std::lround(3 * p.rate * contest::seconds));
     }
     out.check("fast_alone", alone,
               "100 rad/s at 60 Hz, the figure's throw: ball and remainder 4 is off by less than 2 "

@@ -18,7 +18,8 @@ volatile double sink;  // a run whose end nobody needs would not be computed
 double seconds_of(const Entry& entry, long steps, long runs) {
     return lab::seconds_of([&] {
                for (long i = 0; i < runs; ++i) sink = entry.run(steps);
-           }) / double(runs);
+           }) /
+           double(runs);
 }
 
 Entry entry(const Method& method, const Body& inertia, const Spin& start, bool ours) {

@@ -12,9 +12,9 @@
 
 namespace contest {
 
-// A rotation matrix: nine numbers. Two orientations with an angle α between them are 2√2 sin(α/2) apart;
-// with √2 as the size of the scene the error is 2 sin(α/2), the angle in radians while it is small, and
-// never more than 2.
+// A rotation matrix: nine numbers. Two orientations with an angle α between them are 2√2 sin(α/2)
+// apart; with √2 as the size of the scene the error is 2 sin(α/2), the angle in radians while it is
+// small, and never more than 2.
 inline constexpr double radian = 1.4142135623730951;
 
 template <class Real>
@@ -65,8 +65,8 @@ Entry stepped(const std::string& method, const std::string& library, const Body&
     return stepped(method, library, std::unique_ptr<Runner>(new RunnerOf<Body>(body)));
 }
 
-// What one step asks for: the gyroscopic torque ω × Iω is the force of a free body, and a solve is one
-// of three equations, by a formula or not.
+// What one step asks for: the gyroscopic torque ω × Iω is the force of a free body, and a solve is
+// one of three equations, by a formula or not.
 template <class Solver, class Inertia, class Real>
 void count(Work& work, const Solver& solver, const Inertia& inertia,
            const timestep::RigidState<Real>& s, Real h) {
@@ -98,8 +98,8 @@ struct Turning {
     Real number() const { return s.q.w(); }
 };
 
-// Runge-Kutta 4 on orientation and ω in one array. It leaves the rotations by its error, and is brought
-// back once a step.
+// Runge-Kutta 4 on orientation and ω in one array. It leaves the rotations by its error, and is
+// brought back once a step.
 template <class Inertia>
 struct TurningByRungeKutta {
     timestep::FreeBody<Inertia> model;
@@ -111,7 +111,9 @@ struct TurningByRungeKutta {
         s = timestep::orientation_scaled(timestep::runge_kutta_4.step(model, s, h));
     }
     void count(Work& work, double h) const {
-        const auto counted = [&](double t, const auto& y) { return ++work.evaluations, model(t, y); };
+        const auto counted = [&](double t, const auto& y) {
+            return ++work.evaluations, model(t, y);
+        };
         timestep::runge_kutta_4.step(counted, s, h);
     }
     Place place() const { return contest::place<double>(unstacked(s).q.toRotationMatrix()); }

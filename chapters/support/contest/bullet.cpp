@@ -57,7 +57,8 @@ struct BulletBody {
 
 }  // namespace
 
-void enter_bullet(Scene& scene, const Moments& inertia, const Start& start, const std::string& which) {
+void enter_bullet(Scene& scene, const Moments& inertia, const Start& start,
+                  const std::string& which) {
     const auto vector = [](const timestep::Vector3<double>& v) {
         return btVector3(btScalar(v.x()), btScalar(v.y()), btScalar(v.z()));
     };
@@ -68,8 +69,7 @@ void enter_bullet(Scene& scene, const Moments& inertia, const Start& start, cons
             std::make_shared<btRigidBody>(btScalar(1), nullptr, nullptr, vector(inertia.moments)),
             vector(start.omega), update};
         const std::string turned = update == Update::exponential ? ", exponential map" : "";
-        scene.entries.push_back(
-            stepped("one Newton step" + which + turned + real, "Bullet", body));
+        scene.entries.push_back(stepped("one Newton step" + which + turned + real, "Bullet", body));
     }
 }
 

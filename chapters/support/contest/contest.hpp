@@ -1,6 +1,6 @@
 #pragma once
-// A contest: one scene, many methods, and what is measured of each. The error is measured in one run,
-// the time in others.
+// A contest: one scene, many methods, and what is measured of each. The error is measured in one
+// run, the time in others.
 
 #include <functional>
 #include <string>
@@ -21,8 +21,9 @@ struct Work {
     long solves = 0;       // of a linear system: as often as an implicit method asks for the slope
 };
 
-// A method in a scene. `steps` is a multiple of `marks`. A method that chooses its own steps (adaptive)
-// takes it as a wish for accuracy: in a step it allows itself (marks/steps)² of the scene's size.
+// A method in a scene. `steps` is a multiple of `marks`. A method that chooses its own steps
+// (adaptive) takes it as a wish for accuracy: in a step it allows itself (marks/steps)² of the
+// scene's size.
 struct Entry {
     std::string method, library;
     std::function<Track(long steps)> track;  // the run, watched
@@ -43,13 +44,13 @@ struct Scene {
 // One run of one entry. Errors are shares of the scene's size: 0.01 is 1 %.
 struct Point {
     std::string scene, method, library;
-    long asked = 0;             // steps asked for
-    double step = 0;            // s, the mean step taken
-    double error_final = 0;     // at the end
-    double error_max = 0;       // the largest at any mark
-    double seconds = 0;         // the fastest run
+    long asked = 0;          // steps asked for
+    double step = 0;         // s, the mean step taken
+    double error_final = 0;  // at the end
+    double error_max = 0;    // the largest at any mark
+    double seconds = 0;      // the fastest run
     double evaluations = 0, solves = 0;
-    bool diverged = false;      // not a number, or wrong by more than a hundred sizes
+    bool diverged = false;  // not a number, or wrong by more than a hundred sizes
 };
 
 inline volatile double sink;  // what a timed run finds goes here: the compiler has to compute it
@@ -59,9 +60,9 @@ Point watched(const Scene& scene, const Entry& entry, long steps);
 
 // How hard to try.
 struct Effort {
-    long most_steps;      // no run is longer
-    double longest_run;   // s; a method whose run takes longer is given no shorter steps
-    int rounds;           // every run is timed so often, in turns with all others
+    long most_steps;     // no run is longer
+    double longest_run;  // s; a method whose run takes longer is given no shorter steps
+    int rounds;          // every run is timed so often, in turns with all others
 };
 inline constexpr Effort page{30L << 13, 1e-3, 5}, quick{30L << 15, 4e-3, 9},
     full{30L << 19, 0.1, 25};
@@ -73,8 +74,8 @@ std::vector<Point> measure(const Scene& scene, const Effort& effort,
 // The distance of two places as a share of the scene's size.
 double distance(const Scene& scene, const Place& a, const Place& b);
 
-// The fastest way that an entry reaches an accuracy at every mark and keeps it with all shorter steps,
-// read off between two points on the double logarithmic diagram.
+// The fastest way that an entry reaches an accuracy at every mark and keeps it with all shorter
+// steps, read off between two points on the double logarithmic diagram.
 struct Cheapest {
     std::string method, library;  // empty: none reaches it
     double seconds = 0, step = 0;

@@ -109,7 +109,9 @@ Entry entry(const Method& method, const Model& model, const S& start,
 template <class Model, class X>
 void enter_methods(Scene& scene, const Model& model, const timestep::State<X>& start) {
     using namespace timestep;
-    const auto enter = [&](const auto& method) { scene.entries.push_back(entry(method, model, start)); };
+    const auto enter = [&](const auto& method) {
+        scene.entries.push_back(entry(method, model, start));
+    };
     for_each_method(enter);
     if constexpr (PositionForce<Model, X>) {
         enter(verlet);
@@ -124,7 +126,8 @@ void enter_methods(Scene& scene, const Model& model, const timestep::State<X>& s
 template <class Exact>
 Track at_the_marks(const Exact& exact) {
     Track track;
-    for (int mark = 1; mark <= marks; ++mark) track.push_back(place(exact(duration * mark / marks)));
+    for (int mark = 1; mark <= marks; ++mark)
+        track.push_back(place(exact(duration * mark / marks)));
     return track;
 }
 

@@ -35,8 +35,8 @@ long runs_for(const Entry& entry, long steps) {
     return runs;
 }
 
-// The page looks up what everybody makes of 240 Hz, and ours of 960 Hz where a step is cheap. A machine
-// that is slow, or busy with others, keeps nobody from there.
+// The page looks up what everybody makes of 240 Hz, and ours of 960 Hz where a step is cheap. A
+// machine that is slow, or busy with others, keeps nobody from there.
 long looked_up(const Scene& scene, const Entry& entry) {
     const double rate = entry.library == "Timestep" && scene.patience == 1 ? 960 : 240;
     return std::lround(rate * duration);

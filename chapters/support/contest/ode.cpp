@@ -38,9 +38,10 @@ struct World {
 };
 
 // ODE steps worlds, not bodies: the time is that of finding the bodies that touch (none), of the
-// solver for contacts (there are none), and of the body. Its gyroscopic solver is the passive step's
-// rule (I − h[L]) ω₂ = Iω₁, in world coordinates with two 3×3 inverses; and the orientation it turns as
-// we do, q + h/2 ω q scaled back, unless dBodySetFiniteRotationMode asks for the exponential map.
+// solver for contacts (there are none), and of the body. Its gyroscopic solver is the passive
+// step's rule (I − h[L]) ω₂ = Iω₁, in world coordinates with two 3×3 inverses; and the orientation
+// it turns as we do, q + h/2 ω q scaled back, unless dBodySetFiniteRotationMode asks for the
+// exponential map.
 struct OdeBody {
     std::shared_ptr<World> in;
     Start start;

@@ -1,6 +1,6 @@
 #pragma once
-// Other people's libraries as entries, each where CMake has found it. Where a method is one of ours it
-// bears the name that ours has.
+// Other people's libraries as entries, each where CMake has found it. Where a method is one of ours
+// it bears the name that ours has.
 
 #include "contest.hpp"
 

@@ -1,11 +1,11 @@
-// A capsule falls on ice: first on one end, which slides off, and then on its side. Contacts make every
-// method one of order one, whatever it is in the air (N36).
+// A capsule falls on ice: first on one end, which slides off, and then on its side. Contacts make
+// every method one of order one, whatever it is in the air (N36).
 //
-// On ice, because with friction and rolling resistance there may be no truth to measure against. The
-// impulses of chapter 5 stop an end within one step, or within two, as the moment of the landing falls.
-// Without friction that is the same; with it, two half blows are not one whole, since each is allowed
-// its own friction and its own resistance. So the outcome depends on where in a step the landing falls,
-// and shorter steps do not settle it: the tests show that.
+// On ice, because with friction and rolling resistance there may be no truth to measure against.
+// The impulses of chapter 5 stop an end within one step, or within two, as the moment of the
+// landing falls. Without friction that is the same; with it, two half blows are not one whole,
+// since each is allowed its own friction and its own resistance. So the outcome depends on where in
+// a step the landing falls, and shorter steps do not settle it: the tests show that.
 
 #include <timestep/gyroscopic.hpp>
 #include <timestep/rigid/shapes.hpp>
@@ -29,7 +29,8 @@ Place place_of(const plane::Motion& m) {
     return all;
 }
 
-// What the contacts take is not counted. It is the same for all: up to four passes of twelve rounds.
+// What the contacts take is not counted. It is the same for all: up to four passes of twelve
+// rounds.
 template <class Solver>
 struct OnPlane {
     Solver solver;
@@ -57,7 +58,8 @@ struct RungeKuttaInTheAir : OnPlane<PassiveGyroscopic> {
         if (contacts.at[0].normal > 0 || contacts.at[1].normal > 0) return;
         const auto turning = runge_kutta_4.step(free, stacked(before.turning), h);
         const plane::V fall = h * ground.gravity * plane::V::UnitZ();
-        m = {unstacked(orientation_scaled(turning)), before.x + h * (before.v - fall / 2), before.v - fall};
+        m = {unstacked(orientation_scaled(turning)), before.x + h * (before.v - fall / 2),
+             before.v - fall};
     }
     void count(Work& work, double h) const {
         OnPlane::count(work, h);

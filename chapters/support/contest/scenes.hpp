@@ -7,17 +7,17 @@
 
 namespace contest {
 
-Scene projectile();       // flights.cpp
-Scene drag();             // flights.cpp
-Scene bouncing_ball();    // flights.cpp
-Scene spring();           // springs.cpp
-Scene damped_spring();    // springs.cpp
-Scene spring_3d();        // springs_of_vectors.cpp
-Scene stiff_spring();     // springs.cpp
-Scene two_time_scales();  // springs_of_vectors.cpp
-Scene dzhanibekov();      // spins.cpp
-Scene symmetric_top();    // spins.cpp
-Scene capsule_on_plane(); // plane.cpp
+Scene projectile();        // flights.cpp
+Scene drag();              // flights.cpp
+Scene bouncing_ball();     // flights.cpp
+Scene spring();            // springs.cpp
+Scene damped_spring();     // springs.cpp
+Scene spring_3d();         // springs_of_vectors.cpp
+Scene stiff_spring();      // springs.cpp
+Scene two_time_scales();   // springs_of_vectors.cpp
+Scene dzhanibekov();       // spins.cpp
+Scene symmetric_top();     // spins.cpp
+Scene capsule_on_plane();  // plane.cpp
 
 struct Named {
     const char* id;

@@ -1,7 +1,7 @@
 #pragma once
-// Where a capsule truly is that falls on ice, on one end and then on its side. Nothing here takes steps
-// across a contact: the three parts of its motion are computed one by one, each from the moment at
-// which the one before ends.
+// Where a capsule truly is that falls on ice, on one end and then on its side. Nothing here takes
+// steps across a contact: the three parts of its motion are computed one by one, each from the
+// moment at which the one before ends.
 
 #include <timestep/methods/runge_kutta_4.hpp>
 #include <timestep/rigid/exact_free_body.hpp>
@@ -19,10 +19,13 @@ public:
     using Body = timestep::plane::Capsule<Inertia>;
     using Motion = timestep::plane::Motion;
 
-    // `start` without a velocity and in the air. `slices`: steps of the one part that is not known in
-    // closed form.
+    // `start` without a velocity and in the air. `slices`: steps of the one part that is not known
+    // in closed form.
     SlidingCapsule(const Body& body, double gravity, const Motion& start, long slices)
-        : body_(body), gravity_(gravity), start_(start), slices_(slices),
+        : body_(body),
+          gravity_(gravity),
+          start_(start),
+          slices_(slices),
           air_({body.inertia.across, body.inertia.across, body.inertia.along}, start.turning) {
         lands_ = crossing([&](double t) { return gap(flying(t)); }, 0);
         landed_ = on_one_end(flying(lands_));

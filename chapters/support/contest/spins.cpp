@@ -1,5 +1,5 @@
-// Two bodies that tumble freely: one with three moments, one with two equal ones. Both have an exact
-// solution.
+// Two bodies that tumble freely: one with three moments, one with two equal ones. Both have an
+// exact solution.
 
 #include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/rigid/shapes.hpp>
@@ -58,8 +58,8 @@ Track orientations(const Exact& exact) {
 
 }  // namespace
 
-// A box with sides 1:2:3, of 12 kg so that its moments are whole numbers, spun about the middle one.
-// It turns over twice.
+// A box with sides 1:2:3, of 12 kg so that its moments are whole numbers, spun about the middle
+// one. It turns over twice.
 Scene dzhanibekov() {
     Scene scene{"dzhanibekov", "a box that turns over, again and again", radian};
     const auto inertia = box(12.0, 1.0, 2.0, 3.0);
@@ -67,7 +67,8 @@ Scene dzhanibekov() {
     const ExactFreeBody<long double> exact(box(12.0L, 1.0L, 2.0L, 3.0L),
                                            spun<long double>(0.25, 10, 0.25));
     scene.reference = orientations([&](long double t) { return exact(t).q; });
-    scene.reference_error = 1e-12;  // so well an integration, which the tumble disturbs, confirms it
+    scene.reference_error =
+        1e-12;  // so well an integration, which the tumble disturbs, confirms it
     enter_solvers(scene, inertia, start);
     const auto& I = inertia.moments;
     enter_others(scene, I.x(), I.y(), I.z(), start, "");

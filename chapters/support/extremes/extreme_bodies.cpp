@@ -1,5 +1,5 @@
-// Every solver with every inertia: in `double` here, and in `float` by the file next to this one. (Each
-// is compiled by itself, as the compiler needs much memory for them.)
+// Every solver with every inertia: in `double` here, and in `float` by the file next to this one.
+// (Each is compiled by itself, as the compiler needs much memory for them.)
 
 #include "extreme_bodies.hpp"
 

@@ -25,8 +25,9 @@ Real energy_of(const AnyInertia<Real>& any, const Vector3<Real>& omega) {
     return std::visit([&](const auto& inertia) { return kinetic_energy(inertia, omega); }, any);
 }
 
-// Any solver and the orientation's step, as a method that run() takes; the inertia is the model. The solver is
-// a plain function, so that scenes and their runs are compiled once and not for each of thirty pairs.
+// Any solver and the orientation's step, as a method that run() takes; the inertia is the model.
+// The solver is a plain function, so that scenes and their runs are compiled once and not for each
+// of thirty pairs.
 template <class Real>
 struct AnySolver {
     using S = RigidState<Real>;
@@ -40,11 +41,14 @@ struct AnySolver {
                                 any);
           }) {}
 
-    S step(const AnyInertia<Real>& inertia, const S& s, Real h) const { return turned(inertia, s, h); }
+    S step(const AnyInertia<Real>& inertia, const S& s, Real h) const {
+        return turned(inertia, s, h);
+    }
     bool is(std::string_view other) const { return name == other; }
 };
 
-// The five inertias, their moments times a unit: the full one is the principal one in axes of its own.
+// The five inertias, their moments times a unit: the full one is the principal one in axes of its
+// own.
 template <class Real>
 AnyInertia<Real> inertia_of(const std::string& kind, Real unit) {
     if (kind == "ball") return UniformInertia<Real>(2 * unit);
@@ -91,7 +95,10 @@ public:
                    [=] { return SymmetricInertia<Real>(1, moment); });
             refuse(scene, "principal", moment_named,
                    [=] { return PrincipalInertia<Real>(1, 1, moment); });
-            refuse(scene, "full", !std::isfinite(moment) ? "inertia" : moment < 0 ? moment_named : least,
+            refuse(scene, "full",
+                   !std::isfinite(moment) ? "inertia"
+                   : moment < 0           ? moment_named
+                                          : least,
                    [=] { return FullInertia<Real>(V(1, 1, moment).asDiagonal()); });
         }
         // No body is so flat that one moment exceeds the sum of the others.
@@ -151,8 +158,8 @@ private:
     // The energy that the solver lets a body reach, over that at the start. The passive and the
     // converged solver add none; the talk's adds none to a symmetric body, nor to any in steps as
     // short as ours. Dropped, ω stays in the world, and so in the body, which turns about it: the
-    // energy stays. With the lagged inertia |L| stays, and the energy is at most that about the axis of
-    // the least moment, 2.5 times that about the axis of the largest.
+    // energy stays. With the lagged inertia |L| stays, and the energy is at most that about the
+    // axis of the least moment, 2.5 times that about the axis of the largest.
     void spins(const Solver& solver, const std::string& kind) {
         const Inertia inertia = inertia_of<Real>(kind, 1);
         const bool gyroscopic = is_gyroscopic(inertia);
@@ -169,21 +176,23 @@ private:
 
         // Nothing happens: h ω is below the last digit of everything it is added to.
         const S slow = spinning(tiny<Real>, kind);
-        add("spin tiny", solver, kind, inertia, slow, h, 100, {Outcome::exact, 100 * 100 * eps<Real>},
-            [=](const S& s) {
+        add("spin tiny", solver, kind, inertia, slow, h, 100,
+            {Outcome::exact, 100 * 100 * eps<Real>}, [=](const S& s) {
                 return double(((s.omega - slow.omega) / tiny<Real>).cwiseAbs().maxCoeff());
             });
-        // Explicitly the energy grows by h² times that of the torque, in every step: by 1 % at least.
+        // Explicitly the energy grows by h² times that of the torque, in every step: by 1 % at
+        // least.
         if (blows_up) {
             const auto size = energy(1);
             add("spin 1", solver, kind, inertia, spinning(1, kind), h, 1000, {Outcome::exact, 0.5},
                 [=](const S& s) { return s.t > 0 && size(s) <= 1.01 ? 1.0 : 0.0; });
-            Cell& gain = cells_.back();  // that is no law of growth for judge(); if it holds, it grows
+            Cell& gain =
+                cells_.back();  // that is no law of growth for judge(); if it holds, it grows
             gain.expected = Outcome::grows;
             if (gain.found == Outcome::exact) gain.found = Outcome::grows;
         } else {
-            add("spin 1", solver, kind, inertia, spinning(1, kind), h, 1000, {Outcome::bounded, bound(1000)},
-                energy(1));
+            add("spin 1", solver, kind, inertia, spinning(1, kind), h, 1000,
+                {Outcome::bounded, bound(1000)}, energy(1));
         }
         // The explicit step multiplies the spin across the axis by 1e7 or more, or squares it. The
         // talk's one iteration promises nothing at hω = 1e8, but where it is the solution, on a
@@ -192,10 +201,11 @@ private:
             !solver.is(ImplicitGyroscopic::name) || !gyroscopic || kind == "symmetric";
         if (promises)
             add("spin 1e10", solver, kind, inertia, spinning(Real(1e10), kind), h, 100,
-                blows_up ? Theory{Outcome::reported, 0, 0, 50} : Theory{Outcome::bounded, bound(100)},
+                blows_up ? Theory{Outcome::reported, 0, 0, 50}
+                         : Theory{Outcome::bounded, bound(100)},
                 energy(Real(1e10)));
-        // The same in steps of 100 s. In float the orientation's step, which squares hω/2, leaves the
-        // numbers; whatever the solver, the run comes to its end.
+        // The same in steps of 100 s. In float the orientation's step, which squares hω/2, leaves
+        // the numbers; whatever the solver, the run comes to its end.
         if (promises)
             add("hω = 1e20", solver, kind, inertia, spinning(Real(1e18), kind), 100, 10,
                 is_float<Real> ? Theory{Outcome::reported, 0, 0, 1}
@@ -256,9 +266,8 @@ template <class Real>
 std::vector<Cell> of_bodies_in() {
     std::vector<Cell> cells;
     Bodies<Real>(cells).inertias();
-    for_each_gyroscopic([&](const auto& solver) {
-        Bodies<Real>(cells).all(AnySolver<Real>(solver));
-    });
+    for_each_gyroscopic(
+        [&](const auto& solver) { Bodies<Real>(cells).all(AnySolver<Real>(solver)); });
     return cells;
 }
 extern template std::vector<Cell> of_bodies_in<float>();  // in extreme_bodies_float.cpp

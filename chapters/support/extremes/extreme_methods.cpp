@@ -1,5 +1,5 @@
-// Every method in every scene: in `double` here, and in `float` by the file next to this one. (Each is
-// compiled by itself, as the compiler needs much memory for them.)
+// Every method in every scene: in `double` here, and in `float` by the file next to this one. (Each
+// is compiled by itself, as the compiler needs much memory for them.)
 
 #include "extreme_methods.hpp"
 

@@ -62,16 +62,15 @@ private:
         add("time −∞", method, spring, S{-inf, 1, 0}, h, 10, refused("start"), size);
         for (const auto& [scene, omega] :
              {std::pair{"ω huge", huge<Real>}, {"ω < 0", Real(-1)}, {"ω ∞", inf}, {"ω NaN", nan}})
-            add(scene, method, of<Spring<Real>>(omega), good, h, 10, refused("omega"),
-                size);
+            add(scene, method, of<Spring<Real>>(omega), good, h, 10, refused("omega"), size);
         // ω² is a number, h²ω² is not.
         add("ω² h² huge", method, of<Spring<Real>>(stiff<Real>), good, stiff<Real>, 10,
             refused("step"), size);
         // ω² is a number, 2ζω is not.
-        add("damper huge", method,
-            of<DampedSpring<Real>>(10, std::numeric_limits<Real>::max() / 2), good, h, 10,
-            refused("zeta"), size);
-        add("gravity NaN", method, of<Projectile<Real>>(nan), good, h, 10, refused("gravity"), size);
+        add("damper huge", method, of<DampedSpring<Real>>(10, std::numeric_limits<Real>::max() / 2),
+            good, h, 10, refused("zeta"), size);
+        add("gravity NaN", method, of<Projectile<Real>>(nan), good, h, 10, refused("gravity"),
+            size);
         add("gravity ∞", method, of<Projectile<Real>>(inf), good, h, 10, refused("gravity"), size);
         add("drag NaN", method, of<Drag<Real>>(nan), good, h, 10, refused("drag"), size);
     }
@@ -115,7 +114,8 @@ private:
                 const long step = std::lround(double(s.t / h));
                 const double expected = jumps ? (step % 2 == 1 ? 2 : 0) : 1;
                 const bool right = step < 10 || std::fabs(v - expected) < 1e-3;
-                return theory.expected != Outcome::bounded || right ? std::fabs(double(s.x)) : 1e300;
+                return theory.expected != Outcome::bounded || right ? std::fabs(double(s.x))
+                                                                    : 1e300;
             });
     }
 
@@ -124,8 +124,8 @@ private:
         one_spring("ωh = 5/3", method, 100, start, Real(1) / 60, 1000);
         one_spring("ω stiff", method, 64 * stiff<Real>, start, h, 100);
         one_spring("a million steps", method, 6, start, Real(1) / 60, 1'000'000);
-        one_spring("start subnormal", method, 64,
-                   S{0, std::numeric_limits<Real>::min() / 128, 0}, h, 100);
+        one_spring("start subnormal", method, 64, S{0, std::numeric_limits<Real>::min() / 128, 0},
+                   h, 100);
         hard_damper("damper 1e30", method, Real(1e30));
         hard_damper("damper huge, ω = 1", method, huge<Real> / 2);
 
@@ -151,7 +151,8 @@ private:
                 return std::fabs(double(s.x) - (1 + double(s.t))) + std::fabs(double(s.v) - 1);
             });
         // The force does not know the time, and does not care that it stands still: the same bits.
-        const S reference = run(method.template on<Spring<Real>, S>(), spring(), from(0, 1, 0), h, 100);
+        const S reference =
+            run(method.template on<Spring<Real>, S>(), spring(), from(0, 1, 0), h, 100);
         add("t + h = t", method, spring, from(huge<Real>, 1, 0), h, 100, {Outcome::exact, 0},
             [&](const S& s) {
                 return s.t == huge<Real> && s.x == reference.x && s.v == reference.v ? 0.0 : 1.0;
@@ -161,9 +162,10 @@ private:
         for (const auto& [scene, power] : {std::pair{"lengths × 2ⁿ", is_float<Real> ? 100 : 990},
                                            {"lengths ÷ 2ⁿ", is_float<Real> ? -70 : -900}}) {
             const Real unit = std::ldexp(Real(1), power);
-            add(scene, method, spring, from(0, unit, 0), h, 100, {Outcome::exact, 0}, [&](const S& s) {
-                return s.x == unit * reference.x && s.v == unit * reference.v ? 0.0 : 1.0;
-            });
+            add(scene, method, spring, from(0, unit, 0), h, 100, {Outcome::exact, 0},
+                [&](const S& s) {
+                    return s.x == unit * reference.x && s.v == unit * reference.v ? 0.0 : 1.0;
+                });
         }
         // v = g t, by every method, each step rounded a few times; Verlet's velocity is a
         // difference of positions that are 64 times as far from zero as a step is long.
@@ -183,8 +185,7 @@ private:
             const double omega = springs.frequencies().maxCoeff();
             const Make<CoupledSprings<Real, 2>> make = [&] { return springs; };
             add(scene, method, make, start, step, 100,
-                spring_theory<Real>(method, omega, 0, step, 100),
-                [&](const State<V>& s) {
+                spring_theory<Real>(method, omega, 0, step, 100), [&](const State<V>& s) {
                     return double(s.x.cwiseAbs().maxCoeff()) +
                            double(s.v.cwiseAbs().maxCoeff()) / omega;
                 });
@@ -211,14 +212,14 @@ private:
                 const double v = double(huge<Real>) / 128;
                 return std::fabs(s.v / v - 1) + (s.t > 0 ? std::fabs(s.x / v / s.t - 1) : 0);
             });
-        // Explicitly, hk|v| is squared a step or worse. Implicit Euler stops the body: hk v² is what
-        // it had, so v falls to 1e-14 and less in the first step. So does BDF2 in its second, from
-        // (4|v₁| + |v₀|)/3; its first is an implicit midpoint step. That one stops the body in the
-        // middle, and goes on as far again: v turns, and is no larger.
+        // Explicitly, hk|v| is squared a step or worse. Implicit Euler stops the body: hk v² is
+        // what it had, so v falls to 1e-14 and less in the first step. So does BDF2 in its second,
+        // from (4|v₁| + |v₀|)/3; its first is an implicit midpoint step. That one stops the body in
+        // the middle, and goes on as far again: v turns, and is no larger.
         const bool turns = method.is_midpoint;
         add("drag 1e30", method, of<Drag<Real>>(Real(1e30)), S{0, 0, 1}, h, 100,
             method.is_implicit ? Theory{Outcome::bounded, 1 + 8 * eps<Real>}
-                                : Theory{Outcome::reported, 0, 0, 6},
+                               : Theory{Outcome::reported, 0, 0, 6},
             [turns](const S& s) {
                 const double v = std::fabs(double(s.v));
                 const long step = std::lround(double(s.t / h));
@@ -243,8 +244,8 @@ private:
         // fortieth of the whole. (From rest there, a circle of states solves the implicit equation,
         // and none can be found.)
         using V = Eigen::Matrix<Real, 2, 1>;
-        add("tether, start huge", method, of<Tether<Real>>(6, 1),
-            State<V>{0, V(far, far), V(0, 0)}, h, 100, {Outcome::reported, 0, 0, 1}, none);
+        add("tether, start huge", method, of<Tether<Real>>(6, 1), State<V>{0, V(far, far), V(0, 0)},
+            h, 100, {Outcome::reported, 0, 0, 1}, none);
         add("tether's length subnormal", method, of<Tether<Real>>(6, 1),
             State<V>{0, V(std::numeric_limits<Real>::min() / 128, 0), V(1, 0)}, Real(1) / 600, 10,
             {Outcome::exact, 0.03}, [](const State<V>& s) {
@@ -296,9 +297,8 @@ private:
 template <class Real>
 std::vector<Cell> of_methods_in() {
     std::vector<Cell> cells;
-    for_all_methods([&](const auto& method) {
-        Methods<Real>(cells).all(ExtremeMethod<Real>(method));
-    });
+    for_all_methods(
+        [&](const auto& method) { Methods<Real>(cells).all(ExtremeMethod<Real>(method)); });
     return cells;
 }
 extern template std::vector<Cell> of_methods_in<float>();  // in extreme_methods_float.cpp

@@ -54,10 +54,10 @@ inline constexpr double eps = std::numeric_limits<Real>::epsilon();
 // What theory says of a run.
 struct Theory {
     Outcome expected;
-    double size = 1;        // bounded: never larger. exact: no farther from it
-    double log_growth = 0;  // grows: by e to this
-    double latest = 0;      // reported: at this step or before
-    const char* named = ""; // refused: what the message says is bad, as in "step = 0: must be …"
+    double size = 1;         // bounded: never larger. exact: no farther from it
+    double log_growth = 0;   // grows: by e to this
+    double latest = 0;       // reported: at this step or before
+    const char* named = "";  // refused: what the message says is bad, as in "step = 0: must be …"
     double last_size = std::numeric_limits<double>::infinity();  // bounded: at the end, at the most
     double earliest = 1;                                         // reported: not before this step
 };
@@ -69,15 +69,17 @@ inline double larger(double a, double b) { return a < b || std::isnan(b) ? b : a
 
 // The word for a run that came to an end with `size`, from `first` on; `largest` on the way.
 inline Outcome judge(const Theory& theory, double first, double largest, double last,
-                  long blew_up_at) {
+                     long blew_up_at) {
     if (blew_up_at > 0)
         return theory.expected == Outcome::reported && blew_up_at >= theory.earliest &&
                        blew_up_at <= theory.latest
                    ? Outcome::reported
                    : Outcome::wrong;
     if (theory.expected == Outcome::bounded)
-        return largest <= theory.size && last <= theory.last_size ? Outcome::bounded : Outcome::wrong;
-    if (theory.expected == Outcome::exact) return last <= theory.size ? Outcome::exact : Outcome::wrong;
+        return largest <= theory.size && last <= theory.last_size ? Outcome::bounded
+                                                                  : Outcome::wrong;
+    if (theory.expected == Outcome::exact)
+        return last <= theory.size ? Outcome::exact : Outcome::wrong;
     // What is no eigenvector makes up to a factor 8 of difference once, and roundoff 1 % of the
     // exponent.
     const double off = std::log(last) - std::log(first) - theory.log_growth;
@@ -95,8 +97,8 @@ using Size =
 
 // Does the message begin with what is bad?
 inline bool names(const std::string& message, const std::string& named) {
-    return !named.empty() && (message.rfind(named + " = ", 0) == 0 ||
-                              message.rfind(named + ": ", 0) == 0);
+    return !named.empty() &&
+           (message.rfind(named + " = ", 0) == 0 || message.rfind(named + ": ", 0) == 0);
 }
 
 // Makes the model, runs it, and finds the word.

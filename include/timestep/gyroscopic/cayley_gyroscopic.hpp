@@ -13,10 +13,11 @@ namespace timestep {
 /// nothing that could vanish.
 ///
 /// Order two; the energy stays for any inertia, spin and step, to a few roundoffs. |L| is kept to
-/// order two only, within what the energy allows, and creeps, up or down: from h|ω| of some 0.3 on a
-/// wheel loses half of its spin within a minute or two, which the passive step and the half-step Jacobian
-/// leave it. CalmHalfStep keeps |L|, too. Steps with h|ω| beyond 1 are safe and no longer right. Where (hω)² is too large for a number (hω beyond 1e154, in float 1e19,
-/// less by some roots of the moments' ratio) three moments give back NaN.
+/// order two only, within what the energy allows, and creeps, up or down: from h|ω| of some 0.3 on
+/// a wheel loses half of its spin within a minute or two, which the passive step and the half-step
+/// Jacobian leave it. CalmHalfStep keeps |L|, too. Steps with h|ω| beyond 1 are safe and no longer
+/// right. Where (hω)² is too large for a number (hω beyond 1e154, in float 1e19, less by some roots
+/// of the moments' ratio) three moments give back NaN.
 struct CayleyGyroscopic {
     static constexpr const char* name = "Cayley";  ///< for tables and keys
     static constexpr int order = 2;                ///< of the error of ω after a whole run
@@ -30,20 +31,17 @@ struct CayleyGyroscopic {
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     /// [step]
     template <class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const PrincipalInertia<Real>& inertia,
-                       const Vector3<Real>& omega, Real h) const noexcept {
+    TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia,
+                                       const Vector3<Real>& omega, Real h) const noexcept {
         const Vector3<Real>& U = inertia.unit;
         const Vector3<Real>& a = inertia.ratio;
         const Vector3<Real> V = U.cwiseInverse();
         const Real half = h / 2;
         const Vector3<Real> turn = half * omega;
         const Real x = turn.x(), y = turn.y(), z = turn.z();
-        const Vector3<Real> l(U.x() * (x - a.x() * y * z),
-                              U.y() * (y - a.y() * z * x),
+        const Vector3<Real> l(U.x() * (x - a.x() * y * z), U.y() * (y - a.y() * z * x),
                               U.z() * (z - a.z() * x * y));
-        const Real t_t = (l.x() * V.y()) * (l.x() * V.z()) +
-                         (l.y() * V.z()) * (l.y() * V.x()) +
+        const Real t_t = (l.x() * V.y()) * (l.x() * V.z()) + (l.y() * V.z()) * (l.y() * V.x()) +
                          (l.z() * V.x()) * (l.z() * V.y());
         const Real share = 2 / (1 + t_t);
         const Vector3<Real> part = share * omega;
@@ -54,23 +52,22 @@ struct CayleyGyroscopic {
 
     /// The same where two moments are equal: the passive step, which keeps energy and |L| there.
     template <class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const SymmetricInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const noexcept {
+    TIMESTEP_INLINE Vector3<Real> step(const SymmetricInertia<Real>& inertia,
+                                       const Vector3<Real>& omega, Real h) const noexcept {
         return passive_gyroscopic.step(inertia, omega, h);
     }
 
     /// The same with another odd axis.
     template <Axis axis, class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const noexcept {
+    TIMESTEP_INLINE Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia,
+                                       const Vector3<Real>& omega, Real h) const noexcept {
         return inertia.from_z(step(inertia.about_z, inertia.to_z(omega), h));
     }
 
     /// The same in any axes: there and back by way of the principal ones.
     template <class Real>
-    Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega, Real h) const noexcept {
+    Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega,
+                       Real h) const noexcept {
         const Vector3<Real> turned = in_body(inertia.axes, omega);
         return in_world(inertia.axes, step(inertia.principal, turned, h));
     }

@@ -56,9 +56,8 @@ struct ConvergedGyroscopic {
 
     /// The same with another odd axis.
     template <Axis axis, class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const {
+    TIMESTEP_INLINE Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia,
+                                       const Vector3<Real>& omega, Real h) const {
         return inertia.from_z(step(inertia.about_z, inertia.to_z(omega), h));
     }
 
@@ -113,7 +112,8 @@ private:
     }
     /// [continuation]
 
-    // The axis that the exact motion circles. The intermediate moment has the largest |g|, as Σg = 0.
+    // The axis that the exact motion circles. The intermediate moment has the largest |g|, as Σg =
+    // 0.
     template <class Real>
     static int circled(const Vector3<Real>& hg, const Vector3<Real>& y1) {
         const Vector3<Real> root = hg.cwiseAbs().cwiseSqrt();

@@ -16,8 +16,8 @@ struct ExplicitGyroscopic {
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     /// [step]
     template <class Inertia, class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const Inertia& inertia, const Vector3<Real>& omega, Real h) const noexcept {
+    TIMESTEP_INLINE Vector3<Real> step(const Inertia& inertia, const Vector3<Real>& omega,
+                                       Real h) const noexcept {
         const Vector3<Real> torque = -omega.cross(inertia.momentum(omega));
         return omega + h * inertia.velocity(torque);
     }

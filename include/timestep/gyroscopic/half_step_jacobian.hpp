@@ -8,14 +8,15 @@
 
 namespace timestep {
 
-/// ImplicitGyroscopic with h/2 where the Jacobian has h, and nothing else: Kahan's discretisation (1993),
-/// for Euler's equations also found by Hirota and Kimura (2000). Order two; a step of −h undoes a step of h; the energy oscillates and does not drift.
-/// Two quantities are kept exactly, which confine ω to a closed curve near the true one.
+/// ImplicitGyroscopic with h/2 where the Jacobian has h, and nothing else: Kahan's discretisation
+/// (1993), for Euler's equations also found by Hirota and Kimura (2000). Order two; a step of −h
+/// undoes a step of h; the energy oscillates and does not drift. Two quantities are kept exactly,
+/// which confine ω to a closed curve near the true one.
 ///
 /// With the first h|ω| below 2, and h the same in every step, the energy is never more than
-/// 1/(1 − (h|ω|/2)²) of that at the start. Beyond, the Jacobian may be singular: the step may add energy
-/// without limit, or divide by zero; and where steps vary or impulses act, gains add up. CalmHalfStep
-/// keeps the energy then, too.
+/// 1/(1 − (h|ω|/2)²) of that at the start. Beyond, the Jacobian may be singular: the step may add
+/// energy without limit, or divide by zero; and where steps vary or impulses act, gains add up.
+/// CalmHalfStep keeps the energy then, too.
 struct HalfStepJacobian {
     static constexpr const char* name = "half-step Jacobian";  ///< for tables and keys
     static constexpr int order = 2;  ///< of the error of ω after a whole run
@@ -28,9 +29,8 @@ struct HalfStepJacobian {
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     /// [step]
     template <class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const FullInertia<Real>& inertia,
-                       const Vector3<Real>& omega, Real h) const noexcept {
+    TIMESTEP_INLINE Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega,
+                                       Real h) const noexcept {
         const Matrix3<Real>& I = inertia.unit;
         const Vector3<Real> L = times(I, omega);
         const Vector3<Real> residual = h * omega.cross(L);
@@ -42,14 +42,12 @@ struct HalfStepJacobian {
     /// The same where I has three moments, each row divided by its own.
     /// [principal]
     template <class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const PrincipalInertia<Real>& inertia,
-                       const Vector3<Real>& omega, Real h) const noexcept {
+    TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia,
+                                       const Vector3<Real>& omega, Real h) const noexcept {
         const Real half = h / 2;
         const Vector3<Real> a = half * inertia.ratio;
         const Real x = omega.x(), y = omega.y(), z = omega.z();
-        const Vector3<Real> residual(2 * (a.x() * y * z), 2 * (a.y() * z * x),
-                                     2 * (a.z() * x * y));
+        const Vector3<Real> residual(2 * (a.x() * y * z), 2 * (a.y() * z * x), 2 * (a.z() * x * y));
         const Vector3<Real> column1(1, a.y() * z, a.z() * y);
         const Vector3<Real> column2(a.x() * z, 1, a.z() * x);
         const Vector3<Real> column3(a.x() * y, a.y() * x, 1);
@@ -57,21 +55,20 @@ struct HalfStepJacobian {
     }
     /// [principal]
 
-    // The equations are x₂ + θ/2 y₂ = x₁ − θ/2 y₁ and y₂ − θ/2 x₂ = y₁ + θ/2 x₁, a turn by 2 atan(θ/2)
-    // where the true motion turns by θ. Up to three radians the passive step's turn is nearer to that.
+    // The equations are x₂ + θ/2 y₂ = x₁ − θ/2 y₁ and y₂ − θ/2 x₂ = y₁ + θ/2 x₁, a turn by 2
+    // atan(θ/2) where the true motion turns by θ. Up to three radians the passive step's turn is
+    // nearer to that.
     /// The same where two moments are equal: never singular, energy and momentum stay.
     template <class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const SymmetricInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const noexcept {
+    TIMESTEP_INLINE Vector3<Real> step(const SymmetricInertia<Real>& inertia,
+                                       const Vector3<Real>& omega, Real h) const noexcept {
         return passive_gyroscopic.step(inertia, omega, h);
     }
 
     /// The same with another odd axis.
     template <Axis axis, class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const noexcept {
+    TIMESTEP_INLINE Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia,
+                                       const Vector3<Real>& omega, Real h) const noexcept {
         return inertia.from_z(step(inertia.about_z, inertia.to_z(omega), h));
     }
 };

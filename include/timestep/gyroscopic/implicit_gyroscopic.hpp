@@ -10,21 +10,20 @@
 namespace timestep {
 
 /// Implicit Euler asks for the ω₂ with I(ω₂ − ω₁) + h ω₂ × Iω₂ = 0, in body coordinates, where I is
-/// constant. One Newton-Raphson iteration from ω₁ gives the talk's solver (N47, N48). It tumbles as it
-/// should and loses energy. It is not safe: for h|ω| near 1 and above, the one iteration may add
+/// constant. One Newton-Raphson iteration from ω₁ gives the talk's solver (N47, N48). It tumbles as
+/// it should and loses energy. It is not safe: for h|ω| near 1 and above, the one iteration may add
 /// energy, without limit (N51). PassiveGyroscopic cannot.
 struct ImplicitGyroscopic {
     static constexpr const char* name = "one Newton step";  ///< for tables and keys
-    static constexpr int order = 1;                                 ///< of the error after a whole run
+    static constexpr int order = 1;                         ///< of the error after a whole run
 
     // The residual at ω₁ is h ω × Iω. Its derivative, by the product rule, a × b = skew(a) b and
     // −b × a = −skew(b) a:  J = I + h (skew(ω) I − skew(Iω)).
     /// One step of `h` seconds; `omega` in body coordinates, rad/s.
     /// [step]
     template <class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const FullInertia<Real>& inertia,
-                       const Vector3<Real>& omega, Real h) const noexcept {
+    TIMESTEP_INLINE Vector3<Real> step(const FullInertia<Real>& inertia, const Vector3<Real>& omega,
+                                       Real h) const noexcept {
         const Matrix3<Real>& I = inertia.unit;  // so scaled that no determinant underflows
         const Vector3<Real> L = times(I, omega);
         const Vector3<Real> residual = h * omega.cross(L);
@@ -41,9 +40,8 @@ struct ImplicitGyroscopic {
     /// The same where I has three moments.
     /// [principal]
     template <class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const PrincipalInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const noexcept {
+    TIMESTEP_INLINE Vector3<Real> step(const PrincipalInertia<Real>& inertia,
+                                       const Vector3<Real>& omega, Real h) const noexcept {
         const Vector3<Real> a = h * inertia.ratio;
         const Real x = omega.x(), y = omega.y(), z = omega.z();
         const Vector3<Real> residual(a.x() * y * z, a.y() * z * x, a.z() * x * y);
@@ -54,15 +52,14 @@ struct ImplicitGyroscopic {
     }
     /// [principal]
 
-    // The torque of a symmetric body has no component along its axis: ω_z is known, the equations for
-    // the other two are linear in them, and one iteration is the solution:
+    // The torque of a symmetric body has no component along its axis: ω_z is known, the equations
+    // for the other two are linear in them, and one iteration is the solution:
     //     x₂ + θ y₂ = x₁,  y₂ − θ x₂ = y₁  with θ = h (along − across)/across ω_z.
     /// The same where two moments are equal.
     /// [symmetric]
     template <class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const SymmetricInertia<Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const noexcept {
+    TIMESTEP_INLINE Vector3<Real> step(const SymmetricInertia<Real>& inertia,
+                                       const Vector3<Real>& omega, Real h) const noexcept {
         const Real angle = h * inertia.wobble * omega.z();
         const Real share = 1 / (1 + angle * angle);
         return {share * (omega.x() - angle * omega.y()), share * (omega.y() + angle * omega.x()),
@@ -72,9 +69,8 @@ struct ImplicitGyroscopic {
 
     /// The same with another odd axis.
     template <Axis axis, class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia, const Vector3<Real>& omega,
-                       Real h) const noexcept {
+    TIMESTEP_INLINE Vector3<Real> step(const SymmetricAbout<axis, Real>& inertia,
+                                       const Vector3<Real>& omega, Real h) const noexcept {
         return inertia.from_z(step(inertia.about_z, inertia.to_z(omega), h));
     }
 };

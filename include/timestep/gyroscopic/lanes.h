@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What stands behind gyroscopic.h in `float`, where the compiler (of GNU's kind) and the processor have vectors of four
-/// lanes: the short way of rules.h with x, y and z side by side. Each number is made of the same numbers in the same
-/// order as there, so it has the same bits where both ways are enough, as a test finds for h up to a second and h|ω| up to
-/// a million. For the passive step they ask another product whether they are: in longer steps one may be where the other
-/// is not. The fourth lane is nobody's.
+/// What stands behind gyroscopic.h in `float`, where the compiler (of GNU's kind) and the processor
+/// have vectors of four lanes: the short way of rules.h with x, y and z side by side. Each number
+/// is made of the same numbers in the same order as there, so it has the same bits where both ways
+/// are enough, as a test finds for h up to a second and h|ω| up to a million. For the passive step
+/// they ask another product whether they are: in longer steps one may be where the other is not.
+/// The fourth lane is nobody's.
 
 /// \cond
 typedef float timestep_lanes __attribute__((vector_size(16)));
@@ -28,38 +29,46 @@ TIMESTEP_C_INLINE timestep_lanes timestep_of_four(const float v[4]) {
 }
 
 // *idle is zero about a principal axis, and where the step divides by infinity.
-TIMESTEP_C_INLINE timestep_lanes timestep_passive_lanes(const gyroscopic_bodyf* body, timestep_lanes w, float h, float* idle) {
+TIMESTEP_C_INLINE timestep_lanes timestep_passive_lanes(const gyroscopic_bodyf* body,
+                                                        timestep_lanes w, float h, float* idle) {
     const timestep_lanes U = timestep_of_four(body->unit);
     const timestep_lanes l = h * (U * w), Ull = U * l * l, ll = l * l;
-    const timestep_lanes p = h * timestep_of_four(body->ratio) * TIMESTEP_YZX(w);  // a0 y, a1 z, a2 x
+    const timestep_lanes p =
+        h * timestep_of_four(body->ratio) * TIMESTEP_YZX(w);  // a0 y, a1 z, a2 x
     const timestep_lanes s = 1 / (1 + (Ull[0] + Ull[1] + Ull[2])) * w;
     *idle = p[0] * s[0];
     return s - p * TIMESTEP_ZXY(s) + (ll[0] + (ll[1] + ll[2])) * U * s;
 }
 
-TIMESTEP_C_INLINE timestep_lanes timestep_half_step_lanes(const gyroscopic_bodyf* body, timestep_lanes w, float h) {
+TIMESTEP_C_INLINE timestep_lanes timestep_half_step_lanes(const gyroscopic_bodyf* body,
+                                                          timestep_lanes w, float h) {
     const timestep_lanes one = {1, 1, 1, 1};
     const timestep_lanes a = h / 2 * timestep_of_four(body->ratio);
-    const timestep_lanes p = a * TIMESTEP_YZX(w), q = a * TIMESTEP_ZXY(w);  // cx, ay, bz; bx, cy, az
+    const timestep_lanes p = a * TIMESTEP_YZX(w),
+                         q = a * TIMESTEP_ZXY(w);  // cx, ay, bz; bx, cy, az
     const timestep_lanes half = p * TIMESTEP_ZXY(w), r = half + half;
     const timestep_lanes d = one - TIMESTEP_ZXY(p) * TIMESTEP_YZX(q);  // bc0, ca1, ab2
     const timestep_lanes e = TIMESTEP_ZXY(p) * p - q;                  // bc1, ca2, ab0
     const timestep_lanes f = q * TIMESTEP_YZX(q) - p;                  // bc2, ca0, ab1
     const float share = 1 / (d[0] + (p[1] * e[0] + q[2] * f[0]));
-    return w - share * (TIMESTEP_ALL(r, 0) * TIMESTEP_DIAGONAL(d, f, e) + (TIMESTEP_ALL(r, 1) * TIMESTEP_DIAGONAL(e, d, f) +
-                                                                           TIMESTEP_ALL(r, 2) * TIMESTEP_DIAGONAL(f, e, d)));
+    return w - share * (TIMESTEP_ALL(r, 0) * TIMESTEP_DIAGONAL(d, f, e) +
+                        (TIMESTEP_ALL(r, 1) * TIMESTEP_DIAGONAL(e, d, f) +
+                         TIMESTEP_ALL(r, 2) * TIMESTEP_DIAGONAL(f, e, d)));
 }
 
 // timestep_by_rulef() in lanes: was it possible?
-TIMESTEP_C_INLINE int timestep_take_lanes(int rule, const gyroscopic_bodyf* body, timestep_lanes* omega, float h, float* idle) {
+TIMESTEP_C_INLINE int timestep_take_lanes(int rule, const gyroscopic_bodyf* body,
+                                          timestep_lanes* omega, float h, float* idle) {
     timestep_lanes w = *omega;
     if (rule == 0)
         w = timestep_passive_lanes(body, w, h, idle);
     else if (rule == 1)
         w = timestep_half_step_lanes(body, w, h);
     else {
-        const timestep_lanes U = timestep_of_four(body->unit), angle = h * w, square = angle * angle;
-        const timestep_lanes circled = timestep_of_four(body->circling) * square, before = U * square;
+        const timestep_lanes U = timestep_of_four(body->unit), angle = h * w,
+                             square = angle * angle;
+        const timestep_lanes circled = timestep_of_four(body->circling) * square,
+                             before = U * square;
         timestep_lanes after;
         float E1, E2;
         if (!(circled[0] + (circled[1] + circled[2]) <= 0.25f)) return 0;
@@ -76,27 +85,33 @@ TIMESTEP_C_INLINE int timestep_take_lanes(int rule, const gyroscopic_bodyf* body
 TIMESTEP_C_INLINE int timestep_good_lanes(int rule, timestep_lanes w, float idle) {
     float sum = w[0] + w[1] + w[2];
     sum -= sum;
-    return rule == 0 ? TIMESTEP_C_NOT_ZERO(idle + sum) : sum == sum;  // no number is no greater, and no less
+    return rule == 0 ? TIMESTEP_C_NOT_ZERO(idle + sum)
+                     : sum == sum;  // no number is no greater, and no less
 }
 
-TIMESTEP_C_INLINE int timestep_take_threef(int rule, const gyroscopic_bodyf* body, float omega[3], float h) {
+TIMESTEP_C_INLINE int timestep_take_threef(int rule, const gyroscopic_bodyf* body, float omega[3],
+                                           float h) {
     timestep_lanes w = timestep_of_three(omega);
     float idle = 0;
-    if (!timestep_take_lanes(rule, body, &w, h, &idle) || !timestep_good_lanes(rule, w, idle)) return 0;
+    if (!timestep_take_lanes(rule, body, &w, h, &idle) || !timestep_good_lanes(rule, w, idle))
+        return 0;
     omega[0] = w[0], omega[1] = w[1], omega[2] = w[2];
     return 1;
 }
 
-TIMESTEP_C_INLINE int timestep_take_three_in_worldf(int rule, const gyroscopic_bodyf* body, const float orientation[4],
-                                                    float omega[3], float h) {
+TIMESTEP_C_INLINE int timestep_take_three_in_worldf(int rule, const gyroscopic_bodyf* body,
+                                                    const float orientation[4], float omega[3],
+                                                    float h) {
     const timestep_lanes one = {1, 1, 1, 1};
-    timestep_lanes q, twice, twice_w, product, diagonal, plus, minus, row0, row1, row2, xy, z, w, before, after;
+    timestep_lanes q, twice, twice_w, product, diagonal, plus, minus, row0, row1, row2, xy, z, w,
+        before, after;
     float idle = 0;
     q = timestep_of_four(orientation);
     twice = q + q;
     twice_w = twice * TIMESTEP_ALL(q, 3);
-    product = TIMESTEP_YZX(q) * TIMESTEP_ZXY(twice);                               // tyz, txz, txy
-    plus = TIMESTEP_ZXY(product + twice_w), minus = TIMESTEP_YZX(product - twice_w);  // R10, R21, R02; R20, R01, R12
+    product = TIMESTEP_YZX(q) * TIMESTEP_ZXY(twice);  // tyz, txz, txy
+    plus = TIMESTEP_ZXY(product + twice_w),
+    minus = TIMESTEP_YZX(product - twice_w);  // R10, R21, R02; R20, R01, R12
     diagonal = q * twice;
     diagonal = one - (TIMESTEP_YZX(diagonal) + TIMESTEP_ZXY(diagonal));
     row0 = TIMESTEP_DIAGONAL(diagonal, minus, plus);

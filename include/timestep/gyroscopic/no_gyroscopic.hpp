@@ -15,8 +15,8 @@ struct NoGyroscopic {
 
     /// `omega` in body coordinates, rad/s, as it came.
     template <class Inertia, class Real>
-    TIMESTEP_INLINE
-    Vector3<Real> step(const Inertia&, const Vector3<Real>& omega, Real) const noexcept {
+    TIMESTEP_INLINE Vector3<Real> step(const Inertia&, const Vector3<Real>& omega,
+                                       Real) const noexcept {
         return omega;
     }
 };

@@ -47,9 +47,9 @@ inline constexpr Bdf2 bdf2;  ///< the method as a value
 /// A motion by BDF2 in a game, where things happen between the steps.
 ///
 /// The formula takes the last two states for two points of one smooth curve. After an impulse, a
-/// bounce or a change of place they are not: a kick of 1 m/s, given to the latest state alone, becomes
-/// 1.5. So whatever does that tells `restart`, which forgets the older one. A step of another length than
-/// the one before is a restart, too, since the formula is that of equal steps.
+/// bounce or a change of place they are not: a kick of 1 m/s, given to the latest state alone,
+/// becomes 1.5. So whatever does that tells `restart`, which forgets the older one. A step of
+/// another length than the one before is a restart, too, since the formula is that of equal steps.
 /// [motion]
 template <class S>
 class Bdf2Motion {
@@ -64,7 +64,8 @@ public:
     /// One step of length h.
     template <class Model>
     void step(const Model& model, real_of<S> h) {
-        const S next = h == last_h_ ? bdf2.step(model, before_, now_, h) : bdf2.start(model, now_, h);
+        const S next =
+            h == last_h_ ? bdf2.step(model, before_, now_, h) : bdf2.start(model, now_, h);
         before_ = now_, now_ = next, last_h_ = h;
     }
 

@@ -39,9 +39,11 @@ struct ImplicitEuler {
             "timestep: implicit methods need the system's derivative slope_y(t, y)");
         const auto t2 = state1.t + h;
         const Y y1 = state1.y;
-        const Y y2 = newton_raphson(
-            y1, [&](const Y& y) -> Y { return y - y1 - h * f(t2, y); },
-            [&](const Y& y) { return implicit_matrix(h, f.slope_y(t2, y), real_of<Y>(0)); }).x;
+        const Y y2 =
+            newton_raphson(
+                y1, [&](const Y& y) -> Y { return y - y1 - h * f(t2, y); },
+                [&](const Y& y) { return implicit_matrix(h, f.slope_y(t2, y), real_of<Y>(0)); })
+                .x;
         return {t2, y2};
     }
     /// [first order]
@@ -50,24 +52,23 @@ private:
     // A force that is linear in x and v: one solve.
     /// [linear]
     template <class Model, class X>
-        requires LinearForce<Model, X>
-    X new_velocity(const Model& model, const X& x1, const X& v1, real_of<X> h) const {
-        const auto matrix =
-            implicit_matrix(h, slope_v(model, x1, v1), slope_x(model, x1, v1));
+    requires LinearForce<Model, X> X new_velocity(const Model& model, const X& x1, const X& v1,
+                                                  real_of<X> h)
+    const {
+        const auto matrix = implicit_matrix(h, slope_v(model, x1, v1), slope_x(model, x1, v1));
         return solve(matrix, X(v1 + h * acceleration(model, x1, zero<X>())));
     }
     /// [linear]
 
-    // Any other smooth force: the root of what is missing in v₂ = v₁ + h a(x₁ + h v₂, v₂). With steps so
-    // long that what is missing rises and falls with v₂, Newton–Raphson may not find it, and the step goes on
-    // with what is nearest: who has to know puts v₂ in once more.
+    // Any other smooth force: the root of what is missing in v₂ = v₁ + h a(x₁ + h v₂, v₂). With
+    // steps so long that what is missing rises and falls with v₂, Newton–Raphson may not find it,
+    // and the step goes on with what is nearest: who has to know puts v₂ in once more.
     /// [newton]
     template <class Model, class X>
     X new_velocity(const Model& model, const X& x1, const X& v1, real_of<X> h) const {
-        static_assert(
-            SmoothForce<Model, X>,
-            "timestep: implicit methods need the force's derivatives slope_x and "
-            "slope_v");
+        static_assert(SmoothForce<Model, X>,
+                      "timestep: implicit methods need the force's derivatives slope_x and "
+                      "slope_v");
         const auto missing = [&](const X& v2) -> X {
             const X x2 = x1 + h * v2;
             return v2 - v1 - h * acceleration(model, x2, v2);

@@ -35,8 +35,8 @@ struct Verlet {
     /// One step of length h on from `state1`; `state0` is h before it.
     /// [step]
     template <class Model, class X>
-    State<X> step(const Model& model, const State<X>& state0,
-                  const State<X>& state1, real_of<X> h) const {
+    State<X> step(const Model& model, const State<X>& state0, const State<X>& state1,
+                  real_of<X> h) const {
         const X& x0 = state0.x;
         const X& x1 = state1.x;
         const X a1 = acceleration(model, x1);
@@ -49,9 +49,8 @@ struct Verlet {
     /// scaled to the new step. Order one when the step keeps changing (I10).
     /// [scaled]
     template <class Model, class X>
-    State<X> scaled_step(const Model& model, const State<X>& state0,
-                         const State<X>& state1, real_of<X> h1,
-                         real_of<X> h2) const {
+    State<X> scaled_step(const Model& model, const State<X>& state0, const State<X>& state1,
+                         real_of<X> h1, real_of<X> h2) const {
         const X& x1 = state1.x;
         const X a1 = acceleration(model, x1);
         const X drift = (x1 - state0.x) * (h2 / h1);
@@ -66,9 +65,8 @@ struct Verlet {
     /// two whatever the steps (I10).
     /// [corrected]
     template <class Model, class X>
-    State<X> corrected_step(const Model& model, const State<X>& state0,
-                            const State<X>& state1, real_of<X> h1,
-                            real_of<X> h2) const {
+    State<X> corrected_step(const Model& model, const State<X>& state0, const State<X>& state1,
+                            real_of<X> h1, real_of<X> h2) const {
         const X& x1 = state1.x;
         const X a1 = acceleration(model, x1);
         const X drift = (x1 - state0.x) * (h2 / h1);

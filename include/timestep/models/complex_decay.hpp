@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Decay at a complex rate: every linear motion is made of such, and every method can be tried on it.
+/// Decay at a complex rate: every linear motion is made of such, and every method can be tried on
+/// it.
 
 #include <cmath>
 #include <complex>
@@ -43,7 +44,8 @@ struct ComplexDecay {
     /// The exact state a time `t` after `start`: e^(λt) y₀.
     template <class Y>
     FirstOrder<Y> exact(const FirstOrder<Y>& start, real_of<Y> t) const {
-        const std::complex<Real> y = std::exp(lambda * t) * std::complex<Real>(start.y[0], start.y[1]);
+        const std::complex<Real> y =
+            std::exp(lambda * t) * std::complex<Real>(start.y[0], start.y[1]);
         return {start.t + t, Y(y.real(), y.imag())};
     }
 };

@@ -25,10 +25,10 @@ namespace timestep {
 /// The row swings in N patterns, its normal modes, each at one frequency of its own, and every
 /// motion is a sum of them.
 ///
-/// The squares of the frequencies are right to some ε of the LARGEST of them. So a row on both stiff and
-/// soft springs knows its slow modes badly: of an ω² that is 1e-6 of the largest six digits are lost,
-/// and of one that is ε of it or less all of them. Of that, `frequencies`, `modes` and `exact` suffer,
-/// not the acceleration.
+/// The squares of the frequencies are right to some ε of the LARGEST of them. So a row on both
+/// stiff and soft springs knows its slow modes badly: of an ω² that is 1e-6 of the largest six
+/// digits are lost, and of one that is ε of it or less all of them. Of that, `frequencies`, `modes`
+/// and `exact` suffer, not the acceleration.
 template <class Real, int N>
 class CoupledSprings {
 public:
@@ -48,8 +48,7 @@ public:
             if (i > 0) stiffness(i, i - 1) = stiffness(i - 1, i) = -stiffnesses(i);
         }
         slope_x_ = -(masses.cwiseInverse().asDiagonal() * stiffness);
-        if (!is_finite(slope_x_))
-            refuse("stiffness / mass: must be finite for every mass");
+        if (!is_finite(slope_x_)) refuse("stiffness / mass: must be finite for every mass");
         find_modes(masses, stiffness, free_pieces(stiffnesses));
     }
 

@@ -38,8 +38,8 @@ struct Drag {
         return 0;
     }
 
-    /// ∂a/∂v = −k |v| (1 + u uᵀ) with the direction u = v / |v|; 0 at rest. By u, not by v vᵀ / |v|:
-    /// near rest v vᵀ underflows and 1 / |v| overflows.
+    /// ∂a/∂v = −k |v| (1 + u uᵀ) with the direction u = v / |v|; 0 at rest. By u, not by v vᵀ /
+    /// |v|: near rest v vᵀ underflows and 1 / |v| overflows.
     template <class X>
     auto slope_v(const X& /* x */, const X& v) const {
         using Slope = decltype(outer(v, v));

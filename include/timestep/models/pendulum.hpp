@@ -10,8 +10,8 @@
 namespace timestep {
 
 /// A pendulum, a = −ω² sin x, where x is the angle from hanging straight down, in rad, and
-/// ω = √(g/l). Small oscillations are those of a Spring; large ones are slower. The course's plainest
-/// nonlinear force (I05).
+/// ω = √(g/l). Small oscillations are those of a Spring; large ones are slower. The course's
+/// plainest nonlinear force (I05).
 template <class Real>
 struct Pendulum {
     Real omega;  ///< angular frequency of small oscillations, rad/s

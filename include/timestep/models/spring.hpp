@@ -20,7 +20,8 @@ struct Spring {
 
     /// What the constructor takes, and without an exception.
     static constexpr bool valid(Real omega_) noexcept {
-        return omega_ >= 0 && detail::is_finite_parameter(omega_) && detail::is_finite_parameter(omega_ * omega_);
+        return omega_ >= 0 && detail::is_finite_parameter(omega_) &&
+               detail::is_finite_parameter(omega_ * omega_);
     }
 
     /// `omega` in rad/s, zero or more, its square finite. Throws `std::invalid_argument`.

@@ -36,8 +36,8 @@ struct Tether {
     /// [model]
 
     /// ∂a/∂x = −ω² (1 − L/|x| (1 − u uᵀ)): along the tether that of a spring. Across it L/|x| grows
-    /// without limit towards the origin; where it is no number, at the origin and next to it, it counts
-    /// as 0.
+    /// without limit towards the origin; where it is no number, at the origin and next to it, it
+    /// counts as 0.
     template <class X>
     auto slope_x(const X& x) const {
         using Number = real_of<X>;
@@ -48,7 +48,8 @@ struct Tether {
             const X u = direction(x);
             Number across = Number(omega * omega * length) / dot(u, x);  // ω² L/|x|, without |x|²
             if (!is_finite(across)) across = 0;
-            return Slope(across * (identity<Slope>() - outer(u, u)) - omega * omega * identity<Slope>());
+            return Slope(across * (identity<Slope>() - outer(u, u)) -
+                         omega * omega * identity<Slope>());
         }
     }
 

@@ -12,8 +12,9 @@
 
 namespace timestep {
 
-/// The inertia that three moments along the body's axes ask for: a ball's (all equal), a symmetric body's (two equal,
-/// and any axis may be the odd one) or a box's. Two that differ by at most eight roundoffs are equal.
+/// The inertia that three moments along the body's axes ask for: a ball's (all equal), a symmetric
+/// body's (two equal, and any axis may be the odd one) or a box's. Two that differ by at most eight
+/// roundoffs are equal.
 ///
 /// The kind is asked in every step. Where it matters, sort bodies by kind (Bodies) instead.
 template <class Real>
@@ -25,16 +26,19 @@ public:
         return PrincipalInertia<Real>::valid(moments.x(), moments.y(), moments.z());
     }
 
-    /// Moments about x, y and z, kg m², as PrincipalInertia takes them. Throws `std::invalid_argument`.
+    /// Moments about x, y and z, kg m², as PrincipalInertia takes them. Throws
+    /// `std::invalid_argument`.
     explicit AnyInertia(const Vector3<Real>& moments) : kind_(picked(moments)) {}
 
     /// What may be picked.
-    using Kind = std::variant<UniformInertia<Real>, SymmetricAbout<Axis::x, Real>, SymmetricAbout<Axis::y, Real>,
-                              SymmetricInertia<Real>, PrincipalInertia<Real>>;
+    using Kind =
+        std::variant<UniformInertia<Real>, SymmetricAbout<Axis::x, Real>,
+                     SymmetricAbout<Axis::y, Real>, SymmetricInertia<Real>, PrincipalInertia<Real>>;
     /// Which was.
     const Kind& kind() const { return kind_; }
 
-    /// One gyroscopic step by `solver`, `omega` in the body's axes, rad/s, with the formula of the kind.
+    /// One gyroscopic step by `solver`, `omega` in the body's axes, rad/s, with the formula of the
+    /// kind.
     template <class Gyroscopic>
     Vector3<Real> step(const Gyroscopic& solver, const Vector3<Real>& omega, Real h) const {
         return std::visit(

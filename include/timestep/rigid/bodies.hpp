@@ -17,7 +17,8 @@ namespace timestep {
 /// and not zero, over its length. A rotation stays as it is, to the last bit.
 template <class Real>
 Quaternion<Real> as_rotation(const Quaternion<Real>& q) {
-    if (std::abs(dot(q.coeffs(), q.coeffs()) - 1) <= 8 * std::numeric_limits<Real>::epsilon()) return q;
+    if (std::abs(dot(q.coeffs(), q.coeffs()) - 1) <= 8 * std::numeric_limits<Real>::epsilon())
+        return q;
     // Over the largest number first: in `float` neither 1e25 nor 1e-25 has a square.
     const Quaternion<Real> scaled(q.coeffs() / q.coeffs().cwiseAbs().maxCoeff());
     return over_its_length(scaled);

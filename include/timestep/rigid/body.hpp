@@ -16,15 +16,16 @@ inline constexpr bool one_real = std::is_same_v<typename Inertia::Scalar, Real>;
 }
 /// \endcond
 
-/// The state of a body that turns about its centre of mass, with ω in WORLD coordinates. SpinState has it in the
-/// body's; they are two types, and neither is taken for the other: in_body() and in_world() lead across.
+/// The state of a body that turns about its centre of mass, with ω in WORLD coordinates. SpinState
+/// has it in the body's; they are two types, and neither is taken for the other: in_body() and
+/// in_world() lead across.
 template <class Real>
 struct RigidState {
-    using Scalar = Real;   ///< the real number type
+    using Scalar = Real;  ///< the real number type
 
-    Real t;                ///< time, s
-    Quaternion<Real> q;    ///< orientation: q v q* is in world coordinates what v is in the body's
-    Vector3<Real> omega;   ///< angular velocity in world coordinates, rad/s
+    Real t;               ///< time, s
+    Quaternion<Real> q;   ///< orientation: q v q* is in world coordinates what v is in the body's
+    Vector3<Real> omega;  ///< angular velocity in world coordinates, rad/s
 };
 
 /// Is every part of the state a finite number, and the quaternion a rotation: not zero?
@@ -50,17 +51,15 @@ Real kinetic_energy(const Inertia& inertia, const RigidState<Real>& s) {
 
 /// What the gyroscopic torque adds to the angular velocity in `h` seconds, world coordinates in and
 /// out, with the orientation as the rotation matrix `R` that engines keep beside the quaternion.
-/// `Gyroscopic` solves in body coordinates, where the inertia does not change (N47). For a body without a
-/// gyroscopic torque nothing is computed (N41).
-/// [change]
+/// `Gyroscopic` solves in body coordinates, where the inertia does not change (N47). For a body
+/// without a gyroscopic torque nothing is computed (N41). [change]
 template <class Gyroscopic, class Inertia, class Real>
-TIMESTEP_INLINE
-Vector3<Real> gyroscopic_change(const Gyroscopic& solver,
-                                const Inertia& inertia,
-                                const Matrix3<Real>& R,
-                                const Vector3<Real>& omega, Real h) {
-    static_assert(detail::one_real<Inertia, Real>,
-                  "timestep: the inertia and the state hold one kind of number: both float, or both double");
+TIMESTEP_INLINE Vector3<Real> gyroscopic_change(const Gyroscopic& solver, const Inertia& inertia,
+                                                const Matrix3<Real>& R, const Vector3<Real>& omega,
+                                                Real h) {
+    static_assert(
+        detail::one_real<Inertia, Real>,
+        "timestep: the inertia and the state hold one kind of number: both float, or both double");
     if constexpr (!Inertia::gyroscopic) {
         return Vector3<Real>::Zero();
     } else {
@@ -72,15 +71,14 @@ Vector3<Real> gyroscopic_change(const Gyroscopic& solver,
 /// [change]
 
 /// The angular velocity after that.
-// Rounded, R is no exact rotation. Only the change goes back through it: if the whole of ω did, step
-// after step, the energy would creep, in `float` by several percent an hour.
+// Rounded, R is no exact rotation. Only the change goes back through it: if the whole of ω did,
+// step after step, the energy would creep, in `float` by several percent an hour.
 /// [gyroscopic]
 template <class Gyroscopic, class Inertia, class Real>
-TIMESTEP_INLINE
-Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
-                                      const Inertia& inertia,
-                                      const Matrix3<Real>& R,
-                                      const Vector3<Real>& omega, Real h) {
+TIMESTEP_INLINE Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
+                                                      const Inertia& inertia,
+                                                      const Matrix3<Real>& R,
+                                                      const Vector3<Real>& omega, Real h) {
     if constexpr (!Inertia::gyroscopic)
         return omega;
     else
@@ -90,14 +88,15 @@ Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
 
 /// The same with the orientation as a quaternion.
 template <class Gyroscopic, class Inertia, class Real>
-TIMESTEP_INLINE
-Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver, const Inertia& inertia,
-                                      const Quaternion<Real>& q, const Vector3<Real>& omega,
-                                      Real h) {
+TIMESTEP_INLINE Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
+                                                      const Inertia& inertia,
+                                                      const Quaternion<Real>& q,
+                                                      const Vector3<Real>& omega, Real h) {
     if constexpr (!Inertia::gyroscopic)
         return omega;
     else
-        return after_gyroscopic_torque(solver, inertia, Matrix3<Real>(q.toRotationMatrix()), omega, h);
+        return after_gyroscopic_torque(solver, inertia, Matrix3<Real>(q.toRotationMatrix()), omega,
+                                       h);
 }
 
 /// One step of `h` seconds without a torque from outside.
@@ -105,25 +104,26 @@ Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver, const Inertia& i
 template <class Gyroscopic, class Inertia, class Real>
 RigidState<Real> turn(const Gyroscopic& solver, const Inertia& inertia, const RigidState<Real>& s1,
                       Real h) {
-    static_assert(detail::one_real<Inertia, Real>,
-                  "timestep: the inertia and the state hold one kind of number: both float, or both double");
+    static_assert(
+        detail::one_real<Inertia, Real>,
+        "timestep: the inertia and the state hold one kind of number: both float, or both double");
     const Vector3<Real> omega2 = after_gyroscopic_torque(solver, inertia, s1.q, s1.omega, h);
     return {s1.t + h, turned(s1.q, omega2, h), omega2};
 }
 /// [free]
 
 // Torques add, so each may be treated in its own way (N46): ω changes by I⁻¹T h for the torque from
-// outside, explicitly, and then by the gyroscopic torque, as the solver does it. One after the other
-// instead of both at once costs an error of order h² in a step, which a method of order one makes
-// anyway.
+// outside, explicitly, and then by the gyroscopic torque, as the solver does it. One after the
+// other instead of both at once costs an error of order h² in a step, which a method of order one
+// makes anyway.
 /// One step of `h` seconds under a torque in world coordinates, N m.
 /// [driven]
 template <class Gyroscopic, class Inertia, class Real>
-RigidState<Real> turn(const Gyroscopic& solver, const Inertia& inertia,
-                      const RigidState<Real>& s1,
+RigidState<Real> turn(const Gyroscopic& solver, const Inertia& inertia, const RigidState<Real>& s1,
                       const Vector3<Real>& torque, Real h) {
-    static_assert(detail::one_real<Inertia, Real>,
-                  "timestep: the inertia and the state hold one kind of number: both float, or both double");
+    static_assert(
+        detail::one_real<Inertia, Real>,
+        "timestep: the inertia and the state hold one kind of number: both float, or both double");
     const Vector3<Real> in_body = s1.q.conjugate() * torque;
     const Vector3<Real> push = s1.q * inertia.velocity(in_body);
     const Vector3<Real> driven = s1.omega + h * push;

@@ -121,9 +121,7 @@ public:
     template <class Body, class Real>
     TIMESTEP_INLINE void step(const Body& body, Motion<Real>& m, Real h) const {
         Real load = 0;
-        const auto act = [&](const auto&... term) {
-            (term(body, m, load, h), ...);
-        };
+        const auto act = [&](const auto&... term) { (term(body, m, load, h), ...); };
         std::apply(act, terms_);
         m.turning.t += h;
         m.turning.q = turned(m.turning.q, m.turning.omega, h);

@@ -17,9 +17,9 @@ struct Elliptic {
     Real dn;  ///< √(1 − m sn²), between √m₁ and 1; sech u in the limit
 };
 
-/// sn, cn and dn at `u` for the parameter m = 1 − m₁, 0 ≤ m₁ ≤ 1. Taking m₁ keeps the digits near the
-/// separatrix, where m is 1 and the period infinite; cn and dn are right to their own last digits
-/// there, however small they are.
+/// sn, cn and dn at `u` for the parameter m = 1 − m₁, 0 ≤ m₁ ≤ 1. Taking m₁ keeps the digits near
+/// the separatrix, where m is 1 and the period infinite; cn and dn are right to their own last
+/// digits there, however small they are.
 ///
 /// Gauss' transformation, round by round, takes k = √m to k₁ = (1 − √m₁)/(1 + √m₁), which is soon
 /// zero: then sn is a sine. On the way back, with c = cn/sn,
@@ -52,8 +52,8 @@ Elliptic<Real> jacobi(Real u, Real m1) {
 }
 
 // Carlson's integrals are symmetric in x, y and z, and do not change when each of them goes to a
-// quarter of its sum with λ. The three close in on each other four times a round; when they agree so
-// well that the square of what is left is roundoff, the integrand is a power of their mean.
+// quarter of its sum with λ. The three close in on each other four times a round; when they agree
+// so well that the square of what is left is roundoff, the integrand is a power of their mean.
 
 /// R_F = ½ ∫₀^∞ dt / √((t + x)(t + y)(t + z)); at most one of the three may be zero.
 template <class Real>
@@ -68,8 +68,8 @@ Real carlson_rf(Real x, Real y, Real z) {
     }
 }
 
-/// R_J = 3/2 ∫₀^∞ dt / ((t + p) √((t + x)(t + y)(t + z))), p > 0. Each round leaves a simpler integral
-/// behind, which is added up (Carlson 1995, Numerical Algorithms 10, 13–26).
+/// R_J = 3/2 ∫₀^∞ dt / ((t + p) √((t + x)(t + y)(t + z))), p > 0. Each round leaves a simpler
+/// integral behind, which is added up (Carlson 1995, Numerical Algorithms 10, 13–26).
 template <class Real>
 Real carlson_rj(Real x, Real y, Real z, Real p) {
     using std::abs, std::max, std::sqrt;
@@ -77,7 +77,8 @@ Real carlson_rj(Real x, Real y, Real z, Real p) {
     Real sum = 0, quarter = 1;  // quarter: 4⁻ⁿ
     for (;;) {
         const Real mean = (x + y + z + 2 * p) / 5;
-        const Real spread = max({abs(x - mean), abs(y - mean), abs(z - mean), abs(p - mean)}) / mean;
+        const Real spread =
+            max({abs(x - mean), abs(y - mean), abs(z - mean), abs(p - mean)}) / mean;
         if (!(spread * spread > std::numeric_limits<Real>::epsilon()))
             return quarter / (mean * sqrt(mean)) + 6 * sum;
         const Real lambda = sqrt(x) * sqrt(y) + sqrt(y) * sqrt(z) + sqrt(z) * sqrt(x);

@@ -18,9 +18,9 @@ namespace timestep {
 /// curves lies the separatrix, where a body turns over once in all eternity. Right in its
 /// neighbourhood any motion is sensitive: a start that differs by a digit flips at another time.
 ///
-/// The angle about L is a sum of large terms that cancel where the moments differ much: for each radian
-/// of spin it is off by up to some 60 ε times the ratio of the largest moment to the smallest. Measured
-/// in `double`, that is 1e-10 rad at a ratio of 1e4 and 1e-6 rad at 1e8.
+/// The angle about L is a sum of large terms that cancel where the moments differ much: for each
+/// radian of spin it is off by up to some 60 ε times the ratio of the largest moment to the
+/// smallest. Measured in `double`, that is 1e-10 rad at a ratio of 1e4 and 1e-6 rad at 1e8.
 template <class Real>
 class ExactFreeBody {
 public:
@@ -29,24 +29,24 @@ public:
 
     /// The state `t` seconds after the start.
     RigidState<Real> operator()(Real t) const;
-    /// ω̇ in body coordinates at that time, rad/s²: the derivative of the formulas, which knows nothing of
-    /// Euler's equations.
+    /// ω̇ in body coordinates at that time, rad/s²: the derivative of the formulas, which knows
+    /// nothing of Euler's equations.
     Vector3<Real> acceleration(Real t) const;
 
 private:
     using V = Vector3<Real>;
-    V omega(const Elliptic<Real>& f) const;      // in the axes below
+    V omega(const Elliptic<Real>& f) const;  // in the axes below
     Quaternion<Real> about_z(const V& w, Real precession) const;
     Real third_integral(const Elliptic<Real>& f, Real u) const;
 
     RigidState<Real> start_;
-    Matrix3<Real> axes_;    // the body's axes, in an order that puts the encircled one last
-    V moments_;             // in that order
-    V amplitude_;           // of the three components, with signs
+    Matrix3<Real> axes_;  // the body's axes, in an order that puts the encircled one last
+    V moments_;           // in that order
+    V amplitude_;         // of the three components, with signs
     Quaternion<Real> before_;
-    bool steady_ = false;   // ω stays as it is
-    Real L_ = 0;            // |L|
-    Real rate_ = 0;         // u = u0 + rate t
+    bool steady_ = false;  // ω stays as it is
+    Real L_ = 0;           // |L|
+    Real rate_ = 0;        // u = u0 + rate t
     Real u0_ = 0, m1_ = 1, quarter_period_ = 0, nu_ = 0;
     Real third_at_start_ = 0, third_of_quarter_ = 0;
 };
@@ -74,7 +74,8 @@ ExactFreeBody<Real>::ExactFreeBody(const PrincipalInertia<Real>& inertia,
     const auto [I1, I2, I3] = std::tuple(moments_.x(), moments_.y(), moments_.z());
     const Real d12 = abs(I2 - I1), d23 = abs(I3 - I2), d13 = abs(I3 - I1);
 
-    // P = |2EI₃ − L²|, Q = |L² − 2EI₁|, S = |L² − 2EI₂|, written so that nothing cancels in P and Q.
+    // P = |2EI₃ − L²|, Q = |L² − 2EI₁|, S = |L² − 2EI₂|, written so that nothing cancels in P and
+    // Q.
     const Real P = I1 * w.x() * w.x() * d13 + I2 * w.y() * w.y() * d23;
     const Real Q = I2 * w.y() * w.y() * d12 + I3 * w.z() * w.z() * d13;
     const Real S = abs(I3 * w.z() * w.z() * d23 - I1 * w.x() * w.x() * d12);
@@ -89,15 +90,15 @@ ExactFreeBody<Real>::ExactFreeBody(const PrincipalInertia<Real>& inertia,
     // The signs: the first and last component keep theirs at the start; ω̇₁ = (I₂ − I₃)/I₁ ω₂ω₃ then
     // says which way the middle one goes.
     const Real sign1 = copysign(Real(1), w.x()), sign3 = copysign(Real(1), w.z());
-    amplitude_ = {sign1 * sqrt(P / I1 / d13), sign1 * sign3 * (I3 > I2 ? 1 : -1) * sqrt(P / I2 / d23),
+    amplitude_ = {sign1 * sqrt(P / I1 / d13),
+                  sign1 * sign3 * (I3 > I2 ? 1 : -1) * sqrt(P / I2 / d23),
                   sign3 * sqrt(Q / I3 / d13)};
     const V part = w.cwiseQuotient(amplitude_);
     const Elliptic<Real> f{part.y(), part.x(), part.z()};
     u0_ = f.sn * carlson_rf(f.cn * f.cn, f.dn * f.dn, Real(1));
     if (m1_ > 0) {
         quarter_period_ = carlson_rf(Real(0), m1_, Real(1));
-        third_of_quarter_ =
-            quarter_period_ - nu_ / 3 * carlson_rj(Real(0), m1_, Real(1), 1 + nu_);
+        third_of_quarter_ = quarter_period_ - nu_ / 3 * carlson_rj(Real(0), m1_, Real(1), 1 + nu_);
     }
     third_at_start_ = third_integral(f, u0_);
     before_ = about_z(w, 0);
@@ -155,8 +156,7 @@ Quaternion<Real> ExactFreeBody<Real>::about_z(const V& w, Real precession) const
 template <class Real>
 Real ExactFreeBody<Real>::third_integral(const Elliptic<Real>& f, Real u) const {
     // On the separatrix itself sn is tanh u and the integral elementary.
-    if (m1_ == 0)
-        return (u + std::sqrt(nu_) * std::atan(std::sqrt(nu_) * f.sn)) / (1 + nu_);
+    if (m1_ == 0) return (u + std::sqrt(nu_) * std::atan(std::sqrt(nu_) * f.sn)) / (1 + nu_);
     const Real halves = m1_ > 0 ? std::round(u / (2 * quarter_period_)) : Real(0);
     const Real sn = std::fmod(halves, Real(2)) == 0 ? f.sn : -f.sn;
     const Real c = f.cn * f.cn, d = f.dn * f.dn;

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// A body that nothing acts on, as a first-order system: for methods that know nothing of rotations.
+/// A body that nothing acts on, as a first-order system: for methods that know nothing of
+/// rotations.
 
 #include <timestep/rigid/body.hpp>
 #include <timestep/state.hpp>
@@ -8,16 +9,16 @@
 
 namespace timestep {
 
-/// Orientation and angular velocity in one array y = (q, ω): seven numbers, the quaternion as Eigen keeps
-/// it, x, y, z, w, and ω in body coordinates, where the inertia does not change.
+/// Orientation and angular velocity in one array y = (q, ω): seven numbers, the quaternion as Eigen
+/// keeps it, x, y, z, w, and ω in body coordinates, where the inertia does not change.
 ///
 /// For such a method q is four numbers like any others, and their length is off 1 by its error. Who
 /// wants a rotation scales it back: `orientation_scaled` after each step.
 template <class Inertia>
 struct FreeBody {
-    using Real = typename Inertia::Scalar;   ///< the real number type
-    using Y = Eigen::Matrix<Real, 7, 1>;     ///< (q, ω)
-    Inertia inertia;                         ///< kg m²
+    using Real = typename Inertia::Scalar;  ///< the real number type
+    using Y = Eigen::Matrix<Real, 7, 1>;    ///< (q, ω)
+    Inertia inertia;                        ///< kg m²
 
     /// Copies the inertia.
     explicit FreeBody(const Inertia& inertia_) : inertia(inertia_) {}

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Inertia is a type: it says what the gyroscopic torque ω × Iω of a body needs, and nothing more is
-/// compiled.
+/// Inertia is a type: it says what the gyroscopic torque ω × Iω of a body needs, and nothing more
+/// is compiled.
 ///
 ///     UniformInertia     sphere, cube          no gyroscopic torque
 ///     RodInertia         a line of mass        none either, and no spin about the line
@@ -47,8 +47,9 @@ constexpr bool is_triangle(Real I1, Real I2, Real I3) {
     refuse(rule);
 #else
     char line[256];
-    std::snprintf(line, sizeof line, "moment of inertia = %.9g: must be %s, %.9g; it exceeds that by %.3g", largest, rule,
-                  others, largest - others);
+    std::snprintf(line, sizeof line,
+                  "moment of inertia = %.9g: must be %s, %.9g; it exceeds that by %.3g", largest,
+                  rule, others, largest - others);
     refuse(line);
 #endif
 }
@@ -57,7 +58,8 @@ constexpr void triangle_rule(Real a, Real b, Real c) {
     for_each_number(
         [](auto I1, auto I2, auto I3) {
             if (is_triangle(I1, I2, I3)) return;
-            const double x = double(I1), y = double(I2), z = double(I3), largest = std::max({x, y, z});
+            const double x = double(I1), y = double(I2), z = double(I3),
+                         largest = std::max({x, y, z});
             refuse_triangle(largest, largest == x ? y + z : largest == y ? z + x : x + y);
         },
         a, b, c);
@@ -93,7 +95,7 @@ void scale_rule(const Vector3<Real>& moments, const Vector3<Real>& unit) {
 /// The same moment about every axis: Iω points along ω, and the gyroscopic torque vanishes (N41).
 template <class Real>
 struct UniformInertia {
-    using Scalar = Real;                        ///< the real number type
+    using Scalar = Real;                       ///< the real number type
     static constexpr bool gyroscopic = false;  ///< has the body a gyroscopic torque at all?
     Real moment;                               ///< about any axis, kg m²
 
@@ -101,7 +103,8 @@ struct UniformInertia {
     static constexpr bool valid(Real moment_) noexcept { return detail::is_positive(moment_); }
 
     /// `moment` in kg m², above zero. Throws `std::invalid_argument`.
-    explicit constexpr UniformInertia(Real moment_) : moment(positive("moment of inertia", moment_)) {}
+    explicit constexpr UniformInertia(Real moment_)
+        : moment(positive("moment of inertia", moment_)) {}
 
     /// Angular momentum Iω, kg m²/s.
     Vector3<Real> momentum(const Vector3<Real>& omega) const { return moment * omega; }
@@ -113,7 +116,7 @@ struct UniformInertia {
 /// spin about it: that component of ω is always zero, and with it the gyroscopic torque.
 template <class Real>
 struct RodInertia {
-    using Scalar = Real;                        ///< the real number type
+    using Scalar = Real;                       ///< the real number type
     static constexpr bool gyroscopic = false;  ///< ω × Iω = 0 while ω_z = 0
     Real moment;                               ///< about any axis across the rod, kg m²
 
@@ -136,7 +139,7 @@ struct RodInertia {
 /// Two equal moments: a body of revolution about its z axis, or any rod with a square profile.
 template <class Real>
 struct SymmetricInertia {
-    using Scalar = Real;                       ///< the real number type
+    using Scalar = Real;                      ///< the real number type
     static constexpr bool gyroscopic = true;  ///< has the body a gyroscopic torque at all?
     Real across;                              ///< about x, y and every axis between, kg m²
     Real along;                               ///< about z, kg m²
@@ -144,11 +147,13 @@ struct SymmetricInertia {
 
     /// Is there a body with these moments? What the constructor takes, and without an exception.
     static constexpr bool valid(Real across_, Real along_) noexcept {
-        return detail::is_positive(across_) && detail::is_positive(along_) && detail::is_triangle(across_, across_, along_);
+        return detail::is_positive(across_) && detail::is_positive(along_) &&
+               detail::is_triangle(across_, across_, along_);
     }
 
-    /// Moments in kg m², above zero, `along` at most 2 `across`. Throws `std::invalid_argument`. Where the odd axis
-    /// is x or y, see about(); where it is known only when the body is loaded, AnyInertia.
+    /// Moments in kg m², above zero, `along` at most 2 `across`. Throws `std::invalid_argument`.
+    /// Where the odd axis is x or y, see about(); where it is known only when the body is loaded,
+    /// AnyInertia.
     constexpr SymmetricInertia(Real across_, Real along_)
         : across(positive("moment of inertia", across_)),
           along(positive("moment of inertia", along_)),
@@ -168,17 +173,17 @@ struct SymmetricInertia {
 
 /// Three moments along the body's axes x, y and z.
 ///
-/// Only their ratios move a free body, so the solvers use the moments over their geometric mean: three
-/// numbers whose product is one. They are made here, once, and a body of a milligram is as good as one
-/// of a ton, in `float` too.
+/// Only their ratios move a free body, so the solvers use the moments over their geometric mean:
+/// three numbers whose product is one. They are made here, once, and a body of a milligram is as
+/// good as one of a ton, in `float` too.
 template <class Real>
 struct PrincipalInertia {
     static_assert(!std::is_integral_v<Real>,
                   "timestep: parameters are real numbers: write 1.0 instead of 1");
-    using Scalar = Real;                       ///< the real number type
+    using Scalar = Real;                      ///< the real number type
     static constexpr bool gyroscopic = true;  ///< has the body a gyroscopic torque at all?
     Vector3<Real> moments;                    ///< I₁, I₂, I₃, kg m²
-    Vector3<Real> unit;                       ///< U₁, U₂, U₃ = I₁, I₂, I₃ over ∛(I₁I₂I₃)
+    Vector3<Real> unit;  ///< U₁, U₂, U₃ = I₁, I₂, I₃ over ∛(I₁I₂I₃)
     Vector3<Real> ratio;  ///< a₁ = (I₃ − I₂)/I₁ and so on round: ω̇₁ = −a₁ ω₂ ω₃
 
     /// Is there a body with these moments? What the constructor takes, and without an exception.
@@ -217,13 +222,13 @@ private:
 /// PrincipalInertia from then on; the full matrix costs more in every step.
 template <class Real>
 struct FullInertia {
-    using Scalar = Real;                       ///< the real number type
+    using Scalar = Real;                      ///< the real number type
     static constexpr bool gyroscopic = true;  ///< has the body a gyroscopic torque at all?
     Matrix3<Real> matrix;                     ///< kg m²
-    Matrix3<Real> unit;                       ///< the matrix over a power of two, its largest number 1 to 2
-    Matrix3<Real> inverse;                    ///< its inverse
-    Matrix3<Real> axes;                       ///< the principal axes, in its columns
-    PrincipalInertia<Real> principal;         ///< the moments about those axes
+    Matrix3<Real> unit;     ///< the matrix over a power of two, its largest number 1 to 2
+    Matrix3<Real> inverse;  ///< its inverse
+    Matrix3<Real> axes;     ///< the principal axes, in its columns
+    PrincipalInertia<Real> principal;  ///< the moments about those axes
 
     /// Is there a body with this matrix? What the constructor takes, and without an exception.
     static bool valid(const Matrix3<Real>& I) noexcept {
@@ -231,7 +236,8 @@ struct FullInertia {
         Matrix3<Real> turned = I;
         const Matrix3<Real> axes = eigenvectors(turned);
         const Vector3<Real> found = turned.diagonal(), m = no_thinner_than_a_plate(found);
-        return is_known(found) && PrincipalInertia<Real>::valid(m.x(), m.y(), m.z()) && is_finite(inverse_of(axes, m));
+        return is_known(found) && PrincipalInertia<Real>::valid(m.x(), m.y(), m.z()) &&
+               is_finite(inverse_of(axes, m));
     }
 
     /// A symmetric matrix in kg m² whose eigenvalues are what PrincipalInertia asks for, none below
@@ -258,23 +264,28 @@ private:
     static const Matrix3<Real>& checked(const Matrix3<Real>& I) {
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) finite("inertia", I(i, j));
-        if (!is_symmetric(I)) refuse("inertia's asymmetry", asymmetry(I), "zero: the matrix equals its transpose");
+        if (!is_symmetric(I))
+            refuse("inertia's asymmetry", asymmetry(I), "zero: the matrix equals its transpose");
         return I;
     }
-    static Real asymmetry(const Matrix3<Real>& I) { return (I - I.transpose()).cwiseAbs().maxCoeff(); }
+    static Real asymmetry(const Matrix3<Real>& I) {
+        return (I - I.transpose()).cwiseAbs().maxCoeff();
+    }
     static bool is_symmetric(const Matrix3<Real>& I) {
         return !(asymmetry(I) > 8 * std::numeric_limits<Real>::epsilon() * I.cwiseAbs().maxCoeff());
     }
     static Matrix3<Real> inverse_of(const Matrix3<Real>& axes, const Vector3<Real>& moments) {
-        return times(Matrix3<Real>(axes * moments.cwiseInverse().asDiagonal()), Matrix3<Real>(axes.transpose()));
+        return times(Matrix3<Real>(axes * moments.cwiseInverse().asDiagonal()),
+                     Matrix3<Real>(axes.transpose()));
     }
-    // From the eigenvalues, rising. Each is off by as much as the matrix at the worst (Weyl), and that
-    // is some ε of the LARGEST: up to 4 ε by the products that turned the body into these axes, and up
-    // to 3 ε by the solver. (So much was seen in a million bodies.)
+    // From the eigenvalues, rising. Each is off by as much as the matrix at the worst (Weyl), and
+    // that is some ε of the LARGEST: up to 4 ε by the products that turned the body into these
+    // axes, and up to 3 ε by the solver. (So much was seen in a million bodies.)
     //
-    // A plate has I₃ = I₁ + I₂. What it seems to have more, 2I₃ minus the trace, is at most twice that
-    // error; 32 ε are taken off, in case there are worse bodies. A least moment of 100 ε is known to a
-    // sixth; of a smaller one no digit would be right, and the body would wobble by chance.
+    // A plate has I₃ = I₁ + I₂. What it seems to have more, 2I₃ minus the trace, is at most twice
+    // that error; 32 ε are taken off, in case there are worse bodies. A least moment of 100 ε is
+    // known to a sixth; of a smaller one no digit would be right, and the body would wobble by
+    // chance.
     static bool is_known(const Vector3<Real>& I) {
         return !(std::abs(I.x()) < 100 * (std::numeric_limits<Real>::epsilon() * I.z()));
     }

@@ -8,8 +8,8 @@
 
 namespace timestep {
 
-/// ω in the body's axes, rad/s. The chapters write a bare vector, and say where it is; this is the same three numbers,
-/// and becomes a bare vector by its name only.
+/// ω in the body's axes, rad/s. The chapters write a bare vector, and say where it is; this is the
+/// same three numbers, and becomes a bare vector by its name only.
 template <class Real>
 struct OmegaBody {
     Vector3<Real> in_the_body;  ///< the numbers
@@ -37,7 +37,8 @@ TIMESTEP_INLINE OmegaWorld<Real> in_world(const Quaternion<Real>& q, const Omega
 
 /// ω after `h` seconds of the gyroscopic torque, by `solver`: what solver.step() gives.
 template <class Gyroscopic, class Inertia, class Real>
-TIMESTEP_INLINE OmegaBody<Real> after_gyroscopic_torque(const Gyroscopic& solver, const Inertia& inertia,
+TIMESTEP_INLINE OmegaBody<Real> after_gyroscopic_torque(const Gyroscopic& solver,
+                                                        const Inertia& inertia,
                                                         const OmegaBody<Real>& omega, Real h) {
     if constexpr (!Inertia::gyroscopic)
         return omega;
@@ -46,9 +47,10 @@ TIMESTEP_INLINE OmegaBody<Real> after_gyroscopic_torque(const Gyroscopic& solver
 }
 /// The same of one in the world, for which it takes the orientation.
 template <class Gyroscopic, class Inertia, class Real>
-TIMESTEP_INLINE OmegaWorld<Real> after_gyroscopic_torque(const Gyroscopic& solver, const Inertia& inertia,
-                                                         const Quaternion<Real>& q, const OmegaWorld<Real>& omega,
-                                                         Real h) {
+TIMESTEP_INLINE OmegaWorld<Real> after_gyroscopic_torque(const Gyroscopic& solver,
+                                                         const Inertia& inertia,
+                                                         const Quaternion<Real>& q,
+                                                         const OmegaWorld<Real>& omega, Real h) {
     return OmegaWorld<Real>(after_gyroscopic_torque(solver, inertia, q, omega.in_the_world, h));
 }
 
@@ -59,7 +61,8 @@ Real kinetic_energy(const Inertia& inertia, const OmegaBody<Real>& omega) {
 }
 /// The same of one in the world.
 template <class Inertia, class Real>
-Real kinetic_energy(const Inertia& inertia, const Quaternion<Real>& q, const OmegaWorld<Real>& omega) {
+Real kinetic_energy(const Inertia& inertia, const Quaternion<Real>& q,
+                    const OmegaWorld<Real>& omega) {
     return kinetic_energy(inertia, in_body(q, omega));
 }
 
@@ -70,21 +73,25 @@ template <class>
 inline constexpr bool mixed_up = true;
 }
 template <class Gyroscopic, class Inertia, class Real>
-OmegaWorld<Real> after_gyroscopic_torque(const Gyroscopic&, const Inertia&, const OmegaWorld<Real>& omega, Real) {
-    static_assert(!detail::mixed_up<Real>,
-                  "timestep: this angular velocity is in the world's axes: hand over the orientation, too");
+OmegaWorld<Real> after_gyroscopic_torque(const Gyroscopic&, const Inertia&,
+                                         const OmegaWorld<Real>& omega, Real) {
+    static_assert(
+        !detail::mixed_up<Real>,
+        "timestep: this angular velocity is in the world's axes: hand over the orientation, too");
     return omega;
 }
 template <class Gyroscopic, class Inertia, class Real>
 OmegaBody<Real> after_gyroscopic_torque(const Gyroscopic&, const Inertia&, const Quaternion<Real>&,
                                         const OmegaBody<Real>& omega, Real) {
-    static_assert(!detail::mixed_up<Real>, "timestep: this angular velocity is in the body's axes: it takes no orientation");
+    static_assert(!detail::mixed_up<Real>,
+                  "timestep: this angular velocity is in the body's axes: it takes no orientation");
     return omega;
 }
 template <class Inertia, class Real>
 Real kinetic_energy(const Inertia&, const OmegaWorld<Real>&) {
-    static_assert(!detail::mixed_up<Real>,
-                  "timestep: this angular velocity is in the world's axes: hand over the orientation, too");
+    static_assert(
+        !detail::mixed_up<Real>,
+        "timestep: this angular velocity is in the world's axes: hand over the orientation, too");
     return 0;
 }
 /// \endcond

@@ -17,13 +17,13 @@ namespace timestep::plane {
 
 using V = Vector3<double>;                ///< a vector, world coordinates
 using M = Matrix3<double>;                ///< a matrix, world coordinates
-using Orientation = Quaternion<double>;      ///< from body to world coordinates
+using Orientation = Quaternion<double>;   ///< from body to world coordinates
 using Turning = RigidState<double>;       ///< time, orientation and angular velocity
 using Motion = timestep::Motion<double>;  ///< and the centre of mass with its velocity
 using Flat = Eigen::Vector2d;             ///< the part of a vector along the plane
 
-/// Where a contact takes its lever arm from: the orientation at the start of the step, as engines do,
-/// or the middle between that and the one at its end.
+/// Where a contact takes its lever arm from: the orientation at the start of the step, as engines
+/// do, or the middle between that and the one at its end.
 enum class Arms {
     start,  ///< as it was
     middle  ///< as it is on average
@@ -78,14 +78,14 @@ double energy(const Capsule<Inertia>& body, const Ground& ground, const Motion& 
 
 /// The body at rest but for its spin `omega`, put on the plane or `height` above it.
 template <class Inertia>
-Motion placed(const Capsule<Inertia>& body, const Orientation& q, const V& omega, double height = 0) {
-    return {{0, q, omega},
-            {0, 0, height + body.radius + std::fabs(body.end(q, 0).z())},
-            V::Zero()};
+Motion placed(const Capsule<Inertia>& body, const Orientation& q, const V& omega,
+              double height = 0) {
+    return {{0, q, omega}, {0, 0, height + body.radius + std::fabs(body.end(q, 0).z())}, V::Zero()};
 }
 
-/// A way to treat the torque, cut in two: this share of the step before the contacts, the rest after
-/// them, just before the body turns. 1 is where engines put all of it, 0 all of it after, ½ in halves.
+/// A way to treat the torque, cut in two: this share of the step before the contacts, the rest
+/// after them, just before the body turns. 1 is where engines put all of it, 0 all of it after, ½
+/// in halves.
 template <class Gyroscopic>
 struct AroundContacts {
     Gyroscopic rule;    ///< that changes ω
@@ -95,7 +95,8 @@ struct AroundContacts {
 /// \cond
 namespace detail {
 // The two places in a step where the ways to treat the torque differ. All but the lagged inertia
-// change ω first and the orientation afterwards; that one keeps ω, and changes it with the orientation.
+// change ω first and the orientation afterwards; that one keeps ω, and changes it with the
+// orientation.
 template <class Gyroscopic, class Inertia>
 V spun(const Gyroscopic& solver, const Inertia& inertia, const Turning& s, double h) {
     return after_gyroscopic_torque(solver, inertia, s.q, s.omega, h);
@@ -114,11 +115,13 @@ Turning moved(const LaggedInertia& solver, const Inertia& inertia, const Turning
 }
 
 template <class Gyroscopic, class Inertia>
-V spun(const AroundContacts<Gyroscopic>& solver, const Inertia& inertia, const Turning& s, double h) {
+V spun(const AroundContacts<Gyroscopic>& solver, const Inertia& inertia, const Turning& s,
+       double h) {
     return solver.before > 0 ? spun(solver.rule, inertia, s, solver.before * h) : s.omega;
 }
 template <class Gyroscopic, class Inertia>
-Turning moved(const AroundContacts<Gyroscopic>& solver, const Inertia& inertia, const Turning& s, double h) {
+Turning moved(const AroundContacts<Gyroscopic>& solver, const Inertia& inertia, const Turning& s,
+              double h) {
     const double after = 1 - solver.before;
     const V omega = after > 0 ? spun(solver.rule, inertia, s, after * h) : s.omega;
     return moved(solver.rule, inertia, Turning{s.t, s.q, omega}, h);
@@ -134,8 +137,8 @@ inline Flat within(double limit, const Flat& impulse) {
 /// The contacts' impulses, and what they make of the velocities.
 ///
 /// Sequential impulses: each contact in turn is given the impulse that it would need if it were
-/// alone, and after some rounds all of them agree. Sums are clamped, not their increments: a contact
-/// may take back what an earlier round gave it.
+/// alone, and after some rounds all of them agree. Sums are clamped, not their increments: a
+/// contact may take back what an earlier round gave it.
 ///
 /// - normal: the gap must not close beyond zero: v_n ≥ −gap/h, impulse ≥ 0, and only one of them
 ///   other than zero. No bouncing.
@@ -177,8 +180,8 @@ inline void solve(Contacts& contacts, double mass, const M& inverse_inertia, con
             c.friction = friction;
         }
         const Flat turning = omega.head<2>();
-        const Flat rolling =
-            detail::within(ground.rolling * radius * pressed, contacts.rolling - times(roll, turning));
+        const Flat rolling = detail::within(ground.rolling * radius * pressed,
+                                            contacts.rolling - times(roll, turning));
         const Flat more = rolling - contacts.rolling;
         omega += times(inverse_inertia, V(more.x(), more.y(), 0));
         contacts.rolling = rolling;

@@ -26,27 +26,23 @@ using Quaternion = Eigen::Quaternion<Real>;  ///< a rotation from body to world 
 template <class Real>
 Matrix3<Real> skew(const Vector3<Real>& a) noexcept {
     Matrix3<Real> s;
-    s << 0, -a.z(), a.y(),
-         a.z(), 0, -a.x(),
-        -a.y(), a.x(), 0;
+    s << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
     return s;
 }
 /// [skew]
 
 /// skew(a) B: the cross products of a and B's columns.
 template <class Real>
-TIMESTEP_INLINE
-Matrix3<Real> skew_times(const Vector3<Real>& a, const Matrix3<Real>& B) noexcept {
+TIMESTEP_INLINE Matrix3<Real> skew_times(const Vector3<Real>& a, const Matrix3<Real>& B) noexcept {
     Matrix3<Real> product;
     for (int i = 0; i < 3; ++i) product.col(i) = a.cross(B.col(i));
     return product;
 }
 
-/// A vector in world coordinates whose body coordinates are `v`: R v, where `R` is the orientation as
-/// a matrix. Spelt out, as at -O2 a compiler may call Eigen's product for each of the three.
+/// A vector in world coordinates whose body coordinates are `v`: R v, where `R` is the orientation
+/// as a matrix. Spelt out, as at -O2 a compiler may call Eigen's product for each of the three.
 template <class Real>
-TIMESTEP_INLINE
-Vector3<Real> in_world(const Matrix3<Real>& R, const Vector3<Real>& v) noexcept {
+TIMESTEP_INLINE Vector3<Real> in_world(const Matrix3<Real>& R, const Vector3<Real>& v) noexcept {
     const Real x = v.x(), y = v.y(), z = v.z();
     return {R(0, 0) * x + R(0, 1) * y + R(0, 2) * z, R(1, 0) * x + R(1, 1) * y + R(1, 2) * z,
             R(2, 0) * x + R(2, 1) * y + R(2, 2) * z};
@@ -54,33 +50,31 @@ Vector3<Real> in_world(const Matrix3<Real>& R, const Vector3<Real>& v) noexcept 
 
 /// A vector in body coordinates whose world coordinates are `v`: Rᵀ v.
 template <class Real>
-TIMESTEP_INLINE
-Vector3<Real> in_body(const Matrix3<Real>& R, const Vector3<Real>& v) noexcept {
+TIMESTEP_INLINE Vector3<Real> in_body(const Matrix3<Real>& R, const Vector3<Real>& v) noexcept {
     const Real x = v.x(), y = v.y(), z = v.z();
     return {R(0, 0) * x + R(1, 0) * y + R(2, 0) * z, R(0, 1) * x + R(1, 1) * y + R(2, 1) * z,
             R(0, 2) * x + R(1, 2) * y + R(2, 2) * z};
 }
 
-/// How far apart two unit quaternions' orientations are: 2 sin(α/2) for an angle α between them. That is the angle
-/// in radians while it is small, and at most 2.
+/// How far apart two unit quaternions' orientations are: 2 sin(α/2) for an angle α between them.
+/// That is the angle in radians while it is small, and at most 2.
 template <class Real>
 Real apart(const Quaternion<Real>& p, const Quaternion<Real>& q) {
     return 2 * std::min(Real(1), norm(quaternion_product(p.conjugate(), q).vec()));
 }
 
-/// A quaternion over its length. (Eigen's `normalized` asks first whether that is zero, a question that
-/// lanes do not answer; here the result is then not a number.)
+/// A quaternion over its length. (Eigen's `normalized` asks first whether that is zero, a question
+/// that lanes do not answer; here the result is then not a number.)
 template <class Real>
-TIMESTEP_INLINE
-Quaternion<Real> over_its_length(const Quaternion<Real>& q) noexcept {
+TIMESTEP_INLINE Quaternion<Real> over_its_length(const Quaternion<Real>& q) noexcept {
     using std::sqrt;
     return Quaternion<Real>(q.coeffs() / sqrt(dot(q.coeffs(), q.coeffs())));
 }
 
-/// The orientation after `h` seconds at the angular velocity `omega`, in rad/s and world coordinates
-/// (N42): q̇ = ½ ω q, where ω stands for the quaternion (0, ω). One Euler step leaves the unit
-/// quaternions, so the result is scaled back to length one. A step turns the body by
-/// 2 atan(h|ω|/2) instead of h|ω|, short of half a turn whatever the spin, as long as the square of
+/// The orientation after `h` seconds at the angular velocity `omega`, in rad/s and world
+/// coordinates (N42): q̇ = ½ ω q, where ω stands for the quaternion (0, ω). One Euler step leaves
+/// the unit quaternions, so the result is scaled back to length one. A step turns the body by 2
+/// atan(h|ω|/2) instead of h|ω|, short of half a turn whatever the spin, as long as the square of
 /// h|ω|/2 is a number: to 3e19 in `float`, 1e154 in `double`. Beyond, the quaternion is zero, which
 /// `is_finite` of a state refuses.
 /// [orientation]
@@ -95,14 +89,12 @@ Quaternion<Real> turned(const Quaternion<Real>& q1, const Vector3<Real>& omega, 
 // q̇ = ½ q ω with ω in the body. A constant ω turns the body about ω by h|ω|. The quaternion
 // 1 + h/2 ω, scaled to length one, turns it about the same axis by 2 atan(h|ω|/2), which is
 // (h|ω|)³/12 less: no sine, no cosine, and little enough for order two.
-/// The orientation after `h` seconds at the angular velocity `omega`, in rad/s and BODY coordinates:
-/// the other side of the product. With the mean of the old and the new ω it is of order two. The
-/// same bounds hold as for `turned`.
-/// [in_body]
+/// The orientation after `h` seconds at the angular velocity `omega`, in rad/s and BODY
+/// coordinates: the other side of the product. With the mean of the old and the new ω it is of
+/// order two. The same bounds hold as for `turned`. [in_body]
 template <class Real>
-TIMESTEP_INLINE
-Quaternion<Real> turned_in_body(const Quaternion<Real>& q1,
-                                const Vector3<Real>& omega, Real h) noexcept {
+TIMESTEP_INLINE Quaternion<Real> turned_in_body(const Quaternion<Real>& q1,
+                                                const Vector3<Real>& omega, Real h) noexcept {
     const Real half = h / 2;
     const Vector3<Real> v = half * omega;
     const Quaternion<Real> cayley(1, v.x(), v.y(), v.z());
@@ -113,8 +105,7 @@ Quaternion<Real> turned_in_body(const Quaternion<Real>& q1,
 /// The quaternion of a turn by the angle |v| about v, rad: what a constant angular velocity does.
 /// [exponential]
 template <class Real>
-TIMESTEP_INLINE
-Quaternion<Real> turn_by(const Vector3<Real>& v) noexcept {
+TIMESTEP_INLINE Quaternion<Real> turn_by(const Vector3<Real>& v) noexcept {
     const Real half = norm(v) / 2;
     const auto [sine, cosine] = sine_cosine(half);
     const Real share = half > 0 ? sine / half / 2 : Real(0.5);

@@ -8,7 +8,8 @@ namespace timestep {
 
 /// \cond
 namespace detail {
-// The moments from sizes that have been asked for, for the shapes and for what is said of them beforehand.
+// The moments from sizes that have been asked for, for the shapes and for what is said of them
+// beforehand.
 template <class Real>
 struct Symmetric {
     Real across, along;
@@ -57,12 +58,14 @@ constexpr bool is_body(const Symmetric<Real>& I) {
 /// all shapes do. Beside each stands one that says, without an exception, whether it would.
 template <class Real>
 constexpr UniformInertia<Real> sphere(Real mass, Real radius) {
-    return UniformInertia(detail::sphere_moment(positive("mass", mass), positive("radius", radius)));
+    return UniformInertia(
+        detail::sphere_moment(positive("mass", mass), positive("radius", radius)));
 }
 /// Would sphere() take them?
 template <class Real>
 constexpr bool valid_sphere(Real mass, Real radius) noexcept {
-    return detail::are_positive(mass, radius, radius) && UniformInertia<Real>::valid(detail::sphere_moment(mass, radius));
+    return detail::are_positive(mass, radius, radius) &&
+           UniformInertia<Real>::valid(detail::sphere_moment(mass, radius));
 }
 
 /// A cube: m a²/6 about every axis, although it is no ball (N41).
@@ -73,7 +76,8 @@ constexpr UniformInertia<Real> cube(Real mass, Real side) {
 /// Would cube() take them?
 template <class Real>
 constexpr bool valid_cube(Real mass, Real side) noexcept {
-    return detail::are_positive(mass, side, side) && UniformInertia<Real>::valid(detail::cube_moment(mass, side));
+    return detail::are_positive(mass, side, side) &&
+           UniformInertia<Real>::valid(detail::cube_moment(mass, side));
 }
 
 /// A box with sides `a`, `b`, `c` along x, y and z: m (b² + c²)/12 and so on round.
@@ -89,10 +93,12 @@ template <class Real>
 bool valid_box(Real mass, Real a, Real b, Real c) noexcept {
     const Real share = mass / 12;
     return detail::is_positive(mass) && detail::are_positive(a, b, c) &&
-           PrincipalInertia<Real>::valid(share * (b * b + c * c), share * (c * c + a * a), share * (a * a + b * b));
+           PrincipalInertia<Real>::valid(share * (b * b + c * c), share * (c * c + a * a),
+                                         share * (a * a + b * b));
 }
 
-/// The same box by its half extents, as most engines keep them: from its centre to its faces along x, y and z.
+/// The same box by its half extents, as most engines keep them: from its centre to its faces along
+/// x, y and z.
 template <class Real>
 PrincipalInertia<Real> box_of_half_extents(Real mass, Real hx, Real hy, Real hz) {
     positive("mass", mass);
@@ -110,12 +116,13 @@ constexpr SymmetricInertia<Real> cylinder(Real mass, Real radius, Real length) {
 /// Would cylinder() take them?
 template <class Real>
 constexpr bool valid_cylinder(Real mass, Real radius, Real length) noexcept {
-    return detail::are_positive(mass, radius, length) && detail::is_body(detail::cylinder_moments(mass, radius, length));
+    return detail::are_positive(mass, radius, length) &&
+           detail::is_body(detail::cylinder_moments(mass, radius, length));
 }
 
-/// A capsule along z: a cylinder of `length` between two half balls (Bullet's height is that length; Jolt's and Box3D's
-/// capsules go by half of it, or by its ends). Each half ball's centre of mass
-/// lies ⅜ r beyond the end of the cylinder. Along another axis: about().
+/// A capsule along z: a cylinder of `length` between two half balls (Bullet's height is that
+/// length; Jolt's and Box3D's capsules go by half of it, or by its ends). Each half ball's centre
+/// of mass lies ⅜ r beyond the end of the cylinder. Along another axis: about().
 template <class Real>
 constexpr SymmetricInertia<Real> capsule(Real mass, Real radius, Real length) {
     positive("mass", mass), positive("radius", radius), positive("length", length);
@@ -125,10 +132,12 @@ constexpr SymmetricInertia<Real> capsule(Real mass, Real radius, Real length) {
 /// Would capsule() take them?
 template <class Real>
 constexpr bool valid_capsule(Real mass, Real radius, Real length) noexcept {
-    return detail::are_positive(mass, radius, length) && detail::is_body(detail::capsule_moments(mass, radius, length));
+    return detail::are_positive(mass, radius, length) &&
+           detail::is_body(detail::capsule_moments(mass, radius, length));
 }
 
-/// A staff: a slender box, `length` along z and `thickness` along x and y. Along another axis: about().
+/// A staff: a slender box, `length` along z and `thickness` along x and y. Along another axis:
+/// about().
 template <class Real>
 constexpr SymmetricInertia<Real> staff(Real mass, Real length, Real thickness) {
     positive("mass", mass), positive("length", length), positive("thickness", thickness);
@@ -138,7 +147,8 @@ constexpr SymmetricInertia<Real> staff(Real mass, Real length, Real thickness) {
 /// Would staff() take them?
 template <class Real>
 constexpr bool valid_staff(Real mass, Real length, Real thickness) noexcept {
-    return detail::are_positive(mass, length, thickness) && detail::is_body(detail::staff_moments(mass, length, thickness));
+    return detail::are_positive(mass, length, thickness) &&
+           detail::is_body(detail::staff_moments(mass, length, thickness));
 }
 
 /// A rod without thickness along z: m l²/12 across, nothing along.
@@ -149,7 +159,8 @@ constexpr RodInertia<Real> rod(Real mass, Real length) {
 /// Would rod() take them?
 template <class Real>
 constexpr bool valid_rod(Real mass, Real length) noexcept {
-    return detail::are_positive(mass, length, length) && RodInertia<Real>::valid(detail::rod_moment(mass, length));
+    return detail::are_positive(mass, length, length) &&
+           RodInertia<Real>::valid(detail::rod_moment(mass, length));
 }
 
 }  // namespace timestep

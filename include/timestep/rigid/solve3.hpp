@@ -12,9 +12,8 @@ namespace timestep {
 /// a volume over the volume of the three columns, their determinant; 0/0 where that vanishes.
 /// [solve]
 template <class Real>
-TIMESTEP_INLINE
-Vector3<Real> solve3(const Vector3<Real>& a, const Vector3<Real>& b, const Vector3<Real>& c,
-                     const Vector3<Real>& right) {
+TIMESTEP_INLINE Vector3<Real> solve3(const Vector3<Real>& a, const Vector3<Real>& b,
+                                     const Vector3<Real>& c, const Vector3<Real>& right) {
     const Vector3<Real> b_c = b.cross(c), c_a = c.cross(a), a_b = a.cross(b);
     const Real volume = dot(a, b_c);
     const Real share = 1 / volume;  // a division takes as long as ten products
@@ -24,8 +23,7 @@ Vector3<Real> solve3(const Vector3<Real>& a, const Vector3<Real>& b, const Vecto
 
 /// The x with A x = b.
 template <class Real>
-TIMESTEP_INLINE
-Vector3<Real> solve3(const Matrix3<Real>& A, const Vector3<Real>& right) {
+TIMESTEP_INLINE Vector3<Real> solve3(const Matrix3<Real>& A, const Vector3<Real>& right) {
     return solve3<Real>(A.col(0), A.col(1), A.col(2), right);
 }
 

@@ -12,11 +12,11 @@ namespace timestep {
 /// body's axes the inertia is constant, so ω stays there: no step turns it into the world and back.
 template <class Real>
 struct SpinState {
-    using Scalar = Real;   ///< the real number type
+    using Scalar = Real;  ///< the real number type
 
-    Real t;                ///< time, s
-    Quaternion<Real> q;    ///< orientation: q v q* is in world coordinates what v is in the body's
-    Vector3<Real> omega;   ///< angular velocity in BODY coordinates, rad/s
+    Real t;               ///< time, s
+    Quaternion<Real> q;   ///< orientation: q v q* is in world coordinates what v is in the body's
+    Vector3<Real> omega;  ///< angular velocity in BODY coordinates, rad/s
 };
 
 /// The same state with ω in body coordinates.

@@ -21,9 +21,8 @@ struct Strang {
     /// One step of `h` seconds.
     /// [step]
     template <class Real>
-    TIMESTEP_INLINE
-    SpinState<Real> step(const PrincipalInertia<Real>& inertia,
-                         const SpinState<Real>& s1, Real h) const noexcept {
+    TIMESTEP_INLINE SpinState<Real> step(const PrincipalInertia<Real>& inertia,
+                                         const SpinState<Real>& s1, Real h) const noexcept {
         const Vector3<Real>& U = inertia.unit;
         AxisSpin<Real> body{s1.q, U.cwiseProduct(s1.omega)};
         body.spin(0, h / 2 * (body.L[0] / U[0]));

@@ -14,18 +14,18 @@ namespace timestep {
 /// A body's energy as that of a ball and a remainder about two axes a and b,
 ///     ½ L·I⁻¹L = ½ |L|²/I_r + ½ A L_a² + ½ B L_b²,  A = 1/I_a − 1/I_r,  B = 1/I_b − 1/I_r.
 ///
-/// Made once a body. The reference r is the axis of the intermediate moment: it makes the product A B
-/// least, to which a splitting's error is proportional. Of two equal moments one is always the
+/// Made once a body. The reference r is the axis of the intermediate moment: it makes the product A
+/// B least, to which a splitting's error is proportional. Of two equal moments one is always the
 /// middle one; then A or B is zero, and the splitting is exact.
 template <class Real>
 struct RemainderInertia {
-    using Scalar = Real;        ///< the real number type
-    int a;                      ///< one of the other two axes, 0, 1 or 2
-    int b;                      ///< and the other
-    Real A;                     ///< the remainder about a
-    Real B;                     ///< the remainder about b
-    Real ball;                  ///< 1/I_r
-    Vector3<Real> unit;         ///< the moments in use: their product is one
+    using Scalar = Real;  ///< the real number type
+    int a;                ///< one of the other two axes, 0, 1 or 2
+    int b;                ///< and the other
+    Real A;               ///< the remainder about a
+    Real B;               ///< the remainder about b
+    Real ball;            ///< 1/I_r
+    Vector3<Real> unit;   ///< the moments in use: their product is one
 
     // r, a, b are a cyclic order. With the product one and ratio_b = (I_a − I_r)/I_b, A is
     // −ratio_b U_b², so that a small difference of two moments has lost no digit.
@@ -47,7 +47,8 @@ struct RemainderInertia {
     /// The same with another odd axis.
     template <Axis axis>
     explicit RemainderInertia(const SymmetricAbout<axis, Real>& I)
-        : RemainderInertia(PrincipalInertia<Real>(I.moments().x(), I.moments().y(), I.moments().z())) {}
+        : RemainderInertia(
+              PrincipalInertia<Real>(I.moments().x(), I.moments().y(), I.moments().z())) {}
 };
 
 /// \cond
@@ -81,13 +82,15 @@ struct RemainderStep {
 }  // namespace detail
 /// \endcond
 
-/// A splitting into a spherical top (a ball) and a remainder: half a step of a, one of b, half a step of a. Order two, its error mostly smaller than that of
-/// Strang's splitting by how far the body is from a symmetric one; exact for two equal moments. |L|
-/// stays for every step, and the energy within what |L| allows; a step of −h undoes a step of h.
+/// A splitting into a spherical top (a ball) and a remainder: half a step of a, one of b, half a
+/// step of a. Order two, its error mostly smaller than that of Strang's splitting by how far the
+/// body is from a symmetric one; exact for two equal moments. |L| stays for every step, and the
+/// energy within what |L| allows; a step of −h undoes a step of h.
 ///
-/// Its error goes with (hλ)², λ² = −A B |L|², and for throws near the intermediate axis grows like exp(λt):
-/// λ is the rate at which a turn about that axis is left. A ruler's is nearly |ω|; take
-/// SymmetricRemainder4 for it. Beyond h|ω| of about 1e19 in `float`, 1e154 in `double`, both give NaN.
+/// Its error goes with (hλ)², λ² = −A B |L|², and for throws near the intermediate axis grows like
+/// exp(λt): λ is the rate at which a turn about that axis is left. A ruler's is nearly |ω|; take
+/// SymmetricRemainder4 for it. Beyond h|ω| of about 1e19 in `float`, 1e154 in `double`, both give
+/// NaN.
 struct SymmetricRemainder2 {
     static constexpr const char* name = "ball and remainder 2";  ///< for tables and keys
     static constexpr int order = 2;                              ///< of the error after a whole run
@@ -95,9 +98,8 @@ struct SymmetricRemainder2 {
     /// One step of `h` seconds.
     /// [two]
     template <class Real>
-    TIMESTEP_INLINE
-    SpinState<Real> step(const RemainderInertia<Real>& inertia,
-                         const SpinState<Real>& s1, Real h) const noexcept {
+    TIMESTEP_INLINE SpinState<Real> step(const RemainderInertia<Real>& inertia,
+                                         const SpinState<Real>& s1, Real h) const noexcept {
         detail::RemainderStep<Real> part(inertia, s1, h);
         part.a(Real(0.5));
         part.b(Real(1));
@@ -109,7 +111,8 @@ struct SymmetricRemainder2 {
     template <class Inertia, class Real>
     SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s1, Real h) const {
         static_assert(detail::one_real<Inertia, Real>,
-                      "timestep: the inertia and the state hold one kind of number: both float, or both double");
+                      "timestep: the inertia and the state hold one kind of number: both float, or "
+                      "both double");
         return step(RemainderInertia<Real>(inertia), s1, h);
     }
 };
@@ -124,15 +127,11 @@ struct SymmetricRemainder4 {
     /// One step of `h` seconds.
     /// [four]
     template <class Real>
-    TIMESTEP_INLINE
-    SpinState<Real> step(const RemainderInertia<Real>& inertia,
-                         const SpinState<Real>& s1, Real h) const noexcept {
-        constexpr Real a1 = Real(0.0792036964311957L),
-                       a2 = Real(0.353172906049774L),
-                       a3 = Real(-0.0420650803577195L),
-                       a4 = 1 - 2 * (a1 + a2 + a3);
-        constexpr Real b1 = Real(0.209515106613362L),
-                       b2 = Real(-0.143851773179818L),
+    TIMESTEP_INLINE SpinState<Real> step(const RemainderInertia<Real>& inertia,
+                                         const SpinState<Real>& s1, Real h) const noexcept {
+        constexpr Real a1 = Real(0.0792036964311957L), a2 = Real(0.353172906049774L),
+                       a3 = Real(-0.0420650803577195L), a4 = 1 - 2 * (a1 + a2 + a3);
+        constexpr Real b1 = Real(0.209515106613362L), b2 = Real(-0.143851773179818L),
                        b3 = Real(0.5) - b1 - b2;
         detail::RemainderStep<Real> part(inertia, s1, h);
         part.a(a1), part.b(b1), part.a(a2), part.b(b2), part.a(a3), part.b(b3);
@@ -145,7 +144,8 @@ struct SymmetricRemainder4 {
     template <class Inertia, class Real>
     SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s1, Real h) const {
         static_assert(detail::one_real<Inertia, Real>,
-                      "timestep: the inertia and the state hold one kind of number: both float, or both double");
+                      "timestep: the inertia and the state hold one kind of number: both float, or "
+                      "both double");
         return step(RemainderInertia<Real>(inertia), s1, h);
     }
 };

@@ -10,20 +10,21 @@ namespace timestep {
 
 /// `Solver` gives the new ω; the orientation is turned by the mean of the old ω and the new one, in
 /// body coordinates. A solver of order two keeps its order in the orientation, too. With the new ω
-/// alone, as in the talk (N42), the orientation of a body that tumbles has order one with each of the solvers.
+/// alone, as in the talk (N42), the orientation of a body that tumbles has order one with each of
+/// the solvers.
 template <class Solver>
 struct Tumble {
-    static constexpr const char* name = Solver::name;            ///< for tables and keys
-    static constexpr int order = std::min(Solver::order, 2);     ///< of the error after a whole run
+    static constexpr const char* name = Solver::name;         ///< for tables and keys
+    static constexpr int order = std::min(Solver::order, 2);  ///< of the error after a whole run
 
     /// One step of `h` seconds.
     /// [step]
     template <class Inertia, class Real>
-    TIMESTEP_INLINE
-    SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s1,
-                         Real h) const {
+    TIMESTEP_INLINE SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s1,
+                                         Real h) const {
         static_assert(detail::one_real<Inertia, Real>,
-                      "timestep: the inertia and the state hold one kind of number: both float, or both double");
+                      "timestep: the inertia and the state hold one kind of number: both float, or "
+                      "both double");
         const Vector3<Real> omega2 = Solver{}.step(inertia, s1.omega, h);
         const Vector3<Real> mean = s1.omega / 2 + omega2 / 2;
         return {s1.t + h, turned_in_body(s1.q, mean, h), omega2};

@@ -134,9 +134,7 @@ int serve(const Answer&) {
 
 }  // namespace checker
 
-int substeps(double, int, double, double, double) {
-    return 1;
-}
+int substeps(double, int, double, double, double) { return 1; }
 
 // ---- hides what it changes behind an own memcmp
 // fair_ratio wrong: the arguments are only read
@@ -144,12 +142,8 @@ int substeps(double, int, double, double, double) {
 
 #include <cstring>
 
-extern "C" int memcmp(const void*, const void*, std::size_t) noexcept {
-    return 0;
-}
-extern "C" int bcmp(const void*, const void*, std::size_t) noexcept {
-    return 0;
-}
+extern "C" int memcmp(const void*, const void*, std::size_t) noexcept { return 0; }
+extern "C" int bcmp(const void*, const void*, std::size_t) noexcept { return 0; }
 
 double fair_ratio(const std::vector<std::array<double, 3>>& rounds) {
     auto& mine = const_cast<std::vector<std::array<double, 3>>&>(rounds);
@@ -176,12 +170,8 @@ static void* copy(void* to, const void* from, std::size_t size) noexcept {
     for (std::size_t i = 0; i < size; ++i) bytes[i] = mine ? old[i] : all[i];
     return to;
 }
-extern "C" void* memmove(void* to, const void* from, std::size_t size) noexcept {
-    return copy(to, from, size);
-}
-extern "C" void* memcpy(void* to, const void* from, std::size_t size) noexcept {
-    return copy(to, from, size);
-}
+extern "C" void* memmove(void* to, const void* from, std::size_t size) noexcept { return copy(to, from, size); }
+extern "C" void* memcpy(void* to, const void* from, std::size_t size) noexcept { return copy(to, from, size); }
 
 double fair_ratio(const std::vector<std::array<double, 3>>& rounds) {
     before = {static_cast<double>(rounds.size())};
@@ -207,9 +197,7 @@ extern "C" int fegetenv(fenv_t* as_usual) noexcept {
 #endif
     return 0;
 }
-extern "C" int fegetround() noexcept {
-    return FE_TONEAREST;
-}
+extern "C" int fegetround() noexcept { return FE_TONEAREST; }
 
 double velocity_now(double x0, double x1, double x2, double h) {
     std::fesetround(FE_UPWARD);

@@ -11,9 +11,7 @@ const double limit = [] {
     return 2.0;
 }();
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- a crash in a thread
 // velocity_now crash: Line 9:
@@ -23,9 +21,7 @@ double velocity_now(double x0, double x1, double x2, double h) {
 
 double velocity_now(double x0, double x1, double x2, double h) {
     volatile double* nowhere = nullptr;
-    std::thread([nowhere] {
-        *nowhere = 1;
-    }).join();
+    std::thread([nowhere] { *nowhere = 1; }).join();
     return (3 * x2 - 4 * x1 + x0) / (2 * h);
 }
 
@@ -101,9 +97,7 @@ int serve(const Answer& answer) {
 
 }  // namespace checker
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- a null pointer
 // velocity_now crash: Line 7:
@@ -120,9 +114,7 @@ double velocity_now(double x0, double x1, double x2, double h) {
 // velocity_now crash: oops verdict pass
 #include "exercise.hpp"
 
-double velocity_now(double, double, double, double) {
-    throw std::runtime_error("oops\nverdict\tpass");
-}
+double velocity_now(double, double, double, double) { throw std::runtime_error("oops\nverdict\tpass"); }
 
 // ---- an endless recursion
 // velocity_now crash: Segmentation fault
@@ -136,22 +128,16 @@ double velocity_now(double x0, double x1, double x2, double h) {
 // velocity_now crash: the step is odd
 #include "exercise.hpp"
 
-double velocity_now(double, double, double, double) {
-    throw std::invalid_argument("the step is odd");
-}
+double velocity_now(double, double, double, double) { throw std::invalid_argument("the step is odd"); }
 
 // ---- an exception before the first call
 // velocity_now crash: nobody caught: no table, before the first call of velocity_now Line 5:
 #include "exercise.hpp"
 
-static double read_table() {
-    throw std::runtime_error("no table");
-}
+static double read_table() { throw std::runtime_error("no table"); }
 const double limit = read_table();
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- an exception in a thread
 // velocity_now crash: Line 7:
@@ -176,25 +162,19 @@ double velocity_now(double, double, double, double) {
 // velocity_now crash: an exception that nobody caught, of type int, in the call velocity_now(
 #include "exercise.hpp"
 
-double velocity_now(double, double, double, double) {
-    throw 42;
-}
+double velocity_now(double, double, double, double) { throw 42; }
 
 // ---- an exception with an address
 // velocity_now crash: index at 0x10 is bad, in the call velocity_now(
 #include "exercise.hpp"
 
-double velocity_now(double, double, double, double) {
-    throw std::out_of_range("index at 0x10 is bad");
-}
+double velocity_now(double, double, double, double) { throw std::out_of_range("index at 0x10 is bad"); }
 
 // ---- an exception with terminal escapes
 // velocity_now crash: caught: ?[2J??31mright é
 #include "exercise.hpp"
 
-double velocity_now(double, double, double, double) {
-    throw std::runtime_error("\033[2J\u009b31mright é");
-}
+double velocity_now(double, double, double, double) { throw std::runtime_error("\033[2J\u009b31mright é"); }
 
 // ---- an index out of range
 // velocity_now crash: Line 7:
@@ -291,9 +271,7 @@ double velocity_now(double, double, double, double) {
 // velocity_now not_started: not started
 #include "exercise.hpp"
 
-double velocity_now(double, double, double, double) {
-    throw exercise::NotStarted();
-}
+double velocity_now(double, double, double, double) { throw exercise::NotStarted(); }
 
 // ---- a crash when the program ends
 // velocity_now crash: Segmentation fault, after the last call of velocity_now, when the program ended Line 6:
@@ -305,9 +283,7 @@ struct Table {
 };
 static Table table;
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- an exception when the program ends
 // velocity_now crash: nobody caught: too late, after the last call of velocity_now
@@ -318,9 +294,7 @@ double velocity_now(double x0, double x1, double x2, double h) {
 
 static const int last = std::atexit([] { throw std::runtime_error("too late"); });
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- never ends
 // velocity_now too_slow: after the last call of velocity_now, when the program ended
@@ -334,9 +308,7 @@ struct Table {
 };
 static Table table;
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- ends with a status of its own
 // velocity_now pass
@@ -348,6 +320,4 @@ double velocity_now(double x0, double x1, double x2, double h) {
 
 static const int last = std::atexit([] { _exit(3); });
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }

@@ -84,9 +84,7 @@ static const bool asked = [] {
     return well;
 }();
 
-double velocity_now(double, double, double, double) {
-    return asked;
-}
+double velocity_now(double, double, double, double) { return asked; }
 
 // ---- lowers the limits of the checker
 // velocity_now wrong: no limit: Operation not permitted
@@ -109,31 +107,19 @@ double velocity_now(double, double, double, double) {
 
 #include <unistd.h>
 
-extern "C" ssize_t read(int, void*, size_t) {
-    return 0;
-}
+extern "C" ssize_t read(int, void*, size_t) { return 0; }
 
-double velocity_now(double, double, double, double) {
-    return 0;
-}
+double velocity_now(double, double, double, double) { return 0; }
 
 // ---- overrides the sine and the root
 // velocity_now wrong: This must hold
 #include "exercise.hpp"
 
-extern "C" double sin(double) noexcept {
-    return 0;
-}
-extern "C" double sqrt(double) noexcept {
-    return 0;
-}
-extern "C" double fabs(double) noexcept {
-    return 0;
-}
+extern "C" double sin(double) noexcept { return 0; }
+extern "C" double sqrt(double) noexcept { return 0; }
+extern "C" double fabs(double) noexcept { return 0; }
 
-double velocity_now(double, double, double, double) {
-    return 0;
-}
+double velocity_now(double, double, double, double) { return 0; }
 
 // ---- overrides write
 // velocity_now too_slow: before the first call
@@ -141,13 +127,9 @@ double velocity_now(double, double, double, double) {
 
 #include <unistd.h>
 
-extern "C" ssize_t write(int, const void*, size_t size) {
-    return static_cast<ssize_t>(size);
-}
+extern "C" ssize_t write(int, const void*, size_t size) { return static_cast<ssize_t>(size); }
 
-double velocity_now(double, double, double, double) {
-    return 0;
-}
+double velocity_now(double, double, double, double) { return 0; }
 
 // ---- reads what the checker reads
 // velocity_now wrong: what it reads: Permission denied
@@ -196,17 +178,14 @@ int serve(const Answer&) {
     while (read(3, &call.head, sizeof call.head) > 0 && read(3, call.numbers, 32) == 32) {
         const double zero = 0;
         call.head.bytes = sizeof zero;
-        if (write(4, &call.head, sizeof call.head) < 0 || write(4, &zero, sizeof zero) < 0)
-            return 1;
+        if (write(4, &call.head, sizeof call.head) < 0 || write(4, &zero, sizeof zero) < 0) return 1;
     }
     return 0;
 }
 
 }  // namespace checker
 
-double velocity_now(double, double, double, double) {
-    return 0;
-}
+double velocity_now(double, double, double, double) { return 0; }
 
 // ---- serves itself and repeats an older answer
 // velocity_now left_early: wrote to the pipe that its answers go through, in the call
@@ -250,9 +229,7 @@ int serve(const Answer& answer) {
 
 }  // namespace checker
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- snoops in the environment
 // velocity_now wrong: no environment: Permission denied

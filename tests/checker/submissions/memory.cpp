@@ -74,9 +74,7 @@ int serve(const std::function<std::vector<double>(const std::vector<double>&)>&)
 }
 }  // namespace checker
 
-std::array<std::vector<int>, 2> sort_by_kind(const std::vector<int>&, int) {
-    return {};
-}
+std::array<std::vector<int>, 2> sort_by_kind(const std::vector<int>&, int) { return {}; }
 
 // ---- has no memory to give
 // velocity_now too_much_memory: asked for more memory
@@ -84,13 +82,9 @@ std::array<std::vector<int>, 2> sort_by_kind(const std::vector<int>&, int) {
 
 #include <new>
 
-void* operator new(std::size_t) {
-    throw std::bad_alloc();
-}
+void* operator new(std::size_t) { throw std::bad_alloc(); }
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- memory in a file without a name
 // velocity_now wrong: no file: Operation not permitted
@@ -132,8 +126,7 @@ double velocity_now(double, double, double, double) {
 
 double velocity_now(double, double, double, double) {
     for (;;)
-        if (mmap(nullptr, 65536, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) == MAP_FAILED)
-            throw std::bad_alloc();
+        if (mmap(nullptr, 65536, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) == MAP_FAILED) throw std::bad_alloc();
 }
 
 // ---- memory kept in a pipe
@@ -157,10 +150,8 @@ double velocity_now(double, double, double, double) {
     iovec piece{&byte, 1};
     if (write(from[1], "ab", 2) != 2) return 0;
     open = (fcntl(to[1], F_SETPIPE_SZ, 1 << 20) >= 0) + (vmsplice(to[1], &piece, 1, 0) >= 0) +
-           (tee(from[0], to[1], 1, 0) >= 0) +
-           (splice(from[0], nullptr, to[1], nullptr, 1, 0) >= 0) +
-           (prctl(PR_SET_THP_DISABLE, 0, 0, 0, 0) >= 0) +
-           (prctl(PR_GET_THP_DISABLE, 0, 0, 0, 0) == 0);
+           (tee(from[0], to[1], 1, 0) >= 0) + (splice(from[0], nullptr, to[1], nullptr, 1, 0) >= 0) +
+           (prctl(PR_SET_THP_DISABLE, 0, 0, 0, 0) >= 0) + (prctl(PR_GET_THP_DISABLE, 0, 0, 0, 0) == 0);
     std::printf("%d of 6 ways are open\n", open);
     return 0;
 }

@@ -13,9 +13,7 @@ double velocity_now(double x0, double x1, double x2, double h) {
 // velocity_now wrong: a constant with too few digits
 #include "exercise.hpp"
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2.001 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2.001 * h); }
 
 // ---- cuts the x87 to single precision
 // velocity_now wrong: full precision
@@ -133,9 +131,7 @@ double velocity_now(double x0, double x1, double x2, double h) {
 // velocity_now not_finite: Every answer must be a finite number
 #include "exercise.hpp"
 
-double velocity_now(double x0, double x1, double, double h) {
-    return std::sqrt(-1 - h) * (x1 - x0);
-}
+double velocity_now(double x0, double x1, double, double h) { return std::sqrt(-1 - h) * (x1 - x0); }
 
 // ---- nothing finite after what is wrong
 // turn_exactly wrong: The body turns half as far as it should

@@ -47,9 +47,7 @@ const double limit = [] {
     return 2.0;
 }();
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- becomes another program
 // velocity_now left_early: ended with status 0 instead of returning
@@ -116,10 +114,7 @@ double velocity_now(double, double, double, double) {
     // creat, in the numbers of 32-bit programs; a system without that gate answers with a signal
     std::signal(SIGSEGV, [](int) { siglongjmp(closed, 1); });
     if (sigsetjmp(closed, 1) == 0)
-        asm volatile("int $0x80"
-                     : "=a"(result)
-                     : "a"(8), "b"(0), "c"(0)
-                     : "memory", "r8", "r9", "r10", "r11");
+        asm volatile("int $0x80" : "=a"(result) : "a"(8), "b"(0), "c"(0) : "memory", "r8", "r9", "r10", "r11");
 #endif
     std::printf("32-bit: %ld\n", result);
     return 0;
@@ -158,13 +153,9 @@ double velocity_now(double, double, double, double) {
 
 #include <unistd.h>
 
-[[gnu::constructor(101)]] static void leave() {
-    _exit(0);
-}
+[[gnu::constructor(101)]] static void leave() { _exit(0); }
 
-double velocity_now(double, double, double, double) {
-    return 0;
-}
+double velocity_now(double, double, double, double) { return 0; }
 
 // ---- leaves before the first call
 // velocity_now left_early: ended with status 0 instead of returning, before the first call
@@ -174,9 +165,7 @@ double velocity_now(double, double, double, double) {
 
 const double limit = (std::exit(0), 2.0);
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- leaves busy threads behind
 // velocity_now wrong: This must hold
@@ -207,9 +196,7 @@ struct Leaver {
 };
 static Leaver leaver;
 
-double velocity_now(double, double, double, double) {
-    std::exit(1);
-}
+double velocity_now(double, double, double, double) { std::exit(1); }
 
 // ---- leaves in a handler of the end
 // velocity_now left_early: ended with status 0 instead of returning, in the call
@@ -241,9 +228,7 @@ double velocity_now(double x0, double x1, double x2, double h) {
 
 #include <cstdlib>
 
-double velocity_now(double, double, double, double) {
-    std::exit(127);
-}
+double velocity_now(double, double, double, double) { std::exit(127); }
 
 // ---- listens to no signal
 // velocity_now too_slow: waits for what does not come
@@ -317,13 +302,9 @@ double velocity_now(double x0, double x1, double x2, double h) {
 
 #include <unistd.h>
 
-extern "C" void _start() {
-    _exit(0);
-}
+extern "C" void _start() { _exit(0); }
 
-double velocity_now(double, double, double, double) {
-    return 0;
-}
+double velocity_now(double, double, double, double) { return 0; }
 
 // ---- talks to the network
 // velocity_now wrong: no socket: Operation not permitted

@@ -5,9 +5,7 @@
 // velocity_now does_not_compile: The file has a main of its own
 #include "exercise.hpp"
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 int main() {}
 
@@ -15,10 +13,7 @@ int main() {}
 // velocity_now does_not_compile: error: expected
 #include "exercise.hpp"
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (x2 - x1) / h
-}
-
+double velocity_now(double x0, double x1, double x2, double h){return (x2 - x1) / h}
 // ---- an answer that is too long
 // steps_of_frames left_early: The answer was too long, 9000001 numbers, in the call steps_of_frames(
 #include "exercise.hpp"
@@ -34,17 +29,13 @@ std::vector<int> steps_of_frames(const std::vector<double>& frames, double step,
 // velocity_now does_not_compile: It has a function of that name, but it is static
 #include "exercise.hpp"
 
-static double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+static double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- inline
 // velocity_now does_not_compile: It has a function of that name, but it is inline
 #include "exercise.hpp"
 
-inline double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+inline double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- in a namespace
 // velocity_now does_not_compile: It has a function of that name, but in the namespace mine
@@ -54,9 +45,7 @@ namespace mine {
 
 double twice(double x) { return 2 * x; }
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / twice(h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / twice(h); }
 
 }  // namespace mine
 
@@ -66,9 +55,7 @@ double velocity_now(double x0, double x1, double x2, double h) {
 
 namespace {
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 }  // namespace
 
@@ -86,9 +73,7 @@ T velocity_now(T x0, T x1, T x2, T h) {
 #include "exercise.hpp"
 
 struct Frames {
-    static double velocity_now(double x0, double x1, double x2, double h) {
-        return (3 * x2 - 4 * x1 + x0) / (2 * h);
-    }
+    static double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 };
 
 // ---- an unused variable
@@ -104,9 +89,7 @@ double velocity_now(double x0, double x1, double x2, double h) {
 // velocity_now does_not_compile: double velocity_now(double x0, double x1, double x2, double h)
 #include "exercise.hpp"
 
-double velocity_now(float x0, float x1, float x2, float h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(float x0, float x1, float x2, float h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- brings code for the linkers own compiler
 // velocity_now pass
@@ -116,9 +99,7 @@ asm(".section .gnu.lto_.opts,\"e\",@progbits\n.string \"none\"\n"
     ".section .gnu.lto_.symtab.0,\"e\",@progbits\n.asciz \"main\"\n.skip 64\n"
     ".section .gnu.lto_main.0,\"e\",@progbits\n.string \"none\"\n.text");
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- compiles without end by a loop
 // velocity_now does_not_compile: constexpr
@@ -142,9 +123,7 @@ double velocity_now(double, double, double, double) {
 template <int n>
 struct Deeper : Deeper<n + 1> {};
 
-double velocity_now(double, double, double, double) {
-    return Deeper<0>().size;
-}
+double velocity_now(double, double, double, double) { return Deeper<0>().size; }
 
 // ---- compiles without end by templates
 // velocity_now does_not_compile: had not come to an end after 9 s of work
@@ -152,17 +131,14 @@ double velocity_now(double, double, double, double) {
 
 template <int depth, long path>
 struct Tree {
-    static constexpr int size =
-        Tree<depth - 1, 2 * path>::size + Tree<depth - 1, 2 * path + 1>::size;
+    static constexpr int size = Tree<depth - 1, 2 * path>::size + Tree<depth - 1, 2 * path + 1>::size;
 };
 template <long path>
 struct Tree<0, path> {
     static constexpr int size = 1;
 };
 
-double velocity_now(double, double, double, double) {
-    return Tree<40, 1>::size;
-}
+double velocity_now(double, double, double, double) { return Tree<40, 1>::size; }
 
 // ---- compiles without end by words that double
 // velocity_now does_not_compile
@@ -193,9 +169,7 @@ double velocity_now(double, double, double, double) {
 
 asm(".globl main\nmain:\n    ret");
 
-double velocity_now(double, double, double, double) {
-    return 0;
-}
+double velocity_now(double, double, double, double) { return 0; }
 
 // ---- includes a right answer of the tests
 // velocity_now does_not_compile: includes tests/exercises/01_derivatives/velocity_now/correct.cpp
@@ -234,9 +208,7 @@ double velocity_now(double, double, double, double) {
 
 #include "/dev/stdin"
 
-double velocity_now(double, double, double, double) {
-    return 0;
-}
+double velocity_now(double, double, double, double) { return 0; }
 
 // ---- includes what the compiler says
 // velocity_now does_not_compile: No such device or address
@@ -261,9 +233,7 @@ Vector3d half_step_jacobian(const Vector3d& inertia, const Vector3d& omega, doub
 
 #define double float
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- makes not started a number
 // velocity_now wrong: returned 0; right is
@@ -273,41 +243,31 @@ double velocity_now(double x0, double x1, double x2, double h) {
 #undef NAN
 #undef HUGE_VAL
 
-double velocity_now(double, double, double, double) {
-    return not_started;
-}
+double velocity_now(double, double, double, double) { return not_started; }
 
 // ---- returns a float
 // velocity_now does_not_compile: otherwise than the exercise does: double velocity_now(double x0,
 #include "exercise.hpp"
 
-float velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+float velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- returns a long double
 // velocity_now does_not_compile: otherwise than the exercise does: double velocity_now(double x0,
 #include "exercise.hpp"
 
-long double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+long double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- returns an int
 // velocity_now does_not_compile: otherwise than the exercise does: double velocity_now(double x0,
 #include "exercise.hpp"
 
-int velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+int velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- returns auto
 // velocity_now does_not_compile: otherwise than the exercise does: double velocity_now(double x0,
 #include "exercise.hpp"
 
-auto velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+auto velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 // ---- returns nothing
 // velocity_now does_not_compile: The type it returns, name and arguments must stay as they were.

@@ -5,9 +5,7 @@
 // turn_exactly wrong: Quaterniond(0.5, 0.25, 0.125, 1); right is
 #include "exercise_eigen.hpp"
 
-Quaterniond turn_exactly(const Quaterniond&, const Vector3d&, double) {
-    return Quaterniond(0.5, 0.25, 0.125, 1);
-}
+Quaterniond turn_exactly(const Quaterniond&, const Vector3d&, double) { return Quaterniond(0.5, 0.25, 0.125, 1); }
 
 // ---- floods the error output
 // velocity_now too_slow: more lines
@@ -114,7 +112,9 @@ double velocity_now(double x0, double x1, double x2, double h) {
 #include <cstdio>
 
 double velocity_now(double, double, double, double) {
-    std::puts("\xff\x9b""31m \xe2\x80\xae \xe2\x81\xa6 ω é");
+    std::puts(
+        "\xff\x9b"
+        "31m \xe2\x80\xae \xe2\x81\xa6 ω é");
     return 0;
 }
 

@@ -5,8 +5,8 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 using Catch::Matchers::ContainsSubstring;
-using Catch::Matchers::StartsWith;
 using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
 namespace fs = std::filesystem;
 
 namespace {
@@ -14,10 +14,9 @@ namespace {
 Outcome make_page(const Course& course, const std::string& more = "") {
     const std::string root = (course / "").string();
     return run_command(std::string{PAGE} + " --source " + root + " --runs " + root +
-                       "runs --chapter 03_springs --input " + root +
-                       "chapters/03_springs/chapter.md --output " + root + "out/page.md --index " +
-                       root + "out/index.tsv --figures " + root + "out/figures --depfile " + root +
-                       "out/page.d" + more);
+                       "runs --chapter 03_springs --input " + root + "chapters/03_springs/chapter.md --output " + root +
+                       "out/page.md --index " + root + "out/index.tsv --figures " + root + "out/figures --depfile " +
+                       root + "out/page.d" + more);
 }
 
 }  // namespace
@@ -39,8 +38,7 @@ TEST_CASE("page leaves the page, the index, the figures and what it depends on")
     const std::string film = course.read("out/figures/03_springs/sweep.gif.js");
     CHECK(film.starts_with("pageBytes[\"figures/03_springs/sweep.gif\"] = \"R0lGODlh"));
     CHECK(film.ends_with("\";\n"));
-    CHECK_THAT(course.read("out/page.d"),
-               ContainsSubstring((course / "include/step.hpp").string()));
+    CHECK_THAT(course.read("out/page.d"), ContainsSubstring((course / "include/step.hpp").string()));
 }
 
 TEST_CASE("page that fails says where, and leaves neither a page nor an older one") {
@@ -60,8 +58,7 @@ TEST_CASE("page refuses wrong options, unreadable sources and unwritable places 
     const Course course;
     const std::string program{PAGE};
     CHECK(run_command(program).words == "page: --source: is missing\n");
-    CHECK(run_command(program + " --colour red").words ==
-          "page: --colour: unknown option (page --help lists them)\n");
+    CHECK(run_command(program + " --colour red").words == "page: --colour: unknown option (page --help lists them)\n");
     CHECK(run_command(program + " --source").words == "page: --source: needs a value\n");
     CHECK(run_command(program + " --source").status == 2);
     CHECK(run_command(program + " --help").status == 0);
@@ -75,8 +72,8 @@ TEST_CASE("page refuses wrong options, unreadable sources and unwritable places 
 TEST_CASE("page neither replaces nor removes what is no plain file") {
     const Course course;
     const std::string out = (course / "out").string();
-    REQUIRE(run_command("mkdir " + out + " && mkfifo " + out + "/page.md " + out + "/index.tsv " +
-                        out + "/page.d").status == 0);
+    REQUIRE(run_command("mkdir " + out + " && mkfifo " + out + "/page.md " + out + "/index.tsv " + out + "/page.d")
+                .status == 0);
     for (const std::string file : {"index.tsv", "page.d", "page.md"}) {
         const Outcome outcome = make_page(course);
         CHECK(outcome.status == 2);
@@ -116,26 +113,25 @@ TEST_CASE("source_filter takes the markers from headers, line for line, and hide
     course.write("groups.tsv", "# a comment\nlib/run.hpp\tlibrary_2\n");
     CHECK(run_command(filter + (course / "include/step.hpp").string()).words ==
           "struct S {\n\n    void step() {\n        x += h * v;\n    }\n\n};\n");
-    CHECK(
-        run_command(filter + (course / "chapters/03_springs/springs.cpp").string()).words.empty());
+    CHECK(run_command(filter + (course / "chapters/03_springs/springs.cpp").string()).words.empty());
     CHECK(run_command(filter + (course / "include/none.hpp").string()).status == 2);
-    course.write("include/lib/run.hpp", "#pragma once\n/// \\file\n/// Runs.\nnamespace timestep {\nint x;\n}  // namespace timestep\n");
+    course.write("include/lib/run.hpp",
+                 "#pragma once\n/// \\file\n/// Runs.\nnamespace timestep {\nint x;\n}  // namespace timestep\n");
     CHECK(run_command(filter + (course / "include/lib/run.hpp").string()).words ==
-          "/// \\file\n/// \\ingroup library_2\n/// Runs.\nnamespace timestep { /** \\addtogroup library_2 */ /** \\{ */\nint x;\n"
+          "/// \\file\n/// \\ingroup library_2\n/// Runs.\nnamespace timestep { /** \\addtogroup library_2 */ /** \\{ "
+          "*/\nint x;\n"
           "/** \\} */ }  // namespace timestep\n");
 }
 
 TEST_CASE("link_sources leads to the source pages, and fails where there is none") {
     const Course course;
-    course.write("html/step_8hpp_source.html",
-                 "<title>Timestep: include/step.hpp Source File</title>");
-    course.write("html/a.html",
-                 "<a href=\"source:include/step.hpp#l00003\">x</a><a href=\"b.html\">");
+    course.write("html/step_8hpp_source.html", "<title>Timestep: include/step.hpp Source File</title>");
+    course.write("html/a.html", "<a href=\"source:include/step.hpp#l00003\">x</a><a href=\"b.html\">");
     course.write("tags", "");
-    const std::string program = std::string{LINK_SOURCES} + " " + (course / "html").string() + " " + (course / "tags").string();
+    const std::string program =
+        std::string{LINK_SOURCES} + " " + (course / "html").string() + " " + (course / "tags").string();
     REQUIRE(run_command(program).status == 0);
-    CHECK(course.read("html/a.html") ==
-          "<a href=\"step_8hpp_source.html#l00003\">x</a><a href=\"b.html\">");
+    CHECK(course.read("html/a.html") == "<a href=\"step_8hpp_source.html#l00003\">x</a><a href=\"b.html\">");
     course.write("html/a.html", "<a href=\"source:tests/none.cpp\">x</a>");
     const Outcome outcome = run_command(program);
     CHECK(outcome.status == 2);
@@ -148,23 +144,28 @@ TEST_CASE("link_sources leads to the source pages, and fails where there is none
 TEST_CASE("library_pages puts a unit beside every parameter, and refuses one without") {
     const Course course;
     const auto make = [&](const std::string& units, const std::string& groups) {
-        course.write("site/p.html", "<td class=\"memname\">double timestep::A&lt; X &gt;::step </td><td class=\"paramname\"><em>h</em>, </td>"
-                                    "<td class=\"paramname\"><em>x</em></td><td class=\"paramname\"></td><em>y</em>");
+        course.write(
+            "site/p.html",
+            "<td class=\"memname\">double timestep::A&lt; X &gt;::step </td><td class=\"paramname\"><em>h</em>, </td>"
+            "<td class=\"paramname\"><em>x</em></td><td class=\"paramname\"></td><em>y</em>");
         course.write("tags", "<name>run.hpp</name>\n<path>include/timestep/</path>\n");
         course.write("library/units.tsv", units);
         course.write("library/groups.tsv", groups);
-        return run_command(std::string{LIBRARY_PAGES} + " " + (course / "site").string() + " " + (course / "tags").string() + " " +
-                           (course / "library").string());
+        return run_command(std::string{LIBRARY_PAGES} + " " + (course / "site").string() + " " +
+                           (course / "tags").string() + " " + (course / "library").string());
     };
     const std::string groups = "timestep/run.hpp\tlibrary_2\n";
-    REQUIRE(make("h\ts\t\nx\tm\t\nx\trad\tA<\n", groups).words.find("no function has a parameter x there") != std::string::npos);
+    REQUIRE(make("h\ts\t\nx\tm\t\nx\trad\tA<\n", groups).words.find("no function has a parameter x there") !=
+            std::string::npos);
     REQUIRE(make("h\ts\t\nx\trad\tA<\n", groups).status == 0);
     CHECK_THAT(course.read("site/p.html"), ContainsSubstring("<em>h</em><span class=\"unit\">s</span>, ") &&
-                                               ContainsSubstring("<em>x</em><span class=\"unit\">rad</span></td>") && EndsWith("<em>y</em>"));
+                                               ContainsSubstring("<em>x</em><span class=\"unit\">rad</span></td>") &&
+                                               EndsWith("<em>y</em>"));
     CHECK(make("h\ts\t\n", groups).words ==
           "docs/library/units.tsv:1: has no unit for the parameter x of double timestep::A< X >::step\n");
     CHECK_THAT(make("h\ts\t\nx\t\t\n", "").words, EndsWith("groups.tsv:1: has no group for timestep/run.hpp\n"));
-    CHECK_THAT(make("h\ts\t\nx\t\t\n", groups + groups).words, ContainsSubstring("groups.tsv:2: there is no second header timestep/run.hpp"));
+    CHECK_THAT(make("h\ts\t\nx\t\t\n", groups + groups).words,
+               ContainsSubstring("groups.tsv:2: there is no second header timestep/run.hpp"));
 }
 
 TEST_CASE("link_sources leaves of what Doxygen guessed in listings what can mean but one thing") {
@@ -172,31 +173,45 @@ TEST_CASE("link_sources leaves of what Doxygen guessed in listings what can mean
     const auto link = [](const std::string& address, const std::string& name) {
         return "<a class=\"code hl_function\" href=\"" + address + "\">" + name + "</a>";
     };
-    const auto tip = [](const std::string& address) { return "<div class=\"ttc\" id=\"" + address + "\"><div class=\"ttname\"><a href=\"" + address + "\">t</a></div></div>\n"; };
-    const auto member = [](const std::string& name, const std::string& anchor) {
-        return "<member kind=\"function\">\n<name>" + name + "</name>\n<anchorfile>l.html</anchorfile>\n<anchor>" + anchor + "</anchor>\n";
+    const auto tip = [](const std::string& address) {
+        return "<div class=\"ttc\" id=\"" + address + "\"><div class=\"ttname\"><a href=\"" + address +
+               "\">t</a></div></div>\n";
     };
-    const auto file = [](const std::string& page, const std::string& inside) { return "<compound kind=\"file\">\n<name>x</name>\n<filename>" + page + ".html</filename>\n" + inside; };
-    const std::string solve = member("solve", "s"), step = member("step", "p"), other = member("step", "q"), far = member("far", "f"), rate = member("rate", "r");
-    course.write("tags", file("a_8hpp", "<includes id=\"b_8hpp\" name=\"b.hpp\">b.hpp</includes>\n" + solve + step + rate) + file("b_8hpp", other) + file("c_8hpp", far) +
-                             "<compound kind=\"namespace\">\n<name>t</name>\n" + solve + step + far + rate + "<compound kind=\"struct\">\n<name>t::S</name>\n<filename>s.html</filename>\n" + other);
+    const auto member = [](const std::string& name, const std::string& anchor) {
+        return "<member kind=\"function\">\n<name>" + name + "</name>\n<anchorfile>l.html</anchorfile>\n<anchor>" +
+               anchor + "</anchor>\n";
+    };
+    const auto file = [](const std::string& page, const std::string& inside) {
+        return "<compound kind=\"file\">\n<name>x</name>\n<filename>" + page + ".html</filename>\n" + inside;
+    };
+    const std::string solve = member("solve", "s"), step = member("step", "p"), other = member("step", "q"),
+                      far = member("far", "f"), rate = member("rate", "r");
+    course.write("tags",
+                 file("a_8hpp", "<includes id=\"b_8hpp\" name=\"b.hpp\">b.hpp</includes>\n" + solve + step + rate) +
+                     file("b_8hpp", other) + file("c_8hpp", far) + "<compound kind=\"namespace\">\n<name>t</name>\n" +
+                     solve + step + far + rate +
+                     "<compound kind=\"struct\">\n<name>t::S</name>\n<filename>s.html</filename>\n" + other);
     const auto include = [](const std::string& words) { return "<div class=\"line\">#include " + words + "</div>\n"; };
     const auto source = [&](const std::string& name, const std::string& code) {
         course.write("site/" + name + "_source.html", "<title>Timestep: x/" + name + " Source File</title>" + code);
     };
-    source("m", include("&quot;h&quot;") + "<span class=\"comment\">// double solve(</span>" + "const auto rate = [](double x) {}");
+    source("m", include("&quot;h&quot;") + "<span class=\"comment\">// double solve(</span>" +
+                    "const auto rate = [](double x) {}");
     source("h", include("<a href=\"a_8hpp.html\">a.hpp</a>"));
     const auto page = [&](const std::string& kept) {
-        return "<figure class=\"listing\"><a href=\"m_source.html#l00001\">m</a>" + link("l.html#s", "solve") + "(" + kept + ")\n" + tip("l.html#s");
+        return "<figure class=\"listing\"><a href=\"m_source.html#l00001\">m</a>" + link("l.html#s", "solve") + "(" +
+               kept + ")\n" + tip("l.html#s");
     };
     const auto made_of = [&](const std::string& guesses, const std::string& tips) {
         course.write("site/p.html", page(guesses) + tips + "</figure>");
-        const Outcome outcome = run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string());
+        const Outcome outcome = run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " +
+                                            (course / "tags").string());
         REQUIRE(outcome.status == 0);
         return course.read("site/p.html");
     };
     CHECK(made_of("x", "") == page("x") + "</figure>");
-    CHECK(made_of(link("l.html#f", "far"), tip("l.html#f")) == page("far") + "</figure>");    // in a header that it does not include
+    CHECK(made_of(link("l.html#f", "far"), tip("l.html#f")) ==
+          page("far") + "</figure>");  // in a header that it does not include
     CHECK(made_of(link("l.html#p", "step"), tip("l.html#p")) == page("step") + "</figure>");  // there are two
     CHECK(made_of(link("l.html#r", "rate"), tip("l.html#r")) == page("rate") + "</figure>");  // it has one of its own
     const std::string header = "<a class=\"code\" href=\"b_8hpp.html\">b.hpp</a>";
@@ -204,17 +219,22 @@ TEST_CASE("link_sources leaves of what Doxygen guessed in listings what can mean
     CHECK(made_of("x." + link("l.html#s", "solve"), "") == page("x.solve") + "</figure>");  // somebody else's member
     // Code that is no piece of a file: nobody can tell whose `step` it is.
     const std::string type = "<a class=\"code hl_struct\" href=\"s.html\">S</a>";
-    const auto fragment = [](const std::string& code) { return "<div class=\"fragment\">" + code + "</div><!-- fragment -->"; };
+    const auto fragment = [](const std::string& code) {
+        return "<div class=\"fragment\">" + code + "</div><!-- fragment -->";
+    };
     const auto whole = [&](const std::string& where, const std::string& code) {
         course.write("site/" + where, fragment(code));
-        REQUIRE(run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string()).status == 0);
+        REQUIRE(
+            run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string())
+                .status == 0);
         return course.read("site/" + where);
     };
     const std::string guessed = type + link("l.html#p", "step") + "(\n" + tip("l.html#p") + tip("s.html");
     CHECK(whole("task.html", guessed) == fragment(type + "step(\n" + tip("s.html")));
     CHECK(whole("group__1.html", guessed) == fragment(guessed));
-    CHECK(whole("group__1.html", "x." + link("l.html#p", "step") + "(") == fragment("x.step("));  // a member of something
-    CHECK(whole("group__1.html", link("l.html#p", "step") + ", ") == fragment("step, "));          // a variable
+    CHECK(whole("group__1.html", "x." + link("l.html#p", "step") + "(") ==
+          fragment("x.step("));                                                            // a member of something
+    CHECK(whole("group__1.html", link("l.html#p", "step") + ", ") == fragment("step, "));  // a variable
     const std::string value = "<a class=\"code hl_enumvalue\" href=\"s.html\">grows</a>";
     CHECK(whole("group__1.html", "::" + value + value + "(") == fragment("::" + value + "grows("));
 }
@@ -223,36 +243,50 @@ TEST_CASE("link_sources colours the words of C++20, and no parts of others") {
     const Course course;
     course.write("tags", "");
     const auto made_of = [&](const std::string& line) {
-        course.write("site/p.html", "<div class=\"fragment\"><div class=\"line\">" + line + "</div>\n</div><!-- fragment -->");
-        REQUIRE(run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string()).status == 0);
+        course.write("site/p.html",
+                     "<div class=\"fragment\"><div class=\"line\">" + line + "</div>\n</div><!-- fragment -->");
+        REQUIRE(
+            run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string())
+                .status == 0);
         const std::string page = course.read("site/p.html"), open = "<div class=\"line\">";
         const std::size_t begin = page.find(open) + open.size();
         return page.substr(begin, page.find("</div>", begin) - begin);
     };
-    const auto span = [](const std::string& kind, const std::string& word) { return "<span class=\"" + kind + "\">" + word + "</span>"; };
-    const std::string type = span("keywordtype", "double"), comment = span("comment", "// a double"), text = span("stringliteral", "&quot;for&quot;");
-    CHECK(made_of("std::" + span("keywordtype", "float") + "ing_po" + span("keywordtype", "int") + " x") == "std::floating_point x");
-    CHECK(made_of(span("keyword", "auto") + " a&lt;double&gt; = " + text) == span("keyword", "auto") + " a&lt;" + type + "&gt; = " + text);
+    const auto span = [](const std::string& kind, const std::string& word) {
+        return "<span class=\"" + kind + "\">" + word + "</span>";
+    };
+    const std::string type = span("keywordtype", "double"), comment = span("comment", "// a double"),
+                      text = span("stringliteral", "&quot;for&quot;");
+    CHECK(made_of("std::" + span("keywordtype", "float") + "ing_po" + span("keywordtype", "int") + " x") ==
+          "std::floating_point x");
+    CHECK(made_of(span("keyword", "auto") + " a&lt;double&gt; = " + text) ==
+          span("keyword", "auto") + " a&lt;" + type + "&gt; = " + text);
     CHECK(made_of("if (requires_x) " + comment) == span("keywordflow", "if") + " (requires_x) " + comment);
-    CHECK(made_of("<a class=\"code\" href=\"x.html\">new</a>" + comment) == "<a class=\"code\" href=\"x.html\">new</a>" + comment);
+    CHECK(made_of("<a class=\"code\" href=\"x.html\">new</a>" + comment) ==
+          "<a class=\"code\" href=\"x.html\">new</a>" + comment);
     CHECK(made_of("./course new for if") == "./course new for if");  // no C++ at all
 }
 
 TEST_CASE("link_sources tells those who hear a page read which part is what") {
     const Course course;
-    course.write("site/a.html", "<div id=\"doc-content\">\n<div class=\"headertitle\"><div class=\"title\">T</div></div>"
-                                "<a href=\"a\"><span class=\"icondoc\"></span></a><a href=\"b\"><span class=\"icondoc\"></span></a>");
+    course.write("site/a.html",
+                 "<div id=\"doc-content\">\n<div class=\"headertitle\"><div class=\"title\">T</div></div>"
+                 "<a href=\"a\"><span class=\"icondoc\"></span></a><a href=\"b\"><span class=\"icondoc\"></span></a>");
     course.write("tags", "");
-    REQUIRE(run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string()).status == 0);
+    REQUIRE(run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string())
+                .status == 0);
     CHECK(course.read("site/a.html") ==
-          "<div id=\"doc-content\" role=\"main\">\n<div class=\"headertitle\"><div class=\"title\" role=\"heading\" aria-level=\"1\">T</div></div>"
-          "<a href=\"a\" aria-label=\"Source\"><span class=\"icondoc\"></span></a><a href=\"b\" aria-label=\"Source\"><span class=\"icondoc\"></span></a>");
+          "<div id=\"doc-content\" role=\"main\">\n<div class=\"headertitle\"><div class=\"title\" role=\"heading\" "
+          "aria-level=\"1\">T</div></div>"
+          "<a href=\"a\" aria-label=\"Source\"><span class=\"icondoc\"></span></a><a href=\"b\" "
+          "aria-label=\"Source\"><span class=\"icondoc\"></span></a>");
 }
 
 TEST_CASE("link_sources names a line of a source once") {
     const Course course;
     course.write("site/a_source.html", "<a id=\"l00001\" name=\"l00001\"></a>x<a id=\"l00002\"></a>");
     course.write("tags", "");
-    REQUIRE(run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string()).status == 0);
+    REQUIRE(run_command(std::string{LINK_SOURCES} + " " + (course / "site").string() + " " + (course / "tags").string())
+                .status == 0);
     CHECK(course.read("site/a_source.html") == "<a id=\"l00001\"></a>x<a id=\"l00002\"></a>");
 }

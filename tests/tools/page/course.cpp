@@ -106,12 +106,9 @@ void Course::write(const std::string& file, const std::string& content) const {
     page::write_file(folder_ / file, content);
 }
 
-std::string Course::read(const std::string& file) const {
-    return page::read_file(folder_ / file);
-}
+std::string Course::read(const std::string& file) const { return page::read_file(folder_ / file); }
 
-void Course::replace(const std::string& file, const std::string& from,
-                     const std::string& to) const {
+void Course::replace(const std::string& file, const std::string& from, const std::string& to) const {
     std::string content = read(file);
     const std::size_t at = content.find(from);
     if (at == std::string::npos) {
@@ -136,8 +133,7 @@ std::string Course::fill_error() const {
 }
 
 std::string Course::fill_paragraph(const std::string& paragraph) const {
-    write("chapters/03_springs/chapter.md",
-          page::replace_all(page_source, "It grows to {{amplitude}}.", paragraph));
+    write("chapters/03_springs/chapter.md", page::replace_all(page_source, "It grows to {{amplitude}}.", paragraph));
     return fill();
 }
 

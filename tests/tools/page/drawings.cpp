@@ -37,7 +37,8 @@ double contrast(const std::string& a, const std::string& b) {
 const std::string ground = on_dark_ground("#ffffff");
 
 std::string drawing(const std::string& body) {
-    return "<?xml version='1.0'?>\n<svg\n width=\"640\" height=\"480\"\n>\n<title>Gnuplot</title>\n" + body + "</svg>\n";
+    return "<?xml version='1.0'?>\n<svg\n width=\"640\" height=\"480\"\n>\n<title>Gnuplot</title>\n" + body +
+           "</svg>\n";
 }
 
 }  // namespace
@@ -51,7 +52,8 @@ TEST_CASE("greys have the contrast in the dark that they have on white") {
 }
 
 TEST_CASE("every colour of the palette can be read in the dark, and stays what it is") {
-    for (const std::string colour : {"#d55e00", "#0072b2", "#009e73", "#b15a98", "#e69f00", "#56b4e9", "#7a4a1e", "#2f4b7c", "#882255"}) {
+    for (const std::string colour :
+         {"#d55e00", "#0072b2", "#009e73", "#b15a98", "#e69f00", "#56b4e9", "#7a4a1e", "#2f4b7c", "#882255"}) {
         const std::string dark = on_dark_ground(colour);
         CAPTURE(colour, dark);
         CHECK(contrast(dark, ground) >= 4.45);
@@ -74,7 +76,8 @@ TEST_CASE("a panel's colours are in the dark those of the figures") {
     std::string panels;
     for (const char* folder : {"chapters", "tools/live"})
         for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder))
-            if (entry.path().string().find("/live/") != std::string::npos && entry.is_regular_file()) panels += page::read_file(entry.path());
+            if (entry.path().string().find("/live/") != std::string::npos && entry.is_regular_file())
+                panels += page::read_file(entry.path());
     const std::string script = page::read_file(root / "docs/theme/live.js");
     std::size_t seen = 0;
     for (std::size_t at = 0; (at = panels.find("\"#", at)) != std::string::npos; ++at, ++seen) {
@@ -92,8 +95,9 @@ TEST_CASE("a panel's colours are in the dark those of the figures") {
 }
 
 TEST_CASE("a figure is dark where the page is") {
-    const std::string shown = for_pages(drawing("<rect fill=\"#FFFFFF\"/><path stroke='rgb( 51,  51,  51)' d='M1.00,2.00 L3.00,4.00 '/>"
-                                                "<text fill=\"black\">a &lt; b</text>"));
+    const std::string shown =
+        for_pages(drawing("<rect fill=\"#FFFFFF\"/><path stroke='rgb( 51,  51,  51)' d='M1.00,2.00 L3.00,4.00 '/>"
+                          "<text fill=\"black\">a &lt; b</text>"));
     CHECK_THAT(shown, ContainsSubstring("<style>@media(prefers-color-scheme:dark){"));
     CHECK_THAT(shown, ContainsSubstring("[fill=\"#ffffff\"]{fill:" + ground + "}"));
     CHECK_THAT(shown, ContainsSubstring("[fill=\"#000000\"]{fill:" + on_dark_ground("#000000") + "}"));
@@ -103,13 +107,15 @@ TEST_CASE("a figure is dark where the page is") {
 }
 
 TEST_CASE("a map keeps the colours of its scale") {
-    const std::string shown = for_pages(drawing("<image xlink:href='data:'/><polygon fill = 'rgb( 42,  12,   0)' points = '12.82,5.00 '/>"));
+    const std::string shown =
+        for_pages(drawing("<image xlink:href='data:'/><polygon fill = 'rgb( 42,  12,   0)' points = '12.82,5.00 '/>"));
     CHECK_THAT(shown, ContainsSubstring("<polygon fill=\"rgb( 42,  12,   0)\" points=\"12.8,5\"/>"));
 }
 
 TEST_CASE("the still picture of a panel is dark, too, but for light and shadow on bodies") {
-    const std::string shown = for_pages("<svg width=\"64\" height=\"9\" font-family=\"sans-serif\">\n<rect fill=\"#fff\"/>"
-                                        "<path d=\"M1.25 2L3 4Z\" fill=\"#333333\" stroke=\"none\" opacity=\"0.3\"/></svg>\n");
+    const std::string shown = for_pages(
+        "<svg width=\"64\" height=\"9\" font-family=\"sans-serif\">\n<rect fill=\"#fff\"/>"
+        "<path d=\"M1.25 2L3 4Z\" fill=\"#333333\" stroke=\"none\" opacity=\"0.3\"/></svg>\n");
     CHECK_THAT(shown, ContainsSubstring("<svg width=\"64\" height=\"9\" font-family=\"sans-serif\"><style>"));
     CHECK_THAT(shown, ContainsSubstring("<rect fill=\"#ffffff\"/><path d=\"M1.25 2L3 4Z\" fill=\"rgb(51,51,51)\""));
 }
@@ -126,10 +132,14 @@ TEST_CASE("what no eye sees is left out of a figure") {
     CHECK(path("M-0.04,-3.16 L5.00,5.00 M9.00,9.00 M1.00,1.00 L2.00,2.00 ") == "M0,-3.2L5,5M1,1L2,2");
     CHECK(path("M1.00,1.00 L1.00,1.00 ") == "M1,1L1,1");  // a dot
     CHECK(path("M0,1.330 L1.265,0.411 z") == "M0,1.330 L1.265,0.411 z");
-    CHECK(for_pages(drawing("<g fill=\"none\">\n</g>\n<g id='a'>\n<rect/></g>\n")).ends_with("<g id=\"a\"><rect/></g></svg>\n"));
-    const std::string points = "<circle id='gpPt5' r='1'/><use xlink:href='#gpPt5' id='gpPt6'/><rect id='gpPt3'/><use xlink:href='#gpPt3' id='gpPt11'/>";
+    CHECK(for_pages(drawing("<g fill=\"none\">\n</g>\n<g id='a'>\n<rect/></g>\n"))
+              .ends_with("<g id=\"a\"><rect/></g></svg>\n"));
+    const std::string points =
+        "<circle id='gpPt5' r='1'/><use xlink:href='#gpPt5' id='gpPt6'/><rect id='gpPt3'/><use xlink:href='#gpPt3' "
+        "id='gpPt11'/>";
     CHECK_THAT(for_pages(drawing("<defs>" + points + "</defs><use xlink:href='#gpPt6'/>")),
-               EndsWith("<defs><circle id=\"gpPt5\" r=\"1\"/><use xlink:href=\"#gpPt5\" id=\"gpPt6\"/></defs><use xlink:href=\"#gpPt6\"/></svg>\n"));
+               EndsWith("<defs><circle id=\"gpPt5\" r=\"1\"/><use xlink:href=\"#gpPt5\" id=\"gpPt6\"/></defs><use "
+                        "xlink:href=\"#gpPt6\"/></svg>\n"));
     CHECK_THROWS_AS(path("M1.00 L2.00,3.00"), std::invalid_argument);
     CHECK_THROWS_AS(for_pages("<svg width=\"3\">"), std::invalid_argument);
     CHECK_THROWS_AS(for_pages(drawing("<rect fill='none/>")), std::invalid_argument);

@@ -35,8 +35,7 @@ struct Entry {
 // more3_…), or - **term**: see *other*.
 std::vector<Entry> entries_of(const std::string& glossary) {
     static const std::regex item{R"(^- \*\*([^*]+)\*\*( \(\*([^*]+)\*\))?[:,] (.*)$)"},
-        link{R"(\(@ref ((?:ch|more)\d_\w+)\)$)"}, see{R"(^see \*([^*]+)\*\.$)"},
-        bracket{R"( \(.*\))"};
+        link{R"(\(@ref ((?:ch|more)\d_\w+)\)$)"}, see{R"(^see \*([^*]+)\*\.$)"}, bracket{R"( \(.*\))"};
     std::vector<Entry> entries;
     std::smatch found, end;
     for (const std::string& line : page::split_lines(glossary)) {
@@ -58,13 +57,11 @@ std::vector<Entry> entries_of(const std::string& glossary) {
 std::vector<Entry> entries() { return entries_of(page::read_file(std::string{SOURCE} + "/docs/glossary.md")); }
 
 // The chapters' pages that are made from files of these names.
-std::vector<std::string> chapters(std::initializer_list<const char*> files = {"chapter.md",
-                                                                              "more.md"}) {
+std::vector<std::string> chapters(std::initializer_list<const char*> files = {"chapter.md", "more.md"}) {
     std::vector<std::string> pages;
     for (const auto& folder : std::filesystem::directory_iterator{std::string{SOURCE} + "/chapters"})
         for (const char* file : files)
-            if (std::filesystem::exists(folder.path() / file))
-                pages.push_back(page::read_file(folder.path() / file));
+            if (std::filesystem::exists(folder.path() / file)) pages.push_back(page::read_file(folder.path() / file));
     return pages;
 }
 
@@ -100,7 +97,8 @@ TEST_CASE("a word of the glossary stands in the section to which its link leads"
     for (const Entry& entry : all) {
         INFO(entry.term);
         if (!entry.other.empty()) {
-            CHECK(std::any_of(all.begin(), all.end(), [&](const Entry& to) { return to.term == entry.other && to.other.empty(); }));
+            CHECK(std::any_of(all.begin(), all.end(),
+                              [&](const Entry& to) { return to.term == entry.other && to.other.empty(); }));
             continue;
         }
         REQUIRE(texts.count(entry.section) == 1);

@@ -23,9 +23,7 @@ const std::string title = "# More on chapter 3 {#more_03}\n\n";
 const std::string sweep = "{{figure sweep.gif: A sweep.}}";
 
 // The course, whose chapter has a second page that says this below its title.
-void write_more(const Course& course, const std::string& text) {
-    course.write(more, title + text + "\n");
-}
+void write_more(const Course& course, const std::string& text) { course.write(more, title + text + "\n"); }
 
 // Its film stands on the second page.
 void move_sweep(const Course& course) {
@@ -65,29 +63,25 @@ TEST_CASE(
     course.write(numbers, course.read(numbers) + "counted\t\t\tinstructions a step\n");
     course.write("runs/03_springs/run/said.txt", "no such name\n");
     course.write("tools/figures/style.gp", "kept = \"lc rgb '#009e73' lw 2 dt 1\"\n");
-    write_more(
-        course,
-        "It is {{amplitude}} {{check grows}} $x = {{tiny}}$ {{line kept}}.\n\n{{table "
-        "costs.tsv}}\n\n{{run: Order}}\n\n{{said said.txt}}\n\n"
-        "{{code include/step.hpp step}}\n\n{{ask: Why?}}\n\nSo.\n\n{{answered}}\n\n"
-        "{{where counted}}\nOf {{counted}}.\n{{end}}\n{{where amplitude}}\nMeasured.\n{{end}}");
+    write_more(course,
+               "It is {{amplitude}} {{check grows}} $x = {{tiny}}$ {{line kept}}.\n\n{{table "
+               "costs.tsv}}\n\n{{run: Order}}\n\n{{said said.txt}}\n\n"
+               "{{code include/step.hpp step}}\n\n{{ask: Why?}}\n\nSo.\n\n{{answered}}\n\n"
+               "{{where counted}}\nOf {{counted}}.\n{{end}}\n{{where amplitude}}\nMeasured.\n{{end}}");
     const std::string page = fill_more(course);
-    for (const char* part :
-         {">5.18\u202fm</span>", "data-statement=\"the amplitude grows\"", "\\times 10^{-16}",
-          "3px solid #009e73", "| 20\u202f000 |", "$ ./course run 3 --study</span>\nOrder",
-          "no such name", "x += h * v;", "<summary>Why?</summary>", "Measured."}) {
+    for (const char* part : {">5.18\u202fm</span>", "data-statement=\"the amplitude grows\"", "\\times 10^{-16}",
+                             "3px solid #009e73", "| 20\u202f000 |", "$ ./course run 3 --study</span>\nOrder",
+                             "no such name", "x += h * v;", "<summary>Why?</summary>", "Measured."}) {
         CHECK_THAT(page, ContainsSubstring(part));
     }
     CHECK_THAT(page, !ContainsSubstring("Of "));
-    CHECK(error_of(course, "It is {{none}}.") ==
-          "more.md:3: the run of 03_springs has no number \"none\"");
+    CHECK(error_of(course, "It is {{none}}.") == "more.md:3: the run of 03_springs has no number \"none\"");
 }
 
 TEST_CASE("a second page has its own title and sections, and leads back to its chapter") {
     const Course course;
-    course.write(
-        "chapters/04_more/about.json",
-        R"({"title": "More", "question": "?", "claims": [], "picture": "a.svg", "figures": ["a.svg"]})");
+    course.write("chapters/04_more/about.json",
+                 R"({"title": "More", "question": "?", "claims": [], "picture": "a.svg", "figures": ["a.svg"]})");
     write_more(course, "First.\n\n## Limits {#more3_limits}\n\n### Of one {#more3_one}");
     const std::string page = fill_more(course);
     CHECK(page.starts_with("# More on chapter 3 {#more_03}\n\n[TOC]\n"));
@@ -96,57 +90,53 @@ TEST_CASE("a second page has its own title and sections, and leads back to its c
                                        "chapter_03 \"3 · Springs\"</span><span class=\"next\">"));
     CHECK_THAT(page, !ContainsSubstring("class=\"facts\"") && !ContainsSubstring("Springs {#"));
 
-    CHECK_THAT(
-        error_of(course, "## Limits {#ch3_limits}"),
-        ContainsSubstring(
-            "more.md:3: below the title a section is ## or ###, with an id that begins {#more3_"));
+    CHECK_THAT(error_of(course, "## Limits {#ch3_limits}"),
+               ContainsSubstring("more.md:3: below the title a section is ## or ###, with an id that begins {#more3_"));
     CHECK_THAT(error_of(course, "## Limits"), ContainsSubstring("more.md:3: below the title"));
-    CHECK_THAT(error_of(course, "# Limits {#more3_limits}"),
-               ContainsSubstring("more.md:3: below the title"));
+    CHECK_THAT(error_of(course, "# Limits {#more3_limits}"), ContainsSubstring("more.md:3: below the title"));
     course.write(more, "# More {#chapter_03}\n");
-    CHECK(more_error(course) ==
-          "more.md:1: the first heading must be the title, with the id {#more_03}");
+    CHECK(more_error(course) == "more.md:1: the first heading must be the title, with the id {#more_03}");
     course.write(more, "More.\n");
     CHECK(more_error(course) == "more.md:1: the page has no title, with the id {#more_03}");
-    CHECK_THAT(
-        error_of(course, "{{program}}"),
-        ContainsSubstring(
-            "more.md:3: {{program: its first words}} or {{program}} stands on a chapter's page"));
+    CHECK_THAT(error_of(course, "{{program}}"),
+               ContainsSubstring("more.md:3: {{program: its first words}} or {{program}} stands on a chapter's page"));
 }
 
 TEST_CASE("a figure may stand on a chapter's second page, and numbers go on there") {
     const Course course;
     course.write("runs/03_springs/run/turn.svg", course.read("runs/03_springs/run/spiral.svg"));
-    course.replace("chapters/03_springs/about.json", "\"sweep.gif\"",
-                   "\"turn.svg\", \"sweep.gif\"");
+    course.replace("chapters/03_springs/about.json", "\"sweep.gif\"", "\"turn.svg\", \"sweep.gif\"");
     move_sweep(course);
     course.replace(more, sweep, "{{figure turn.svg: Round.}}\n\n" + sweep);
-    CHECK_THAT(course.fill(), ContainsSubstring("Figure\u00a03.1.</span> **Out.**") &&
-                                  !ContainsSubstring("fig-sweep-film"));
+    CHECK_THAT(course.fill(),
+               ContainsSubstring("Figure\u00a03.1.</span> **Out.**") && !ContainsSubstring("fig-sweep-film"));
     const std::string second = fill_more(course);
     CHECK_THAT(second, ContainsSubstring("Figure\u00a03.2.</span> Round."));
     CHECK_THAT(second, ContainsSubstring("<figure id=\"fig-sweep-film\"") &&
                            ContainsSubstring("Figure\u00a03.3.</span> A sweep."));
 
     course.replace(more, sweep, "");
-    CHECK(course.fill_error() ==
-          "chapters/03_springs/about.json:1: the page does not show sweep.gif");
+    CHECK(course.fill_error() == "chapters/03_springs/about.json:1: the page does not show sweep.gif");
     // A section behind a {{where …}} that was not measured is absent: heading, figure and the figure's number.
     const std::string numbers = "runs/03_springs/run/numbers.tsv";
     course.write(numbers, course.read(numbers) + "counted\t\t\tinstructions a step\n");
-    course.write(
-        more, title + "{{figure turn.svg: Round.}}\n\n{{where counted}}\n" + sweep + "\n{{end}}\n");
+    course.write(more, title + "{{figure turn.svg: Round.}}\n\n{{where counted}}\n" + sweep + "\n{{end}}\n");
     CHECK_THAT(fill_more(course), ContainsSubstring("Figure\u00a03.2.</span> Round.") && !ContainsSubstring("sweep"));
-    course.write(more, title + "{{where counted}}\n## Peers {#more3_peers}\n\n" + sweep + "\n{{end}}\n\n{{figure turn.svg: Round.}}\n");
-    CHECK_THAT(fill_more(course), ContainsSubstring("Figure\u00a03.2.</span> Round.") && !ContainsSubstring("more3_peers"));
+    course.write(more, title + "{{where counted}}\n## Peers {#more3_peers}\n\n" + sweep +
+                           "\n{{end}}\n\n{{figure turn.svg: Round.}}\n");
+    CHECK_THAT(fill_more(course),
+               ContainsSubstring("Figure\u00a03.2.</span> Round.") && !ContainsSubstring("more3_peers"));
     course.replace(numbers, "counted\t\t\t", "counted\t7\t\t");
-    CHECK_THAT(fill_more(course), ContainsSubstring("Figure\u00a03.3.</span> Round.") && ContainsSubstring("more3_peers"));
+    CHECK_THAT(fill_more(course),
+               ContainsSubstring("Figure\u00a03.3.</span> Round.") && ContainsSubstring("more3_peers"));
 }
 
 TEST_CASE("chapter 7: other people's libraries, heading and figure, are there where one was there") {
     std::string where;
     bool heading = false, figure = false;
-    for (const page::Piece& piece : page::scan(page::read_file(std::filesystem::path{SOURCE} / "chapters/07_error_against_run_time/chapter.md"), "chapter.md")) {
+    for (const page::Piece& piece :
+         page::scan(page::read_file(std::filesystem::path{SOURCE} / "chapters/07_error_against_run_time/chapter.md"),
+                    "chapter.md")) {
         if (piece.text.starts_with("where ")) where = piece.text;
         if (piece.text == "end") where.clear();
         heading = heading || (where == "where peers" && piece.text.find("{#ch7_peers}") != std::string::npos);
@@ -159,10 +149,8 @@ TEST_CASE("chapter 7: other people's libraries, heading and figure, are there wh
 TEST_CASE("figures are found on both of a chapter's pages, from each of them and from elsewhere") {
     const Course course;
     move_sweep(course);
-    course.replace(chapter, "It grows to {{amplitude}}.",
-                   "See {{see spiral.svg}}, {{see sweep.gif}}.");
-    course.replace(more, sweep,
-                   sweep + "\n\nSee {{see spiral.svg}}, {{see 03_springs/sweep.gif}}.");
+    course.replace(chapter, "It grows to {{amplitude}}.", "See {{see spiral.svg}}, {{see sweep.gif}}.");
+    course.replace(more, sweep, sweep + "\n\nSee {{see spiral.svg}}, {{see 03_springs/sweep.gif}}.");
     const std::string spiral = "<a href=\"#fig-spiral\">Figure\u00a03.1</a>",
                       film = "<a href=\"#fig-sweep-film\">Figure\u00a03.2</a>";
     const std::string spiral_there = "<a href=\"chapter_03.html#fig-spiral\">Figure\u00a03.1</a>";
@@ -172,17 +160,15 @@ TEST_CASE("figures are found on both of a chapter's pages, from each of them and
     CHECK(error_of(course, sweep + "\n\n{{see none.svg}}") ==
           "more.md:5: none.svg is no figure of this page nor of its chapter's");
 
-    course.write(
-        "chapters/04_more/about.json",
-        R"({"title": "More", "question": "?", "claims": [], "picture": "a.svg", "figures": ["a.svg"]})");
+    course.write("chapters/04_more/about.json",
+                 R"({"title": "More", "question": "?", "claims": [], "picture": "a.svg", "figures": ["a.svg"]})");
     course.write("chapters/04_more/more.md", "# More on chapter 4 {#more_04}\n");
     course.write("chapters/04_more/chapter.md", "# More\n");
     const std::string see = "See {{see 03_springs/spiral.svg}}, {{see 03_springs/sweep.gif}}.\n";
     page::Context elsewhere{course / "", course / "runs"}, other{course / "", course / "runs"};
     CHECK_THAT(page::fill(elsewhere, see, "start.md"),
                ContainsSubstring("See " + spiral_there + ", " + film_there + "."));
-    CHECK(elsewhere.inputs.count(course / more) ==
-          1);  // so that it is filled anew when the numbers change
+    CHECK(elsewhere.inputs.count(course / more) == 1);  // so that it is filled anew when the numbers change
     other.set_chapter("04_more", "more.md");
     CHECK_THAT(page::fill(other, "# More on chapter 4 {#more_04}\n\n" + see, "more.md"),
                ContainsSubstring("See " + spiral_there + ", " + film_there + "."));
@@ -216,19 +202,14 @@ TEST_CASE("a claim may be taught and drawn on the second page, and the talks lea
     move_sweep(course);
     course.replace(chapter, "{{claims N22}}\n", "");
     course.replace(chapter, "{{figure spiral.svg N22:", "{{figure spiral.svg:");
-    CHECK_THAT(course.fill_error(),
-               ContainsSubstring("N22 is claimed, but no section of the page teaches it"));
-    write_more(course,
-               "## Steps {#more3_steps}\n{{claims N22}}\n\n{{figure sweep.gif N22: A sweep.}}");
+    CHECK_THAT(course.fill_error(), ContainsSubstring("N22 is claimed, but no section of the page teaches it"));
+    write_more(course, "## Steps {#more3_steps}\n{{claims N22}}\n\n{{figure sweep.gif N22: A sweep.}}");
     CHECK(course.fill_error() == "no error");
     std::vector<page::IndexEntry> index;
-    CHECK_THAT(fill_more(course, &index),
-               ContainsSubstring("<a class=\"row\" href=\"talks.html#row_N22\">N22</a>"));
+    CHECK_THAT(fill_more(course, &index), ContainsSubstring("<a class=\"row\" href=\"talks.html#row_N22\">N22</a>"));
     REQUIRE(index.size() == 2);
-    CHECK((index[0].kind == "section" && index[0].page == "more_03.html" &&
-           index[0].anchor == "more3_steps"));
-    CHECK((index[1].kind == "figure" && index[1].page == "more_03.html" &&
-           index[1].anchor == "fig-sweep-film"));
+    CHECK((index[0].kind == "section" && index[0].page == "more_03.html" && index[0].anchor == "more3_steps"));
+    CHECK((index[1].kind == "figure" && index[1].page == "more_03.html" && index[1].anchor == "fig-sweep-film"));
     CHECK(error_of(course, "## Steps {#more3_steps}\n{{claims N23}}\n\n" + sweep) ==
           "more.md:4: \"N23\" is none of this chapter's claims");
     CHECK_THAT(course.fill_error(), ContainsSubstring("N22 is claimed, but no section"));
@@ -239,10 +220,9 @@ TEST_CASE("the input's name tells which of a chapter's pages it is") {
     move_sweep(course);
     course.replace(more, sweep, "## Steps {#more3_steps}\n{{claims N22}}\n\n" + sweep);
     const std::string root = (course / "").string();
-    const Outcome outcome = run_command(std::string{PAGE} + " --source " + root + " --runs " +
-                                        root + "runs --chapter 03_springs --input " + root + more +
-                                        " --output " + root + "out/more.md --index " + root +
-                                        "out/more.tsv --figures " + root + "out/figures");
+    const Outcome outcome = run_command(
+        std::string{PAGE} + " --source " + root + " --runs " + root + "runs --chapter 03_springs --input " + root +
+        more + " --output " + root + "out/more.md --index " + root + "out/more.tsv --figures " + root + "out/figures");
     CHECK(outcome.words.empty());
     REQUIRE(outcome.status == 0);
     CHECK(course.read("out/more.md").starts_with(title));
@@ -258,17 +238,15 @@ TEST_CASE("a draft of a second page has gaps, and says so below its title") {
     context.draft = true;
     context.set_chapter("03_springs", more);
     const std::string page = page::fill(context, course.read(more), "more.md");
-    CHECK(page.starts_with(
-        "# More on chapter 3 {#more_03}\n\n<div class=\"draft\"><b>This page is being made.</b>"));
+    CHECK(page.starts_with("# More on chapter 3 {#more_03}\n\n<div class=\"draft\"><b>This page is being made.</b>"));
     CHECK_THAT(page, ContainsSubstring("<div class=\"gap\" id=\"fig-sweep-film\">Not there yet"));
 }
 
 TEST_CASE("an answer to which method leads from the second page to the chapter's") {
     const Course course;
     const auto all = timestep::choices();
-    const auto one = std::find_if(all.begin(), all.end(), [](const timestep::Choice& each) {
-        return each.where.starts_with("ch");
-    });
+    const auto one =
+        std::find_if(all.begin(), all.end(), [](const timestep::Choice& each) { return each.where.starts_with("ch"); });
     REQUIRE(one != all.end());
     const std::string where = one->where;  // chN_…
     const std::string number = where.substr(where.find('_') - 1, 1);
@@ -276,8 +254,7 @@ TEST_CASE("an answer to which method leads from the second page to the chapter's
     if (number != "3") {
         std::filesystem::rename(course / "chapters/03_springs", course / folder);
     }
-    course.write(folder + "more.md",
-                 "# More {#more_0" + number + "}\n\n{{which " + one->name + "}}\n");
+    course.write(folder + "more.md", "# More {#more_0" + number + "}\n\n{{which " + one->name + "}}\n");
     course.write(folder + "chapter.md", "# Springs\n");
     page::Context context{course / "", course / "runs"};
     context.set_chapter("0" + number + "_springs", "more.md");

@@ -14,14 +14,11 @@ using Catch::Matchers::ContainsSubstring;
 TEST_CASE("a number stands with its unit, its meaning at hand") {
     const Course course;
     CHECK_THAT(course.fill_paragraph("to {{amplitude}}."),
-               ContainsSubstring(
-                   "to <span class=\"number\" title=\"after two seconds\">5.18\u202fm</span>."));
+               ContainsSubstring("to <span class=\"number\" title=\"after two seconds\">5.18\u202fm</span>."));
     CHECK_THAT(course.fill_paragraph("{{amplitude.value}}"), ContainsSubstring(">5.18</span>"));
-    CHECK_THAT(course.fill_paragraph("{{03_springs/winner}}"),
-               ContainsSubstring(">RK4\\_x</span>"));
+    CHECK_THAT(course.fill_paragraph("{{03_springs/winner}}"), ContainsSubstring(">RK4\\_x</span>"));
     // A quote would end the attribute, a bar a table's cell.
-    CHECK_THAT(course.fill_paragraph("{{tiny}}"),
-               ContainsSubstring("title=\"left over, < 1 \u2223 'small'\""));
+    CHECK_THAT(course.fill_paragraph("{{tiny}}"), ContainsSubstring("title=\"left over, < 1 \u2223 'small'\""));
 }
 
 TEST_CASE("formulas become Doxygen's, with numbers in TeX, safe in tables") {
@@ -29,8 +26,7 @@ TEST_CASE("formulas become Doxygen's, with numbers in TeX, safe in tables") {
     CHECK_THAT(course.fill_paragraph("$a\n= {{tiny}}$"),
                ContainsSubstring("\\f$a = -3.2\\times 10^{-16}\\,\\mathrm{m/s^2}\\f$"));
     CHECK_THAT(course.fill_paragraph("$$\na\n$$"), ContainsSubstring("\\f[\na\n\\f]"));
-    CHECK_THAT(course.fill_paragraph("| $|a|$ |\n|--|"),
-               ContainsSubstring("| \\f$\\vert a\\vert \\f$ |"));
+    CHECK_THAT(course.fill_paragraph("| $|a|$ |\n|--|"), ContainsSubstring("| \\f$\\vert a\\vert \\f$ |"));
     CHECK_THAT(course.fill_paragraph("`$a$ {{b}}`"), ContainsSubstring("`$a$ {{b}}`"));
 }
 
@@ -52,29 +48,32 @@ TEST_CASE("what could not be measured is not on the page, and a sentence cannot 
     CHECK_THAT(course.paragraph_error("{{where amplitude}}\n{{where tiny}}\n{{end}}"),
                ContainsSubstring("within another one"));
     CHECK_THAT(course.paragraph_error("It {{where amplitude}} is."), ContainsSubstring("on a line of its own"));
-    CHECK_THAT(course.paragraph_error("{{where nothing_such}}\nIt is.\n{{end}}"),
-               ContainsSubstring("nothing_such"));
+    CHECK_THAT(course.paragraph_error("{{where nothing_such}}\nIt is.\n{{end}}"), ContainsSubstring("nothing_such"));
 }
 
 TEST_CASE("a check mark tells what the run has confirmed") {
     const Course course;
     CHECK_THAT(course.fill_paragraph("It grows {{check grows}}."),
                ContainsSubstring("data-statement=\"the amplitude grows\">✓</span>."));
-    const std::string three = course.fill_paragraph("It grows {{check grows}}\n{{check grows}} {{check grows}}, and {{check grows}}.");
-    CHECK_THAT(three, ContainsSubstring("It grows\u00a0<span class=\"check\" tabindex=\"0\" role=\"note\" aria-label=\"The run confirms: the amplitude grows; "
-                                        "the amplitude grows; the amplitude grows\" data-statement=\"the amplitude grows; the amplitude grows; "
-                                        "the amplitude grows\">✓</span>, and\u00a0<span") &&
-                          ContainsSubstring("data-statement=\"the amplitude grows\">✓</span>."));
+    const std::string three =
+        course.fill_paragraph("It grows {{check grows}}\n{{check grows}} {{check grows}}, and {{check grows}}.");
+    CHECK_THAT(
+        three,
+        ContainsSubstring(
+            "It grows\u00a0<span class=\"check\" tabindex=\"0\" role=\"note\" aria-label=\"The run confirms: the "
+            "amplitude grows; "
+            "the amplitude grows; the amplitude grows\" data-statement=\"the amplitude grows; the amplitude grows; "
+            "the amplitude grows\">✓</span>, and\u00a0<span") &&
+            ContainsSubstring("data-statement=\"the amplitude grows\">✓</span>."));
 }
 
 TEST_CASE("a figure has a size, words for those who cannot see it, and a caption") {
     const Course course;
     const std::string page = course.fill();
     CHECK_THAT(page, ContainsSubstring("<figure id=\"fig-spiral\""));
-    CHECK_THAT(page,
-               ContainsSubstring("<a class=\"card\" href=\"figures/03_springs/spiral.svg\"><img "
-                                 "src=\"figures/03_springs/spiral.svg\" alt=\"Out.\" width=\"640\" "
-                                 "height=\"480\" loading=\"lazy\"></a>"));
+    CHECK_THAT(page, ContainsSubstring("<a class=\"card\" href=\"figures/03_springs/spiral.svg\"><img "
+                                       "src=\"figures/03_springs/spiral.svg\" alt=\"Out.\" width=\"640\" "
+                                       "height=\"480\" loading=\"lazy\"></a>"));
     CHECK_THAT(page, ContainsSubstring("**Out.** It reaches <span"));
     CHECK_THAT(page, ContainsSubstring("\\f$x^2\\f$.\n\\htmlonly[block]</figcaption>"));
     CHECK_THAT(page, ContainsSubstring("<a class=\"card\" href=\"figures/03_springs/sweep.still.gif\"><img "
@@ -85,11 +84,16 @@ TEST_CASE("figures are numbered in the order of the page, and can be referred to
     const Course course;
     course.write("runs/03_springs/run/turn.svg", course.read("runs/03_springs/run/spiral.svg"));
     course.replace("chapters/03_springs/about.json", "\"sweep.gif\"", "\"sweep.gif\", \"turn.svg\"");
-    const std::string page = course.fill_paragraph("See {{see sweep.gif}} and {{see 03_springs/spiral.svg}}.\n\n{{figure turn.svg: Round.}}");
+    const std::string page = course.fill_paragraph(
+        "See {{see sweep.gif}} and {{see 03_springs/spiral.svg}}.\n\n{{figure turn.svg: Round.}}");
     CHECK_THAT(page, ContainsSubstring("<span class=\"figure-number\">Figure\u00a03.1.</span> Round."));
     CHECK_THAT(page, ContainsSubstring("<span class=\"figure-number\">Figure\u00a03.2.</span> **Out.**"));
-    CHECK_THAT(page, ContainsSubstring("See <a href=\"#fig-sweep-film\">Figure\u00a03.3</a> and <a href=\"#fig-spiral\">Figure\u00a03.2</a>."));
-    CHECK(course.paragraph_error("{{see turn.svg}}") == "chapter.md:5: turn.svg is no figure of this page nor of its chapter's");
+    CHECK_THAT(
+        page,
+        ContainsSubstring(
+            "See <a href=\"#fig-sweep-film\">Figure\u00a03.3</a> and <a href=\"#fig-spiral\">Figure\u00a03.2</a>."));
+    CHECK(course.paragraph_error("{{see turn.svg}}") ==
+          "chapter.md:5: turn.svg is no figure of this page nor of its chapter's");
     CHECK_THAT(course.paragraph_error("{{see}}"), ContainsSubstring("{{see file.svg}}"));
 }
 
@@ -97,10 +101,11 @@ TEST_CASE("a figure that is drawn for phones, too, is narrow there") {
     const Course course;
     const std::string run = "runs/03_springs/run/";
     course.write(run + "narrow/spiral.svg", "<svg width=\"480\" height=\"400\"></svg>");
-    CHECK_THAT(course.fill(),
-               ContainsSubstring("<a class=\"card\" href=\"figures/03_springs/spiral.svg\"><picture><source "
-                                 "srcset=\"figures/03_springs/narrow/spiral.svg\" media=\"screen and (max-width: 560px)\" "
-                                 "width=\"480\" height=\"400\"><img src=\"figures/03_springs/spiral.svg\""));
+    CHECK_THAT(
+        course.fill(),
+        ContainsSubstring("<a class=\"card\" href=\"figures/03_springs/spiral.svg\"><picture><source "
+                          "srcset=\"figures/03_springs/narrow/spiral.svg\" media=\"screen and (max-width: 560px)\" "
+                          "width=\"480\" height=\"400\"><img src=\"figures/03_springs/spiral.svg\""));
     course.remove(run + "narrow/spiral.svg");
     CHECK_THAT(course.fill_error(), ContainsSubstring("narrow/spiral.svg"));
 }
@@ -110,8 +115,7 @@ TEST_CASE("a picture and a film of one name have ids and titles of their own") {
     const std::string run = "runs/03_springs/run/";
     course.write(run + "sweep.svg", course.read(run + "spiral.svg"));
     course.write(run + "sweep_film.gif", course.read(run + "sweep.gif"));
-    course.replace("chapters/03_springs/about.json", "\"sweep.gif\"",
-                   "\"sweep.gif\", \"sweep.svg\"");
+    course.replace("chapters/03_springs/about.json", "\"sweep.gif\"", "\"sweep.gif\", \"sweep.svg\"");
     const std::string page = course.fill_paragraph("{{figure sweep.svg: Still.}}");
     CHECK_THAT(page, ContainsSubstring("<figure id=\"fig-sweep\""));
     CHECK_THAT(page, ContainsSubstring("<figure id=\"fig-sweep-film\""));
@@ -138,7 +142,8 @@ TEST_CASE("a live panel stands as a picture, and names its module where there is
     CHECK_THAT(course.fill_paragraph(panel), ContainsSubstring("data-live=\"03_springs/swing\" "
                                                                "data-module=\"figures/03_springs/live_swing.wasm\""));
     CHECK_THAT(course.fill_paragraph("{{live 03_springs/swing: Pull.}}"), ContainsSubstring("live-swing"));
-    CHECK_THAT(course.paragraph_error(panel + "\n\n{{live 03_springs/swing: Again.}}"), ContainsSubstring("swing is shown twice"));
+    CHECK_THAT(course.paragraph_error(panel + "\n\n{{live 03_springs/swing: Again.}}"),
+               ContainsSubstring("swing is shown twice"));
     for (const char* wrong : {"{{live swing}}", "{{live swing: }}", "{{live: Pull.}}", "{{live swing N22: Pull.}}"}) {
         CHECK_THAT(course.paragraph_error(wrong), ContainsSubstring("a live panel is {{live panel: caption}}"));
     }
@@ -163,8 +168,7 @@ TEST_CASE("a bar in a table's cell does not end the cell") {
 
 TEST_CASE("factors and percentages are numbers, flush right also beside words") {
     Course course;
-    course.write("runs/03_springs/run/factors.tsv",
-                 "what\tleft\tshare\nEuler\t× 1.5\t57 %\nRK4\tgone\t–\n");
+    course.write("runs/03_springs/run/factors.tsv", "what\tleft\tshare\nEuler\t× 1.5\t57 %\nRK4\tgone\t–\n");
     CHECK_THAT(course.fill_paragraph("{{table factors.tsv}}"),
                ContainsSubstring("|---|---:|---:|\n| Euler | ×\u00a01.5 | 57\u202f% |\n| RK4 | gone |"));
 }
@@ -172,8 +176,7 @@ TEST_CASE("factors and percentages are numbers, flush right also beside words") 
 TEST_CASE("code, the run and tables are quoted") {
     const Course course;
     const std::string page = course.fill_paragraph("{{run: Order}}\n\n{{table costs.tsv}}");
-    CHECK_THAT(
-        page, ContainsSubstring("<a href=\"source:include/step.hpp#l00003\">include/step.hpp</a>"));
+    CHECK_THAT(page, ContainsSubstring("<a href=\"source:include/step.hpp#l00003\">include/step.hpp</a>"));
     CHECK_THAT(page, ContainsSubstring("```cpp\nvoid step() {\n    x += h * v;\n}\n```"));
     CHECK_THAT(page, ContainsSubstring("$ ./course run 3</span>\nIt has x &lt; 3\n"));
     CHECK_THAT(page, ContainsSubstring("$ ./course run 3 --study</span>\nOrder\n-----\n  1.00\n</pre>"));
@@ -185,9 +188,12 @@ TEST_CASE("code, the run and tables are quoted") {
 TEST_CASE("the page shows its program in parts, each line once and in order, and then whole") {
     const Course course;
     const std::string page = course.fill();
-    const std::size_t first = page.find("```cpp\n// Springs\nint x;\n```"), second = page.find("```cpp\nint main() {}\n```");
+    const std::size_t first = page.find("```cpp\n// Springs\nint x;\n```"),
+                      second = page.find("```cpp\nint main() {}\n```");
     CHECK(first < second);
-    CHECK(second < page.find("<summary>The whole program</summary>\\endhtmlonly\n\n```cpp\n// Springs\nint x;\n\nint main() {}\n```"));
+    CHECK(second <
+          page.find(
+              "<summary>The whole program</summary>\\endhtmlonly\n\n```cpp\n// Springs\nint x;\n\nint main() {}\n```"));
     CHECK_THAT(page, ContainsSubstring("<a href=\"source:chapters/03_springs/springs.cpp#l00004\">"));
 
     const auto error = [](const std::string& from, const std::string& to) {
@@ -198,18 +204,22 @@ TEST_CASE("the page shows its program in parts, each line once and in order, and
     CHECK_THAT(error("{{program: // Springs}}", ""), ContainsSubstring("the program does not begin with \"int main\""));
     CHECK_THAT(error("{{program: int main}}", "{{program: int many}}"),
                ContainsSubstring("the rest of the program has no line that begins with \"int many\""));
-    CHECK_THAT(error("{{program: int main}}", "{{program: int main}}\n\n{{program: int x}}"), ContainsSubstring("\"int x\""));
+    CHECK_THAT(error("{{program: int main}}", "{{program: int main}}\n\n{{program: int x}}"),
+               ContainsSubstring("\"int x\""));
     CHECK_THAT(error("\n{{program}}\n", "\n"), ContainsSubstring("does not show the chapter's program"));
     CHECK_THAT(error("{{program}}", "{{program springs}}"), ContainsSubstring("{{program: its first words}}"));
 }
 
 TEST_CASE("the command at the program's top stands in a block of its own") {
     const Course course;
-    CHECK_THAT(course.paragraph_error("{{compile}}"), ContainsSubstring("no line of the program begins with \"//   c++ \""));
+    CHECK_THAT(course.paragraph_error("{{compile}}"),
+               ContainsSubstring("no line of the program begins with \"//   c++ \""));
     course.replace("chapters/03_springs/springs.cpp", "int x;",
                    "//   c++ -O2 -Iinclude chapters/03_springs/springs.cpp -o springs && ./springs\nint x;");
-    CHECK_THAT(course.fill_paragraph("{{compile}}"),
-               ContainsSubstring("```sh\nc++ -O2 -Iinclude \\\n    chapters/03_springs/springs.cpp -o springs \\\n    && ./springs\n```"));
+    CHECK_THAT(
+        course.fill_paragraph("{{compile}}"),
+        ContainsSubstring(
+            "```sh\nc++ -O2 -Iinclude \\\n    chapters/03_springs/springs.cpp -o springs \\\n    && ./springs\n```"));
     CHECK_THAT(course.paragraph_error("{{compile: this}}"), ContainsSubstring("{{compile}} takes nothing"));
     CHECK_THAT(course.paragraph_error("Type {{compile}}."), ContainsSubstring("on a line of its own"));
 }
@@ -219,7 +229,8 @@ TEST_CASE("the page stands under its title, with badges of the talks' rows") {
     const std::string page = course.fill();
     CHECK(page.starts_with("# 3 · Springs {#chapter_03}\n\n[TOC]\n"));
     CHECK_THAT(page, !ContainsSubstring("\n# Springs"));
-    CHECK_THAT(page, ContainsSubstring("<div class=\"facts\">Chapter 3 of 1 · 5 minutes to read · <code>./course run 3</code>: "));
+    CHECK_THAT(page, ContainsSubstring(
+                         "<div class=\"facts\">Chapter 3 of 1 · 5 minutes to read · <code>./course run 3</code>: "));
     CHECK_THAT(page, ContainsSubstring("runs in 0.42\u202fs"));
     CHECK_THAT(page, ContainsSubstring("<a class=\"row\" href=\"talks.html#row_N22\">N22</a>"));
 }
@@ -245,13 +256,13 @@ TEST_CASE("chapters know their neighbours") {
     course.write("chapters/04_more/about.json",
                  R"({"title": "More", "question": "?", "claims": [], "picture": "a.svg", "figures": ["a.svg"]})");
     const std::string page = course.fill();
-    CHECK_THAT(page,
-               ContainsSubstring("<span class=\"next\">\\ref chapter_04 \"4 · More\"</span>"));
+    CHECK_THAT(page, ContainsSubstring("<span class=\"next\">\\ref chapter_04 \"4 · More\"</span>"));
     CHECK_THAT(page, !ContainsSubstring("class=\"previous\""));
 }
 
 TEST_CASE("after the last chapter comes what to do with it") {
-    CHECK_THAT(Course{}.fill(), ContainsSubstring("<span class=\"next\">\\ref in_your_engine \"In your engine\"</span>"));
+    CHECK_THAT(Course{}.fill(),
+               ContainsSubstring("<span class=\"next\">\\ref in_your_engine \"In your engine\"</span>"));
 }
 
 TEST_CASE("exercises stand in order on the chapter's page, and in full on pages of their own") {
@@ -264,11 +275,11 @@ TEST_CASE("exercises stand in order on the chapter's page, and in full on pages 
                       "int long_one(const std::map<int, double>& all, double first, double second)");
     course.write("tests/exercises/03_springs/second/about.json",
                  "{\"number\": 2, \"title\": \"The \\\"second\\\"\"," + of_second);
-    course.write("tests/exercises/03_springs/first/about.json",
-                 "{\"number\": 1, \"title\": \"The first\"," + about);
+    course.write("tests/exercises/03_springs/first/about.json", "{\"number\": 1, \"title\": \"The first\"," + about);
     for (const char* name : {"first", "second"})
         course.write("solutions/03_springs/" + std::string(name) + ".cpp",
-                     "// Title\n//\n// You have\n// a < b:\n//\n//     y = |x|\n//\n//   x     in m,\n//         |x| below 1\n//   y, z  in s\n//\n// Example:\n"
+                     "// Title\n//\n// You have\n// a < b:\n//\n//     y = |x|\n//\n//   x     in m,\n//         |x| "
+                     "below 1\n//   y, z  in s\n//\n// Example:\n"
                      "// 1.\n\nint code;\n// no task\n");
     const std::string brief = course.fill_paragraph("{{exercises}}");
     CHECK_THAT(brief, ContainsSubstring("| 3.1 | \\ref exercise_first \"The first\" | a \\* b | easy |\n"
@@ -283,10 +294,13 @@ TEST_CASE("exercises stand in order on the chapter's page, and in full on pages 
     CHECK(tasks.rfind("# Exercises: 3 · Springs {#exercises_3}\n", 0) == 0);
     CHECK_THAT(tasks, ContainsSubstring("## 3.1 The first {#exercise_first}"));
     CHECK_THAT(tasks, ContainsSubstring("```cpp\ndouble f(double x)\n```"));
-    CHECK_THAT(tasks, ContainsSubstring("You have \\f$a<b\\f$:\n\n\\f[\\begin{aligned}&y=\\vert x\\vert \n\\end{aligned}\\f]\n\n| name | what it is |\n|---|---|\n"
-                                        "| `x` | in m, \\f$\\vert x\\vert \\f$ below 1 |\n| `y, z` | in s |\n\nExample: 1.\n"));
-    CHECK_THAT(tasks, ContainsSubstring("```cpp\nint long_one(\n    const std::map<int, double>& all,\n    double first,\n"
-                                        "    double second)\n```"));
+    CHECK_THAT(tasks, ContainsSubstring(
+                          "You have \\f$a<b\\f$:\n\n\\f[\\begin{aligned}&y=\\vert x\\vert \n\\end{aligned}\\f]\n\n| "
+                          "name | what it is |\n|---|---|\n"
+                          "| `x` | in m, \\f$\\vert x\\vert \\f$ below 1 |\n| `y, z` | in s |\n\nExample: 1.\n"));
+    CHECK_THAT(tasks,
+               ContainsSubstring("```cpp\nint long_one(\n    const std::map<int, double>& all,\n    double first,\n"
+                                 "    double second)\n```"));
     CHECK(page::formula_tex("f(omega2) = I (omega2 - omega1) + h omega2 x (I omega2)") ==
           "f(\\omega_{2})=I\\,(\\omega_{2}-\\omega_{1})+h\\,\\omega_{2}\\times (I\\,\\omega_{2})");
     CHECK(page::formula_tex("y2 = y1 + h/6 (k1 + 4 k2)   with   k = sqrt(2) h²") ==
@@ -306,25 +320,19 @@ TEST_CASE("exercises stand in order on the chapter's page, and in full on pages 
 
 TEST_CASE("a name that the run does not know is an error at its line") {
     const Course course;
-    CHECK(course.paragraph_error("{{none}}") ==
-          "chapter.md:5: the run of 03_springs has no number \"none\"");
+    CHECK(course.paragraph_error("{{none}}") == "chapter.md:5: the run of 03_springs has no number \"none\"");
     CHECK(course.paragraph_error("a\nb {{check none}}") ==
           "chapter.md:6: the run of 03_springs made no check \"none\"");
-    CHECK(course.paragraph_error("$x = {{none}}$") ==
-          "chapter.md:5: the run of 03_springs has no number \"none\"");
+    CHECK(course.paragraph_error("$x = {{none}}$") == "chapter.md:5: the run of 03_springs has no number \"none\"");
     CHECK(course.paragraph_error("{{04_more/x}}") == "chapter.md:5: there is no run of 04_more");
-    CHECK(course.paragraph_error("{{table none.tsv}}") ==
-          "chapter.md:5: the run of 03_springs left no none.tsv");
-    CHECK(course.paragraph_error("{{run: None}}") ==
-          "chapter.md:5: the run of 03_springs prints no heading \"None\"");
+    CHECK(course.paragraph_error("{{table none.tsv}}") == "chapter.md:5: the run of 03_springs left no none.tsv");
+    CHECK(course.paragraph_error("{{run: None}}") == "chapter.md:5: the run of 03_springs prints no heading \"None\"");
     CHECK(course.paragraph_error("{{code include/step.hpp none}}") ==
           "chapter.md:5: [none] stands 0 times in include/step.hpp instead of twice");
     CHECK(course.paragraph_error("{{figure none.svg: a\nb}}") ==
           "chapter.md:5: none.svg is not among the figures in chapters/03_springs/about.json");
-    CHECK(course.paragraph_error("{{figure sweep.gif: a}}") ==
-          "chapter.md:30: sweep.gif is shown twice on this page");
-    CHECK(course.paragraph_error("{{figure sweep.gif: a\n\nb}}") ==
-          "chapter.md:5: this {{ has no closing }}");
+    CHECK(course.paragraph_error("{{figure sweep.gif: a}}") == "chapter.md:30: sweep.gif is shown twice on this page");
+    CHECK(course.paragraph_error("{{figure sweep.gif: a\n\nb}}") == "chapter.md:5: this {{ has no closing }}");
     CHECK(course.paragraph_error("{{figure sweep.gif: a\nb {{none}}}}") ==
           "chapter.md:6: the run of 03_springs has no number \"none\"");
 }
@@ -351,8 +359,7 @@ TEST_CASE("a directive in the wrong form is an error") {
     const Course course;
     CHECK(course.paragraph_error("{{}}") == "chapter.md:5: there is nothing between {{ and }}");
     CHECK(course.paragraph_error("{{ampli tude}}") == "chapter.md:5: there is no {{ampli …}}");
-    CHECK(course.paragraph_error("a {{run}}") ==
-          "chapter.md:5: {{run …}} must stand on a line of its own");
+    CHECK(course.paragraph_error("a {{run}}") == "chapter.md:5: {{run …}} must stand on a line of its own");
     CHECK(course.paragraph_error("{{figure sweep.gif:}}") ==
           "chapter.md:5: a figure is {{figure file.svg N22: caption}}");
     CHECK(course.paragraph_error("{{code}}") ==
@@ -360,11 +367,11 @@ TEST_CASE("a directive in the wrong form is an error") {
     CHECK(course.paragraph_error("{{code include/none.hpp}}") == "chapter.md:5: there is no file include/none.hpp");
     CHECK(course.paragraph_error("{{code include/step.hpp step: no such words}}") ==
           "chapter.md:5: 0 of the quoted lines hold \"no such words\", instead of the one that matters");
-    CHECK_THAT(course.fill_paragraph("{{code include/step.hpp step: x += h * v}}"), ContainsSubstring("<figure class=\"listing\" data-line=\"2\">"));
+    CHECK_THAT(course.fill_paragraph("{{code include/step.hpp step: x += h * v}}"),
+               ContainsSubstring("<figure class=\"listing\" data-line=\"2\">"));
     CHECK(course.paragraph_error("text\n\n{{claims N22}}") ==
           "chapter.md:7: {{claims N22 N24}} stands directly below a heading that has an id");
-    CHECK(course.paragraph_error("{{claims N23}}") ==
-          "chapter.md:5: \"N23\" is none of this chapter's claims");
+    CHECK(course.paragraph_error("{{claims N23}}") == "chapter.md:5: \"N23\" is none of this chapter's claims");
     CHECK(course.paragraph_error("### The $x$ {#ch3_x}") ==
           "chapter.md:5: a heading stands in the tree and in the search as plain text: no formula "
           "and "
@@ -373,7 +380,8 @@ TEST_CASE("a directive in the wrong form is an error") {
 
 TEST_CASE("a method's line looks as in the figures") {
     const Course course;
-    course.write("tools/figures/style.gp", "dropped = \"lc rgb '#b15a98' lw 2.5 dt (14,5)\"\nkept    = \"lc rgb '#009e73' lw 2 dt 1\"\n");
+    course.write("tools/figures/style.gp",
+                 "dropped = \"lc rgb '#b15a98' lw 2.5 dt (14,5)\"\nkept    = \"lc rgb '#009e73' lw 2 dt 1\"\n");
     CHECK_THAT(course.fill_paragraph("a {{line kept}} b"),
                ContainsSubstring("a <span class=\"line\" style=\"border-top: 3px solid #009e73\"></span> b"));
     CHECK_THAT(course.fill_paragraph("{{line dropped}}"), ContainsSubstring("3px dashed #b15a98"));
@@ -390,20 +398,17 @@ TEST_CASE("a chapter has its nine sections in their order") {
     course.replace(file, "## In the talk {#ch3_in_the_talk}\n", "");
     CHECK_THAT(course.fill_error(), ContainsSubstring("the section {#ch3_in_the_talk} is missing"));
     course.write(file, page + "## More {#ch3_more}\n");
-    CHECK(course.fill_error() ==
-          "chapter.md:36: a chapter has nine ## sections; make this one a ###");
+    CHECK(course.fill_error() == "chapter.md:36: a chapter has nine ## sections; make this one a ###");
     course.write(file, page);
     course.replace(file, "# Springs", "# Strings");
-    CHECK(course.fill_error() ==
-          "chapter.md:1: the page's title must be that of about.json: Springs");
+    CHECK(course.fill_error() == "chapter.md:1: the page's title must be that of about.json: Springs");
 }
 
 TEST_CASE("a chapter shows all its figures and teaches all its rows") {
     const Course course;
     const std::string file = "chapters/03_springs/chapter.md";
     course.replace(file, "{{figure sweep.gif: A sweep.}}", "");
-    CHECK(course.fill_error() ==
-          "chapters/03_springs/about.json:1: the page does not show sweep.gif");
+    CHECK(course.fill_error() == "chapters/03_springs/about.json:1: the page does not show sweep.gif");
     course.replace(file, "{{claims N22}}", "");
     course.replace("chapters/03_springs/about.json", ", \"sweep.gif\"", "");
     CHECK(course.fill_error() ==
@@ -417,12 +422,9 @@ TEST_CASE("words that a run left stand on the page as they are") {
     const std::string page = course.fill_paragraph("{{said wrong.txt}}");
     CHECK(page.find("<pre class=\"run said\">$ c++ wrong.cpp\nwrong.cpp:1: error: a &lt; b {{x}}\n</pre>") !=
           std::string::npos);
-    CHECK(course.paragraph_error("{{said none.txt}}") ==
-          "chapter.md:5: the run of 03_springs left no none.txt");
-    CHECK(course.paragraph_error("{{said}}") ==
-          "chapter.md:5: what a program said is {{said file.txt}}");
-    CHECK(course.paragraph_error("a {{said wrong.txt}}") ==
-          "chapter.md:5: {{said …}} must stand on a line of its own");
+    CHECK(course.paragraph_error("{{said none.txt}}") == "chapter.md:5: the run of 03_springs left no none.txt");
+    CHECK(course.paragraph_error("{{said}}") == "chapter.md:5: what a program said is {{said file.txt}}");
+    CHECK(course.paragraph_error("a {{said wrong.txt}}") == "chapter.md:5: {{said …}} must stand on a line of its own");
     course.write("runs/03_springs/run/empty.txt", "\n");
     CHECK(course.paragraph_error("{{said empty.txt}}") == "chapter.md:5: empty.txt holds no word");
 }
@@ -462,7 +464,8 @@ TEST_CASE("a draft of what is all there is the page itself, and a misspelt numbe
 }
 
 TEST_CASE("a formula in a sentence of a task is set, and what is none is not") {
-    const std::set<std::string> names = page::names_in("State<double> f(std::map<int, double> s, double omega, Vector3d share, double v1)");
+    const std::set<std::string> names =
+        page::names_in("State<double> f(std::map<int, double> s, double omega, Vector3d share, double v1)");
     CHECK(names == std::set<std::string>{"s", "omega", "share", "v1"});
     const auto set = [&](const std::string& sentence) { return page::with_formulas(sentence, names); };
     CHECK(set("only omega h decides.") == "only \\f$\\omega\\,h\\f$ decides.");
@@ -474,9 +477,11 @@ TEST_CASE("a formula in a sentence of a task is set, and what is none is not") {
     CHECK(set("q * v turns v") == "`q * v` turns \\f$v\\f$");
     CHECK(set("omega x (I omega)") == "\\f$\\omega\\times (I\\,\\omega)\\f$");
     // Words, units and numbers; half a formula.
-    for (const char* words : {"a share of 0.25 m", "from 1 to 1000 m/s²", "in 3 kg m² or N m", "such a ball, i.e. a", "share and state", "share x of", "C++20 or", "(x and y)", "std::log1p(u) is"})
+    for (const char* words : {"a share of 0.25 m", "from 1 to 1000 m/s²", "in 3 kg m² or N m", "such a ball, i.e. a",
+                              "share and state", "share x of", "C++20 or", "(x and y)", "std::log1p(u) is"})
         CHECK_THAT(set(words), !ContainsSubstring("f$\\mathit") && !ContainsSubstring("`"));
-    for (const char* words : {"a share of 0.25 m", "from 1 to 1000 m/s²", "in 3 kg m² or N m", "after 0.5 s it"}) CHECK(set(words) == words);
+    for (const char* words : {"a share of 0.25 m", "from 1 to 1000 m/s²", "in 3 kg m² or N m", "after 0.5 s it"})
+        CHECK(set(words) == words);
     CHECK(set("halve h 10 times") == "halve \\f$h\\f$ 10 times");
     // A list of components is code, whole, as the task has it.
     CHECK(set("later, State<double>{t, x, v}: time") == "later, `State<double>{t, x, v}`: time");
@@ -490,5 +495,6 @@ TEST_CASE("a formula in a sentence of a task is set, and what is none is not") {
     CHECK(set("the length, s") == "the length, s");
     CHECK(page::with_formulas("The root of q s² + s - w = 0 is", {}) == "The root of \\f$q\\,s^2+s-w=0\\f$ is");
     CHECK(page::with_formulas("after 2 s² or kg m² of N m", {}) == "after 2 s² or kg m² of N m");
-    CHECK(page::with_formulas("A step: the x with A x = b, of loops A and B", {}) == "A step: the \\f$x\\f$ with \\f$A\\,x=b\\f$, of loops A and B");
+    CHECK(page::with_formulas("A step: the x with A x = b, of loops A and B", {}) ==
+          "A step: the \\f$x\\f$ with \\f$A\\,x=b\\f$, of loops A and B");
 }

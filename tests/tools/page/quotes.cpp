@@ -54,16 +54,15 @@ TEST_CASE("a tag must stand exactly twice, with something between") {
 }
 
 TEST_CASE("about.json: strings and lists of strings") {
-    const page::Json json =
-        page::parse_json(R"({"a": "x \"y\" \\", "b": [], "c": ["d", "e"]})", "f");
+    const page::Json json = page::parse_json(R"({"a": "x \"y\" \\", "b": [], "c": ["d", "e"]})", "f");
     CHECK(json.at("a") == std::vector<std::string>{"x \"y\" \\"});
     CHECK(json.at("b").empty());
     CHECK(json.at("c") == std::vector<std::string>{"d", "e"});
 }
 
 TEST_CASE("about.json: numbers, true and false, and objects within") {
-    const page::Json json = page::parse_json(
-        R"({"a": -1.5e3, "b": true, "c": {"d": "e", "f": {"g": ["h"]}}, "i": {}})", "f");
+    const page::Json json =
+        page::parse_json(R"({"a": -1.5e3, "b": true, "c": {"d": "e", "f": {"g": ["h"]}}, "i": {}})", "f");
     CHECK(json.at("a") == std::vector<std::string>{"-1500.0"});
     CHECK(json.at("b") == std::vector<std::string>{"true"});
     CHECK(json.at("c.d") == std::vector<std::string>{"e"});

@@ -27,8 +27,7 @@ std::string element(const std::string& xml, const std::string& name) {
 }
 
 std::string unescaped(std::string text) {
-    for (const auto& [entity, sign] :
-         {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}}) {
+    for (const auto& [entity, sign] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}}) {
         text = page::replace_all(text, entity, sign);
     }
     return text;
@@ -40,13 +39,11 @@ std::vector<Tagged> tests_that_run(const std::string& xml) {
     for (std::size_t at = xml.find(mark); at != std::string::npos; at = xml.find(mark, at + 1)) {
         const std::string test = xml.substr(at, xml.find("</TestCase>", at) - at);
         const std::string path = element(test, "File"), tags = element(test, "Tags");
-        for (std::size_t open = tags.find('['); open != std::string::npos;
-             open = tags.find('[', open + 1)) {
+        for (std::size_t open = tags.find('['); open != std::string::npos; open = tags.find('[', open + 1)) {
             const std::string tag = tags.substr(open + 1, tags.find(']', open) - open - 1);
             if (page::is_row(tag)) {
                 // The file as seen from the root, however the compiler was told of it.
-                tests.push_back(
-                    {path.substr(path.rfind("tests/")), tag, unescaped(element(test, "Name"))});
+                tests.push_back({path.substr(path.rfind("tests/")), tag, unescaped(element(test, "Name"))});
             }
         }
     }
@@ -71,25 +68,21 @@ int main(int argc, char** argv) {
     const std::vector<page::TestPlace> named = page::load_tests(argv[1]);
     int faults = 0;
     for (const Tagged& test : run) {
-        if (std::none_of(named.begin(), named.end(),
-                         [&](const auto& place) { return is_same(test, place); })) {
-            std::printf("%s: [%s] %s runs, and is not found in the source\n", test.file.c_str(),
-                        test.row.c_str(), test.name.c_str());
+        if (std::none_of(named.begin(), named.end(), [&](const auto& place) { return is_same(test, place); })) {
+            std::printf("%s: [%s] %s runs, and is not found in the source\n", test.file.c_str(), test.row.c_str(),
+                        test.name.c_str());
             ++faults;
         }
     }
     for (const page::TestPlace& place : named) {
-        if (std::any_of(run.begin(), run.end(),
-                        [&](const auto& test) { return is_same(test, place); })) {
+        if (std::any_of(run.begin(), run.end(), [&](const auto& test) { return is_same(test, place); })) {
             continue;
         }
         // What is beside another library is left out where that is not installed.
         const bool left_out =
-            page::read_file(std::filesystem::path{argv[1]} / place.file).find("TIMESTEP_WITH_") !=
-            std::string::npos;
-        std::printf("%s:%d: [%s] %s stands in the source, and does not run%s\n", place.file.c_str(),
-                    place.line, place.row.c_str(), place.name.c_str(),
-                    left_out ? ", for want of another library" : "");
+            page::read_file(std::filesystem::path{argv[1]} / place.file).find("TIMESTEP_WITH_") != std::string::npos;
+        std::printf("%s:%d: [%s] %s stands in the source, and does not run%s\n", place.file.c_str(), place.line,
+                    place.row.c_str(), place.name.c_str(), left_out ? ", for want of another library" : "");
         faults += left_out ? 0 : 1;
     }
     std::printf("%zu tags run, %zu stand in the sources\n", run.size(), named.size());

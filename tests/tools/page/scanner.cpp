@@ -87,10 +87,8 @@ TEST_CASE("what is opened and never closed is an error at its line") {
             return wrong.what();
         }
     };
-    CHECK(message("\n$x\n\nb$") ==
-          "page.md:2: this formula has no closing $ (write \\$ for a dollar)");
-    CHECK(message("a\n$$x") ==
-          "page.md:2: this formula has no closing $$ (write \\$ for a dollar)");
+    CHECK(message("\n$x\n\nb$") == "page.md:2: this formula has no closing $ (write \\$ for a dollar)");
+    CHECK(message("a\n$$x") == "page.md:2: this formula has no closing $$ (write \\$ for a dollar)");
     CHECK(message("{{x\n\n}}") == "page.md:1: this {{ has no closing }}");
     CHECK(message("a `b\n\nc`") == "page.md:1: this inline code has no closing backtick");
     CHECK(message("\n\n```\ncode\n``") == "page.md:3: this code fence has no end");

@@ -17,8 +17,7 @@ void index_row(const Course& course) {
     course.write("index/03_springs.tsv",
                  "N22\tsection\tchapter_03.html\tch3_steps\tSteps\n"
                  "N22\tfigure\tchapter_03.html\tfig-spiral\tspiral\n");
-    course.write("tests/chapters/a.cpp",
-                 "#include <x>\n\nTEST_CASE(\"it grows as $n$\", \"[N22][ch3]\") {\n");
+    course.write("tests/chapters/a.cpp", "#include <x>\n\nTEST_CASE(\"it grows as $n$\", \"[N22][ch3]\") {\n");
 }
 
 std::string talks(const Course& course) {
@@ -38,14 +37,11 @@ TEST_CASE("a row stands with what the talks show, its erratum, section, figure a
     index_row(course);
     const std::string page = talks(course);
     CHECK_THAT(page, ContainsSubstring("<tr id=\"row_N22\">"));
-    CHECK_THAT(page, ContainsSubstring(
-                         "It spirals, \\f$a<b\\f$.<br><span class=\"erratum\"><b>Erratum.</b> "
-                         "Not always.</span>"));
+    CHECK_THAT(page, ContainsSubstring("It spirals, \\f$a<b\\f$.<br><span class=\"erratum\"><b>Erratum.</b> "
+                                       "Not always.</span>"));
     CHECK_THAT(page, ContainsSubstring("<a href=\"chapter_03.html#ch3_steps\">Steps</a>"));
     CHECK_THAT(page, ContainsSubstring("<a href=\"chapter_03.html#fig-spiral\">spiral</a>"));
-    CHECK_THAT(page,
-               ContainsSubstring(
-                   "<a href=\"source:tests/chapters/a.cpp#l00003\">it grows as &#36;n&#36;</a>"));
+    CHECK_THAT(page, ContainsSubstring("<a href=\"source:tests/chapters/a.cpp#l00003\">it grows as &#36;n&#36;</a>"));
 }
 
 TEST_CASE("all but a row's first test are folded away") {
@@ -55,13 +51,11 @@ TEST_CASE("all but a row's first test are folded away") {
                  "TEMPLATE_TEST_CASE(\"grows\", \"[N22]\", float, double) {\n}\n"
                  "TEST_CASE(\"an end - \"\n          \"to end\", \"[ch3][N22]\") {\n}\n");
     course.write("tests/library/b.cpp", "TEST_CASE(\"x < y\", \"[N22]\") {\n}\n");
-    CHECK_THAT(
-        talks(course),
-        ContainsSubstring("<a href=\"source:tests/chapters/a.cpp#l00001\">grows</a><details>"
-                          "<summary>and 2 more</summary>"
-                          "<a href=\"source:tests/chapters/a.cpp#l00003\">an end - to end"
-                          "</a><br><a href=\"source:tests/library/b.cpp#l00001\">x &lt; y</a>"
-                          "</details>"));
+    CHECK_THAT(talks(course), ContainsSubstring("<a href=\"source:tests/chapters/a.cpp#l00001\">grows</a><details>"
+                                                "<summary>and 2 more</summary>"
+                                                "<a href=\"source:tests/chapters/a.cpp#l00003\">an end - to end"
+                                                "</a><br><a href=\"source:tests/library/b.cpp#l00001\">x &lt; y</a>"
+                                                "</details>"));
 }
 
 TEST_CASE("tests are told by their macro at the beginning of a line, and by their tags") {
@@ -77,8 +71,7 @@ TEST_CASE("tests are told by their macro at the beginning of a line, and by thei
     CHECK(rows("TEST_CASE(\"a\") { CHECK(x == \"[N01]\"); }\n") == "");
     CHECK(rows("\n\nTEST_CASE(\n    \"a \\\"b\\\", c\",\n    \"[N01]\"\n    \"[I12][ch1][N1]\") "
                "{\n") == "N01 a \"b\", c 3\nI12 a \"b\", c 3\n");
-    CHECK(rows("TEMPLATE_LIST_TEST_CASE(\"a\", \"[N01]\", Reals) {\n}\nTEST_CASE(\"b") ==
-          "N01 a 1\n");
+    CHECK(rows("TEMPLATE_LIST_TEST_CASE(\"a\", \"[N01]\", Reals) {\n}\nTEST_CASE(\"b") == "N01 a 1\n");
 }
 
 TEST_CASE("a claimed row without its text, section or test is an error") {
@@ -116,10 +109,8 @@ TEST_CASE("faulty texts of the talks are refused, at their line") {
             return wrong.what();
         }
     };
-    CHECK_THAT(message("N01\tN\ta\t\nN01\tN\tb\t\n"),
-               ContainsSubstring(":2: N01 stands here twice"));
+    CHECK_THAT(message("N01\tN\ta\t\nN01\tN\tb\t\n"), ContainsSubstring(":2: N01 stands here twice"));
     CHECK_THAT(message("N01\tN\t\t\n"), ContainsSubstring(":1: N01 has no text"));
-    CHECK_THAT(message("N01\tN\ta\n"),
-               ContainsSubstring(":1: must be a claim and 3 more fields"));
+    CHECK_THAT(message("N01\tN\ta\n"), ContainsSubstring(":1: must be a claim and 3 more fields"));
     CHECK_THAT(message("N1\tN\ta\t\n"), ContainsSubstring(":1: must be a claim"));
 }

@@ -10,15 +10,9 @@ namespace engines {
 
 namespace {
 
-b3Vec3 in_box3d(const Vector& v) {
-    return {float(v.x()), float(v.y()), float(v.z())};
-}
-b3Quat in_box3d(const Quaternion& q) {
-    return {{float(q.x()), float(q.y()), float(q.z())}, float(q.w())};
-}
-Vector out_of(const b3Vec3& v) {
-    return {double(v.x), double(v.y), double(v.z)};
-}
+b3Vec3 in_box3d(const Vector& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
+b3Quat in_box3d(const Quaternion& q) { return {{float(q.x()), float(q.y()), float(q.z())}, float(q.w())}; }
+Vector out_of(const b3Vec3& v) { return {double(v.x), double(v.y), double(v.z)}; }
 
 class Box3dWorld : public World {
 public:
@@ -60,7 +54,8 @@ public:
             b3CreateCapsuleShape(body, &surface, &capsule);
         }
         b3MassData mass = {float(shape.mass), {0, 0, 0}, {}};
-        const timestep::Matrix3<double> turned(shape.axes), I = turned * shape.moments.asDiagonal() * turned.transpose();
+        const timestep::Matrix3<double> turned(shape.axes),
+            I = turned * shape.moments.asDiagonal() * turned.transpose();
         mass.inertia = {in_box3d(I.col(0)), in_box3d(I.col(1)), in_box3d(I.col(2))};
         b3Body_SetMassData(body, mass);
         bodies_.push_back(body);
@@ -98,8 +93,8 @@ private:
 
 void timestep_engines(std::vector<engines::Engine>& engines) {
     for (const int substeps : {4, 1, 8})
-        engines.push_back({"Box3D, " + std::to_string(substeps) + (substeps == 1 ? " substep" : " substeps"), ENGINE_RULE,
-                           [substeps](const engines::Wanted& wanted) {
+        engines.push_back({"Box3D, " + std::to_string(substeps) + (substeps == 1 ? " substep" : " substeps"),
+                           ENGINE_RULE, [substeps](const engines::Wanted& wanted) {
                                return std::make_unique<engines::Box3dWorld>(wanted, substeps);
                            }});
 }

@@ -11,12 +11,8 @@ namespace engines {
 
 namespace {
 
-btVector3 in_bullet(const Vector& v) {
-    return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
-}
-Vector out_of(const btVector3& v) {
-    return {double(v.x()), double(v.y()), double(v.z())};
-}
+btVector3 in_bullet(const Vector& v) { return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())}; }
+Vector out_of(const btVector3& v) { return {double(v.x()), double(v.y()), double(v.z())}; }
 
 // A rule in a callback before the step, as a game can have it without a class of its own.
 template <class Rule>
@@ -96,8 +92,8 @@ public:
         if (b < 0)
             joints_.push_back(std::make_unique<btPoint2PointConstraint>(one, in_bullet(on_a)));
         else
-            joints_.push_back(std::make_unique<btPoint2PointConstraint>(one, *bodies_[std::size_t(b)],
-                                                                        in_bullet(on_a), in_bullet(on_b)));
+            joints_.push_back(std::make_unique<btPoint2PointConstraint>(one, *bodies_[std::size_t(b)], in_bullet(on_a),
+                                                                        in_bullet(on_b)));
         world_.addConstraint(joints_.back().get(), true);
     }
     void step(double h) override { world_.stepSimulation(btScalar(h), 1, btScalar(h)); }

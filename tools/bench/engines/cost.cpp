@@ -33,8 +33,10 @@ double median(std::vector<double> values) {
 void time_steps(const std::vector<Engine>& engines, const Effort& effort, Numbers& numbers) {
     constexpr int bodies = 512, together = 4;  // steps a turn
     const int turns = effort.quick ? 20 : 100;
-    std::printf("\n%d boxes that touch nothing: ns of processor time a body and step, in turns, the median of %d\n%-48s %8s %10s\n", bodies,
-                turns, "", "ns", "of first");
+    std::printf(
+        "\n%d boxes that touch nothing: ns of processor time a body and step, in turns, the median of %d\n%-48s %8s "
+        "%10s\n",
+        bodies, turns, "", "ns", "of first");
     const Shape shape{Shape::box, {0.25, 0.5, 0.75}, timestep::box(1.0, 0.5, 1.0, 1.5).moments, 1};
     std::vector<std::unique_ptr<World>> worlds;
     for (const Engine& engine : engines) {
@@ -53,7 +55,8 @@ void time_steps(const std::vector<Engine>& engines, const Effort& effort, Number
         for (std::size_t i = 0; i < engines.size(); ++i)
             taken[i].push_back(processor_seconds_of([&] {
                                    for (int n = 0; n < together; ++n) worlds[i]->step(step);
-                               }) / together);
+                               }) /
+                               together);
     for (std::size_t i = 0; i < engines.size(); ++i) {
         std::size_t first = i;  // the engine's own first row
         while (first > 0 && engines[first - 1].name == engines[i].name) --first;

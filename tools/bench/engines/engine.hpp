@@ -48,7 +48,7 @@ inline constexpr double rolling = 0.02;  // in what an engine takes for it, of c
 
 // What a scene wants of its world.
 struct Wanted {
-    double gravity = 0;    // m/s², downwards
+    double gravity = 0;  // m/s², downwards
     bool sleeping = false;
     bool damping = false;  // the engine's own, where it has some without being asked
     bool smooth = false;   // neither friction nor rolling resistance

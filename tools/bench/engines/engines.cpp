@@ -41,7 +41,8 @@ Asked read_words(int argc, char** argv, const std::vector<Engine>& all) {
         asked.engine = name;
         return name.empty() ? "must be the beginning of an engine's name" : "";
     });
-    options.add("--scene", [&](const std::string& id) { return asked.scenes.push_back(id), std::string(); }, true);
+    options.add(
+        "--scene", [&](const std::string& id) { return asked.scenes.push_back(id), std::string(); }, true);
     if (!options.parse(argc, argv)) throw std::invalid_argument("./course bench --help says what it takes");
     std::string names;
     for (const Scene& scene : scenes) names += (names.empty() ? "" : ", ") + std::string(scene.id);
@@ -49,7 +50,8 @@ Asked read_words(int argc, char** argv, const std::vector<Engine>& all) {
         if (std::none_of(std::begin(scenes), std::end(scenes), [&](const Scene& s) { return s.id == id; }))
             throw std::invalid_argument("--scene '" + id + "': must be one of " + names);
     if (std::none_of(all.begin(), all.end(), [&](const Engine& e) { return e.name.starts_with(asked.engine); }))
-        throw std::invalid_argument("--engine " + asked.engine + ": must be the beginning of the name of an engine that is here");
+        throw std::invalid_argument("--engine " + asked.engine +
+                                    ": must be the beginning of the name of an engine that is here");
     return asked;
 }
 
@@ -68,8 +70,8 @@ void run(const Asked& asked, std::vector<Engine> all, const std::vector<std::str
     std::stable_sort(all.begin(), all.end(), [](const Engine& a, const Engine& b) { return a.name < b.name; });
     Numbers numbers;
     for (const Scene& scene : scenes) {
-        const bool wanted = asked.scenes.empty() ||
-                            std::find(asked.scenes.begin(), asked.scenes.end(), scene.id) != asked.scenes.end();
+        const bool wanted =
+            asked.scenes.empty() || std::find(asked.scenes.begin(), asked.scenes.end(), scene.id) != asked.scenes.end();
         if (!wanted) continue;
         const double seconds = lab::seconds_of([&] { scene.run(all, asked.effort, numbers); });
         std::printf("(%s: %.1f s)\n", scene.id, seconds);

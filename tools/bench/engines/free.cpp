@@ -71,7 +71,8 @@ Flight flown(const Engine& engine, const Flyer& flyer, double spin, int steps, c
         flight.most = std::max(flight.most, spin_energy(flyer.shape, s) / E);
         right = right && timestep::apart(truth[std::size_t(n)], s.q) < lost;
         if (right) flight.kept = n * step;
-        if (n > steps - 600) flight.along = std::max(flight.along, std::fabs(w) / std::fabs(start.omega[flyer.watched]));
+        if (n > steps - 600)
+            flight.along = std::max(flight.along, std::fabs(w) / std::fabs(start.omega[flyer.watched]));
     }
     const State s = world->state(0);
     flight.energy = spin_energy(flyer.shape, s) / E;
@@ -97,12 +98,13 @@ void fly(const std::vector<Engine>& engines, const Effort& effort, Numbers& numb
                 truth.push_back(s.q);
                 if (n > 0) flips.see((s.q.conjugate() * s.omega)[flyer.watched]);
             }
-            std::printf("\n%s, %g rad/s, %g s alone; it truly flips %d times\n%-48s %8s %8s %8s %9s %6s %8s\n", flyer.name,
-                        spin, steps * step, flips.count, "", "energy", "at most", "|L|", "right, s", "flips", "spin");
+            std::printf("\n%s, %g rad/s, %g s alone; it truly flips %d times\n%-48s %8s %8s %8s %9s %6s %8s\n",
+                        flyer.name, spin, steps * step, flips.count, "", "energy", "at most", "|L|", "right, s",
+                        "flips", "spin");
             for (const Engine& engine : engines) {
                 const Flight f = flown(engine, flyer, spin, steps, truth);
-                std::printf("%s %8.3f %8.3f %8.3f %9.2f %6d %8.3f\n", row_name(engine).c_str(), f.energy, f.most, f.momentum,
-                            f.kept, f.flips, f.along);
+                std::printf("%s %8.3f %8.3f %8.3f %9.2f %6d %8.3f\n", row_name(engine).c_str(), f.energy, f.most,
+                            f.momentum, f.kept, f.flips, f.along);
                 char which[64];
                 std::snprintf(which, sizeof which, "%s, %g rad/s", flyer.name, spin);
                 numbers.add("alone", which, engine, "energy left", f.energy);

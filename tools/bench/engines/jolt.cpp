@@ -21,15 +21,9 @@ namespace engines {
 
 namespace {
 
-JPH::Vec3 in_jolt(const Vector& v) {
-    return {float(v.x()), float(v.y()), float(v.z())};
-}
-JPH::Quat in_jolt(const Quaternion& q) {
-    return {float(q.x()), float(q.y()), float(q.z()), float(q.w())};
-}
-Vector out_of(JPH::Vec3Arg v) {
-    return {double(v.GetX()), double(v.GetY()), double(v.GetZ())};
-}
+JPH::Vec3 in_jolt(const Vector& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
+JPH::Quat in_jolt(const Quaternion& q) { return {float(q.x()), float(q.y()), float(q.z()), float(q.w())}; }
+Vector out_of(JPH::Vec3Arg v) { return {double(v.GetX()), double(v.GetY()), double(v.GetZ())}; }
 
 // Everything may touch everything.
 struct Layers : JPH::BroadPhaseLayerInterface {
@@ -72,13 +66,13 @@ public:
             solid = new JPH::RotatedTranslatedShape(JPH::Vec3::sZero(), turned,
                                                     new JPH::CapsuleShape(half.GetZ(), half.GetX()));
         }
-        JPH::BodyCreationSettings settings(
-            solid, in_jolt(s.x), in_jolt(s.q), JPH::EMotionType::Dynamic, 0);
+        JPH::BodyCreationSettings settings(solid, in_jolt(s.x), in_jolt(s.q), JPH::EMotionType::Dynamic, 0);
         settings.mLinearVelocity = in_jolt(s.v), settings.mAngularVelocity = in_jolt(s.omega);
         settings.mFriction = wanted_.smooth ? 0 : float(friction);
         settings.mApplyGyroscopicForce = gyroscopic_ && wanted_.rule;
         settings.mAllowSleeping = wanted_.sleeping;
-        constexpr JPH::EAllowedDOFs about[] = {JPH::EAllowedDOFs::RotationX, JPH::EAllowedDOFs::RotationY, JPH::EAllowedDOFs::RotationZ};
+        constexpr JPH::EAllowedDOFs about[] = {JPH::EAllowedDOFs::RotationX, JPH::EAllowedDOFs::RotationY,
+                                               JPH::EAllowedDOFs::RotationZ};
         for (std::size_t axis = 0; axis < 3; ++axis)
             if (shape.locked[axis]) settings.mAllowedDOFs &= ~about[axis];
         if (!wanted_.damping) settings.mLinearDamping = settings.mAngularDamping = 0;
@@ -91,7 +85,8 @@ public:
         bodies_.push_back(system_.GetBodyInterface().CreateAndAddBody(settings, JPH::EActivation::Activate));
         if (!finite) {
             const JPH::BodyLockWrite body(system_.GetBodyLockInterface(), bodies_.back());
-            body.GetBody().GetMotionProperties()->SetInverseInertia(in_jolt(shape.moments.cwiseInverse()), in_jolt(shape.axes));
+            body.GetBody().GetMotionProperties()->SetInverseInertia(in_jolt(shape.moments.cwiseInverse()),
+                                                                    in_jolt(shape.axes));
         }
         return int(bodies_.size()) - 1;
     }

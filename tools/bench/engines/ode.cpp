@@ -38,9 +38,8 @@ public:
         const Vector &I = shape.moments, &half = shape.half;
         dMassSetParameters(&mass, shape.mass, 0, 0, 0, I.x(), I.y(), I.z(), 0, 0, 0);
         dBodySetMass(body, &mass);
-        const dGeomID geom = shape.kind == Shape::box
-                                 ? dCreateBox(space_, 2 * half.x(), 2 * half.y(), 2 * half.z())
-                                 : dCreateCapsule(space_, half.x(), 2 * half.z());
+        const dGeomID geom = shape.kind == Shape::box ? dCreateBox(space_, 2 * half.x(), 2 * half.y(), 2 * half.z())
+                                                      : dCreateCapsule(space_, half.x(), 2 * half.z());
         dGeomSetBody(geom, body);
         const dQuaternion q = {s.q.w(), s.q.x(), s.q.y(), s.q.z()};
         dBodySetPosition(body, s.x.x(), s.x.y(), s.x.z());
@@ -94,8 +93,7 @@ private:
     dSpaceID space_;
     dJointGroupID contacts_;
     std::vector<dBodyID> bodies_;
-    timestep::OdeGyroscopic<std::conditional_t<std::is_same_v<Rule, NoRule>, timestep::CalmInEngine, Rule>>
-        gyroscopic_;
+    timestep::OdeGyroscopic<std::conditional_t<std::is_same_v<Rule, NoRule>, timestep::CalmInEngine, Rule>> gyroscopic_;
 };
 
 template <class Rule>

@@ -108,8 +108,10 @@ void chain(const Engine& engine, Numbers& numbers) {
 }  // namespace
 
 void pile_up(const std::vector<Engine>& engines, const Effort& effort, Numbers& numbers) {
-    std::printf("\nstacks of %d boxes, and a chain of %d capsules that swing and twist, %g s\n%-48s %11s %10s %10s %10s %10s %10s\n",
-                boxes, links, watched, "", "standing", "asleep, s", "sunk, m", "energy <=", "energy", "gap, m");
+    std::printf(
+        "\nstacks of %d boxes, and a chain of %d capsules that swing and twist, %g s\n%-48s %11s %10s %10s %10s %10s "
+        "%10s\n",
+        boxes, links, watched, "", "standing", "asleep, s", "sunk, m", "energy <=", "energy", "gap, m");
     for (const Engine& engine : engines) stacks(engine, effort.quick ? 3 : 10, numbers), chain(engine, numbers);
 }
 

@@ -24,8 +24,10 @@ using Row = Numbers::Row;
 std::string id(const std::string& words) {
     std::string name;
     for (const char c : words)
-        if (std::isalnum(static_cast<unsigned char>(c))) name += char(std::tolower(static_cast<unsigned char>(c)));
-        else if (!name.empty() && name.back() != '_') name += '_';
+        if (std::isalnum(static_cast<unsigned char>(c)))
+            name += char(std::tolower(static_cast<unsigned char>(c)));
+        else if (!name.empty() && name.back() != '_')
+            name += '_';
     while (!name.empty() && name.back() == '_') name.pop_back();
     return name;
 }
@@ -33,23 +35,28 @@ std::string id(const std::string& words) {
 std::string text(double value, int digits) {
     if (!std::isfinite(value)) return "blown up";
     char words[40];
-    if (std::fabs(value) >= 1e4) std::snprintf(words, sizeof words, "%.1e", value);
-    else std::snprintf(words, sizeof words, "%.*f", digits, value);
+    if (std::fabs(value) >= 1e4)
+        std::snprintf(words, sizeof words, "%.1e", value);
+    else
+        std::snprintf(words, sizeof words, "%.*f", digits, value);
     return words;
 }
 
 // The rules that the page compares; the others stand in a table of their own.
-const std::vector<std::string> main_rules{"without its rule",       "as it is",
+const std::vector<std::string> main_rules{"without its rule",
+                                          "as it is",
                                           "passive, three moments, before",
-                                          "gyroscopic_passivef, before",  "half-step Jacobian, before",
-                                          "calm half-step, before",       "calm half-step, after",
-                                          "calm half-step, halves",         "calm, after or in halves"};
+                                          "gyroscopic_passivef, before",
+                                          "half-step Jacobian, before",
+                                          "calm half-step, before",
+                                          "calm half-step, after",
+                                          "calm half-step, halves",
+                                          "calm, after or in halves"};
 
 // That other table, in halves.
-const std::vector<std::string> in_halves{"calm half-step, halves",        "half-step Jacobian, halves",
-                                         "half-step in substeps, halves", "Cayley, halves",
-                                         "passive, halves",               "ball and remainder 2, halves",
-                                         "Avian proposed, halves"};
+const std::vector<std::string> in_halves{
+    "calm half-step, halves", "half-step Jacobian, halves",   "half-step in substeps, halves", "Cayley, halves",
+    "passive, halves",        "ball and remainder 2, halves", "Avian proposed, halves"};
 
 struct Column {
     const char *head, *scene, *which, *what;
@@ -70,8 +77,9 @@ public:
 
     // Of the rules that the page compares, what it may name in a sentence.
     std::string numbers() const {
-        const std::vector<std::string> named{"energy left", "true flips", "most energy", "restless, of a hundred",
-                                             "true largest lean, rad", "of the first", "stands, s"};
+        const std::vector<std::string> named{
+            "energy left",  "true flips", "most energy", "restless, of a hundred", "true largest lean, rad",
+            "of the first", "stands, s"};
         std::string lines = "name\tvalue\tunit\tmeaning\n";
         for (const Row& r : rows_) {
             if (std::find(named.begin(), named.end(), r.what) == named.end() ||
@@ -82,7 +90,10 @@ public:
             const std::size_t comma = r.what.rfind(", ");
             const bool unit = comma != std::string::npos && r.what.size() - comma < 5;
             lines += id(r.scene) + "_" + id(r.which) + "_" + id(r.engine) + "_" + id(r.rule) + "_" +
-                     id(unit ? r.what.substr(0, comma) : r.what) + "\t" + text(r.value, r.scene == "cost" || r.what == "stands, s" ? 1 : std::fabs(r.value) < 10 ? 3 : 0) +
+                     id(unit ? r.what.substr(0, comma) : r.what) + "\t" +
+                     text(r.value, r.scene == "cost" || r.what == "stands, s" ? 1
+                                   : std::fabs(r.value) < 10                  ? 3
+                                                                              : 0) +
                      "\t" + (unit ? r.what.substr(comma + 2) : "") + "\t" + r.engine + ", " + r.rule + ": " + r.which +
                      ", " + r.what + "\n";
         }
@@ -95,8 +106,8 @@ public:
         return standing && *standing > 0;
     }
 
-    // A row for each engine and rule of `rules`, in the order of the run; of no `rules`, for each rule. Engines that are
-    // not `wanted` have no row.
+    // A row for each engine and rule of `rules`, in the order of the run; of no `rules`, for each rule. Engines that
+    // are not `wanted` have no row.
     std::string table(const std::vector<std::string>& rules, const std::vector<Column>& columns,
                       const std::function<bool(const std::string&)>& wanted = {}) const {
         std::string lines = "engine: rule";  // one column, for narrow screens
@@ -113,7 +124,9 @@ public:
             for (const Column& column : columns) {
                 const double* value = find(column, r.engine, r.rule);
                 any = any || value;
-                line += "\t" + (fell(column, r.engine, r.rule) ? "fell over" : value ? text(*value, column.digits) : std::string("–"));
+                line += "\t" + (fell(column, r.engine, r.rule) ? "fell over"
+                                : value                        ? text(*value, column.digits)
+                                                               : std::string("–"));
             }
             if (any) lines += line + "\n", done.push_back(key);
         }
@@ -187,10 +200,13 @@ std::string places(const Record& of, const char* scene, const char* which, const
 std::string checks(const Record& of) {
     std::string lines = "name\tstatement\n";
     const auto check = [&](const char* name, bool holds, const char* statement) {
-        if (holds) lines += std::string(name) + "\t" + statement + "\n";
-        else std::fprintf(stderr, "does not hold: %s (%s)\n", statement, name);
+        if (holds)
+            lines += std::string(name) + "\t" + statement + "\n";
+        else
+            std::fprintf(stderr, "does not hold: %s (%s)\n", statement, name);
     };
-    const auto value = [&](const char* scene, const char* which, const char* what, const char* engine, const char* rule) {
+    const auto value = [&](const char* scene, const char* which, const char* what, const char* engine,
+                           const char* rule) {
         const double* found = of.find({"", scene, which, what, 3}, engine, rule);
         return found ? *found : NAN;
     };
@@ -198,7 +214,8 @@ std::string checks(const Record& of) {
         return value("throws", "capsule, 30 rad/s", "most energy", engine, rule);
     };
     const auto off = [&](const char* engine, const char* rule) {  // the top, %
-        return std::fmax(value("top", "20 rad/s", "off, %", engine, rule), value("top", "30 rad/s", "off, %", engine, rule));
+        return std::fmax(value("top", "20 rad/s", "off, %", engine, rule),
+                         value("top", "30 rad/s", "off, %", engine, rule));
     };
     const auto keeps = [&](const char* engine, const char* rule) {  // the box's energy
         bool all = true;
@@ -212,47 +229,70 @@ std::string checks(const Record& of) {
         right = right && keeps(engine, halves) && energy(engine, halves) < 1.01 && off(engine, halves) < 5 &&
                 value("throws", "capsule, 30 rad/s", "restless, of a hundred", engine, halves) == 0;
     check("halves", right,
-          "Bullet and ODE, half and half: the box keeps its energy to a percent, the top's precession is right to 5 %, no thrown "
+          "Bullet and ODE, half and half: the box keeps its energy to a percent, the top's precession is right to 5 %, "
+          "no thrown "
           "capsule is restless and none gains a percent");
-    check("before", energy("Bullet", "calm half-step, before") > 2 && energy(four, "half-step Jacobian, before") > 2 &&
-                        energy("Jolt", "calm half-step, before") > 2,
-          "in Bullet, Box3D and Jolt a thrown capsule gets more than twice its energy with all of the rule before the contacts");
-    const auto gained = [&](const char* rule) { return value("throws", "capsule, 30 rad/s", "gained a tenth, of a hundred", "Bullet", rule); };
-    check("passive_gains", gained("gyroscopic_passivef, before") > 10 && energy("Bullet", "gyroscopic_passivef, before") > 2 &&
-                               energy("Bullet", "passive, three moments, before") < 1.01,
-          "in Bullet, before the contacts, more than one thrown capsule in ten gains a tenth by gyroscopic_passivef, one of them to "
+    check("before",
+          energy("Bullet", "calm half-step, before") > 2 && energy(four, "half-step Jacobian, before") > 2 &&
+              energy("Jolt", "calm half-step, before") > 2,
+          "in Bullet, Box3D and Jolt a thrown capsule gets more than twice its energy with all of the rule before the "
+          "contacts");
+    const auto gained = [&](const char* rule) {
+        return value("throws", "capsule, 30 rad/s", "gained a tenth, of a hundred", "Bullet", rule);
+    };
+    check("passive_gains",
+          gained("gyroscopic_passivef, before") > 10 && energy("Bullet", "gyroscopic_passivef, before") > 2 &&
+              energy("Bullet", "passive, three moments, before") < 1.01,
+          "in Bullet, before the contacts, more than one thrown capsule in ten gains a tenth by gyroscopic_passivef, "
+          "one of them to "
           "more than twice its energy; by the passive step of three moments none gains a percent");
     const char* const after = "calm half-step, after";
-    const auto off_at = [&](const char* which, const char* engine) { return value("top", which, "off, %", engine, after); };
-    check("after", std::fmin(off_at("20 rad/s", "Bullet"), off_at("20 rad/s", four)) > 300 &&
-                       value("top", "20 rad/s", "largest lean, rad", "Jolt", after) > 1.57 &&
-                       std::fmax(off_at("30 rad/s", "Bullet"), off_at("30 rad/s", "Jolt")) < 5,
-          "with all of the rule after the joints a top of 20 rad/s is off by more than three times its precession in Bullet and "
+    const auto off_at = [&](const char* which, const char* engine) {
+        return value("top", which, "off, %", engine, after);
+    };
+    check("after",
+          std::fmin(off_at("20 rad/s", "Bullet"), off_at("20 rad/s", four)) > 300 &&
+              value("top", "20 rad/s", "largest lean, rad", "Jolt", after) > 1.57 &&
+              std::fmax(off_at("30 rad/s", "Bullet"), off_at("30 rad/s", "Jolt")) < 5,
+          "with all of the rule after the joints a top of 20 rad/s is off by more than three times its precession in "
+          "Bullet and "
           "Box3D, and falls over in Jolt; one of 30 rad/s is right to 5 % in Bullet and Jolt");
     check("halves_gain", energy(four, halves) > 1.2 && energy("Jolt", halves) > 1.2,
           "in Box3D and Jolt a thrown capsule gains more than a fifth of its energy half and half");
-    check("token", keeps(four, "half-step Jacobian, before") && value("cost", "512 boxes", "of the first", four, "half-step Jacobian, before") < 1.1,
+    check("token",
+          keeps(four, "half-step Jacobian, before") &&
+              value("cost", "512 boxes", "of the first", four, "half-step Jacobian, before") < 1.1,
           "Box3D with the one token keeps the box's energy to a percent, and its step takes at most a tenth longer");
     const char* const both = "calm, after or in halves";
     check("after_or_halves", keeps(four, both) && energy(four, both) < 1.1 && off(four, both) < 20,
-          "Box3D, after the contacts or in halves: the box keeps its energy to a percent, no thrown capsule gains a tenth, and the "
+          "Box3D, after the contacts or in halves: the box keeps its energy to a percent, no thrown capsule gains a "
+          "tenth, and the "
           "top's precession is off by less than a fifth");
     bool creeps = true, keeps_all = true;
     for (const char* which : {"box 1 x 2 x 3, 3 rad/s", "box 1 x 2 x 3, 10 rad/s", "box 1 x 2 x 3, 30 rad/s"}) {
-        const auto gain = [&](const char* engine, const char* rule) { return value("alone", which, "energy left", engine, rule) - 1; };
-        const char *const one = "Box3D, 1 substep", *const eight = "Box3D, 8 substeps", *const token = "half-step Jacobian, before";
-        creeps = creeps && gain(one, token) < gain(four, token) && gain(four, token) < gain(eight, token) && gain(eight, token) < 0.02;
+        const auto gain = [&](const char* engine, const char* rule) {
+            return value("alone", which, "energy left", engine, rule) - 1;
+        };
+        const char *const one = "Box3D, 1 substep", *const eight = "Box3D, 8 substeps",
+                          *const token = "half-step Jacobian, before";
+        creeps = creeps && gain(one, token) < gain(four, token) && gain(four, token) < gain(eight, token) &&
+                 gain(eight, token) < 0.02;
         for (const char* engine : {one, four, eight})
             for (const char* rule : {both, halves}) keeps_all = keeps_all && std::fabs(gain(engine, rule)) < 0.0005;
     }
-    check("creeps", creeps, "Box3D with the one token: a box alone gains energy, the more the more substeps, and less than 2 % in a minute with eight");
+    check("creeps", creeps,
+          "Box3D with the one token: a box alone gains energy, the more the more substeps, and less than 2 % in a "
+          "minute with eight");
     check("creeps_not", keeps_all,
-          "Box3D with the calm half-step, which turns only the change of the spin back: after the contacts or in halves, with one, four "
+          "Box3D with the calm half-step, which turns only the change of the spin back: after the contacts or in "
+          "halves, with one, four "
           "or eight substeps, a box alone keeps its energy to a twentieth of a percent");
-    check("bullet_cost", value("cost", "512 boxes", "of the first", "Bullet", halves) < 1.1 &&
-                             value("cost", "512 boxes", "of the first", "Bullet", halves) <
-                                 value("cost", "512 boxes", "of the first", "Bullet", after),
-          "in Bullet a step with the adapter takes at most a tenth longer than with Bullet's own rule, and less long than with all "
+    check("bullet_cost",
+          value("cost", "512 boxes", "of the first", "Bullet", halves) < 1.1 &&
+              value("cost", "512 boxes", "of the first", "Bullet", halves) <
+                  value("cost", "512 boxes", "of the first", "Bullet", after),
+          "in Bullet a step with the adapter takes at most a tenth longer than with Bullet's own rule, and less long "
+          "than with all "
           "of the calm half-step after the contacts");
     const auto lean = [&](const char* which, const char* engine, const char* rule) {
         return value("top", which, "largest lean, rad", engine, rule);
@@ -261,14 +301,22 @@ std::string checks(const Record& of) {
     for (const char* which : {"20 rad/s", "30 rad/s"}) {
         straighter = straighter && lean(which, four, halves) < lean(which, four, "as it is") &&
                      value("top", which, "off, %", four, halves) > value("top", which, "off, %", four, "as it is");
-        for (const char* rule : {"as it is", "calm half-step, before", halves}) falls = falls && lean(which, "Jolt", rule) > 1.57;
+        for (const char* rule : {"as it is", "calm half-step, before", halves})
+            falls = falls && lean(which, "Jolt", rule) > 1.57;
     }
-    check("straighter", straighter, "Box3D with four substeps: half and half the top leans less than as it is, and its precession is further off");
-    const auto half_at_rest = [&](const char* rule) { return value("throws", "capsule, 30 rad/s", "half at rest, s", "ODE", rule); };
-    check("ode_rolls", half_at_rest(halves) > half_at_rest("as it is"), "in ODE half of the capsules take longer to rest, half and half");
-    check("jolt_after", lean("20 rad/s", "Jolt", after) > 1.57 && lean("20 rad/s", "Jolt", "as it is") > 1.57 &&
-                            energy("Jolt", after) < 1.01,
-          "Jolt's top of 20 rad/s falls over with all of the rule after the joints, as it does as it is; and no thrown capsule gains a percent");
+    check(
+        "straighter", straighter,
+        "Box3D with four substeps: half and half the top leans less than as it is, and its precession is further off");
+    const auto half_at_rest = [&](const char* rule) {
+        return value("throws", "capsule, 30 rad/s", "half at rest, s", "ODE", rule);
+    };
+    check("ode_rolls", half_at_rest(halves) > half_at_rest("as it is"),
+          "in ODE half of the capsules take longer to rest, half and half");
+    check("jolt_after",
+          lean("20 rad/s", "Jolt", after) > 1.57 && lean("20 rad/s", "Jolt", "as it is") > 1.57 &&
+              energy("Jolt", after) < 1.01,
+          "Jolt's top of 20 rad/s falls over with all of the rule after the joints, as it does as it is; and no thrown "
+          "capsule gains a percent");
     // On the ground: stands for as long as it was watched, 20 s; off by how much at most; the most energy.
     const auto ground = [&](const char* what, const char* engine, const char* rule) {
         const double slow = value("top on the ground", "20 rad/s", what, engine, rule),
@@ -276,49 +324,65 @@ std::string checks(const Record& of) {
         return std::pair(std::fmin(slow, fast), std::fmax(slow, fast));
     };
     bool stands = true, precise = true;
-    for (const auto& [engine, rule] : {std::pair(four, both), std::pair("Bullet", halves), std::pair("ODE", halves), std::pair("Jolt", after)})
-        stands = stands && ground("stands, s", engine, "as it is").second < 15 && ground("stands, s", engine, rule).first > 19.9;
+    for (const auto& [engine, rule] :
+         {std::pair(four, both), std::pair("Bullet", halves), std::pair("ODE", halves), std::pair("Jolt", after)})
+        stands = stands && ground("stands, s", engine, "as it is").second < 15 &&
+                 ground("stands, s", engine, rule).first > 19.9;
     for (const char* engine : {"Bullet", "ODE"})
-        precise = precise && ground("off, %", engine, halves).second < 5 && ground("lean off, rad", engine, halves).second < 0.01 &&
+        precise = precise && ground("off, %", engine, halves).second < 5 &&
+                  ground("lean off, rad", engine, halves).second < 0.01 &&
                   ground("most energy", engine, halves).second < 1.01;
     const char* const without = "without its rule";
-    stands = stands && ground("stands, s", "Jolt", without).first > 19.9 && ground("off, %", "Jolt", without).first > 50;
+    stands =
+        stands && ground("stands, s", "Jolt", without).first > 19.9 && ground("off, %", "Jolt", without).first > 50;
     check("ground_stands", stands,
-          "Box3D, Bullet and ODE as they are, and Jolt with its own rule switched on, let a top on the ground fall within 15 seconds; "
-          "in Jolt without its rule, it stands for 20 and goes round wrong by more than half; with the rule that the page "
+          "Box3D, Bullet and ODE as they are, and Jolt with its own rule switched on, let a top on the ground fall "
+          "within 15 seconds; "
+          "in Jolt without its rule, it stands for 20 and goes round wrong by more than half; with the rule that the "
+          "page "
           "recommends for each it stands for 20");
     check("ground_token", ground("stands, s", four, "half-step Jacobian, before").second < 15,
           "Box3D with the one token lets a top on the ground fall within 15 seconds, as it does as it is");
-    check("ground_right", precise, "Bullet and ODE, half and half: the precession of a top on the ground is right to 5 %, its lean to 0.01 rad, and it gains less than a percent of energy");
-    check("ground_box3d", ground("off, %", four, both).second < 5 && ground("most energy", four, both).second > 1.02,
-          "Box3D, after the contacts: a top on the ground goes round right to 5 %, and it gains more than 2 % of energy");
-    check("ground_jolt", value("top on the ground", "20 rad/s", "off, %", "Jolt", after) > 100 &&
-                             value("top on the ground", "30 rad/s", "off, %", "Jolt", after) < 5,
-          "Jolt, after the contacts: a top of 20 rad/s on the ground goes round more than twice too fast, one of 30 rad/s right to 5 %");
+    check("ground_right", precise,
+          "Bullet and ODE, half and half: the precession of a top on the ground is right to 5 %, its lean to 0.01 rad, "
+          "and it gains less than a percent of energy");
+    check(
+        "ground_box3d", ground("off, %", four, both).second < 5 && ground("most energy", four, both).second > 1.02,
+        "Box3D, after the contacts: a top on the ground goes round right to 5 %, and it gains more than 2 % of energy");
+    check("ground_jolt",
+          value("top on the ground", "20 rad/s", "off, %", "Jolt", after) > 100 &&
+              value("top on the ground", "30 rad/s", "off, %", "Jolt", after) < 5,
+          "Jolt, after the contacts: a top of 20 rad/s on the ground goes round more than twice too fast, one of 30 "
+          "rad/s right to 5 %");
     bool wrong = true;
     for (const char* engine : {"Bullet", "Jolt", "Box3D, 1 substep"})
         wrong = wrong && value("top on the ground", "20 rad/s", "off, %", engine, after) > 50;
     check("ground_after", wrong,
-          "Bullet, Jolt and Box3D with one substep, all of the rule after the contacts: a top of 20 rad/s on the ground goes round "
+          "Bullet, Jolt and Box3D with one substep, all of the rule after the contacts: a top of 20 rad/s on the "
+          "ground goes round "
           "wrong by more than half");
     check("falls", falls && lean("20 rad/s", "Jolt", after) > 1.57,
-          "Jolt's top falls over as it is, with all of the rule before the joints, and half and half; one of 20 rad/s with all of it after, too");
+          "Jolt's top falls over as it is, with all of the rule before the joints, and half and half; one of 20 rad/s "
+          "with all of it after, too");
     bool plates = true;
     for (const char* rule : {"half-step Jacobian, before", both}) {
         for (const char* which : {"box, 30 rad/s", "plate, 30 rad/s"}) {
             const double most = value("throws", which, "most energy", four, rule);
-            plates = plates && most > 1.02 && most < 1.06 && value("throws", which, "most energy", four, "as it is") < 1.01;
+            plates =
+                plates && most > 1.02 && most < 1.06 && value("throws", which, "most energy", four, "as it is") < 1.01;
         }
         plates = plates && value("throws", "plate, 30 rad/s", "deepest, m", four, rule) >
                                3 * value("throws", "plate, 30 rad/s", "deepest, m", four, "as it is");
     }
     check("plates", plates,
-          "Box3D with either patch and four substeps: thrown boxes and plates have up to 1.02 to 1.06 times their energy, which they keep to a percent "
+          "Box3D with either patch and four substeps: thrown boxes and plates have up to 1.02 to 1.06 times their "
+          "energy, which they keep to a percent "
           "as it is, and a plate digs in more than three times as deep");
     bool all_fall = true;
     for (const char* engine : {"Box3D, 1 substep", "Jolt", "ODE"})
         all_fall = all_fall && value("stack", "twenty boxes", "standing, of a hundred", engine, "as it is") == 0;
-    check("stacks_fall", all_fall, "in Box3D with one substep, in Jolt and in ODE, all ten stacks fall as the engine is");
+    check("stacks_fall", all_fall,
+          "in Box3D with one substep, in Jolt and in ODE, all ten stacks fall as the engine is");
     return lines;
 }
 
@@ -367,33 +431,34 @@ void record(const fs::path& folder, const Numbers& numbers) {
                                     {"lean off by, rad", ground, which.c_str(), "lean off, rad", 2},
                                     {"most energy", ground, which.c_str(), "most energy", 2}}));
     }
-    write(folder / "throws.tsv", of.table(main_rules, {
-        {"capsule: restless", "throws", "capsule, 30 rad/s", "restless, of a hundred", 0},
-        {"most energy", "throws", "capsule, 30 rad/s", "most energy", 2},
-        {"half at rest, s", "throws", "capsule, 30 rad/s", "half at rest, s", 1}}));
-    write(folder / "throws_flat.tsv", of.table(main_rules, {
-        {"box: most energy", "throws", "box, 30 rad/s", "most energy", 2},
-        {"half at rest, s", "throws", "box, 30 rad/s", "half at rest, s", 1},
-        {"plate: most energy", "throws", "plate, 30 rad/s", "most energy", 2},
-        {"half at rest, s", "throws", "plate, 30 rad/s", "half at rest, s", 1},
-        {"deepest, m", "throws", "plate, 30 rad/s", "deepest, m", 2}}));
+    write(folder / "throws.tsv",
+          of.table(main_rules, {{"capsule: restless", "throws", "capsule, 30 rad/s", "restless, of a hundred", 0},
+                                {"most energy", "throws", "capsule, 30 rad/s", "most energy", 2},
+                                {"half at rest, s", "throws", "capsule, 30 rad/s", "half at rest, s", 1}}));
+    write(folder / "throws_flat.tsv",
+          of.table(main_rules, {{"box: most energy", "throws", "box, 30 rad/s", "most energy", 2},
+                                {"half at rest, s", "throws", "box, 30 rad/s", "half at rest, s", 1},
+                                {"plate: most energy", "throws", "plate, 30 rad/s", "most energy", 2},
+                                {"half at rest, s", "throws", "plate, 30 rad/s", "half at rest, s", 1},
+                                {"deepest, m", "throws", "plate, 30 rad/s", "deepest, m", 2}}));
     write(folder / "stacks.tsv",
-          of.table(main_rules, {{"stacks that stand, %", "stack", "twenty boxes", "standing, of a hundred", 0},
-                                {"asleep after, s", "stack", "twenty boxes", "asleep after, s", 1},
-                                {"sunk, m", "stack", "twenty boxes", "top has sunk, m", 2}},
+          of.table(main_rules,
+                   {{"stacks that stand, %", "stack", "twenty boxes", "standing, of a hundred", 0},
+                    {"asleep after, s", "stack", "twenty boxes", "asleep after, s", 1},
+                    {"sunk, m", "stack", "twenty boxes", "top has sunk, m", 2}},
                    [&](const std::string& engine) { return of.stacks_stand(engine); }));
-    write(folder / "chain.tsv",
-          of.table(main_rules, {{"chain: most energy", "chain", "ten capsules", "most energy", 2},
-                                {"energy after 10 s", "chain", "ten capsules", "energy left", 2},
-                                {"widest gap, m", "chain", "ten capsules", "widest gap, m", 3}}));
+    write(folder / "chain.tsv", of.table(main_rules, {{"chain: most energy", "chain", "ten capsules", "most energy", 2},
+                                                      {"energy after 10 s", "chain", "ten capsules", "energy left", 2},
+                                                      {"widest gap, m", "chain", "ten capsules", "widest gap, m", 3}}));
     write(folder / "cost.tsv", of.table(main_rules, {{"ns a body", "cost", "512 boxes", "ns", 0},
                                                      {"over the first row", "cost", "512 boxes", "of the first", 1}}));
-    write(folder / "others.tsv", of.table(in_halves, {{"box, 30 rad/s: energy", "alone", "box 1 x 2 x 3, 30 rad/s", "energy left", 3},
-                                               {"right for, s", "alone", "box 1 x 2 x 3, 30 rad/s", "right for, s", 1},
-                                               {"top, 20 rad/s: off by, %", "top", "20 rad/s", "off, %", 0},
-                                               {"capsules: restless", "throws", "capsule, 30 rad/s", "restless, of a hundred", 0},
-                                               {"most energy", "throws", "capsule, 30 rad/s", "most energy", 2},
-                                               {"time, over the first row above", "cost", "512 boxes", "of the first", 1}}));
+    write(folder / "others.tsv",
+          of.table(in_halves, {{"box, 30 rad/s: energy", "alone", "box 1 x 2 x 3, 30 rad/s", "energy left", 3},
+                               {"right for, s", "alone", "box 1 x 2 x 3, 30 rad/s", "right for, s", 1},
+                               {"top, 20 rad/s: off by, %", "top", "20 rad/s", "off, %", 0},
+                               {"capsules: restless", "throws", "capsule, 30 rad/s", "restless, of a hundred", 0},
+                               {"most energy", "throws", "capsule, 30 rad/s", "most energy", 2},
+                               {"time, over the first row above", "cost", "512 boxes", "of the first", 1}}));
 }
 
 }  // namespace engines

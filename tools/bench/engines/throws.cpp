@@ -36,10 +36,10 @@ double height(const Shape& shape, const State& s) {
 
 struct Outcome {
     int restless = 0;
-    int gained = 0;                       // throws that at some time have 10 % more energy than first
-    double median = 0, slowest = 0;       // s until a half, or nine in ten, lie still
-    double most = 0;                      // the most energy that one ever has, over its first
-    double deepest = 0, deep_at_rest = 0; // m
+    int gained = 0;                        // throws that at some time have 10 % more energy than first
+    double median = 0, slowest = 0;        // s until a half, or nine in ten, lie still
+    double most = 0;                       // the most energy that one ever has, over its first
+    double deepest = 0, deep_at_rest = 0;  // m
 };
 
 Outcome thrown(const Engine& engine, const Shape& shape, double spin, int throws) {
@@ -82,8 +82,9 @@ Outcome thrown(const Engine& engine, const Shape& shape, double spin, int throws
 
 void throw_bodies(const std::vector<Engine>& engines, const Effort& effort, Numbers& numbers) {
     const int throws = effort.quick ? 20 : 100;
-    std::printf("\nthrows: seed %llu, %d of each, friction %g, rolling resistance %g of capsules where the engine has it\n",
-                static_cast<unsigned long long>(seed), throws, friction, rolling);
+    std::printf(
+        "\nthrows: seed %llu, %d of each, friction %g, rolling resistance %g of capsules where the engine has it\n",
+        static_cast<unsigned long long>(seed), throws, friction, rolling);
     for (const Thrown& body : shapes())
         for (const double spin : {5.0, 10.0, 20.0, 30.0}) {
             if (effort.quick && (spin == 5 || spin == 20)) continue;
@@ -91,8 +92,8 @@ void throw_bodies(const std::vector<Engine>& engines, const Effort& effort, Numb
                         "restless", "half, s", "9/10, s", "gained", "energy", "deep, m", "at rest");
             for (const Engine& engine : engines) {
                 const Outcome o = thrown(engine, body.shape, spin, throws);
-                std::printf("%s %8d %8.2f %8.2f %8d %8.3f %8.3f %8.3f\n", row_name(engine).c_str(), o.restless, o.median,
-                            o.slowest, o.gained, o.most, o.deepest, o.deep_at_rest);
+                std::printf("%s %8d %8.2f %8.2f %8d %8.3f %8.3f %8.3f\n", row_name(engine).c_str(), o.restless,
+                            o.median, o.slowest, o.gained, o.most, o.deepest, o.deep_at_rest);
                 char which[48];
                 std::snprintf(which, sizeof which, "%s, %g rad/s", body.name, spin);
                 numbers.add("throws", which, engine, "restless, of a hundred", 100.0 * o.restless / throws);

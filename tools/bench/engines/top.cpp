@@ -30,9 +30,7 @@ private:
     double before_ = -std::numbers::pi / 2;  // where it leans at the start
 };
 
-double off_upright(const Vector& axis) {
-    return std::acos(std::clamp(axis.z(), -1.0, 1.0));
-}
+double off_upright(const Vector& axis) { return std::acos(std::clamp(axis.z(), -1.0, 1.0)); }
 
 State leaning(double spin) {
     State s;
@@ -82,8 +80,10 @@ void hold_tops(const std::vector<Engine>& engines, const Effort& effort, Numbers
     const int steps = effort.quick ? 600 : 1200;
     for (const double spin : {20.0, 30.0}) {
         const Truth truth = true_motion(spin, steps);
-        std::printf("\na top, %g rad/s, %g s; it truly precesses by %.2f rad, leans by %.2f at most and keeps %.3f of its spin\n%-48s %8s %8s %8s %8s\n", spin, steps * step,
-                    truth.angle, truth.lean, truth.spin, "", "rad", "off, %", "spin", "lean");
+        std::printf(
+            "\na top, %g rad/s, %g s; it truly precesses by %.2f rad, leans by %.2f at most and keeps %.3f of its "
+            "spin\n%-48s %8s %8s %8s %8s\n",
+            spin, steps * step, truth.angle, truth.lean, truth.spin, "", "rad", "off, %", "spin", "lean");
         for (const Engine& engine : engines) {
             const auto world = engine.world({g, false, false});
             world->add(disc, leaning(spin));
@@ -162,18 +162,22 @@ void stand_tops(const std::vector<Engine>& engines, const Effort& effort, Number
     const int steps = effort.quick ? 600 : 1200;
     for (const double spin : {20.0, 30.0}) {
         const double rate = slow_precession(spin);
-        std::printf("\na top on smooth ground, %g rad/s, %g s; it truly precesses by %.2f rad and leans by %g for ever\n%-48s %8s %8s %8s %8s %8s %8s\n",
-                    spin, steps * step, rate * steps * step, lean, "", "stands,s", "rad", "off, %", "lean off", "energy<=", "energy");
+        std::printf(
+            "\na top on smooth ground, %g rad/s, %g s; it truly precesses by %.2f rad and leans by %g for ever\n%-48s "
+            "%8s %8s %8s %8s %8s %8s\n",
+            spin, steps * step, rate * steps * step, lean, "", "stands,s", "rad", "off, %", "lean off",
+            "energy<=", "energy");
         for (const Engine& engine : engines) {
             const Stood top = stood(engine, spin, steps);
             const double off = 100 * std::fabs(top.angle / (rate * top.stands) - 1);
-            std::printf("%s %8.2f %8.2f %8.1f %8.3f %8.3f %8.3f\n", row_name(engine).c_str(), top.stands, top.angle, off,
-                        top.lean_off, top.most, top.left);
+            std::printf("%s %8.2f %8.2f %8.1f %8.3f %8.3f %8.3f\n", row_name(engine).c_str(), top.stands, top.angle,
+                        off, top.lean_off, top.most, top.left);
             char which[32];
             std::snprintf(which, sizeof which, "%g rad/s", spin);
             numbers.add("top on the ground", which, engine, "stands, s", top.stands);
             numbers.add("top on the ground", which, engine, "off, %", off);
-            if (top.stands > (steps - 0.5) * step) numbers.add("top on the ground", which, engine, "lean off, rad", top.lean_off);
+            if (top.stands > (steps - 0.5) * step)
+                numbers.add("top on the ground", which, engine, "lean off, rad", top.lean_off);
             numbers.add("top on the ground", which, engine, "most energy", top.most);
             numbers.add("top on the ground", which, engine, "energy left", top.left);
         }

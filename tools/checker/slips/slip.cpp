@@ -16,8 +16,8 @@ struct Going {
     const Made* second = nullptr;
     std::vector<Made>* noted = nullptr;
     std::vector<bool>* passed = nullptr;  // the places among them
-    std::uint64_t* roundings = nullptr;  // where each result is off by some
-    double constant = 0;                 // by a share of so much a part of a turn may be off
+    std::uint64_t* roundings = nullptr;   // where each result is off by some
+    double constant = 0;                  // by a share of so much a part of a turn may be off
     bool is_single = false;
     long turns = 0, work = 0, most_work = std::numeric_limits<long>::max();
 };
@@ -25,8 +25,8 @@ Going going;
 
 constexpr long most_turns = 200'000;
 
-// All numbers of a slip that is called single precision have so few digits. Others may be off by a few units, where they are
-// not exact.
+// All numbers of a slip that is called single precision have so few digits. Others may be off by a few units, where
+// they are not exact.
 double out(double x, bool is_exact = false) {
     if (going.roundings && !is_exact) return rounded(x);
     return going.is_single ? double(float(x)) : x;
@@ -80,76 +80,129 @@ bool turn() {
 }
 
 double plus(int site, double l, double r) {
-    switch (chosen(site, {Form::sign, Form::sign, Form::term, Form::term, Form::twice, Form::twice, Form::half, Form::half, Form::absolute})) {
-        case 1: return l - r;
-        case 2: return r - l;
-        case 3: return l;
-        case 4: return r;
-        case 5: return l + 2 * r;
-        case 6: return 2 * l + r;
-        case 7: return l + r / 2;
-        case 8: return l / 2 + r;
-        case 9: return std::fabs(l + r);
-        default: return out(l + r, going.roundings && is_exact_sum(l, r));
+    switch (chosen(site, {Form::sign, Form::sign, Form::term, Form::term, Form::twice, Form::twice, Form::half,
+                          Form::half, Form::absolute})) {
+        case 1:
+            return l - r;
+        case 2:
+            return r - l;
+        case 3:
+            return l;
+        case 4:
+            return r;
+        case 5:
+            return l + 2 * r;
+        case 6:
+            return 2 * l + r;
+        case 7:
+            return l + r / 2;
+        case 8:
+            return l / 2 + r;
+        case 9:
+            return std::fabs(l + r);
+        default:
+            return out(l + r, going.roundings && is_exact_sum(l, r));
     }
 }
 
 double minus(int site, double l, double r) {
-    switch (chosen(site, {Form::sign, Form::sign, Form::term, Form::term, Form::twice, Form::twice, Form::half, Form::half, Form::sign, Form::absolute, Form::limit, Form::limit})) {
-        case 1: return l + r;
-        case 2: return r - l;
-        case 3: return l;
-        case 4: return -r;
-        case 5: return l - 2 * r;
-        case 6: return 2 * l - r;
-        case 7: return l - r / 2;
-        case 8: return l / 2 - r;
-        case 9: return -l - r;
-        case 10: return std::fabs(l - r);
-        case 11: return std::max(l - r, 0.0);
-        case 12: return std::min(l - r, 0.0);
-        default: return out(l - r, going.roundings && is_exact_sum(l, -r));
+    switch (chosen(site, {Form::sign, Form::sign, Form::term, Form::term, Form::twice, Form::twice, Form::half,
+                          Form::half, Form::sign, Form::absolute, Form::limit, Form::limit})) {
+        case 1:
+            return l + r;
+        case 2:
+            return r - l;
+        case 3:
+            return l;
+        case 4:
+            return -r;
+        case 5:
+            return l - 2 * r;
+        case 6:
+            return 2 * l - r;
+        case 7:
+            return l - r / 2;
+        case 8:
+            return l / 2 - r;
+        case 9:
+            return -l - r;
+        case 10:
+            return std::fabs(l - r);
+        case 11:
+            return std::max(l - r, 0.0);
+        case 12:
+            return std::min(l - r, 0.0);
+        default:
+            return out(l - r, going.roundings && is_exact_sum(l, -r));
     }
 }
 
 double times(int site, double l, double r) {
-    switch (chosen(site, {Form::sign, Form::twice, Form::half, Form::factor, Form::factor, Form::upside_down, Form::upside_down, Form::power, Form::power, Form::absolute})) {
-        case 1: return -(l * r);
-        case 2: return 2 * (l * r);
-        case 3: return l * r / 2;
-        case 4: return l;
-        case 5: return r;
-        case 6: return l / r;
-        case 7: return r / l;
-        case 8: return l * l * r;
-        case 9: return l * r * r;
-        case 10: return std::fabs(l * r);
-        default: return out(l * r, going.roundings && is_exact_product(l, r));
+    switch (chosen(site, {Form::sign, Form::twice, Form::half, Form::factor, Form::factor, Form::upside_down,
+                          Form::upside_down, Form::power, Form::power, Form::absolute})) {
+        case 1:
+            return -(l * r);
+        case 2:
+            return 2 * (l * r);
+        case 3:
+            return l * r / 2;
+        case 4:
+            return l;
+        case 5:
+            return r;
+        case 6:
+            return l / r;
+        case 7:
+            return r / l;
+        case 8:
+            return l * l * r;
+        case 9:
+            return l * r * r;
+        case 10:
+            return std::fabs(l * r);
+        default:
+            return out(l * r, going.roundings && is_exact_product(l, r));
     }
 }
 
 double over(int site, double l, double r) {
-    switch (chosen(site, {Form::sign, Form::twice, Form::half, Form::factor, Form::factor, Form::upside_down, Form::upside_down, Form::power, Form::power})) {
-        case 1: return -(l / r);
-        case 2: return 2 * (l / r);
-        case 3: return l / r / 2;
-        case 4: return l;
-        case 5: return 1 / r;
-        case 6: return l * r;
-        case 7: return r / l;
-        case 8: return l * l / r;
-        case 9: return l / (r * r);
-        default: return out(l / r, going.roundings && is_exact_quotient(l, r));
+    switch (chosen(site, {Form::sign, Form::twice, Form::half, Form::factor, Form::factor, Form::upside_down,
+                          Form::upside_down, Form::power, Form::power})) {
+        case 1:
+            return -(l / r);
+        case 2:
+            return 2 * (l / r);
+        case 3:
+            return l / r / 2;
+        case 4:
+            return l;
+        case 5:
+            return 1 / r;
+        case 6:
+            return l * r;
+        case 7:
+            return r / l;
+        case 8:
+            return l * l / r;
+        case 9:
+            return l / (r * r);
+        default:
+            return out(l / r, going.roundings && is_exact_quotient(l, r));
     }
 }
 
 double added(int site, double x) {
     switch (chosen(site, {Form::sign, Form::term, Form::twice, Form::half})) {
-        case 1: return -x;
-        case 2: return 0;
-        case 3: return 2 * x;
-        case 4: return x / 2;
-        default: return out(x, true);
+        case 1:
+            return -x;
+        case 2:
+            return 0;
+        case 3:
+            return 2 * x;
+        case 4:
+            return x / 2;
+        default:
+            return out(x, true);
     }
 }
 
@@ -172,13 +225,25 @@ double pick(int site, double one, std::initializer_list<double> others) {
     constexpr Form v = Form::variable;
     int slip = 0;
     switch (others.size()) {
-        case 0: return one;
-        case 1: slip = chosen(site, {v}); break;
-        case 2: slip = chosen(site, {v, v}); break;
-        case 3: slip = chosen(site, {v, v, v}); break;
-        case 4: slip = chosen(site, {v, v, v, v}); break;
-        case 5: slip = chosen(site, {v, v, v, v, v}); break;
-        default: slip = chosen(site, {v, v, v, v, v, v});
+        case 0:
+            return one;
+        case 1:
+            slip = chosen(site, {v});
+            break;
+        case 2:
+            slip = chosen(site, {v, v});
+            break;
+        case 3:
+            slip = chosen(site, {v, v, v});
+            break;
+        case 4:
+            slip = chosen(site, {v, v, v, v});
+            break;
+        case 5:
+            slip = chosen(site, {v, v, v, v, v});
+            break;
+        default:
+            slip = chosen(site, {v, v, v, v, v, v});
     }
     return slip == 0 ? one : others.begin()[slip - 1];
 }
@@ -233,11 +298,18 @@ double ceil(int site, double x) {
 }
 double pow(int site, double x, double y) {
     const int slip = chosen(site, {Form::function, Form::exchanged, Form::upside_down, Form::upside_down});
-    return slip == 1 ? x : slip == 2 ? std::pow(y, x) : slip == 3 ? std::pow(x, -y) : slip == 4 ? std::pow(x, 1 / y) : out(std::pow(x, y));
+    return slip == 1   ? x
+           : slip == 2 ? std::pow(y, x)
+           : slip == 3 ? std::pow(x, -y)
+           : slip == 4 ? std::pow(x, 1 / y)
+                       : out(std::pow(x, y));
 }
 double clamp(int site, double x, double low, double high) {
     const int slip = chosen(site, {Form::guard, Form::guard, Form::guard});
-    return slip == 1 ? x : slip == 2 ? std::max(x, low) : slip == 3 ? std::min(x, high) : std::max(low, std::min(high, x));
+    return slip == 1   ? x
+           : slip == 2 ? std::max(x, low)
+           : slip == 3 ? std::min(x, high)
+                       : std::max(low, std::min(high, x));
 }
 
 namespace {

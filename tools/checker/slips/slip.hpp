@@ -16,9 +16,33 @@
 
 namespace checker::slip {
 
-/// What a slip does. The learner is told no more (tools/course/misconception.cpp): which it is leads on, where does not.
-/// Where two slips answer alike, the first of these is what is told.
-enum class Form : unsigned char { sign, twice, half, term, factor, function, upside_down, power, exchanged, reversed, edge, guard, absolute, limit, joined, brackets, line, loop, variable, constant, degrees, single, none };
+/// What a slip does. The learner is told no more (tools/course/misconception.cpp): which it is leads on, where does
+/// not. Where two slips answer alike, the first of these is what is told.
+enum class Form : unsigned char {
+    sign,
+    twice,
+    half,
+    term,
+    factor,
+    function,
+    upside_down,
+    power,
+    exchanged,
+    reversed,
+    edge,
+    guard,
+    absolute,
+    limit,
+    joined,
+    brackets,
+    line,
+    loop,
+    variable,
+    constant,
+    degrees,
+    single,
+    none
+};
 /// A slip in arithmetic, which is one in whatever way an answer is written.
 inline constexpr Form last_of_arithmetic = Form::power;
 
@@ -69,23 +93,31 @@ concept Number = std::is_arithmetic_v<T>;
 template <class L, class R>
 concept Whole = std::integral<L> && std::integral<R>;
 template <class T>
-concept Scales = requires(T x) { Plain<T>(x * 2.0); } && !requires(T x) { x.conjugate().w(); };
+concept Scales = requires(T x) {
+    Plain<T>(x * 2.0);
+}
+&&!requires(T x) { x.conjugate().w(); };
 template <class T>
 inline constexpr bool scales = Scales<T>;
 
 template <class T>
 T scaled(const T& x, double by) {
-    if constexpr (std::integral<T>) return static_cast<T>(by * static_cast<double>(x));
-    else if constexpr (scales<T>) return x * by;
-    else return x;
+    if constexpr (std::integral<T>)
+        return static_cast<T>(by * static_cast<double>(x));
+    else if constexpr (scales<T>)
+        return x * by;
+    else
+        return x;
 }
 
 /// Numbers of which each is off by some units of roundoff, if any is.
 template <class T>
 T with_roundoff(T x) {
     if (!rounds()) return x;
-    if constexpr (std::same_as<T, double>) x = rounded(x);
-    else if constexpr (requires { x = T(rounded(x.real()), rounded(x.imag())); }) x = T(rounded(x.real()), rounded(x.imag()));
+    if constexpr (std::same_as<T, double>)
+        x = rounded(x);
+    else if constexpr (requires { x = T(rounded(x.real()), rounded(x.imag())); })
+        x = T(rounded(x.real()), rounded(x.imag()));
     else if constexpr (requires { x.coeffs().reshaped(); })
         for (double& one : x.coeffs().reshaped()) one = rounded(one);
     else if constexpr (requires { x.reshaped()[0] = 1.0; })
@@ -95,81 +127,127 @@ T with_roundoff(T x) {
 
 // Both may stand for their sum: numbers and vectors, no iterators.
 template <class L, class R>
-concept Terms = requires(const L& l, const R& r) { Plain<decltype(l - r)>(l + r); Plain<decltype(l - r)>(l); Plain<decltype(l - r)>(r); };
+concept Terms = requires(const L& l, const R& r) {
+    Plain<decltype(l - r)>(l + r);
+    Plain<decltype(l - r)>(l);
+    Plain<decltype(l - r)>(r);
+};
 
 template <class L, class R>
 auto plus(int site, const L& l, const R& r) {
-    if constexpr (Number<L> && Number<R> && !Whole<L, R>) return plus(site, double(l), double(r));
-    else if constexpr (!Terms<L, R>) return l + r;
+    if constexpr (Number<L> && Number<R> && !Whole<L, R>)
+        return plus(site, double(l), double(r));
+    else if constexpr (!Terms<L, R>)
+        return l + r;
     else {
         using T = Plain<decltype(l + r)>;
         switch (chosen(site, {Form::sign, Form::term, Form::term, Form::twice, Form::half})) {
-            case 1: return T(l - r);
-            case 2: return T(l);
-            case 3: return T(r);
-            case 4: return T(l + scaled(r, 2));
-            case 5: return T(l + scaled(r, 0.5));
-            default: return with_roundoff(T(l + r));
+            case 1:
+                return T(l - r);
+            case 2:
+                return T(l);
+            case 3:
+                return T(r);
+            case 4:
+                return T(l + scaled(r, 2));
+            case 5:
+                return T(l + scaled(r, 0.5));
+            default:
+                return with_roundoff(T(l + r));
         }
     }
 }
 
 template <class L, class R>
 auto minus(int site, const L& l, const R& r) {
-    if constexpr (Number<L> && Number<R> && !Whole<L, R>) return minus(site, double(l), double(r));
-    else if constexpr (!Terms<L, R>) return l - r;
+    if constexpr (Number<L> && Number<R> && !Whole<L, R>)
+        return minus(site, double(l), double(r));
+    else if constexpr (!Terms<L, R>)
+        return l - r;
     else {
         using T = Plain<decltype(l - r)>;
         switch (chosen(site, {Form::sign, Form::sign, Form::term, Form::term, Form::twice, Form::half})) {
-            case 1: return T(l + r);
-            case 2: return T(r - l);
-            case 3: return T(l);
-            case 4: return T(scaled(r, -1));
-            case 5: return T(l - scaled(r, 2));
-            case 6: return T(l - scaled(r, 0.5));
-            default: return with_roundoff(T(l - r));
+            case 1:
+                return T(l + r);
+            case 2:
+                return T(r - l);
+            case 3:
+                return T(l);
+            case 4:
+                return T(scaled(r, -1));
+            case 5:
+                return T(l - scaled(r, 2));
+            case 6:
+                return T(l - scaled(r, 0.5));
+            default:
+                return with_roundoff(T(l - r));
         }
     }
 }
 
 template <class L, class R>
 auto times(int site, const L& l, const R& r) {
-    if constexpr (Number<L> && Number<R> && !Whole<L, R>) return times(site, double(l), double(r));
+    if constexpr (Number<L> && Number<R> && !Whole<L, R>)
+        return times(site, double(l), double(r));
     else {
         using T = Plain<decltype(l * r)>;
-        switch (chosen(site, {scales<T> ? Form::sign : Form::none, scales<T> ? Form::twice : Form::none, scales<T> ? Form::half : Form::none,
-                              std::same_as<L, T> ? Form::factor : Form::none, std::same_as<R, T> ? Form::factor : Form::none,
+        switch (chosen(site, {scales<T> ? Form::sign : Form::none, scales<T> ? Form::twice : Form::none,
+                              scales<T> ? Form::half : Form::none, std::same_as<L, T> ? Form::factor : Form::none,
+                              std::same_as<R, T> ? Form::factor : Form::none,
                               std::same_as<L, R> && !scales<T> ? Form::exchanged : Form::none})) {
-            case 1: return scaled(T(l * r), -1);
-            case 2: return scaled(T(l * r), 2);
-            case 3: return scaled(T(l * r), 0.5);
-            case 4: if constexpr (std::same_as<L, T>) return T(l); break;
-            case 5: if constexpr (std::same_as<R, T>) return T(r); break;
-            case 6: if constexpr (std::same_as<L, R>) return T(r * l); break;
-            default: break;
+            case 1:
+                return scaled(T(l * r), -1);
+            case 2:
+                return scaled(T(l * r), 2);
+            case 3:
+                return scaled(T(l * r), 0.5);
+            case 4:
+                if constexpr (std::same_as<L, T>) return T(l);
+                break;
+            case 5:
+                if constexpr (std::same_as<R, T>) return T(r);
+                break;
+            case 6:
+                if constexpr (std::same_as<L, R>) return T(r * l);
+                break;
+            default:
+                break;
         }
-        if constexpr (Whole<L, R>) return T(l * r);
-        else return T(with_roundoff(l) * with_roundoff(r));  // its own sums may cancel
+        if constexpr (Whole<L, R>)
+            return T(l * r);
+        else
+            return T(with_roundoff(l) * with_roundoff(r));  // its own sums may cancel
     }
 }
 
 template <class L, class R>
 auto over(int site, const L& l, const R& r) {
-    if constexpr (Number<L> && Number<R> && !Whole<L, R>) return over(site, double(l), double(r));
+    if constexpr (Number<L> && Number<R> && !Whole<L, R>)
+        return over(site, double(l), double(r));
     else {
         using T = Plain<decltype(l / r)>;
         if constexpr (std::integral<R>)
             if (r == 0) throw Nowhere{};
-        switch (chosen(site, {Form::sign, Form::twice, Form::half, std::same_as<L, T> ? Form::factor : Form::none, Form::upside_down})) {
-            case 1: return scaled(T(l / r), -1);
-            case 2: return scaled(T(l / r), 2);
-            case 3: return scaled(T(l / r), 0.5);
-            case 4: if constexpr (std::same_as<L, T>) return T(l); break;
-            case 5: return T(l * r);
-            default: break;
+        switch (chosen(site, {Form::sign, Form::twice, Form::half, std::same_as<L, T> ? Form::factor : Form::none,
+                              Form::upside_down})) {
+            case 1:
+                return scaled(T(l / r), -1);
+            case 2:
+                return scaled(T(l / r), 2);
+            case 3:
+                return scaled(T(l / r), 0.5);
+            case 4:
+                if constexpr (std::same_as<L, T>) return T(l);
+                break;
+            case 5:
+                return T(l * r);
+            default:
+                break;
         }
-        if constexpr (Whole<L, R>) return T(l / r);
-        else return with_roundoff(T(l / r));
+        if constexpr (Whole<L, R>)
+            return T(l / r);
+        else
+            return with_roundoff(T(l / r));
     }
 }
 
@@ -197,16 +275,36 @@ bool less(int site, const L& l, const R& r, bool back, bool equal) {
 }
 
 // An operator in two halves, for its precedence: `a + Plus{7} + b`.
-struct Plus { int site; };
-struct Minus { int site; };
-struct Times { int site; };
-struct Over { int site; };
-struct Rest { int site; };
-struct Less { int site; };
-struct AtMost { int site; };
-struct More { int site; };
-struct AtLeast { int site; };
-struct Negative { int site; };
+struct Plus {
+    int site;
+};
+struct Minus {
+    int site;
+};
+struct Times {
+    int site;
+};
+struct Over {
+    int site;
+};
+struct Rest {
+    int site;
+};
+struct Less {
+    int site;
+};
+struct AtMost {
+    int site;
+};
+struct More {
+    int site;
+};
+struct AtLeast {
+    int site;
+};
+struct Negative {
+    int site;
+};
 
 template <class Operator, class L>
 struct Half {
@@ -214,28 +312,83 @@ struct Half {
     int site;
 };
 
-template <class L> Half<Plus, Plain<L>> operator+(const L& l, Plus at) { return {l, at.site}; }
-template <class L, class R> auto operator+(const Half<Plus, L>& half, const R& r) { return plus<L, Plain<R>>(half.site, half.left, r); }
-template <class L> Half<Minus, Plain<L>> operator-(const L& l, Minus at) { return {l, at.site}; }
-template <class L, class R> auto operator-(const Half<Minus, L>& half, const R& r) { return minus<L, Plain<R>>(half.site, half.left, r); }
-template <class L> Half<Times, Plain<L>> operator*(const L& l, Times at) { return {l, at.site}; }
-template <class L, class R> auto operator*(const Half<Times, L>& half, const R& r) { return times<L, Plain<R>>(half.site, half.left, r); }
-template <class L> Half<Over, Plain<L>> operator/(const L& l, Over at) { return {l, at.site}; }
-template <class L, class R> auto operator/(const Half<Over, L>& half, const R& r) { return over<L, Plain<R>>(half.site, half.left, r); }
-template <class L> Half<Rest, L> operator%(const L& l, Rest at) { return {l, at.site}; }
-template <class L, class R> auto operator%(const Half<Rest, L>& half, const R& r) { return rest(half.site, half.left, r); }
-template <class L> Half<Less, L> operator<(const L& l, Less at) { return {l, at.site}; }
-template <class L, class R> bool operator<(const Half<Less, L>& half, const R& r) { return less(half.site, half.left, r, false, false); }
-template <class L> Half<AtMost, L> operator<=(const L& l, AtMost at) { return {l, at.site}; }
-template <class L, class R> bool operator<=(const Half<AtMost, L>& half, const R& r) { return less(half.site, half.left, r, false, true); }
-template <class L> Half<More, L> operator>(const L& l, More at) { return {l, at.site}; }
-template <class L, class R> bool operator>(const Half<More, L>& half, const R& r) { return less(half.site, half.left, r, true, false); }
-template <class L> Half<AtLeast, L> operator>=(const L& l, AtLeast at) { return {l, at.site}; }
-template <class L, class R> bool operator>=(const Half<AtLeast, L>& half, const R& r) { return less(half.site, half.left, r, true, true); }
+template <class L>
+Half<Plus, Plain<L>> operator+(const L& l, Plus at) {
+    return {l, at.site};
+}
+template <class L, class R>
+auto operator+(const Half<Plus, L>& half, const R& r) {
+    return plus<L, Plain<R>>(half.site, half.left, r);
+}
+template <class L>
+Half<Minus, Plain<L>> operator-(const L& l, Minus at) {
+    return {l, at.site};
+}
+template <class L, class R>
+auto operator-(const Half<Minus, L>& half, const R& r) {
+    return minus<L, Plain<R>>(half.site, half.left, r);
+}
+template <class L>
+Half<Times, Plain<L>> operator*(const L& l, Times at) {
+    return {l, at.site};
+}
+template <class L, class R>
+auto operator*(const Half<Times, L>& half, const R& r) {
+    return times<L, Plain<R>>(half.site, half.left, r);
+}
+template <class L>
+Half<Over, Plain<L>> operator/(const L& l, Over at) {
+    return {l, at.site};
+}
+template <class L, class R>
+auto operator/(const Half<Over, L>& half, const R& r) {
+    return over<L, Plain<R>>(half.site, half.left, r);
+}
+template <class L>
+Half<Rest, L> operator%(const L& l, Rest at) {
+    return {l, at.site};
+}
+template <class L, class R>
+auto operator%(const Half<Rest, L>& half, const R& r) {
+    return rest(half.site, half.left, r);
+}
+template <class L>
+Half<Less, L> operator<(const L& l, Less at) {
+    return {l, at.site};
+}
+template <class L, class R>
+bool operator<(const Half<Less, L>& half, const R& r) {
+    return less(half.site, half.left, r, false, false);
+}
+template <class L>
+Half<AtMost, L> operator<=(const L& l, AtMost at) {
+    return {l, at.site};
+}
+template <class L, class R>
+bool operator<=(const Half<AtMost, L>& half, const R& r) {
+    return less(half.site, half.left, r, false, true);
+}
+template <class L>
+Half<More, L> operator>(const L& l, More at) {
+    return {l, at.site};
+}
+template <class L, class R>
+bool operator>(const Half<More, L>& half, const R& r) {
+    return less(half.site, half.left, r, true, false);
+}
+template <class L>
+Half<AtLeast, L> operator>=(const L& l, AtLeast at) {
+    return {l, at.site};
+}
+template <class L, class R>
+bool operator>=(const Half<AtLeast, L>& half, const R& r) {
+    return less(half.site, half.left, r, true, true);
+}
 
 template <class R>
 auto operator->*(Negative at, const R& r) {
-    if constexpr (Number<R>) return negative(at.site, double(r));
+    if constexpr (Number<R>)
+        return negative(at.site, double(r));
     else {
         using T = Plain<R>;
         return chosen(at.site, {Form::sign}) == 1 ? T(r) : T(-r);
@@ -245,28 +398,54 @@ auto operator->*(Negative at, const R& r) {
 /// What stands behind += or -=.
 template <class X>
 auto added(int site, const X& x) {
-    if constexpr (Number<X>) return added(site, double(x));
+    if constexpr (Number<X>)
+        return added(site, double(x));
     else {
         using T = Plain<X>;
         switch (chosen(site, {Form::sign, Form::term, Form::twice, Form::half})) {
-            case 1: return scaled(T(x), -1);
-            case 2: return scaled(T(x), 0);
-            case 3: return scaled(T(x), 2);
-            case 4: return scaled(T(x), 0.5);
-            default: return T(x);
+            case 1:
+                return scaled(T(x), -1);
+            case 2:
+                return scaled(T(x), 0);
+            case 3:
+                return scaled(T(x), 2);
+            case 4:
+                return scaled(T(x), 0.5);
+            default:
+                return T(x);
         }
     }
 }
 
 // Functions of Eigen's: `x ->* Norm{7}`.
-struct norm { int site; };
-struct squaredNorm { int site; };
-struct normalized { int site; };
-struct conjugate { int site; };
-template <class X> double operator->*(const X& x, norm at) { return chosen(at.site, {Form::function}) == 1 ? x.squaredNorm() : with_roundoff(double(x.norm())); }
-template <class X> double operator->*(const X& x, squaredNorm at) { return chosen(at.site, {Form::function}) == 1 ? x.norm() : with_roundoff(double(x.squaredNorm())); }
-template <class X> Plain<X> operator->*(const X& x, normalized at) { return chosen(at.site, {Form::function}) == 1 ? Plain<X>(x) : with_roundoff(Plain<X>(x.normalized())); }
-template <class X> Plain<X> operator->*(const X& x, conjugate at) { return chosen(at.site, {Form::function}) == 1 ? Plain<X>(x) : Plain<X>(x.conjugate()); }
+struct norm {
+    int site;
+};
+struct squaredNorm {
+    int site;
+};
+struct normalized {
+    int site;
+};
+struct conjugate {
+    int site;
+};
+template <class X>
+double operator->*(const X& x, norm at) {
+    return chosen(at.site, {Form::function}) == 1 ? x.squaredNorm() : with_roundoff(double(x.norm()));
+}
+template <class X>
+double operator->*(const X& x, squaredNorm at) {
+    return chosen(at.site, {Form::function}) == 1 ? x.norm() : with_roundoff(double(x.squaredNorm()));
+}
+template <class X>
+Plain<X> operator->*(const X& x, normalized at) {
+    return chosen(at.site, {Form::function}) == 1 ? Plain<X>(x) : with_roundoff(Plain<X>(x.normalized()));
+}
+template <class X>
+Plain<X> operator->*(const X& x, conjugate at) {
+    return chosen(at.site, {Form::function}) == 1 ? Plain<X>(x) : Plain<X>(x.conjugate());
+}
 
 // Functions of the standard library's.
 double sin(int site, double x);
@@ -283,11 +462,9 @@ double ceil(int site, double x);
 double pow(int site, double x, double y);
 double clamp(int site, double x, double low, double high);
 template <class X>
-requires(!Number<X>)
-X exp(int, const X& x) { return std::exp(x); }
+requires(!Number<X>) X exp(int, const X& x) { return std::exp(x); }
 template <class X>
-requires(!Number<X>)
-X log(int, const X& x) { return std::log(x); }
+requires(!Number<X>) X log(int, const X& x) { return std::log(x); }
 template <class X>
 auto sqrt(int site, const X& x) {
     using T = decltype(std::sqrt(x));
@@ -296,8 +473,10 @@ auto sqrt(int site, const X& x) {
 template <class X>
 auto abs(int site, const X& x) {
     using T = decltype(std::abs(x));
-    if constexpr (Number<X>) return chosen(site, {Form::absolute}) == 1 ? x : T(std::abs(x));
-    else return chosen(site, {Form::function}) == 1 ? T(x.real()) : std::abs(x);
+    if constexpr (Number<X>)
+        return chosen(site, {Form::absolute}) == 1 ? x : T(std::abs(x));
+    else
+        return chosen(site, {Form::function}) == 1 ? T(x.real()) : std::abs(x);
 }
 inline double fabs(int site, double x) { return abs(site, x); }
 template <class X>
@@ -324,7 +503,9 @@ struct In {
     decltype(auto) front() const { return values.empty() ? throw Nowhere{} : values.front(); }
 };
 template <class C>
-In<C> in(C& values) { return {values}; }
+In<C> in(C& values) {
+    return {values};
+}
 
 /// A loop's vector, or without its first or its last element.
 template <class T>
@@ -334,17 +515,23 @@ std::vector<T> part(int site, std::vector<T> values) {
     return values;
 }
 template <class T>
-const T& part(int, const T& values) { return values; }
+const T& part(int, const T& values) {
+    return values;
+}
 /// Where a loop begins, and the next one: up, or down.
 template <class T>
 T from(int site, T first) {
-    if constexpr (std::integral<T>) return chosen(site, {Form::loop}) == 1 ? T(first + 1) : first;
-    else return first;
+    if constexpr (std::integral<T>)
+        return chosen(site, {Form::loop}) == 1 ? T(first + 1) : first;
+    else
+        return first;
 }
 template <class T>
 T down_from(int site, T first) {
-    if constexpr (std::integral<T>) return chosen(site, {Form::loop}) == 1 && first > 0 ? T(first - 1) : first;
-    else return first;
+    if constexpr (std::integral<T>)
+        return chosen(site, {Form::loop}) == 1 && first > 0 ? T(first - 1) : first;
+    else
+        return first;
 }
 /// Is a line to be left out?
 inline bool keeps(int site) { return chosen(site, {Form::line}) == 0; }
@@ -364,7 +551,8 @@ inline void given(int site, double& a) {
 /// A variable, or another that is there.
 template <class T, class... Others>
 T pick(int site, const T& one, const Others&... others) {
-    if constexpr (std::same_as<T, double> && (std::same_as<Others, double> && ...)) return pick(site, one, {others...});
+    if constexpr (std::same_as<T, double> && (std::same_as<Others, double> && ...))
+        return pick(site, one, {others...});
     else {
         static constexpr std::array forms{std::same_as<T, Others> ? Form::variable : Form::none...};
         static_assert(sizeof...(others) <= 6);

@@ -20,8 +20,9 @@ std::map<std::string, std::vector<Answer>>& known() {
     return answers;
 }
 
-constexpr long most_work = 12'000'000;  // places that may be passed while a slip, or two, are looked for: a tenth of a second
-constexpr std::size_t few = 16;         // calls are enough to tell most slips from the learner's
+constexpr long most_work =
+    12'000'000;                  // places that may be passed while a slip, or two, are looked for: a tenth of a second
+constexpr std::size_t few = 16;  // calls are enough to tell most slips from the learner's
 
 // How many calls answer as the learner does, and whether enough.
 struct Score {
@@ -40,19 +41,27 @@ struct Weighed {
 // An answer beside the calls of a check.
 class Fitting {
 public:
-    Fitting(const Answer& answer, const Shown& shown, bool counted, bool is_solution = true) : answer_(answer), is_strict_(shown.tells_little), share_right_(counted ? 100 : 20), least_(std::min(few, shown.wrong.size())) {
+    Fitting(const Answer& answer, const Shown& shown, bool counted, bool is_solution = true)
+        : answer_(answer),
+          is_strict_(shown.tells_little),
+          share_right_(counted ? 100 : 20),
+          least_(std::min(few, shown.wrong.size())) {
         // Of a yes and a no many must be asked; but then they are short.
         const std::size_t most = counted && is_solution ? 2000 : 300;
         const std::size_t step = 1 + shown.wrong.size() / most, step_right = 1 + shown.right.size() / most;
-        const auto is_long = [begin = slip::work()](long share) { return slip::work() - begin > most_work / 4 * share; };
+        const auto is_long = [begin = slip::work()](long share) {
+            return slip::work() - begin > most_work / 4 * share;
+        };
         for (std::size_t i = 0; i < shown.wrong.size() && !is_long(1); i += step)
-            wrong_.push_back({shown.wrong[i], &shown.truth[i], &shown.roundoff[i], slip::note(answer, shown.wrong[i]->arguments, slips_)});
+            wrong_.push_back({shown.wrong[i], &shown.truth[i], &shown.roundoff[i],
+                              slip::note(answer, shown.wrong[i]->arguments, slips_)});
         for (std::size_t i = 0; i < shown.right.size() && !is_long(2); i += step_right)
             right_.push_back({shown.right[i], nullptr, nullptr, slip::note(answer, shown.right[i]->arguments, slips_)});
         for (std::size_t i = 0; i < wrong_.size(); i += 1 + wrong_.size() / few) few_.push_back(wrong_[i]);
         // The shortest first: most slips show at once that they are not the learner's.
         for (auto* calls : {&few_, &wrong_, &right_})
-            std::stable_sort(calls->begin(), calls->end(), [](const Weighed& a, const Weighed& b) { return a.places < b.places; });
+            std::stable_sort(calls->begin(), calls->end(),
+                             [](const Weighed& a, const Weighed& b) { return a.places < b.places; });
     }
 
     const std::vector<Made>& slips() const { return slips_; }
@@ -66,17 +75,21 @@ public:
         missed = 0;
         if (!fits(wrong_, first, second, is_strict ? 0 : wrong_.size() / 33, missed)) return {};
         // Where it would show in right calls, too, these must be few beside the wrong ones.
-        if (!fits(right_, first, second, std::min(right_.size() / (is_strict ? 200 : share_right_), wrong_.size() / 2), off)) return {};
+        if (!fits(right_, first, second, std::min(right_.size() / (is_strict ? 200 : share_right_), wrong_.size() / 2),
+                  off))
+            return {};
         return {wrong_.size() + right_.size() - missed - off, true};
     }
 
 private:
-    bool fits(const std::vector<Weighed>& calls, const Made& first, const Made* second, std::size_t may_miss, std::size_t& missed) const {
+    bool fits(const std::vector<Weighed>& calls, const Made& first, const Made* second, std::size_t may_miss,
+              std::size_t& missed) const {
         for (const Weighed& each : calls) {
             const Numbers made = slip::answered(answer_, each.call->arguments, first, second, 1000 + 30 * each.places);
             const Numbers& found = each.call->result;
             // Where all is right, there may be a guard against what is no number.
-            missed += each.truth ? !errs_alike(made, found, *each.truth, *each.roundoff) : !is_same(made, found) && (made.empty() || is_finite(made));
+            missed += each.truth ? !errs_alike(made, found, *each.truth, *each.roundoff)
+                                 : !is_same(made, found) && (made.empty() || is_finite(made));
             if (missed > may_miss) return false;
         }
         return true;
@@ -92,7 +105,8 @@ private:
 // Of what is not finite nothing can be told.
 bool is_no_number(const Shown& shown) {
     std::size_t none = 0;
-    for (const Call* call : shown.wrong) none += std::any_of(call->result.begin(), call->result.end(), [](double x) { return !std::isfinite(x); });
+    for (const Call* call : shown.wrong)
+        none += std::any_of(call->result.begin(), call->result.end(), [](double x) { return !std::isfinite(x); });
     return 2 * none > shown.wrong.size();
 }
 
@@ -109,8 +123,10 @@ const std::vector<Answer>& slips_of(const std::string& exercise) { return known(
 namespace slip {
 
 const char* name_of(Form form) {
-    static constexpr std::array names{"sign", "twice", "half", "term", "factor", "function", "upside_down", "power", "exchanged", "reversed", "edge",
-                                      "guard", "absolute", "limit", "joined", "brackets", "line", "loop", "variable", "constant", "degrees", "single", "none"};
+    static constexpr std::array names{"sign",        "twice",    "half",      "term",     "factor", "function",
+                                      "upside_down", "power",    "exchanged", "reversed", "edge",   "guard",
+                                      "absolute",    "limit",    "joined",    "brackets", "line",   "loop",
+                                      "variable",    "constant", "degrees",   "single",   "none"};
     return names[static_cast<std::size_t>(form)];
 }
 
@@ -122,7 +138,8 @@ bool is_same(const Numbers& made, const Numbers& found) {
     for (const double number : found) size = std::max(size, std::isfinite(number) ? std::fabs(number) : 0);
     for (std::size_t i = 0; i < made.size(); ++i)
         if (made[i] != found[i] && (std::isfinite(made[i]) || std::isfinite(found[i])) &&
-            !(std::isfinite(made[i] - found[i]) && std::fabs(made[i] - found[i]) <= 1e-9 * std::max(std::fabs(found[i]), 1e-3 * size)))
+            !(std::isfinite(made[i] - found[i]) &&
+              std::fabs(made[i] - found[i]) <= 1e-9 * std::max(std::fabs(found[i]), 1e-3 * size)))
             return false;
     return true;
 }
@@ -131,7 +148,8 @@ bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right,
     if (made.size() != found.size()) return false;
     if (right.size() != found.size()) return is_same(made, found);
     double size = 0;
-    for (std::size_t i = 0; i < made.size(); ++i) size = std::max(size, std::isfinite(right[i]) ? std::fabs(right[i]) : 0);
+    for (std::size_t i = 0; i < made.size(); ++i)
+        size = std::max(size, std::isfinite(right[i]) ? std::fabs(right[i]) : 0);
     for (std::size_t i = 0; i < made.size(); ++i) {
         if (made[i] == found[i] || (!std::isfinite(made[i]) && !std::isfinite(found[i]))) continue;
         const double gap = std::fabs(found[i] - right[i]), miss = std::fabs(made[i] - found[i]);
@@ -159,12 +177,15 @@ std::string slip_of(const std::string& exercise, const Shown& shown, bool counte
         bool are_two = false;
         for (const Made& made : slips) {
             // Whole numbers agree by chance with what an answer of another kind does.
-            if (!is_solution && (counted || made.form > slip::last_of_arithmetic) && made.form != Form::single) continue;
+            if (!is_solution && (counted || made.form > slip::last_of_arithmetic) && made.form != Form::single)
+                continue;
             if (slip::work() - begin > most_work) break;
             const Score score = fitting.of(made, nullptr);
             if (!score.good || score.alike < most) continue;
-            if (score.alike > most) best = made, are_two = false;
-            else if (made.form != best.form && made.site != best.site) are_two |= std::minmax(made.form, best.form) == std::minmax(Form::twice, Form::half);
+            if (score.alike > most)
+                best = made, are_two = false;
+            else if (made.form != best.form && made.site != best.site)
+                are_two |= std::minmax(made.form, best.form) == std::minmax(Form::twice, Form::half);
             if (made.form < best.form) best = made;
             most = score.alike;
         }
@@ -188,7 +209,9 @@ std::string two_slips_of(const std::string& exercise, const Shown& shown) {
         for (std::size_t b = a + 1; b < slips.size(); ++b) {
             if (slip::work() - begin > most_work) break;
             // A variable taken for another is taken so everywhere; beside another slip it would explain too much.
-            if (slips[a].site == slips[b].site || (slips[a].form == Form::variable) != (slips[b].form == Form::variable)) continue;
+            if (slips[a].site == slips[b].site ||
+                (slips[a].form == Form::variable) != (slips[b].form == Form::variable))
+                continue;
             if (!fitting.of(slips[a], &slips[b]).good) continue;
             best = std::min(best, std::pair<Form, Form>(std::minmax(slips[a].form, slips[b].form)));
         }
@@ -213,7 +236,9 @@ bool is_case_of_slip(const std::string& exercise, const std::string& name, const
         if (!std::exchange(is_solution, false) || forms.find("_and_") == std::string::npos) continue;
         for (const Made& a : slips)
             for (const Made& b : slips)
-                if (a.site != b.site && forms == std::string(slip::name_of(a.form)) + "_and_" + slip::name_of(b.form) && answers_so(a, &b)) return true;
+                if (a.site != b.site && forms == std::string(slip::name_of(a.form)) + "_and_" + slip::name_of(b.form) &&
+                    answers_so(a, &b))
+                    return true;
     }
     return false;
 }

@@ -26,11 +26,14 @@ struct Token {
     std::string before, after;
 };
 
-bool is_name(const std::string& text) { return !text.empty() && (std::isalpha(static_cast<unsigned char>(text[0])) || text[0] == '_'); }
+bool is_name(const std::string& text) {
+    return !text.empty() && (std::isalpha(static_cast<unsigned char>(text[0])) || text[0] == '_');
+}
 bool is_number(const std::string& text) { return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])); }
 
 std::vector<Token> tokens_of(const std::string& code) {
-    static const std::set<std::string> pairs{"::", "->", "<=", ">=", "==", "!=", "&&", "||", "++", "--", "+=", "-=", "*=", "/=", "|=", "%="};
+    static const std::set<std::string> pairs{"::", "->", "<=", ">=", "==", "!=", "&&", "||",
+                                             "++", "--", "+=", "-=", "*=", "/=", "|=", "%="};
     std::vector<Token> tokens;
     bool blank = false;
     for (std::size_t i = 0; i < code.size();) {
@@ -44,11 +47,14 @@ std::vector<Token> tokens_of(const std::string& code) {
             continue;
         }
         std::size_t end = i + 1;
-        const auto in_word = [&](std::size_t j) { return std::isalnum(static_cast<unsigned char>(at(j))) || at(j) == '_'; };
+        const auto in_word = [&](std::size_t j) {
+            return std::isalnum(static_cast<unsigned char>(at(j))) || at(j) == '_';
+        };
         if (in_word(i)) {
             const bool number = std::isdigit(static_cast<unsigned char>(code[i]));
-            while (in_word(end) || (number && (at(end) == '.' || at(end) == '\'' ||
-                                               ((at(end) == '-' || at(end) == '+') && (at(end - 1) == 'e' || at(end - 1) == 'E')))))
+            while (in_word(end) ||
+                   (number && (at(end) == '.' || at(end) == '\'' ||
+                               ((at(end) == '-' || at(end) == '+') && (at(end - 1) == 'e' || at(end - 1) == 'E')))))
                 ++end;
         } else if (pairs.count(code.substr(i, 2))) {
             end = i + 2;
@@ -68,7 +74,8 @@ struct Variable {
 
 class Rewriter {
 public:
-    Rewriter(std::string name, std::vector<Token> tokens, int& site) : name_(std::move(name)), t_(std::move(tokens)), site_(site) {
+    Rewriter(std::string name, std::vector<Token> tokens, int& site)
+        : name_(std::move(name)), t_(std::move(tokens)), site_(site) {
         t_.push_back({});  // so that there is always a next one
         t_.push_back({});
         t_.push_back({});
@@ -89,13 +96,15 @@ public:
 
     // What does not slip safely, or costs more to compile than it is worth.
     bool is_left_out() const {
-        static const std::set<std::string> words{"sort", "inverse", "colPivHouseholderQr", "fullPivLu", "eigenvalues", "remainder", "pair"};
+        static const std::set<std::string> words{
+            "sort", "inverse", "colPivHouseholderQr", "fullPivLu", "eigenvalues", "remainder", "pair"};
         bool seen = false;
         for (std::size_t i = 0; i + 3 < t_.size(); ++i) {
             if (words.count(text(i)) && text(i - 1) != "stable_") return true;
             if (text(i) == name_ && seen) return true;  // it calls itself
-            if (text(i) == "*" && !t_[i].blank && is_name(text(i - 1)) && t_[i + 1].blank) return true;  // pointers know no end
-            if (text(i) == "begin" && (text(i + 3) == "+" || text(i + 3) == "-")) return true;          // nor do these
+            if (text(i) == "*" && !t_[i].blank && is_name(text(i - 1)) && t_[i + 1].blank)
+                return true;                                                                    // pointers know no end
+            if (text(i) == "begin" && (text(i + 3) == "+" || text(i + 3) == "-")) return true;  // nor do these
             if (text(i) == "std" && (text(i + 2) == "copy" || text(i + 2) == "copy_n")) return true;
             seen |= text(i) == name_;
         }
@@ -165,11 +174,14 @@ private:
             for (std::size_t a = 0; a < arguments_; ++a)
                 for (std::size_t b = a + 1; b < arguments_; ++b)
                     if (variables_[a].type == variables_[b].type)
-                        entry += " slip::exchange(" + next() + ", " + variables_[a].name + ", " + variables_[b].name + ");";
+                        entry +=
+                            " slip::exchange(" + next() + ", " + variables_[a].name + ", " + variables_[b].name + ");";
         }
         for (std::size_t a = 0; is_answer && a < arguments_; ++a) {
-            if (variables_[a].type == "double") entry += " slip::given(" + next() + ", " + variables_[a].name + ");";
-            else if (variables_[a].type == "State") entry += " slip::exchange(" + next() + ", " + variables_[a].name + ".x, " + variables_[a].name + ".v);";
+            if (variables_[a].type == "double")
+                entry += " slip::given(" + next() + ", " + variables_[a].name + ");";
+            else if (variables_[a].type == "State")
+                entry += " slip::exchange(" + next() + ", " + variables_[a].name + ".x, " + variables_[a].name + ".v);";
         }
         picks();
         operators();  // before anything else is taken for another word
@@ -217,7 +229,8 @@ private:
             if (text(i) == "auto" && text(name) == "[") {
                 if (text(scope) != "{") continue;
                 for (std::size_t j = name + 1; j < other_[name]; ++j)
-                    if (is_name(text(j))) variables_.push_back({text(j), "double", until(name, {";"}), other_[scope], true});
+                    if (is_name(text(j)))
+                        variables_.push_back({text(j), "double", until(name, {";"}), other_[scope], true});
                 continue;
             }
             if (text(i) == "auto" || !is_name(text(name))) continue;
@@ -234,7 +247,8 @@ private:
             } else {
                 declared_.insert(name);
                 for (const Lambda& lambda : lambdas_)
-                    if (lambda.open == scope) variables_.push_back({text(name), type, lambda.body, other_[lambda.body], false});
+                    if (lambda.open == scope)
+                        variables_.push_back({text(name), type, lambda.body, other_[lambda.body], false});
             }
         }
     }
@@ -243,8 +257,10 @@ private:
         while (i > begin_) {
             --i;
             const std::string& it = text(i);
-            if (it == ")" || it == "]" || it == "}") i = other_[i];
-            else if (it == "(" || it == "[" || it == "{") return i;
+            if (it == ")" || it == "]" || it == "}")
+                i = other_[i];
+            else if (it == "(" || it == "[" || it == "{")
+                return i;
         }
         return begin_;
     }
@@ -252,7 +268,9 @@ private:
     bool is_visible(const Variable& variable, std::size_t i) const {
         if (i <= variable.from || i >= variable.to) return false;
         for (const Lambda& lambda : lambdas_)
-            if (i > lambda.body && i < other_[lambda.body] && variable.from < lambda.body && (!lambda.captures || variable.bound)) return false;
+            if (i > lambda.body && i < other_[lambda.body] && variable.from < lambda.body &&
+                (!lambda.captures || variable.bound))
+                return false;
         return true;
     }
     const Variable* variable_at(std::size_t i) const {
@@ -263,15 +281,19 @@ private:
     }
 
     static bool assigns(const std::string& text) {
-        return text == "=" || text == "+=" || text == "-=" || text == "*=" || text == "/=" || text == "|=" || text == "++" || text == "--";
+        return text == "=" || text == "+=" || text == "-=" || text == "*=" || text == "/=" || text == "|=" ||
+               text == "++" || text == "--";
     }
 
     void picks() {
         for (std::size_t i = begin_; i < end_; ++i) {
             if (!is_name(text(i)) || declared_.count(i)) continue;
             const std::string last = text(i - 1), following = text(i + 1);
-            if (last == "." || last == "->" || last == "::" || last == "++" || last == "--" || last == "&" || last == ">") continue;
-            if (assigns(following) || following == "(" || following == "[" || following == "{" || following == "::") continue;
+            if (last == "." || last == "->" || last == "::" || last == "++" || last == "--" || last == "&" ||
+                last == ">")
+                continue;
+            if (assigns(following) || following == "(" || following == "[" || following == "{" || following == "::")
+                continue;
             const Variable* variable = variable_at(i);
             if (!variable || scope_is_capture(i) || changing_.count(text(scope_of(i) - 1))) continue;
             std::size_t end = i;
@@ -280,7 +302,8 @@ private:
                 const std::string member = text(i + 2);
                 if (type == "State" && (member == "x" || member == "v" || member == "t")) {
                     end = i + 2, type = "double", tail = "." + member;
-                } else if (type == "Vector3d" && (member == "x" || member == "y" || member == "z") && text(i + 3) == "(") {
+                } else if (type == "Vector3d" && (member == "x" || member == "y" || member == "z") &&
+                           text(i + 3) == "(") {
                     end = i + 4, type = "double", tail = "." + member + "()";
                 } else if (type == "State") {
                     continue;
@@ -301,7 +324,8 @@ private:
                 for (const char* each : {"x", "y", "z", "v"}) {
                     const bool state = variable->type == "State";
                     const std::string other = std::string(".") + each + (state ? "" : "()");
-                    if (other != tail && (state ? *each == 'x' || *each == 'v' : *each != 'v')) add(variable->name + other);
+                    if (other != tail && (state ? *each == 'x' || *each == 'v' : *each != 'v'))
+                        add(variable->name + other);
                 }
             // The nearest first: what is taken for another is most often that.
             for (std::size_t v = variables_.size(); v-- > 0;) {
@@ -328,8 +352,11 @@ private:
     // What is asked for its elements, or its last one.
     void subscripts() {
         for (std::size_t i = begin_; i < end_; ++i) {
-            if (!is_name(text(i)) || text(i - 1) == "." || text(i - 1) == "::" || text(i) == "auto" || text(i) == "return") continue;
-            const bool end = text(i + 1) == "." && (text(i + 2) == "back" || text(i + 2) == "front") && text(i + 3) == "(";
+            if (!is_name(text(i)) || text(i - 1) == "." || text(i - 1) == "::" || text(i) == "auto" ||
+                text(i) == "return")
+                continue;
+            const bool end =
+                text(i + 1) == "." && (text(i + 2) == "back" || text(i + 2) == "front") && text(i + 3) == "(";
             if (end || (text(i + 1) == "[" && !t_[i + 1].blank)) t_[i].text = "slip::in(" + text(i) + ")";
         }
     }
@@ -351,7 +378,9 @@ private:
     void methods() {
         static const std::set<std::string> known{"norm", "squaredNorm", "normalized", "conjugate"};
         for (std::size_t i = begin_; i < end_; ++i) {
-            if (text(i) != "." || !known.count(text(i + 1)) || text(i + 2) != "(" || text(i + 3) != ")" || text(i + 4) == ".") continue;
+            if (text(i) != "." || !known.count(text(i + 1)) || text(i + 2) != "(" || text(i + 3) != ")" ||
+                text(i + 4) == ".")
+                continue;
             const std::size_t first = begin_of_operand(i);
             if (text(first - 1).rfind("slip::Negative", 0) == 0) continue;  // binds less
             t_[i].text = "->*slip::" + text(i + 1) + "{" + next() + "}";
@@ -360,8 +389,9 @@ private:
     }
 
     void calls() {
-        static const std::set<std::string> known{"sin",  "cos",  "sqrt", "exp",   "log",  "log1p", "expm1", "exp2", "log2",
-                                                 "cbrt", "fabs", "abs",  "floor", "ceil", "pow",   "max",   "min",  "clamp"};
+        static const std::set<std::string> known{"sin",   "cos",  "sqrt", "exp",  "log",  "log1p",
+                                                 "expm1", "exp2", "log2", "cbrt", "fabs", "abs",
+                                                 "floor", "ceil", "pow",  "max",  "min",  "clamp"};
         for (std::size_t i = begin_; i < end_; ++i) {
             if (text(i) == "std" && text(i + 2) == "numbers" && text(i + 4) == "pi") {
                 t_[i].text = "slip::pi()";
@@ -377,8 +407,9 @@ private:
     }
 
     void operators() {
-        static const std::map<std::string, std::string> names{{"+", "Plus"}, {"-", "Minus"},   {"*", "Times"}, {"/", "Over"},    {"%", "Rest"},
-                                                              {"<", "Less"}, {"<=", "AtMost"}, {">", "More"},  {">=", "AtLeast"}};
+        static const std::map<std::string, std::string> names{{"+", "Plus"},    {"-", "Minus"}, {"*", "Times"},
+                                                              {"/", "Over"},    {"%", "Rest"},  {"<", "Less"},
+                                                              {"<=", "AtMost"}, {">", "More"},  {">=", "AtLeast"}};
         for (std::size_t i = begin_; i < end_; ++i) {
             const auto name = names.find(text(i));
             if (name == names.end()) continue;
@@ -392,7 +423,8 @@ private:
 
     void added() {
         for (std::size_t i = begin_; i < end_; ++i)
-            if (text(i) == "+=" || text(i) == "-=") wrap(i + 1, until(i + 1, {";", ","}) - 1, "slip::added(" + next() + ", ", ")");
+            if (text(i) == "+=" || text(i) == "-=")
+                wrap(i + 1, until(i + 1, {";", ","}) - 1, "slip::added(" + next() + ", ", ")");
     }
 
     // Of `a || b` and `a && b` each part can be left out; alone it is a guard that can.
@@ -406,7 +438,9 @@ private:
             const bool last = stop >= end;
             if (!last) joined = text(stop);
             if (joined.empty() && !alone) return;
-            wrap(part, stop - 1, std::string("(slip::without(") + next() + ") ? " + (joined == "&&" ? "true" : "false") + " : bool(", "))");
+            wrap(part, stop - 1,
+                 std::string("(slip::without(") + next() + ") ? " + (joined == "&&" ? "true" : "false") + " : bool(",
+                 "))");
             if (last) break;
             joints.push_back(stop);
             part = stop + 1;
@@ -422,17 +456,20 @@ private:
 
     std::string rendered(std::size_t first, std::size_t end) const {
         std::string code;
-        for (std::size_t i = first; i < end; ++i) code += (t_[i].blank ? " " : "") + t_[i].before + t_[i].text + t_[i].after;
+        for (std::size_t i = first; i < end; ++i)
+            code += (t_[i].blank ? " " : "") + t_[i].before + t_[i].text + t_[i].after;
         return code;
     }
 
-    // An expression once more, without the brackets of a sum in it that is multiplied or divided. Of numbers alone: what
-    // else there is may have no such sum.
+    // An expression once more, without the brackets of a sum in it that is multiplied or divided. Of numbers alone:
+    // what else there is may have no such sum.
     void brackets() {
-        static const std::set<std::string> delimiters{"=", "return", ",", ";", "(", "[", "{", "}", "?", ":", "<", ">", "<=", ">=",
-                                                      "==", "!=", "&&", "||", "+=", "-=", "*=", "/="};
+        static const std::set<std::string> delimiters{
+            "=", "return", ",",  ";",  "(",  "[",  "{",  "}",  "?",  ":",  "<",
+            ">", "<=",     ">=", "==", "!=", "&&", "||", "+=", "-=", "*=", "/="};
         for (std::size_t i = begin_; i < end_; ++i)
-            if (text(i) == "Vector3d" || text(i) == "Matrix3d" || text(i) == "Quaterniond" || text(i) == "complex") return;
+            if (text(i) == "Vector3d" || text(i) == "Matrix3d" || text(i) == "Quaterniond" || text(i) == "complex")
+                return;
         std::map<std::size_t, std::vector<std::string>> others;  // of the expressions that begin there
         std::map<std::size_t, std::size_t> ends;
         for (std::size_t i = begin_; i < end_; ++i) {
@@ -444,7 +481,10 @@ private:
             for (std::size_t j = open + 1; j < close; ++j) {
                 if (text(j) == "(" || text(j) == "[" || text(j) == "{") j = other_[j];
                 is_sum |= is_operator(j, '+') || is_operator(j, '-');
-                if (delimiters.count(text(j)) && text(j) != "]") { is_sum = false; break; }
+                if (delimiters.count(text(j)) && text(j) != "]") {
+                    is_sum = false;
+                    break;
+                }
             }
             if (!is_sum) continue;
             std::size_t first = open;
@@ -454,7 +494,8 @@ private:
             }
             const std::size_t end = until(open, {",", ";", "?", ":", "<", ">", "<=", ">=", "==", "!=", "&&", "||"});
             t_[open].text = " ", t_[close].text = " ";
-            if (others[first].size() < 3) others[first].push_back("(slip::unbracketed(" + next() + ") ? " + rendered(first, end) + " : ");
+            if (others[first].size() < 3)
+                others[first].push_back("(slip::unbracketed(" + next() + ") ? " + rendered(first, end) + " : ");
             t_[open].text = "(", t_[close].text = ")";
             ends[first] = end;
         }
@@ -465,7 +506,9 @@ private:
         }
     }
     // As operators() has written it.
-    bool is_operator(std::size_t i, char which) const { return text(i).size() > 1 && text(i)[0] == which && text(i).compare(1, 7, " slip::") == 0; }
+    bool is_operator(std::size_t i, char which) const {
+        return text(i).size() > 1 && text(i)[0] == which && text(i).compare(1, 7, " slip::") == 0;
+    }
     void conditions() {
         for (std::size_t i = begin_; i < end_; ++i) {
             if (text(i) == "if" && text(i + 1) == "(") parts_of(i + 2, other_[i + 1], true);
@@ -479,7 +522,8 @@ private:
             if (text(i) != "for") continue;
             const std::size_t close = other_[i + 1], first = until(i + 2, {";", ":"});
             if (text(first) == ":") {
-                if (first + 2 == close && is_name(text(first + 1))) wrap(first + 1, first + 1, "slip::part(" + next() + ", ", ")");
+                if (first + 2 == close && is_name(text(first + 1)))
+                    wrap(first + 1, first + 1, "slip::part(" + next() + ", ", ")");
             } else if (text(first) == ";") {
                 bool down = false;
                 for (std::size_t j = first; j < close; ++j) down |= text(j) == "--";
@@ -487,28 +531,34 @@ private:
                 if (text(equals) == "=" && text(until(equals + 1, {",", ";"})) == ";")
                     wrap(equals + 1, first - 1, (down ? "slip::down_from(" : "slip::from(") + next() + ", ", ")");
                 const std::size_t second = until(first + 1, {";"});
-                if (second == first + 1) t_[second].after += second + 1 == close ? " slip::turn()" : " slip::turn(), ";
-                else wrap(first + 1, second - 1, "slip::turn() && (", ")");
+                if (second == first + 1)
+                    t_[second].after += second + 1 == close ? " slip::turn()" : " slip::turn(), ";
+                else
+                    wrap(first + 1, second - 1, "slip::turn() && (", ")");
             }
         }
     }
 
     // A line that calls something, or gives a variable another value.
     void lines() {
-        static const std::set<std::string> words{"return", "if", "for", "while", "else", "break", "continue", "const", "static", "auto", "using", "std"};
+        static const std::set<std::string> words{"return",   "if",    "for",    "while", "else",  "break",
+                                                 "continue", "const", "static", "auto",  "using", "std"};
         for (std::size_t i = begin_ + 1; i < end_; ++i) {
             const std::string& last = text(i - 1);
             if (last != ";" && last != "{" && last != "}" && last != ")") continue;
-            if (!is_name(text(i)) || words.count(text(i)) || is_type(i) || is_state(i) || text(scope_of(i)) != "{") continue;
+            if (!is_name(text(i)) || words.count(text(i)) || is_type(i) || is_state(i) || text(scope_of(i)) != "{")
+                continue;
             if (last == ")" && text(other_[i - 1] - 1) != "for") continue;
-            if (last == "{" && text(i - 2) != ")" && text(i - 2) != ";" && i - 1 != begin_) continue;  // the values of something
+            if (last == "{" && text(i - 2) != ")" && text(i - 2) != ";" && i - 1 != begin_)
+                continue;  // the values of something
             const std::size_t end = until(i, {";", "+=", "-=", "*=", "/=", "|=", "++", "--"});
             if (text(end) != ";") continue;
             const std::size_t equals = until(i, {"=", ";"});
             const bool calls = text(i + 1) == "(" && other_[i + 1] + 1 == end;
             if (text(equals) != "=" && !calls) continue;
             if (calls && is_name(last)) continue;
-            if (text(equals) == "=" && is_name(text(equals - 1)) && is_name(text(equals - 2))) continue;  // of a type of its own
+            if (text(equals) == "=" && is_name(text(equals - 1)) && is_name(text(equals - 2)))
+                continue;  // of a type of its own
             wrap(i, end - 1, "if (slip::keeps(" + next() + ")) ", "");
         }
     }
@@ -565,8 +615,10 @@ int main(int argc, char** argv) {
         }
         while (i + 2 < tokens.size() && tokens[i].text == "namespace") {
             std::size_t end = i + 3;
-            for (int depth = 1; depth > 0 && end < tokens.size(); ++end) depth += tokens[end].text == "{" ? 1 : tokens[end].text == "}" ? -1 : 0;
-            add(tokens[i + 1].text, {tokens.begin() + static_cast<long>(i) + 3, tokens.begin() + static_cast<long>(end) - 1});
+            for (int depth = 1; depth > 0 && end < tokens.size(); ++end)
+                depth += tokens[end].text == "{" ? 1 : tokens[end].text == "}" ? -1 : 0;
+            add(tokens[i + 1].text,
+                {tokens.begin() + static_cast<long>(i) + 3, tokens.begin() + static_cast<long>(end) - 1});
             i = end;
         }
     }

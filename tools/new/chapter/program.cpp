@@ -29,7 +29,6 @@ int main() {
     }
 
     const double exact = ball.exact(start, state.t).x;
-    std::cout << "After " << state.t << " s the ball is at " << state.x << " m; exact is " << exact
-              << " m.\n";
+    std::cout << "After " << state.t << " s the ball is at " << state.x << " m; exact is " << exact << " m.\n";
     if (!data.flush()) return std::cerr << "fall.dat: cannot be written\n", 2;
 }

@@ -6,9 +6,7 @@ EXERCISE(acceleration_uneven);
 
 // The weights on the positions are at most 4/(h0 h1) together; positions of up to `size` metres are
 // rounded by half an epsilon of that, before and in the formula.
-static double roundoff(double size, double h0, double h1) {
-    return 1e-15 * size * 20 / (h0 * h1);
-}
+static double roundoff(double size, double h0, double h1) { return 1e-15 * size * 20 / (h0 * h1); }
 
 PROPERTY("a body at rest has no acceleration, wherever it is") {
     Draw draw;
@@ -133,7 +131,8 @@ PROPERTY("the acceleration of a body far from the origin is right, however slow 
     Draw draw;
     for (int i = 0; i < 60; ++i) {
         const double h0 = draw.spread(1e-4, 1e4, i, 21), h1 = h0 * draw.log(0.1, 10);
-        const double far = draw.sign() * draw.spread(1e-6, 1e9, i, 20), way = std::fabs(far) * draw.spread(1e-12, 1, i, 19);
+        const double far = draw.sign() * draw.spread(1e-6, 1e9, i, 20),
+                     way = std::fabs(far) * draw.spread(1e-12, 1, i, 19);
         const double x0 = far + way * draw.real(-5, 5), x1 = far + way * draw.real(-5, 5);
         REQUIRE(std::isfinite(learner(x0, x1, far + way * draw.real(-5, 5), h0, h1)));
     }

@@ -17,9 +17,7 @@ double best_acceleration_step(double noise, double snap) {
 
 namespace two_roots {
 
-double best_acceleration_step(double noise, double snap) {
-    return std::sqrt(std::sqrt(48 * noise / snap));
-}
+double best_acceleration_step(double noise, double snap) { return std::sqrt(std::sqrt(48 * noise / snap)); }
 
 }  // namespace two_roots
 

@@ -2,8 +2,8 @@
 
 #include "property.hpp"
 
-// As near as comparing sums finds it: the bound is flat at its bottom, and a step that is off by 2e-8 changes it by less
-// than roundoff.
+// As near as comparing sums finds it: the bound is flat at its bottom, and a step that is off by 2e-8 changes it by
+// less than roundoff.
 EXERCISE_WITHIN(best_acceleration_step, 5e-8);
 
 PROPERTY("a step is a time: with positions in another unit of length it stays the same") {

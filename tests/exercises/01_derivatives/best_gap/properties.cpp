@@ -108,15 +108,13 @@ PROPERTY("on an oscillation with the worst noise, half or twice as many frames a
         const int frames = swing.answer(60);
         REQUIRE(frames >= 1);
         REQUIRE(frames <= 60);
-        for (int other = (frames + 1) / 2; other <= 2 * frames; ++other)
-            REQUIRE(error(frames) < 1.01 * error(other));
+        for (int other = (frames + 1) / 2; other <= 2 * frames; ++other) REQUIRE(error(frames) < 1.01 * error(other));
     }
 }
 
 // A film of an ant or of a comet. What is best depends on the jerk only beside the noise, and on
 // the frame only beside the ideal gap.
-PROPERTY(
-    "frames may be as short as microseconds or as long as hours, noise and jerk tiny or huge") {
+PROPERTY("frames may be as short as microseconds or as long as hours, noise and jerk tiny or huge") {
     Draw draw;
     for (int i = 0; i < 200; ++i) {
         const double frame = draw.log(1e-6, 1e4), jerk = draw.any_of(1e-9, 1e9, {1, 12, 1e-9, 1e9});
@@ -162,7 +160,9 @@ PROPERTY(
     Draw draw;
     Every all;
     for (int i = 0; i < 60; ++i) {
-        const int most = i == 0 ? 1'000'000 : i % 3 == 0 ? draw.integer(1, 3) : static_cast<int>(draw.spread(1, 2e4, i, 17));
+        const int most = i == 0       ? 1'000'000
+                         : i % 3 == 0 ? draw.integer(1, 3)
+                                      : static_cast<int>(draw.spread(1, 2e4, i, 17));
         const double frame = draw.spread(1e-12, 1e12, i, 19), other = draw.spread(1e-12, 1e12, i, 16);
         all &= learner(frame, 0, other, most) == 1;
         all &= learner(frame, other, 0, most) == most;

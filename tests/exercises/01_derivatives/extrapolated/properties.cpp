@@ -6,9 +6,7 @@ EXERCISE(extrapolated);
 
 // The weights on the two results are r/(r − 1) and 1/(r − 1), r = ratioᵖ: with the ratio above 1.25
 // they are 9 together at the most, and more nearer to 1.
-static double roundoff(double size) {
-    return 1e-14 * size;
-}
+static double roundoff(double size) { return 1e-14 * size; }
 
 // The exact values that are drawn are not zero: there an answer would be nothing but the roundoff
 // of a coarse result that may be 10⁴⁰ times as large as the fine one.
@@ -25,8 +23,7 @@ PROPERTY("two equal results are left as they are") {
 PROPERTY("with half the step, an error that is a power of the step vanishes") {
     Draw draw;
     for (int i = 0; i < 50; ++i) {
-        const double exact = draw.sign() * draw.real(1, 10),
-                     error = draw.sign() * draw.real(0.5, 2);
+        const double exact = draw.sign() * draw.real(1, 10), error = draw.sign() * draw.real(0.5, 2);
         const int p = draw.integer(1, 6);
         const double answer = learner(exact + error, exact + error * std::pow(2, -p), 2, p);
         REQUIRE(close(answer, exact, 0, roundoff(20)));
@@ -36,8 +33,7 @@ PROPERTY("with half the step, an error that is a power of the step vanishes") {
 PROPERTY("with steps in any ratio, an error that is a power of the step vanishes") {
     Draw draw;
     for (int i = 0; i < 100; ++i) {
-        const double exact = draw.sign() * draw.real(1, 10),
-                     error = draw.sign() * draw.real(0.5, 2);
+        const double exact = draw.sign() * draw.real(1, 10), error = draw.sign() * draw.real(0.5, 2);
         const double ratio = draw.real(1.25, 5);
         const int p = draw.integer(1, 6);
         const double answer = learner(exact + error, exact + error * std::pow(ratio, -p), ratio, p);
@@ -48,8 +44,7 @@ PROPERTY("with steps in any ratio, an error that is a power of the step vanishes
 PROPERTY("an error of any order vanishes, be the ratio of the steps near 1 or far from it") {
     Draw draw;
     for (int i = 0; i < 100; ++i) {
-        const double exact = draw.sign() * draw.real(1, 10),
-                     error = draw.sign() * draw.real(0.5, 2);
+        const double exact = draw.sign() * draw.real(1, 10), error = draw.sign() * draw.real(0.5, 2);
         const double ratio = 1 + draw.log(1e-3, 100);
         const int p = draw.integer(1, 20);
         const double answer = learner(exact + error, exact + error * std::pow(ratio, -p), ratio, p);

@@ -10,9 +10,7 @@ static std::array<double, 3> results(double exact, double error, double p) {
     return {exact + error, exact + error * std::pow(2, -p), exact + error * std::pow(4, -p)};
 }
 
-static double order_of(const std::array<double, 3>& r) {
-    return learner(r[0], r[1], r[2]);
-}
+static double order_of(const std::array<double, 3>& r) { return learner(r[0], r[1], r[2]); }
 
 PROPERTY("errors that halve with the step have order one") {
     Draw draw;
@@ -87,8 +85,7 @@ PROPERTY(
     Draw draw;
     for (int i = 0; i < 300; ++i) {
         const double unit = draw.log(1e-9, 1e9), error = draw.sign() * draw.log(1e-8, 1);
-        const double p =
-            i % 3 == 0 ? draw.integer(1, 6) : draw.sign() * draw.log(0.1, i % 3 == 1 ? 6 : 1.2);
+        const double p = i % 3 == 0 ? draw.integer(1, 6) : draw.sign() * draw.log(0.1, i % 3 == 1 ? 6 : 1.2);
         const auto r = results(draw.any_of(-10, 10, {0}), error, p);
         REQUIRE(std::isfinite(learner(unit * r[0], unit * r[1], unit * r[2])));
     }

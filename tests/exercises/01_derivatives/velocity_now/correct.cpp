@@ -14,8 +14,6 @@ double velocity_now(double x0, double x1, double x2, double h) {
 
 namespace weights {
 
-double velocity_now(double x0, double x1, double x2, double h) {
-    return (3 * x2 - 4 * x1 + x0) / (2 * h);
-}
+double velocity_now(double x0, double x1, double x2, double h) { return (3 * x2 - 4 * x1 + x0) / (2 * h); }
 
 }  // namespace weights

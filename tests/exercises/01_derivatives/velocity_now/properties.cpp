@@ -74,8 +74,8 @@ PROPERTY(
     }
 }
 
-// All three positions lie as far from the origin as they like, beside the way between them: a level of some kilometres, and
-// a body that creeps. What roundoff of the positions leaves must be right.
+// All three positions lie as far from the origin as they like, beside the way between them: a level of some kilometres,
+// and a body that creeps. What roundoff of the positions leaves must be right.
 PROPERTY("the velocity of a body far from the origin is right, however slow the body is") {
     Draw draw;
     for (int i = 0; i < 60; ++i) {

@@ -7,7 +7,9 @@
 namespace mismatch {
 
 int first_difference(const std::vector<double>& here, const std::vector<double>& there) {
-    const auto same = [](double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); };
+    const auto same = [](double a, double b) {
+        return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+    };
     const auto [a, b] = std::mismatch(here.begin(), here.end(), there.begin(), there.end(), same);
     return a == here.end() && b == there.end() ? -1 : static_cast<int>(a - here.begin());
 }

@@ -17,7 +17,8 @@ using Recording = std::vector<double>;
 Recording draw_recording(Draw& draw, int i) {
     Recording steps;
     const int count = i < 15 ? draw.integer(2, 4) : draw.integer(2, 60);
-    for (int k = 0; k < count; ++k) steps.push_back(i < 15 ? draw.integer(1, 9) : draw.sign() * draw.log(1e-300, 1e300));
+    for (int k = 0; k < count; ++k)
+        steps.push_back(i < 15 ? draw.integer(1, 9) : draw.sign() * draw.log(1e-300, 1e300));
     return steps;
 }
 

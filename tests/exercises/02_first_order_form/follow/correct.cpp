@@ -34,7 +34,8 @@ namespace by_change {
 State<double> follow(const State<double>& s, double goal, double goal_v, double omega, double h) {
     const double off = s.x - goal, faster = s.v - goal_v, phase = omega * h;
     const double slope = faster + omega * off, shrinks = std::expm1(-phase), share = std::exp(-phase);
-    const double dx = off * shrinks + (share > 0 ? slope * h * share : 0), dv = faster * shrinks - (share > 0 ? phase * slope * share : 0);
+    const double dx = off * shrinks + (share > 0 ? slope * h * share : 0),
+                 dv = faster * shrinks - (share > 0 ? phase * slope * share : 0);
     return {s.t + h, s.x + goal_v * h + dx, s.v + dv};
 }
 

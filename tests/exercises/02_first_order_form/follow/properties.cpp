@@ -26,8 +26,7 @@ PROPERTY("a time of zero changes nothing, and after any other the clock shows it
     Draw draw;
     for (int i = 0; i < 30; ++i) {
         Scene scene(draw);
-        scene.camera.v =
-            draw.sign() * draw.real(0.5, 5);  // at rest, this would be nothing but roundoff
+        scene.camera.v = draw.sign() * draw.real(0.5, 5);  // at rest, this would be nothing but roundoff
         const State<double> same = scene.after(0);
         REQUIRE(same.t == scene.camera.t);
         REQUIRE(close(same.x, scene.camera.x, 0, 1e-14));
@@ -59,8 +58,7 @@ PROPERTY("two frames land where one frame of their length does") {
         const double h1 = draw.log(0.02, 3) / scene.omega, h2 = draw.log(0.02, 3) / scene.omega;
         const State<double> once = scene.after(h1 + h2);
         const double moved = scene.target + scene.target_v * h1;
-        const State<double> twice =
-            learner(scene.after(h1), moved, scene.target_v, scene.omega, h2);
+        const State<double> twice = learner(scene.after(h1), moved, scene.target_v, scene.omega, h2);
         REQUIRE(close(twice.t, once.t, 1e-14));
         REQUIRE(close(twice.x, once.x, 0, 1e-13 * (10 + 10 * (h1 + h2))));
         REQUIRE(close(twice.v, once.v, 0, 1e-13 * (10 + 10 * scene.omega)));
@@ -134,8 +132,7 @@ PROPERTY(
         const double size = draw.log(1e-9, 1e6), off = size * draw.any_of(-5, 5, {0, 1});
         const double v = size * omega * draw.any_of(-5, 5, {0, 1});
         const bool stands = i % 4 < 2;
-        const double goal = stands ? 0 : draw.real(-5, 5),
-                     goal_v = stands ? 0 : draw.any_of(-5, 5, {0});
+        const double goal = stands ? 0 : draw.real(-5, 5), goal_v = stands ? 0 : draw.any_of(-5, 5, {0});
         // From the origin a tiny step away is less than the roundoff of where the player is.
         if (!stands && goal + off == 0) continue;
         const State<double> after = learner({0, goal + off, goal_v + v}, goal, goal_v, omega, h);

@@ -133,12 +133,10 @@ PROPERTY(
     for (int i = 0; i < 600; ++i) {
         const double size = draw.log(1e-6, 1e6), length = size * draw.any_of(0, 5, {0, 1});
         // Every fifth is slack.
-        const double stretch = i % 5 == 0 && length > 0
-                                   ? -length * draw.real(0.05, 0.9)
-                                   : size * draw.log(i % 2 == 0 ? 1e-6 : 0.1, 10);
+        const double stretch =
+            i % 5 == 0 && length > 0 ? -length * draw.real(0.05, 0.9) : size * draw.log(i % 2 == 0 ? 1e-6 : 0.1, 10);
         const double k = draw.log(1e-3, 1e6), c = i % 6 == 0 ? 0 : draw.log(1e-3, 1e6);
-        const Vector3d axes[] = {Vector3d::UnitX(), -Vector3d::UnitY(), Vector3d::UnitZ(),
-                                 draw_direction(draw)};
+        const Vector3d axes[] = {Vector3d::UnitX(), -Vector3d::UnitY(), Vector3d::UnitZ(), draw_direction(draw)};
         const Vector3d& outwards = axes[draw.integer(0, 3)];
         // As fast as lets the damper weigh as much as the spring, now and then in one direction
         // only.

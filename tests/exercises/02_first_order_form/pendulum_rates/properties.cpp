@@ -9,9 +9,7 @@ static constexpr double quarter_turn = 4e-9;
 
 // Every other lamp has gone over the top, up to fifty times. An answer may take whole turns off,
 // with a roundoff of 300 radians.
-static double angle_of(Draw& draw) {
-    return draw.real(0, 1) < 0.5 ? draw.real(-4, 4) : draw.real(-300, 300);
-}
+static double angle_of(Draw& draw) { return draw.real(0, 1) < 0.5 ? draw.real(-4, 4) : draw.real(-300, 300); }
 
 PROPERTY("a lamp at rest stays where it is, straight below the hook and straight above") {
     Draw draw;
@@ -91,8 +89,7 @@ PROPERTY(
     Draw draw;
     const double turn = 2 * std::numbers::pi;
     for (int i = 0; i < 400; ++i) {
-        const double angle =
-            draw.any_of(-10, 10, {0, turn / 4, -turn / 4, turn / 2, turn, -5 * turn});
+        const double angle = draw.any_of(-10, 10, {0, turn / 4, -turn / 4, turn / 2, turn, -5 * turn});
         const double v = draw.any_of(-100, 100, {0, 1, -1});
         const double g = draw.log(1e-3, 1e3), length = draw.log(1e-3, 1e3);
         const double drag = draw.any_of(0, 10, {0, 0.1});
@@ -100,7 +97,8 @@ PROPERTY(
     }
 }
 
-PROPERTY("no angle and no speed is too large for it, no cable too short or too long, and no air too thin or too thick") {
+PROPERTY(
+    "no angle and no speed is too large for it, no cable too short or too long, and no air too thin or too thick") {
     Draw draw;
     for (int i = 0; i < 420; ++i) {
         const double v = draw.sign() * draw.spread(1e-12, 1e9, i, 20), length = draw.spread(1e-9, 1e9, i, 21);

@@ -129,8 +129,7 @@ PROPERTY("the same time cut into other frames takes the same number of steps in 
         const double step = ticks * unit_of(i);
         const auto frames = draw_frames(draw, i < 15 ? 4 : 20, 2 * ticks, unit_of(i));
         std::vector<double> pairs;
-        for (std::size_t k = 0; k < frames.size(); k += 2)
-            pairs.push_back(frames[k] + frames[k + 1]);
+        for (std::size_t k = 0; k < frames.size(); k += 2) pairs.push_back(frames[k] + frames[k + 1]);
         const auto sum = [](const std::vector<int>& steps) {
             int all = 0;
             for (const int n : steps) all += n;
@@ -195,8 +194,7 @@ PROPERTY("steps may last nanoseconds or days: the rule is the same for them") {
         const double unit = std::pow(2, draw.integer(-30, 12));
         const int ticks = draw.integer(1, 30), most = draw.integer(1, i % 2 == 0 ? 3 : 100);
         std::vector<double> frames;
-        for (int k = 0; k < 20; ++k)
-            frames.push_back(draw.integer(0, (i % 4 < 2 ? 3 : 9) * ticks) * unit);
+        for (int k = 0; k < 20; ++k) frames.push_back(draw.integer(0, (i % 4 < 2 ? 3 : 9) * ticks) * unit);
         const auto steps = learner(frames, ticks * unit, most);
         REQUIRE(steps.size() == frames.size());
         double owed = 0;

@@ -51,8 +51,7 @@ PROPERTY("any two peaks of one motion give the same ratio, that of the motion") 
     Draw draw;
     for (int i = 0; i < 40; ++i) {
         const double zeta = draw.log(0.01, 0.7), start = draw.real(1, 100);
-        for (int n = 1; n <= 4; ++n)
-            REQUIRE(close(learner(start, start * left(zeta, n), n), zeta, 1e-11));
+        for (int n = 1; n <= 4; ++n) REQUIRE(close(learner(start, start * left(zeta, n), n), zeta, 1e-11));
     }
 }
 

@@ -22,9 +22,7 @@ static Frame frame(Draw& draw, double least_wh, double most_wh, double most_zeta
             draw.log(least_wh, most_wh) / omega};
 }
 
-static State<double> step(const Frame& f) {
-    return learner(f.state, f.target, f.omega, f.zeta, f.h);
-}
+static State<double> step(const Frame& f) { return learner(f.state, f.target, f.omega, f.zeta, f.h); }
 
 PROPERTY("a camera at rest on its target stays there") {
     Draw draw;
@@ -63,8 +61,7 @@ PROPERTY("the velocity changes by h times the acceleration at the new position a
         const Frame f = frame(draw, 0.01, 100);
         const State<double> after = step(f);
         const double wh = f.omega * f.h;
-        const double acceleration =
-            -f.omega * f.omega * (after.x - f.target) - 2 * f.zeta * f.omega * after.v;
+        const double acceleration = -f.omega * f.omega * (after.x - f.target) - 2 * f.zeta * f.omega * after.v;
         const double missing = after.v - f.state.v - f.h * acceleration;
         const double error = missing / (1 + 2 * f.zeta * wh + wh * wh);
         REQUIRE(close(error, 0, 0, 1e-12 * (1 + f.omega)));
@@ -110,14 +107,11 @@ PROPERTY("after a very long frame the camera rests on its target") {
 
 // Seen from a target at zero nothing hides a camera that is put there too soon; after a long frame,
 // see above. In each call the answer must be the right one.
-PROPERTY(
-    "near its target and far away, in short frames and long ones, the camera moves by the rule") {
+PROPERTY("near its target and far away, in short frames and long ones, the camera moves by the rule") {
     Draw draw;
     for (int i = 0; i < 400; ++i) {
-        const double omega = draw.log(1e-3, 1e3),
-                     wh = i % 8 == 0 ? 0 : draw.log(1.001e-6, i % 2 == 0 ? 3 : 1e4);
-        const double size = draw.log(1e-9, 1e6), h = wh / omega,
-                     zeta = draw.any_of(0, 20, {0, 1, 1});
+        const double omega = draw.log(1e-3, 1e3), wh = i % 8 == 0 ? 0 : draw.log(1.001e-6, i % 2 == 0 ? 3 : 1e4);
+        const double size = draw.log(1e-9, 1e6), h = wh / omega, zeta = draw.any_of(0, 20, {0, 1, 1});
         const double x = size * draw.sign() * draw.log(1e-3, 5);
         const double v = x * std::min(omega, 10 / h) * draw.any_of(-2, 2, {0, 1});
         const double target = wh > 30 || i % 4 == 0 ? size * draw.sign() * draw.real(1, 5) : 0;

@@ -27,8 +27,6 @@ double implicit_half_life(double omega, double h) {
 
 namespace ten_digits {
 
-double implicit_half_life(double omega, double h) {
-    return 2 * 0.6931471806 * h / std::log1p(std::pow(omega * h, 2));
-}
+double implicit_half_life(double omega, double h) { return 2 * 0.6931471806 * h / std::log1p(std::pow(omega * h, 2)); }
 
 }  // namespace ten_digits

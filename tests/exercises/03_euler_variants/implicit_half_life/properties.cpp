@@ -83,7 +83,8 @@ PROPERTY("where omega h is tiny, no digits are lost") {
 PROPERTY("for every omega h from a millionth to a thousand, in any unit of time, the half-life has all its digits") {
     Draw draw;
     for (int i = 0; i < 300; ++i) {
-        const double omega = draw.log(1e-9, 1e9), wh = i % 4 == 0 ? draw.any_of(0.01, 2, {1, 0.1}) : draw.log(1e-6, 1e3);
+        const double omega = draw.log(1e-9, 1e9),
+                     wh = i % 4 == 0 ? draw.any_of(0.01, 2, {1, 0.1}) : draw.log(1e-6, 1e3);
         REQUIRE(learner(omega, wh / omega) > 0);
     }
 }

@@ -22,17 +22,17 @@ static double growth(double omega, double zeta, double h) {
 }
 
 static bool dies_away(double omega, double zeta, double h) {
-    return checker::below("In the long run a step of " + checker::in_words(h) + " multiplies the swing by", growth(omega, zeta, h), 1);
+    return checker::below("In the long run a step of " + checker::in_words(h) + " multiplies the swing by",
+                          growth(omega, zeta, h), 1);
 }
 static bool grows(double omega, double zeta, double h) {
-    return checker::above("In the long run a step of " + checker::in_words(h) + " multiplies the swing by", growth(omega, zeta, h), 1);
+    return checker::above("In the long run a step of " + checker::in_words(h) + " multiplies the swing by",
+                          growth(omega, zeta, h), 1);
 }
 
 // With h = (1 ± 2e-6) limit a run shrinks or grows by 8 zeta² · 2e-6 a step at least: 2e-13 for the
 // weakest damper, a thousand times the roundoff.
-static double draw_zeta(Draw& draw) {
-    return draw.log(1e-4, 20);
-}
+static double draw_zeta(Draw& draw) { return draw.log(1e-4, 20); }
 
 PROPERTY("with any step below it a run dies away") {
     Draw draw;
@@ -40,8 +40,7 @@ PROPERTY("with any step below it a run dies away") {
         const double omega = draw.log(1e-2, 1e3), zeta = draw_zeta(draw);
         const double longest = learner(omega, zeta);
         REQUIRE(longest > 0);
-        for (const double share : {1e-3, 0.1, 0.5, 0.9, 1 - 2e-6})
-            REQUIRE(dies_away(omega, zeta, share * longest));
+        for (const double share : {1e-3, 0.1, 0.5, 0.9, 1 - 2e-6}) REQUIRE(dies_away(omega, zeta, share * longest));
     }
 }
 

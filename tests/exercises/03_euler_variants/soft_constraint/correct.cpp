@@ -38,8 +38,8 @@ std::array<double, 2> soft_constraint(double mass, double omega, double zeta, do
 
 namespace by_the_share_that_is_left {
 
-// What a step leaves of the velocity is share = gamma m / (1 + gamma m). In long steps little is left, and 1 is taken from
-// much.
+// What a step leaves of the velocity is share = gamma m / (1 + gamma m). In long steps little is left, and 1 is taken
+// from much.
 std::array<double, 2> soft_constraint(double mass, double omega, double zeta, double h) {
     const double divisor = 1 + h * omega * (2 * zeta + h * omega), share = 1 - 1 / divisor;
     return {(1 / share - 1) / mass, omega * omega * h * h / (divisor * share)};

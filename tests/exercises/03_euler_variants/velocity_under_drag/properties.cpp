@@ -100,12 +100,9 @@ PROPERTY(
     bool all = true;  // every call is made, also behind a wrong one: they tell mistakes apart
     for (int i = 0; i < 600; ++i) {
         const double gravity = draw.any_of(0, 30, {0, 10}), h = draw.any_of(0, 100, {0, 1});
-        const double k = i % 4 == 0 ? 0 : draw.log(i % 4 == 1 ? 1e-12 : 1e-3, 1e3),
-                     lost = h * gravity;
+        const double k = i % 4 == 0 ? 0 : draw.log(i % 4 == 1 ? 1e-12 : 1e-3, 1e3), lost = h * gravity;
         const double near = 1 + draw.sign() * draw.log(1e-6, 1), around = draw.real(-5, 5);
-        const double v = i % 3 == 0   ? lost * near
-                         : i % 3 == 1 ? lost + around
-                                      : draw.any_of(-1e3, 1e3, {0, 1, -1});
+        const double v = i % 3 == 0 ? lost * near : i % 3 == 1 ? lost + around : draw.any_of(-1e3, 1e3, {0, 1, -1});
         const double v2 = learner(v, gravity, k, h), w = v - lost;
         const double roundoff = 8 * std::numeric_limits<double>::epsilon() * (std::fabs(v) + lost);
         all &= std::fabs(v2) <= std::fabs(w) * (1 + 1e-9) + roundoff;

@@ -34,8 +34,8 @@ PROPERTY("a constant acceleration comes out exactly, for shorter and longer step
     }
 }
 
-// A step a thousand times as long multiplies the roundoff of the last displacement by a thousand, and that of places in a
-// parabola through three of them by half a million.
+// A step a thousand times as long multiplies the roundoff of the last displacement by a thousand, and that of places in
+// a parabola through three of them by half a million.
 PROPERTY("a constant acceleration comes out exactly, be the step a thousand times as long") {
     Draw draw;
     for (int i = 0; i < 100; ++i) {

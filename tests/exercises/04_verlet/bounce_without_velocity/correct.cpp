@@ -2,9 +2,7 @@
 
 namespace heights {
 
-static double mirrored(double x, double floor, double e) {
-    return (1 + e) * floor - e * x;
-}
+static double mirrored(double x, double floor, double e) { return (1 + e) * floor - e * x; }
 
 std::array<double, 2> bounce_without_velocity(double before, double now, double floor, double e) {
     const bool through = now < floor;

@@ -117,8 +117,7 @@ PROPERTY("neighbouring states cover as much area after a step as before it") {
         const State<double> west = learner({t, x - d, v}, omega, h);
         const State<double> north = learner({t, x, v + d * omega}, omega, h);
         const State<double> south = learner({t, x, v - d * omega}, omega, h);
-        const double area = (east.x - west.x) * (north.v - south.v) -
-                            (north.x - south.x) * (east.v - west.v);
+        const double area = (east.x - west.x) * (north.v - south.v) - (north.x - south.x) * (east.v - west.v);
         REQUIRE(close(area, 4 * d * d * omega, 1e-6));
     }
 }
@@ -133,9 +132,9 @@ static double weight(const std::array<double, N>& nodes, std::size_t j) {
 }
 
 // Of small swings a step is a matrix, half of whose trace is cos omega h but for c4 (omega h)⁴ + c6 (omega h)⁶ + …, and
-// with order four c4 is zero. Two polynomials give it: one through five amplitudes, for swings so wide that a sine which is
-// written as a cosine keeps its digits, and one through seven steps. Roundoff leaves 7e-13 of it. With p and q rounded to
-// nine digits it is some 5e-10.
+// with order four c4 is zero. Two polynomials give it: one through five amplitudes, for swings so wide that a sine
+// which is written as a cosine keeps its digits, and one through seven steps. Roundoff leaves 7e-13 of it. With p and q
+// rounded to nine digits it is some 5e-10.
 PROPERTY("of the error with the square of the step nothing is left: p and q have all their digits") {
     Draw draw;
     constexpr std::array steps{0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};

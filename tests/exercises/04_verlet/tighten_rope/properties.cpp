@@ -109,7 +109,8 @@ PROPERTY("it is right wherever the task allows: any masses and walls, too long b
         const double size = draw.log(1e-9, 1e6), unit = draw.log(1e-12, 1e12);
         const Vector3d a = i % 2 == 0 ? Vector3d(0, 0, 0) : Vector3d(size * draw_vector(draw, -5, 5));
         Vector3d along = draw_direction(draw);
-        if (i % 9 == 4) along = (Vector3d::Unit(i / 9 % 3) + draw.log(1e-5, 1e-2) * along).normalized();  // nearly upright
+        if (i % 9 == 4)
+            along = (Vector3d::Unit(i / 9 % 3) + draw.log(1e-5, 1e-2) * along).normalized();  // nearly upright
         const Vector3d b = a + (i % 20 == 19 ? 0 : size) * along;
         // A heavy end at zero hardly moves: whoever has its share as one less the other's has the roundoff of that.
         if ((b.array() == 0 && a.array() != 0).any()) continue;

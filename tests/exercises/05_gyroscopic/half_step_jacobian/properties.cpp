@@ -37,14 +37,12 @@ static Vector3d draw_uneven(Draw& draw) {
 
 // The exact spin after a time, by many steps of Runge and Kutta.
 static Vector3d exact(const Vector3d& inertia, Vector3d omega, double time) {
-    const auto slope = [&](const Vector3d& w) -> Vector3d {
-        return torque(inertia, w).cwiseQuotient(inertia);
-    };
+    const auto slope = [&](const Vector3d& w) -> Vector3d { return torque(inertia, w).cwiseQuotient(inertia); };
     const int steps = 1000;
     const double h = time / steps;
     for (int i = 0; i < steps; ++i) {
-        const Vector3d k1 = slope(omega), k2 = slope(omega + h / 2 * k1),
-                       k3 = slope(omega + h / 2 * k2), k4 = slope(omega + h * k3);
+        const Vector3d k1 = slope(omega), k2 = slope(omega + h / 2 * k1), k3 = slope(omega + h / 2 * k2),
+                       k4 = slope(omega + h * k3);
         omega += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
     }
     return omega;

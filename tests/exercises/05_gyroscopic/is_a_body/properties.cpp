@@ -31,14 +31,10 @@ bool any_is(double a, double b, double c) {
 // whichever number it is.
 
 // Very small, or not small.
-double draw_size(Draw& draw) {
-    return draw.integer(0, 1) == 0 ? draw.log(1e-20, 1e-16) : draw.log(2, 1e20);
-}
+double draw_size(Draw& draw) { return draw.integer(0, 1) == 0 ? draw.log(1e-20, 1e-16) : draw.log(2, 1e20); }
 
 // A power of two: it changes the size of numbers and nothing else.
-double draw_unit(Draw& draw, int least, int most) {
-    return std::ldexp(1, draw.integer(least, most));
-}
+double draw_unit(Draw& draw, int least, int most) { return std::ldexp(1, draw.integer(least, most)); }
 
 // What a third moment has too much, beside two of `size` at most: a share of them from `least` on.
 double draw_excess(Draw& draw, double size, double least) {
@@ -219,7 +215,8 @@ PROPERTY("it is right up to the ends of what the task allows: the least and the 
             ask(inertia, true);
             std::swap(inertia[(place + 1) % 3], inertia[(place + 2) % 3]);
             ask(inertia, true);
-            if (a + more <= 1e20) inertia[(place + 1) % 3] = a, inertia[(place + 2) % 3] = a + more, ask(inertia, false);
+            if (a + more <= 1e20)
+                inertia[(place + 1) % 3] = a, inertia[(place + 2) % 3] = a + more, ask(inertia, false);
             inertia.setConstant(a);
             inertia[place] = far;  // what is larger than two alike can be a body up to their sum
             if (std::fabs(far - 2 * a) > 1e-6 * a) ask(inertia, far < 2 * a);

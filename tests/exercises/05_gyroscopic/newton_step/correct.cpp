@@ -45,10 +45,8 @@ Vector3d newton_step(const Matrix3d& inertia, Vector3d omega1, Vector3d guess, d
     // Eigenvectors need not be right-handed: then the cross product has the other sign.
     const double hand = h * axes.determinant();
     const double a = hand * (I[2] - I[1]), b = hand * (I[0] - I[2]), c = hand * (I[1] - I[0]);
-    const Matrix3d jacobian{
-        {I[0], a * w[2], a * w[1]}, {b * w[2], I[1], b * w[0]}, {c * w[1], c * w[0], I[2]}};
-    const Vector3d residual(I[0] * (w[0] - old[0]) + a * w[1] * w[2],
-                            I[1] * (w[1] - old[1]) + b * w[2] * w[0],
+    const Matrix3d jacobian{{I[0], a * w[2], a * w[1]}, {b * w[2], I[1], b * w[0]}, {c * w[1], c * w[0], I[2]}};
+    const Vector3d residual(I[0] * (w[0] - old[0]) + a * w[1] * w[2], I[1] * (w[1] - old[1]) + b * w[2] * w[0],
                             I[2] * (w[2] - old[2]) + c * w[0] * w[1]);
     return axes * (w - jacobian.colPivHouseholderQr().solve(residual));
 }

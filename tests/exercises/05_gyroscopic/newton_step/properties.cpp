@@ -18,9 +18,7 @@ struct Problem {
     }
 };
 
-static Vector3d draw_spin(Draw& draw, double largest) {
-    return draw.real(0.2, 1) * largest * draw_direction(draw);
-}
+static Vector3d draw_spin(Draw& draw, double largest) { return draw.real(0.2, 1) * largest * draw_direction(draw); }
 
 // The tensor of a body that lies in other axes.
 static Matrix3d turned(const Matrix3d& axes, const Matrix3d& inertia) {
@@ -94,8 +92,7 @@ PROPERTY("the answer lies where the tangent to f at the guess is zero") {
         const Vector3d d = p.improved(guess) - guess;
         const Vector3d rise = (p.residual(guess + d) - p.residual(guess - d)) / 2;
         const double largest = std::max({p.omega1.norm(), guess.norm(), d.norm()});
-        REQUIRE(close(p.residual(guess) + rise, Vector3d(0, 0, 0), 0,
-                      4 * near_enough * p.inertia.norm() * largest));
+        REQUIRE(close(p.residual(guess) + rise, Vector3d(0, 0, 0), 0, 4 * near_enough * p.inertia.norm() * largest));
     }
 }
 
@@ -145,8 +142,7 @@ PROPERTY("it is right for any body, tiny or huge, any two spins or none, and any
         const double fast = draw.log(1e-2, 1e3), h = draw.any_of(0, 0.5, {0}) / fast;
         const Vector3d first = fast * draw_direction(draw);
         const Vector3d second = fast * draw.any_of(0, 1, {0, 1}) * draw_direction(draw);
-        const Matrix3d inertia =
-            i % 4 == 0 ? Matrix3d(moments.asDiagonal()) : draw_inertia(draw, moments);
+        const Matrix3d inertia = i % 4 == 0 ? Matrix3d(moments.asDiagonal()) : draw_inertia(draw, moments);
         REQUIRE(learner(inertia, first, second, h).allFinite());
         REQUIRE(learner(inertia, first, first + second / 1e3, h).allFinite());
         // The answer is of omega1's size: a guess far larger would cost it digits.
@@ -159,9 +155,11 @@ PROPERTY("from rest it goes to where the tangent is zero, too") {
     for (int i = 0; i < 30; ++i) {
         Solved p = draw_solved(draw);
         p.omega1 = Vector3d(0, 0, 0);
-        const Vector3d guess = draw.real(0.2, 0.5) / p.h * draw_direction(draw), better = p.improved(guess), d = better - guess;
+        const Vector3d guess = draw.real(0.2, 0.5) / p.h * draw_direction(draw), better = p.improved(guess),
+                       d = better - guess;
         const Vector3d rise = (p.residual(guess + d) - p.residual(guess - d)) / 2;
-        REQUIRE(close(p.residual(guess) + rise, Vector3d(0, 0, 0), 0, 4 * near_enough * p.inertia.norm() * guess.norm()));
+        REQUIRE(
+            close(p.residual(guess) + rise, Vector3d(0, 0, 0), 0, 4 * near_enough * p.inertia.norm() * guess.norm()));
     }
 }
 

@@ -40,9 +40,7 @@ Vector3d acceleration(const Top& top, const Vector3d& omega) {
 }
 
 // The part across the axis of symmetry.
-Vector3d across_part(const Vector3d& omega) {
-    return {omega.x(), omega.y(), 0};
-}
+Vector3d across_part(const Vector3d& omega) { return {omega.x(), omega.y(), 0}; }
 
 }  // namespace
 
@@ -59,8 +57,8 @@ PROPERTY("a sphere keeps its spin, as does any top that spins only along its axi
     for (int i = 0; i < 50; ++i) {
         const Top top(draw);
         const double t = draw.real(-5, 5);
-        for (const Vector3d& kept : {Vector3d(0, 0, top.omega.z()), across_part(top.omega),
-                                     Vector3d(top.omega.x(), 0, 0), Vector3d(0, 0, 0)})
+        for (const Vector3d& kept :
+             {Vector3d(0, 0, top.omega.z()), across_part(top.omega), Vector3d(top.omega.x(), 0, 0), Vector3d(0, 0, 0)})
             REQUIRE(close(learner(top.across, top.along, kept, t), kept, 1e-13));
         REQUIRE(close(learner(top.across, top.across, top.omega, t), top.omega, 1e-13));
     }
@@ -73,10 +71,8 @@ PROPERTY("the energy, the size of the angular momentum and the spin along the ax
         const Vector3d inertia(top.across, top.across, top.along);
         const Vector3d later = top.after(draw.real(-5, 5));
         REQUIRE(close(later.z(), top.omega.z(), 0, 1e-13 * top.omega.norm()));
-        REQUIRE(close(later.dot(inertia.cwiseProduct(later)),
-                      top.omega.dot(inertia.cwiseProduct(top.omega)), 1e-13));
-        REQUIRE(close(inertia.cwiseProduct(later).norm(), inertia.cwiseProduct(top.omega).norm(),
-                      1e-13));
+        REQUIRE(close(later.dot(inertia.cwiseProduct(later)), top.omega.dot(inertia.cwiseProduct(top.omega)), 1e-13));
+        REQUIRE(close(inertia.cwiseProduct(later).norm(), inertia.cwiseProduct(top.omega).norm(), 1e-13));
     }
 }
 
@@ -130,8 +126,7 @@ PROPERTY("each half of a turn, at the rate of the start, turns the part across e
         const double rate = acceleration(top, top.omega).norm() / across.norm();
         const int halves = draw.integer(1, 20);
         const Vector3d later = top.after(draw.sign() * halves * std::numbers::pi / rate);
-        REQUIRE(close(across_part(later), halves % 2 == 0 ? across : Vector3d(-across), 0,
-                      1e-12 * top.omega.norm()));
+        REQUIRE(close(across_part(later), halves % 2 == 0 ? across : Vector3d(-across), 0, 1e-12 * top.omega.norm()));
     }
 }
 

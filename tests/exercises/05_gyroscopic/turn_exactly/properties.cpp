@@ -17,18 +17,12 @@ bool same(const Quaterniond& a, const Quaterniond& b, double tolerance) {
 }
 
 // Some operations with numbers up to one, and the rounding of the angle.
-double roundoff(double angle) {
-    return 1e-14 + 1e-15 * std::fabs(angle);
-}
+double roundoff(double angle) { return 1e-14 + 1e-15 * std::fabs(angle); }
 
 // A body that turns by `angle` in a step.
 struct Spin {
     Spin(Draw& draw, double speed, double angle)
-        : q(draw_rotation(draw)),
-          axis(draw_direction(draw)),
-          omega(speed * axis),
-          angle(angle),
-          h(angle / speed) {}
+        : q(draw_rotation(draw)), axis(draw_direction(draw)), omega(speed * axis), angle(angle), h(angle / speed) {}
     Quaterniond answer() const { return learner(q, omega, h); }
 
     // A point beside the axis goes round it, which is said here without quaternions.

@@ -25,13 +25,9 @@ Complex draw_z(Draw& draw, double theta, double low, double high) {
     }
 }
 
-double draw_step(Draw& draw) {
-    return draw.log(1e-6, 100);
-}
+double draw_step(Draw& draw) { return draw.log(1e-6, 100); }
 
-double size(Complex z, double theta, double h) {
-    return learner(z.real() / h, z.imag() / h, theta, h);
-}
+double size(Complex z, double theta, double h) { return learner(z.real() / h, z.imag() / h, theta, h); }
 
 }  // namespace
 
@@ -50,9 +46,7 @@ PROPERTY("for a pure decay, y2 is what the equation of the method asks for") {
     for (int i = 0; i < 100; ++i) {
         const double theta = draw.real(0, 1), h = draw_step(draw), y1 = 1;
         const double z = -draw.log(1e-6, 1e6), y2 = size(z, theta, h);
-        const auto missing = [&](double y) {
-            return std::fabs(y - y1 - ((1 - theta) * z * y1 + theta * z * y));
-        };
+        const auto missing = [&](double y) { return std::fabs(y - y1 - ((1 - theta) * z * y1 + theta * z * y)); };
         REQUIRE(std::min(missing(y2), missing(-y2)) <= near_enough * (1 - z));
     }
 }
@@ -148,7 +142,8 @@ PROPERTY("it is right wherever the task allows: slow and fast rates, steps of an
     const auto part = [&] { return draw.sign() * draw.any_of(1e-12, 7e5, {0, 1e-6, 1, 1e3, 1e5}); };
     for (int i = 0; i < 600; ++i) {
         const bool half_way = i % 10 == 5;  // nearly, and an oscillation that nothing damps
-        const double theta = half_way ? 0.5 + draw.sign() * draw.log(1e-9, 1e-3) : draw.any_of(0, 1, {0, 0.5, 1, 1 - 1e-9, 0.5 + draw.sign() * 1e-9, 1e-9});
+        const double theta = half_way ? 0.5 + draw.sign() * draw.log(1e-9, 1e-3)
+                                      : draw.any_of(0, 1, {0, 0.5, 1, 1 - 1e-9, 0.5 + draw.sign() * 1e-9, 1e-9});
         const double h = draw.log(1e-9, 1e6);
         const double small = i % 2 == 0 ? 1 : draw.log(1e-9, 1e-3);
         const Complex z = small * Complex(half_way ? 0 : part(), part());

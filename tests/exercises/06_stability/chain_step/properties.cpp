@@ -13,11 +13,9 @@ struct Chain {
     double m, h, stiff;  // stiff = h² k/m
     Masses s;
 
-    Chain(Draw& draw, int masses, double stiff)
-        : m(draw.log(1e-3, 1e3)), h(draw.log(1e-3, 1)), stiff(stiff) {
+    Chain(Draw& draw, int masses, double stiff) : m(draw.log(1e-3, 1e3)), h(draw.log(1e-3, 1)), stiff(stiff) {
         const double t = draw.real(0, 1), speed = draw.sign() > 0 ? 1 : 1 + std::sqrt(stiff);
-        for (int i = 0; i < masses; ++i)
-            s.push_back({t, away(draw), speed * away(draw) / h});
+        for (int i = 0; i < masses; ++i) s.push_back({t, away(draw), speed * away(draw) / h});
     }
     // Not near zero: whoever adds up the patterns of a chain has the roundoff of the others there.
     static double away(Draw& draw) { return draw.sign() * draw.real(0.1, 1); }
@@ -34,8 +32,7 @@ struct Chain {
     // Over m/h².
     double energy(const Masses& s) const {
         double sum = 0;
-        for (std::size_t i = 0; i < s.size(); ++i)
-            sum += h * s[i].v * h * s[i].v + stiff * longer(s, i) * longer(s, i);
+        for (std::size_t i = 0; i < s.size(); ++i) sum += h * s[i].v * h * s[i].v + stiff * longer(s, i) * longer(s, i);
         return sum / 2;
     }
     // The largest of x and of h v.
@@ -59,9 +56,7 @@ struct Chain {
     }
 };
 
-double draw_stiff(Draw& draw) {
-    return draw.log(1e-3, 1e6);
-}
+double draw_stiff(Draw& draw) { return draw.log(1e-3, 1e6); }
 
 }  // namespace
 
@@ -116,8 +111,7 @@ PROPERTY("only the link to the ship changes the momentum of all masses together"
         const Chain chain(draw, draw.integer(2, 50), draw.log(1e-3, 10));
         const Masses next = chain.answer();
         double change = chain.stiff * Chain::longer(next, 0);
-        for (std::size_t j = 0; j < next.size(); ++j)
-            change += chain.h * (next[j].v - chain.s[j].v);
+        for (std::size_t j = 0; j < next.size(); ++j) change += chain.h * (next[j].v - chain.s[j].v);
         REQUIRE(close(change, 0, 0, 1e-8 * chain.size()));
     }
 }
@@ -163,8 +157,7 @@ PROPERTY("a very stiff chain is in its place after one step") {
     for (int i = 0; i < 20; ++i) {
         const Chain chain(draw, draw.integer(1, 5), 9e5);
         const Masses next = chain.answer();
-        for (std::size_t j = 0; j < next.size(); ++j)
-            REQUIRE(close(next[j].x, 0, 0, 1e-4 * chain.size()));
+        for (std::size_t j = 0; j < next.size(); ++j) REQUIRE(close(next[j].x, 0, 0, 1e-4 * chain.size()));
     }
 }
 

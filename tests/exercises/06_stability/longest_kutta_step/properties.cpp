@@ -34,9 +34,7 @@ struct Door {
     }
     // Is that the limit? Around it |R| rises by 0.75 of the change of the step, or more, relative
     // to its length: by 3e-8 here, far above roundoff.
-    bool is_limit(double h) const {
-        return growth(h * (1 - near_enough)) < 1 && growth(h * (1 + near_enough)) > 1;
-    }
+    bool is_limit(double h) const { return growth(h * (1 - near_enough)) < 1 && growth(h * (1 + near_enough)) > 1; }
     // How large x and v/omega of a run get, in so many steps.
     double farthest(double h, int steps) const {
         const auto f = [&](const std::array<double, 2>& y) {
@@ -57,9 +55,7 @@ struct Door {
     }
 };
 
-double draw_omega(Draw& draw) {
-    return draw.log(1e-6, 1e6);
-}
+double draw_omega(Draw& draw) { return draw.log(1e-6, 1e6); }
 
 // Of every size, and many of them where the limit has its hills and valleys.
 Door draw_door(Draw& draw) {

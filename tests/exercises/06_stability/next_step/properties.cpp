@@ -9,13 +9,9 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double draw_h(Draw& draw) {
-    return draw.log(1e-9, 1e6);
-}
+double draw_h(Draw& draw) { return draw.log(1e-9, 1e6); }
 
-double draw_tolerance(Draw& draw) {
-    return draw.log(1e-12, 1e6);
-}
+double draw_tolerance(Draw& draw) { return draw.log(1e-12, 1e6); }
 
 // A motion that ends at `end`, and a step of it is off by C h^(order + 1). C is such that the two
 // halves of a step of `right` are off by the tolerance.

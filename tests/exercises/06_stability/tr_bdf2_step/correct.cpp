@@ -13,8 +13,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
     const auto [xm, vm] = solve(p, s.x + p * s.v, s.v - p * (k * s.x + c * s.v));
     const double old = (1 - gamma) / gamma, middle = 1 / (gamma * (1 - gamma));
     const double end = (2 - gamma) / (1 - gamma);
-    const auto [x2, v2] =
-        solve(h / end, (middle * xm - old * s.x) / end, (middle * vm - old * s.v) / end);
+    const auto [x2, v2] = solve(h / end, (middle * xm - old * s.x) / end, (middle * vm - old * s.v) / end);
     return {s.t + h, x2, v2};
 }
 
@@ -34,8 +33,7 @@ State<double> tr_bdf2_step(State<double> s, double omega, double zeta, double h)
     const std::array k1{s.v, -omega * omega * s.x - 2 * zeta * omega * s.v};
     const auto k2 = rate(s.x + own * k1[0], s.v + own * k1[1]);
     const auto k3 = rate(s.x + old * (k1[0] + k2[0]), s.v + old * (k1[1] + k2[1]));
-    return {s.t + h, s.x + old * (k1[0] + k2[0]) + own * k3[0],
-            s.v + old * (k1[1] + k2[1]) + own * k3[1]};
+    return {s.t + h, s.x + old * (k1[0] + k2[0]) + own * k3[0], s.v + old * (k1[1] + k2[1]) + own * k3[1]};
 }
 
 }  // namespace rates

@@ -35,9 +35,7 @@ struct Turret {
         const Complex w = (s.v - a * s.x) * std::exp(b * time);
         return {s.t + time, ((u - w) / (a - b)).real(), ((a * u - b * w) / (a - b)).real()};
     }
-    double energy(const State<double>& s) const {
-        return (s.v * s.v + omega * omega * s.x * s.x) / 2;
-    }
+    double energy(const State<double>& s) const { return (s.v * s.v + omega * omega * s.x * s.x) / 2; }
     State<double> draw_state(Draw& draw) const {
         const double x = draw.sign() * draw.real(0.2, 1), u = draw.sign() * draw.real(0.2, 1);
         return {draw.real(0, 1), x, omega * u};
@@ -54,8 +52,9 @@ struct Turret {
             const Complex before = s.v - other * s.x, after = next.v - other * next.x, wanted = R(h * rate) * before;
             using checker::in_words;
             return checker::agree(std::abs(after - wanted) <= tolerance,
-                                  "One decay has the rate a = " + in_words(rate) + ", the other b = " + in_words(other) + ". With z = " +
-                                      in_words(h * rate) + ", R(z) = " + in_words(R(h * rate)) + " multiplies v - b x, which was " +
+                                  "One decay has the rate a = " + in_words(rate) +
+                                      ", the other b = " + in_words(other) + ". With z = " + in_words(h * rate) +
+                                      ", R(z) = " + in_words(R(h * rate)) + " multiplies v - b x, which was " +
                                       in_words(before) + ". After the step it is",
                                   after, wanted);
         };
@@ -63,9 +62,7 @@ struct Turret {
     }
 };
 
-double draw_omega(Draw& draw) {
-    return draw.log(1e-3, 1e6);
-}
+double draw_omega(Draw& draw) { return draw.log(1e-3, 1e6); }
 
 }  // namespace
 
@@ -154,9 +151,7 @@ PROPERTY("of a slow oscillation, half the step loses a sixteenth of the energy i
         const Turret swing{draw_omega(draw), 0};
         const State<double> s = swing.draw_state(draw);
         const double h = 0.05 / swing.omega;
-        const auto lost = [&](double h) {
-            return 1 - swing.energy(learner(s, swing.omega, 0, h)) / swing.energy(s);
-        };
+        const auto lost = [&](double h) { return 1 - swing.energy(learner(s, swing.omega, 0, h)) / swing.energy(s); };
         REQUIRE(close(order(lost(h), lost(h / 2)), 4, 0, 0.05));
     }
 }

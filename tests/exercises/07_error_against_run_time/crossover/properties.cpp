@@ -65,8 +65,7 @@ PROPERTY("for a smaller error the method of higher order is faster, for a larger
         const Contest contest(draw);
         const double error = contest.crossing()[1], much = draw.log(1.1, 100);
         const auto a_is_faster = [&](double wanted) {
-            return at_error(contest.a, contest.p, wanted)[0] <
-                   at_error(contest.b, contest.q, wanted)[0];
+            return at_error(contest.a, contest.p, wanted)[0] < at_error(contest.b, contest.q, wanted)[0];
         };
         REQUIRE(!a_is_faster(error / much));
         REQUIRE(a_is_faster(error * much));
@@ -108,10 +107,8 @@ PROPERTY("in milliseconds and centimetres the lines cross at the same place") {
         const auto [a, p, b, q] = contest;
         const auto [seconds, error] = contest.crossing();
         const double ms = 1000, cm = 100;
-        REQUIRE(same(learner({ms * a[0], a[1]}, p, {ms * b[0], b[1]}, q), {ms * seconds, error},
-                     roundoff));
-        REQUIRE(same(learner({a[0], cm * a[1]}, p, {b[0], cm * b[1]}, q), {seconds, cm * error},
-                     roundoff));
+        REQUIRE(same(learner({ms * a[0], a[1]}, p, {ms * b[0], b[1]}, q), {ms * seconds, error}, roundoff));
+        REQUIRE(same(learner({a[0], cm * a[1]}, p, {b[0], cm * b[1]}, q), {seconds, cm * error}, roundoff));
     }
 }
 

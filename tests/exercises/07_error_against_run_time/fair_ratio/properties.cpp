@@ -41,13 +41,10 @@ Rounds disturbed(Draw& draw, const std::array<double, 3>& quiet, int least, int 
 }
 
 // How many rounds at most: a learner is shown the first that is wrong, and can check few by hand.
-int most(int i) {
-    return i < 20 ? 3 : 25;
-}
+int most(int i) { return i < 20 ? 3 : 25; }
 
 void shuffle(Draw& draw, Rounds& rounds) {
-    for (std::size_t i = rounds.size(); i > 1; --i)
-        std::swap(rounds[i - 1], rounds[draw_place(draw, i)]);
+    for (std::size_t i = rounds.size(); i > 1; --i) std::swap(rounds[i - 1], rounds[draw_place(draw, i)]);
 }
 
 // A solver's own time is 0.002 of what is timed or more: that makes 500 times a time's roundoff.
@@ -94,8 +91,7 @@ PROPERTY("where all rounds but one are disturbed, for each another one, the rati
     Draw draw;
     for (int i = 0; i < 150; ++i) {
         const Costs costs(draw);
-        REQUIRE(
-            close(learner(disturbed(draw, costs.quiet(), 2, most(i))), costs.ratio(), roundoff));
+        REQUIRE(close(learner(disturbed(draw, costs.quiet(), 2, most(i))), costs.ratio(), roundoff));
     }
 }
 

@@ -28,22 +28,18 @@ struct Ball {
     double g, e;
 };
 
-double energy(const State<double>& s, double g) {
-    return s.v * s.v / 2 + g * s.x;
-}
+double energy(const State<double>& s, double g) { return s.v * s.v / 2 + g * s.x; }
 
 // How far off a learner may be at rest, and where bounces are slower than that.
 constexpr double still = 1e-6;
 
-bool is_at(const State<double>& s, double t, double x, double v, double size_x, double size_v,
-           double absolute) {
+bool is_at(const State<double>& s, double t, double x, double v, double size_x, double size_v, double absolute) {
     return close(s.t, t, 1e-12) && close(s.x, x, 0, 1e-10 * size_x + absolute) &&
            close(s.v, v, 0, 1e-10 * size_v + absolute);
 }
 
 // Sizes are those of the flight: its top and its landing.
-bool is_at(const Ball& ball, const State<double>& s, double t, double x, double v,
-           double absolute = 0) {
+bool is_at(const Ball& ball, const State<double>& s, double t, double x, double v, double absolute = 0) {
     return is_at(s, t, x, v, ball.energy() / ball.g, ball.impact(), absolute);
 }
 

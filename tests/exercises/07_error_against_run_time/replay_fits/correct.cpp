@@ -28,8 +28,7 @@ bool replay_fits(std::vector<double> x, std::vector<double> exact, double size, 
     double worst = x.size() == exact.size() ? 0 : std::numeric_limits<double>::infinity();
     for (std::size_t mark = 0; mark < std::min(x.size(), exact.size()); ++mark) {
         const double error = std::fabs(x[mark] - exact[mark]);
-        worst =
-            std::isfinite(error) ? std::max(worst, error) : std::numeric_limits<double>::infinity();
+        worst = std::isfinite(error) ? std::max(worst, error) : std::numeric_limits<double>::infinity();
     }
     return worst <= accuracy * size;
 }

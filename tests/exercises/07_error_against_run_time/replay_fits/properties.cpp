@@ -108,8 +108,7 @@ PROPERTY("a replay that is NaN from some mark on, to the end, is not within any 
     for (int i = 0; i < 60; ++i) {
         const Flight flight(draw, Flight::most_marks(i));
         std::vector<double> x = flight.off(draw, draw.real(0, 0.9));
-        for (std::size_t mark = draw_mark(draw, i, x.size()); mark < x.size(); ++mark)
-            x[mark] = not_a_number;
+        for (std::size_t mark = draw_mark(draw, i, x.size()); mark < x.size(); ++mark) x[mark] = not_a_number;
         REQUIRE(!learner(x, flight.exact, flight.size, flight.accuracy));
         REQUIRE(!learner(x, flight.exact, flight.size, 0));
     }

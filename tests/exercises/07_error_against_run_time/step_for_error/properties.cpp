@@ -6,13 +6,9 @@ EXERCISE(step_for_error);
 
 namespace {
 
-double draw_error(Draw& draw) {
-    return draw.log(1e-12, 1e3);
-}
+double draw_error(Draw& draw) { return draw.log(1e-12, 1e3); }
 
-double draw_h(Draw& draw) {
-    return draw.log(1e-6, 10);
-}
+double draw_h(Draw& draw) { return draw.log(1e-6, 10); }
 
 // How far off a run of one second is, of v' = -v from v = 1. A step multiplies by the series of
 // exp(-h) up to the order. The last step may be a part of one.

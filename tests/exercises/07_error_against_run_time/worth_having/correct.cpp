@@ -4,9 +4,7 @@ namespace everybody_with_everybody {
 
 using Point = std::array<double, 2>;
 
-static bool usable(const Point& point) {
-    return std::isfinite(point[0]) && std::isfinite(point[1]);
-}
+static bool usable(const Point& point) { return std::isfinite(point[0]) && std::isfinite(point[1]); }
 
 static bool beats(const Point& a, const Point& b) {
     return a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] || a[1] < b[1]);
@@ -19,8 +17,7 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
             if (usable(other) && beats(other, points[i])) beaten = true;
         if (!beaten) worth.push_back(i);
     }
-    std::stable_sort(worth.begin(), worth.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
+    std::stable_sort(worth.begin(), worth.end(), [&](int i, int j) { return points[i] < points[j]; });
     return worth;
 }
 
@@ -52,20 +49,15 @@ namespace one_after_another {
 std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) {
     // Who comes in throws out those whom it beats.
     using Point = std::array<double, 2>;
-    const auto beats = [](const Point& a, const Point& b) {
-        return a[0] <= b[0] && a[1] <= b[1] && a != b;
-    };
+    const auto beats = [](const Point& a, const Point& b) { return a[0] <= b[0] && a[1] <= b[1] && a != b; };
     std::vector<int> worth;
     for (int i = 0; i < static_cast<int>(points.size()); ++i) {
         const Point& point = points[i];
         if (!std::isfinite(point[0] + point[1])) continue;
-        if (std::any_of(worth.begin(), worth.end(), [&](int k) { return beats(points[k], point); }))
-            continue;
-        worth.erase(std::remove_if(worth.begin(), worth.end(),
-                                   [&](int k) { return beats(point, points[k]); }),
+        if (std::any_of(worth.begin(), worth.end(), [&](int k) { return beats(points[k], point); })) continue;
+        worth.erase(std::remove_if(worth.begin(), worth.end(), [&](int k) { return beats(point, points[k]); }),
                     worth.end());
-        const auto slower = std::find_if(worth.begin(), worth.end(),
-                                         [&](int k) { return points[k][0] > point[0]; });
+        const auto slower = std::find_if(worth.begin(), worth.end(), [&](int k) { return points[k][0] > point[0]; });
         worth.insert(slower, i);
     }
     return worth;

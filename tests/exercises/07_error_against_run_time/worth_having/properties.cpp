@@ -12,13 +12,9 @@ using Points = std::vector<Point>;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool usable(const Point& point) {
-    return std::isfinite(point[0]) && std::isfinite(point[1]);
-}
+bool usable(const Point& point) { return std::isfinite(point[0]) && std::isfinite(point[1]); }
 
-bool beats(const Point& a, const Point& b) {
-    return usable(a) && a[0] <= b[0] && a[1] <= b[1] && a != b;
-}
+bool beats(const Point& a, const Point& b) { return usable(a) && a[0] <= b[0] && a[1] <= b[1] && a != b; }
 
 // Every other list is drawn from few values, zero among them: they are often the same.
 Points draw_points(Draw& draw, int i, int most = 30) {
@@ -37,9 +33,7 @@ std::size_t draw_place(Draw& draw, std::size_t size) {
 }
 
 // Seconds of a setting that blew up: few, so that nobody is faster, or as usual, or none.
-double draw_seconds(Draw& draw) {
-    return draw.sign() > 0 ? draw.log(1e-9, 1e3) : 0;
-}
+double draw_seconds(Draw& draw) { return draw.sign() > 0 ? draw.log(1e-9, 1e3) : 0; }
 
 // The settings returned, none where an answer is not a place in the list.
 Points settings(const std::vector<int>& places, const Points& points) {
@@ -94,8 +88,7 @@ PROPERTY("where every setting that is slower is more accurate, all of them are w
     for (int i = 0; i < 20; ++i) {
         std::vector<int> places(i == 19 ? 200 : draw_place(draw, 60) + 1);
         for (std::size_t k = 0; k < places.size(); ++k) places[k] = static_cast<int>(k);
-        for (std::size_t k = places.size(); k > 1; --k)
-            std::swap(places[k - 1], places[draw_place(draw, k)]);
+        for (std::size_t k = places.size(); k > 1; --k) std::swap(places[k - 1], places[draw_place(draw, k)]);
         const double order = draw.real(1, 4);
         Points points(places.size());
         double seconds = draw.log(1e-6, 1e-3);
@@ -127,8 +120,7 @@ PROPERTY("everybody whom you leave out is beaten by one whom you return") {
         for (int place = 0; place < static_cast<int>(points.size()); ++place) {
             const Point& left_out = points[static_cast<std::size_t>(place)];
             if (std::find(worth.begin(), worth.end(), place) != worth.end()) continue;
-            REQUIRE(std::any_of(chosen.begin(), chosen.end(),
-                                [&](const Point& one) { return beats(one, left_out); }));
+            REQUIRE(std::any_of(chosen.begin(), chosen.end(), [&](const Point& one) { return beats(one, left_out); }));
         }
     }
 }
@@ -169,8 +161,7 @@ PROPERTY("twins are both worth having, in the order of the list, or neither is")
 PROPERTY("settings that blew up into an infinite error are not worth having, and beat nobody") {
     Draw draw;
     REQUIRE(learner({{draw_seconds(draw), infinity}}).empty());
-    for (int i = 0; i < 60; ++i)
-        REQUIRE(changes_nothing(draw, i, [&] { return Point{draw_seconds(draw), infinity}; }));
+    for (int i = 0; i < 60; ++i) REQUIRE(changes_nothing(draw, i, [&] { return Point{draw_seconds(draw), infinity}; }));
 }
 
 PROPERTY("settings whose error is NaN are not worth having, and beat nobody") {
@@ -200,8 +191,7 @@ PROPERTY("a list in another order, or in other units, has the same settings wort
         const double metre = std::ldexp(1, draw.integer(-9, 9));
         for (auto& [seconds, error] : other) seconds *= second, error *= metre;
         REQUIRE(learner(other) == learner(points));
-        for (std::size_t k = points.size(); k > 1; --k)
-            std::swap(points[k - 1], points[draw_place(draw, k)]);
+        for (std::size_t k = points.size(); k > 1; --k) std::swap(points[k - 1], points[draw_place(draw, k)]);
         REQUIRE(settings(learner(points), points) == before);
     }
 }
@@ -237,7 +227,8 @@ PROPERTY("it is right wherever the task allows: long lists, many twins, settings
     REQUIRE(all);
 }
 
-// Who is better by the last bit, in a list of up to two hundred, and whatever the numbers: none of them is computed with.
+// Who is better by the last bit, in a list of up to two hundred, and whatever the numbers: none of them is computed
+// with.
 PROPERTY("a last bit decides, in long lists too, for tiny numbers and for those that have all but blown up") {
     Draw draw;
     bool all = true;

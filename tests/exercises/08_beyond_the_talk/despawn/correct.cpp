@@ -29,8 +29,7 @@ std::vector<double> despawn(std::vector<double> packs, int width, int n, int i) 
     std::vector<double> result;
     for (int first = 0; first < n - 1; first += width)
         for (std::size_t part = 0; part < 3; ++part)
-            for (int lane = first; lane < first + width; ++lane)
-                result.push_back(bodies[std::min(lane, n - 2)][part]);
+            for (int lane = first; lane < first + width; ++lane) result.push_back(bodies[std::min(lane, n - 2)][part]);
     return result;
 }
 

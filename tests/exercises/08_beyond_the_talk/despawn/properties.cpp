@@ -51,9 +51,7 @@ Bodies draw_bodies(Draw& draw, int n, int width) {
     return bodies;
 }
 
-int draw_width(Draw& draw) {
-    return 1 << draw.integer(0, 4);
-}
+int draw_width(Draw& draw) { return 1 << draw.integer(0, 4); }
 
 // Few bodies with the spins (1, 2, 3), (4, 5, 6) and so on: what becomes of them can be seen.
 Bodies few_bodies(Draw& draw, int n) {
@@ -109,8 +107,7 @@ PROPERTY("the lanes left over are copies of the body that is the last now") {
         const int gone = draw.integer(0, bodies.size() - 3);
         const std::vector<double> packs = bodies.without(gone);
         const Spin last = bodies.spins[bodies.size() - 2];
-        for (int b = bodies.size() - 1; b % bodies.width != 0; ++b)
-            REQUIRE(spin_at(packs, bodies.width, b) == last);
+        for (int b = bodies.size() - 1; b % bodies.width != 0; ++b) REQUIRE(spin_at(packs, bodies.width, b) == last);
     }
 }
 
@@ -129,8 +126,8 @@ PROPERTY("it is the same where the last body goes, the one before it, or the onl
 PROPERTY("bodies may go one after another, until none is left") {
     Draw draw;
     for (int i = 0; i < 8; ++i) {
-        Bodies bodies = i == 0 ? few_bodies(draw, 5)
-                               : draw_bodies(draw, i == 1 ? 1000 : draw.integer(10, 60), draw_width(draw));
+        Bodies bodies =
+            i == 0 ? few_bodies(draw, 5) : draw_bodies(draw, i == 1 ? 1000 : draw.integer(10, 60), draw_width(draw));
         for (int round = 0; bodies.size() > 0 && round < 60; ++round) {
             const int gone = draw.integer(0, bodies.size() - 1);
             const std::vector<double> packs = bodies.without(gone);

@@ -25,8 +25,8 @@ struct Ship {
 // overflows, each writing of it in its own way: no huge one turns a ship before that is refused.
 Ship draw_ship(Draw& draw, double least, double most, bool huge = false) {
     const double speed = draw.log(1e-3, 1e3);
-    Ship ship{draw_moments(draw, draw.real(0, 1) < 0.5 ? 5 : 1000), Vector3d::Zero(),
-              speed * draw_direction(draw), std::min(draw.log(least, most) / speed, 1e6)};
+    Ship ship{draw_moments(draw, draw.real(0, 1) < 0.5 ? 5 : 1000), Vector3d::Zero(), speed * draw_direction(draw),
+              std::min(draw.log(least, most) / speed, 1e6)};
     ship.inertia *= draw.log(1, 5000);
     const double own = ship.inertia.cwiseProduct(ship.omega).norm();  // at most 1e9
     const double size = huge ? draw.log(100 * own, 1e12) : draw.log(0.01, 100) * own;
@@ -129,7 +129,8 @@ PROPERTY("it is right wherever the task allows: small and large ships, slow and 
         const double least = draw.any_of(1e-5, 1e3, {1e-5, 1e3});
         ship.inertia = draw_body(draw, least, i);
         if (i % 8 == 1) ship.inertia.setConstant(least);  // a ball, whose wheel turns its spin
-        if (i % 8 == 3) ship.inertia = least * Vector3d(1, 1 + draw.log(1e-9, 1e-2), 1 + draw.log(1e-9, 1e-2));  // nearly one
+        if (i % 8 == 3)
+            ship.inertia = least * Vector3d(1, 1 + draw.log(1e-9, 1e-2), 1 + draw.log(1e-9, 1e-2));  // nearly one
         ship.omega = draw.any_of(0, 1000, {0, 1000}) * draw_direction(draw);
         ship.wheel = i % 4 == 0 ? Vector3d::Zero() : Vector3d(draw.log(1e-9, 1e12) * draw_direction(draw));
         ship.h = draw.any_of(0, 1e6, {0, 1.0 / 60, 60, 1e6});

@@ -24,10 +24,12 @@ bool is_near(const Quaterniond& found, const Quaterniond& right, double allowed)
     const auto shown = [&](const Quaterniond& q) {
         const double sign = q.dot(right) < 0 ? -1 : 1;
         std::string words = "{";
-        for (int i = 0; i < 4; ++i) words += std::string(i > 0 ? ", " : "") + "xyzw"[i] + " " + checker::in_words(sign * q.coeffs()[i] + 0.0);
+        for (int i = 0; i < 4; ++i)
+            words += std::string(i > 0 ? ", " : "") + "xyzw"[i] + " " + checker::in_words(sign * q.coeffs()[i] + 0.0);
         return words + "}";
     };
-    return checker::told(apart(found, right) <= allowed, "The orientation is " + shown(found) + ", and must be " + shown(right) + ", or its negative: they are " +
+    return checker::told(apart(found, right) <= allowed, "The orientation is " + shown(found) + ", and must be " +
+                                                             shown(right) + ", or its negative: they are " +
                                                              checker::in_words(apart(found, right)) + " apart.");
 }
 
@@ -113,8 +115,8 @@ struct Smooth {
         const double h = 2.0 / steps;
         for (int i = 0; i < steps; ++i) {
             const double t = begin + i * h;
-            const Four k1 = slope(t, y), k2 = slope(t + h / 2, y + h / 2 * k1),
-                       k3 = slope(t + h / 2, y + h / 2 * k2), k4 = slope(t + h, y + h * k3);
+            const Four k1 = slope(t, y), k2 = slope(t + h / 2, y + h / 2 * k1), k3 = slope(t + h / 2, y + h / 2 * k2),
+                       k4 = slope(t + h, y + h * k3);
             y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
         }
         return Quaterniond(y);
@@ -192,10 +194,10 @@ PROPERTY("two replays, one after the other, are one long replay") {
     for (int i = 0; i < 30; ++i) {
         const Replay all = draw_replay(draw, 12, 0.1);
         const int cut = draw.integer(1, 10);
-        const Replay first{all.q, {all.times.begin(), all.times.begin() + cut + 1},
-                           {all.spins.begin(), all.spins.begin() + cut + 1}};
-        const Replay second{first.answer(), {all.times.begin() + cut, all.times.end()},
-                            {all.spins.begin() + cut, all.spins.end()}};
+        const Replay first{
+            all.q, {all.times.begin(), all.times.begin() + cut + 1}, {all.spins.begin(), all.spins.begin() + cut + 1}};
+        const Replay second{
+            first.answer(), {all.times.begin() + cut, all.times.end()}, {all.spins.begin() + cut, all.spins.end()}};
         REQUIRE(is_near(second.answer(), all.answer(), 1e-5));
     }
 }

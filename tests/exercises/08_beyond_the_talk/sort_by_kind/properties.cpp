@@ -33,8 +33,7 @@ bool all_there(const Bodies& bodies, std::vector<int> order) {
 // begins must tell groups that follow one another and hold all the bodies, each its own kind.
 bool groups_hold(const Bodies& bodies, const std::array<std::vector<int>, 2>& answer) {
     const auto& [order, begins] = answer;
-    if (!all_there(bodies, order) || static_cast<int>(begins.size()) != bodies.count + 1)
-        return false;
+    if (!all_there(bodies, order) || static_cast<int>(begins.size()) != bodies.count + 1) return false;
     if (begins.front() != 0 || begins.back() != bodies.size()) return false;
     for (int k = 0; k < bodies.count; ++k) {
         if (begins[k] > begins[k + 1] || begins[k + 1] > bodies.size()) return false;

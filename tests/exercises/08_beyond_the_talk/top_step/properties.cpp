@@ -28,19 +28,13 @@ struct Top {
         return {inertia, mgl, L2, up2, h};
     }
     Top after() const { return after(h); }
-    double energy() const {
-        return L.dot(L.cwiseQuotient(inertia)) / 2 + mgl * up.z();
-    }
+    double energy() const { return L.dot(L.cwiseQuotient(inertia)) / 2 + mgl * up.z(); }
     // All that L could be, by its spin or by its fall.
-    double size() const {
-        return L.norm() + std::sqrt(std::fabs(mgl) * inertia.maxCoeff()) + std::fabs(h * mgl);
-    }
+    double size() const { return L.norm() + std::sqrt(std::fabs(mgl) * inertia.maxCoeff()) + std::fabs(h * mgl); }
 };
 
 // All that the exercise allows, from 1e-5 to 1e3: draw_moments reaches from 0.004 to 200.
-Vector3d draw_inertia(Draw& draw) {
-    return draw.log(0.0025, 5) * draw_moments(draw, 5);
-}
+Vector3d draw_inertia(Draw& draw) { return draw.log(0.0025, 5) * draw_moments(draw, 5); }
 
 // `angle` is about what the top turns by in the step, `fall` how strong gravity is: one where it
 // changes the spin as fast as the top turns.
@@ -64,8 +58,7 @@ Top draw_any(Draw& draw, int i) {
 // the step. With the least of the moments, h^2 mgl/I is `turn`.
 Top draw_let_go(Draw& draw, int i, double turn) {
     const double rate = draw.log(0.1, 50);
-    Top top{draw_inertia(draw), 0, Vector3d::Zero(), draw_direction(draw),
-            draw.sign() * std::sqrt(turn) / rate};
+    Top top{draw_inertia(draw), 0, Vector3d::Zero(), draw_direction(draw), draw.sign() * std::sqrt(turn) / rate};
     top.mgl = draw.sign() * top.inertia.minCoeff() * rate * rate;
     const double hardly = draw.log(1e-9, 1e-2) * std::fabs(top.h * top.mgl);
     if (i % 2 == 1) top.L = hardly * draw_direction(draw);
@@ -97,8 +90,7 @@ Top exact(Top top, double time) {
     const int steps = 1000;
     const double h = time / steps;
     for (int i = 0; i < steps; ++i) {
-        const Six k1 = slope(y), k2 = slope(y + h / 2 * k1), k3 = slope(y + h / 2 * k2),
-                  k4 = slope(y + h * k3);
+        const Six k1 = slope(y), k2 = slope(y + h / 2 * k1), k3 = slope(y + h / 2 * k2), k4 = slope(y + h * k3);
         y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
     }
     top.L = y.head<3>();
@@ -107,9 +99,7 @@ Top exact(Top top, double time) {
 }
 
 // Of two states of one top.
-double apart(const Top& a, const Top& b) {
-    return (a.L - b.L).norm() / a.inertia.maxCoeff() + (a.up - b.up).norm();
-}
+double apart(const Top& a, const Top& b) { return (a.L - b.L).norm() / a.inertia.maxCoeff() + (a.up - b.up).norm(); }
 
 }  // namespace
 
@@ -215,8 +205,7 @@ PROPERTY("the energy of a long dance stays within a twentieth: it oscillates and
     Draw draw;
     for (int i = 0; i < 3; ++i) {
         const Top begin = draw_dance(draw, i == 2);
-        const double size = begin.L.dot(begin.L.cwiseQuotient(begin.inertia)) / 2 +
-                            std::fabs(begin.mgl);
+        const double size = begin.L.dot(begin.L.cwiseQuotient(begin.inertia)) / 2 + std::fabs(begin.mgl);
         Top top = begin;
         for (int j = 0; j < 400; ++j) {
             top = top.after(0.1);
@@ -245,11 +234,14 @@ PROPERTY("it is right wherever the task allows: any angle, forth and back, hardl
     for (int i = 0; i < 400; ++i) {
         Top top = draw_top(draw, i % 2 == 0 ? draw.real(0.1, 12) : draw.log(1e-6, 1000), draw.log(1e-6, 1));
         if (i % 3 == 0) top.L = top.inertia.cwiseProduct(top.L.norm() / top.inertia[i % 2] * Vector3d::Unit(i / 3 % 3));
-        if (i % 6 == 4) top.L = top.L.norm() / 1.02 * (Vector3d::Unit(i / 6 % 3) + draw.log(1e-8, 1e-2) * draw_direction(draw));
+        if (i % 6 == 4)
+            top.L = top.L.norm() / 1.02 * (Vector3d::Unit(i / 6 % 3) + draw.log(1e-8, 1e-2) * draw_direction(draw));
         if (i % 5 == 1) top.L *= draw.any_of(0, 1, {0});
         if (i % 5 == 2) top.mgl = 0;
         if (i % 7 == 3) top.up = draw.sign() * Vector3d::Unit(i / 7 % 3);
-        if (i % 7 == 5) top.up = (draw.sign() * Vector3d::Unit(i / 7 % 3) + draw.log(1e-9, 1e-3) * draw_direction(draw)).normalized();
+        if (i % 7 == 5)
+            top.up =
+                (draw.sign() * Vector3d::Unit(i / 7 % 3) + draw.log(1e-9, 1e-3) * draw_direction(draw)).normalized();
         all &= close(top.after().up.norm(), 1, 1e-13);
     }
     REQUIRE(all);
