@@ -2,9 +2,8 @@
 //
 // A camera hangs on its player by a spring and a damper, critically damped. Both are measured from
 // the player: with x and v those of the camera less those of the player, the acceleration is
-// -omega² x - 2 omega v. During one frame the player moves on with a constant velocity. Return the
-// exact state of the camera a time h later, for frames of any length: not a step of a solver, but
-// the solution.
+// -omega² x - 2 omega v. During one frame the player moves on with a constant velocity. Return the exact state of the
+// camera a time h later, for frames of any length: not a step of a solver, but the solution.
 //
 //   s         the camera now: time in s, position in m, velocity in m/s, seen from the ground
 //   goal      position of the player now, in m, seen from the ground

@@ -18,9 +18,9 @@
 // −11.52).
 //
 // What is checked: a slack leash, one as long as at rest, one longer by a hair, one of no rest
-// length, and a ball at its owner's place; at rest the spring pulls back along the leash; what
-// moves across does not matter; no damping, and little; the damper takes just the energy that it
-// should; no pushing; the force turns with the scene.
+// length, and a ball at its owner's place; at rest the spring pulls back along the leash; what moves
+// across does not matter; no damping, and little; the damper takes just the energy that it should;
+// no pushing; the force turns with the scene.
 
 #include "exercise_eigen.hpp"
 

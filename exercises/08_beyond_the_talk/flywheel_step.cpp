@@ -21,8 +21,7 @@
 // Twelve digits count, however long the step. A general solver, or an inverse of a matrix, loses
 // them in long steps: the energy grows. So solve the equation by hand.
 //
-// Example: inertia = (4, 2, 3), wheel = (1, 0, 0), omega = (1, 1, 2) and h = 1 give
-// (1.3, 0.4, 1.8).
+// Example: inertia = (4, 2, 3), wheel = (1, 0, 0), omega = (1, 1, 2) and h = 1 give (1.3, 0.4, 1.8).
 //
 // What is checked: no time, no spin, a spin about the wheel's own axis, and a ball without a wheel;
 // the energy never grows, from short steps to the longest; what the torque cannot change; which way

@@ -10,9 +10,9 @@
 //
 // Example: for x = t² at t = 1, 2, 3, velocity_now(1, 4, 9, 1) is 6, as the derivative 2t says.
 //
-// What is checked: standing still gives zero; a constant velocity and a constant acceleration come
-// out exactly, but for rounding, in games of any size and with any step; the error on any smooth
-// motion falls as h².
+// What is checked: standing still gives zero; a constant velocity and a constant acceleration come out
+// exactly, but for rounding, in games of any size and with any step; the error on any smooth motion
+// falls as h².
 
 #include "exercise.hpp"
 

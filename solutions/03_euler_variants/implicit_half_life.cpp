@@ -10,8 +10,8 @@
 //            a whole number of steps: the amplitude falls by the same factor in each step, as an
 //            exponential does, and you tell when that exponential is at one half.
 //
-// Where omega h is tiny, 1 + omega² h² has lost most digits of omega² h². The standard library has
-// a function for that: std::log1p(u) is the logarithm of 1 + u, with all its digits.
+// Where omega h is tiny, 1 + omega² h² has lost most digits of omega² h². The standard library has a
+// function for that: std::log1p(u) is the logarithm of 1 + u, with all its digits.
 //
 // Example: implicit_half_life(2, 0.1) is 3.5346 seconds, a bit more than 35 steps.
 //

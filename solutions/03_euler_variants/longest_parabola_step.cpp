@@ -22,10 +22,10 @@
 
 double longest_parabola_step(double omega, double zeta) {
     // [answer]
-    // The step is a matrix for (x, v/omega), with the trace 2 - 2 zeta wh - wh²/2 and the
-    // determinant 1 - 2 zeta wh + wh²/2, where wh = omega h. A pair of complex eigenvalues leaves
-    // the unit circle where the determinant is 1, at wh = 4 zeta; a real one at -1, where 1 + trace
-    // + determinant is zero, at wh = 1 / zeta. (At 1 none leaves: 1 - trace + determinant is wh².)
+    // The step is a matrix for (x, v/omega), with the trace 2 - 2 zeta wh - wh²/2 and the determinant
+    // 1 - 2 zeta wh + wh²/2, where wh = omega h. A pair of complex eigenvalues leaves the unit circle
+    // where the determinant is 1, at wh = 4 zeta; a real one at -1, where 1 + trace + determinant is
+    // zero, at wh = 1 / zeta. (At 1 none leaves: 1 - trace + determinant is wh².)
     if (zeta == 0) return 0;
     return std::min(4 * zeta, 1 / zeta) / omega;
     // [answer]

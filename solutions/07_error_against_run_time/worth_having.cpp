@@ -28,12 +28,10 @@ std::vector<int> worth_having(const std::vector<std::array<double, 2>>& points) 
     for (int i = 0; i < static_cast<int>(points.size()); ++i)
         if (std::isfinite(points[i][0]) && std::isfinite(points[i][1])) order.push_back(i);
     // By seconds, and where these are equal by error: whoever beats a point stands before it.
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int i, int j) { return points[i] < points[j]; });
+    std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return points[i] < points[j]; });
     std::vector<int> worth;
     for (const int i : order)
-        if (worth.empty() || points[i][1] < points[worth.back()][1] ||
-            points[i] == points[worth.back()])
+        if (worth.empty() || points[i][1] < points[worth.back()][1] || points[i] == points[worth.back()])
             worth.push_back(i);
     return worth;
     // [answer]

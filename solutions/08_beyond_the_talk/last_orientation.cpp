@@ -3,8 +3,8 @@
 // Your game records flying wreckage. Orientations need four numbers a frame and spins three, so you
 // keep only the spins, with the time of each frame, and the orientation at the first. The replay
 // must find the orientation at the last frame, with an error that falls as the square of the gaps
-// between the frames. From frame to frame, let the mean of the two spins turn the body: by its
-// angle, by Cayley's formula or half and half, as all these are of order two.
+// between the frames. From frame to frame, let the mean of the two spins turn the body: by its angle,
+// by Cayley's formula or half and half, as all these are of order two.
 //
 //   q        orientation at the first frame, of length one: q * v is in world coordinates what v is
 //            in the body's
@@ -29,8 +29,7 @@
 
 #include "exercise_eigen.hpp"
 
-Quaterniond last_orientation(Quaterniond q, std::vector<double> times,
-                             std::vector<Vector3d> spins) {
+Quaterniond last_orientation(Quaterniond q, std::vector<double> times, std::vector<Vector3d> spins) {
     // [answer]
     Quaterniond now = q;
     for (std::size_t i = 1; i < times.size(); ++i) {
