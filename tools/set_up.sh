@@ -25,7 +25,7 @@ wasi-libc                have_wasm
 libc++-dev-wasm32        have_wasm
 libclang-rt-dev-wasm32   have_wasm
 '
-# The other desks of tests/bits: arm64, Windows, 32 bits, and the C++ library of macOS and its like.
+# The other desks of tests/same_bits: arm64, Windows, 32 bits, and the C++ library of macOS and its like.
 desks='
 libc++-dev                 have_libcxx
 libc++abi-dev              have_libcxx

@@ -16,7 +16,7 @@ if(DEFINED ENV{TIMESTEP_WINE})
   set(drive "$ENV{TIMESTEP_WINE}")
 endif()
 set(CMAKE_CROSSCOMPILING_EMULATOR "${CMAKE_COMMAND}" -E env "TIMESTEP_WINE=${drive}"
-  "${CMAKE_CURRENT_LIST_DIR}/../../tests/bits/wine.sh")
+  "${CMAKE_CURRENT_LIST_DIR}/../../tests/same_bits/wine.sh")
 
 # Libraries that are headers alone are the same for every system. They are read from a folder that has nothing else:
 # beside them, in /usr/include, stand the C headers of this system.
