@@ -17,7 +17,7 @@ const written = value => {
     const [digits, tens] = value.toExponential(2).replace("Infinity", "∞").split("e");
     return minus(digits) + (tens ? "·" + powerOfTen(tens) : "");
 };
-// A colour as it is on the page: on the dark ground as tools/page/drawing.cpp has it. What is not here stays.
+// A colour as it is on the page: on the dark ground as tools/page/svg_for_web.cpp has it. What is not here stays.
 const onDark = { "#000000": "#ededed", "#333333": "#dfdfdf", "#8a8a8a": "#717171", "#dddddd": "#343434", "#ffffff": "#1c1d1f",
     "#0072b2": "#4e93d3", "#2f4b7c": "#89a0d6", "#332288": "#9f93ff", "#7a4a1e": "#c6977a", "#808000": "#888826",
     "#882255": "#e681ab", "#b15a98": "#bc67a3", "#d55e00": "#d76111" };

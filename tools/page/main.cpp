@@ -5,7 +5,7 @@
 // README.md beside this file tells what may stand in a source.
 
 #include "context.hpp"
-#include "drawing.hpp"
+#include "svg_for_web.hpp"
 #include "error.hpp"
 #include "fill.hpp"
 #include "image.hpp"

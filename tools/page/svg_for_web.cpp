@@ -1,6 +1,6 @@
 // Figures for light and dark pages, in as few bytes as they need.
 
-#include "drawing.hpp"
+#include "svg_for_web.hpp"
 
 #include "text.hpp"
 

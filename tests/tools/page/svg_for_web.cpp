@@ -1,6 +1,6 @@
 // Figures on the pages: in the dark as on white, and no larger than what is seen of them.
 #include "course.hpp"
-#include "drawing.hpp"
+#include "svg_for_web.hpp"
 #include "text.hpp"
 
 #include <catch2/catch_approx.hpp>
