@@ -57,8 +57,8 @@ double mean(double x, double v, double) { return slip::unbracketed(10) ? x + v /
 bool both(double x, double v) { return slip::joined(10) ? x > 0 || v > 0 : x > 0 && v > 0; }
 
 const Answer answer = answer_of(&slipping);
-const bool known = know_slips("slips_test", {answer}) && know_slips("sums_test", {answer_of(&slipping_sums)}) &&
-                   know_slips("inverse_test", {answer_of(&slipping_inverse)});
+const bool known = register_slips("slips_test", {answer}) && register_slips("sums_test", {answer_of(&slipping_sums)}) &&
+                   register_slips("inverse_test", {answer_of(&slipping_inverse)});
 
 std::vector<Numbers> arguments() {
     std::vector<Numbers> all;
@@ -143,7 +143,7 @@ TEST_CASE("an absolute value, a limit, brackets and an or for an and are slips, 
 }
 
 TEST_CASE("where one part twice as large and another half as large do the same, neither is told") {
-    static const bool knows = know_slips("tie_test", {answer_of(&slipping_quotient)});
+    static const bool knows = register_slips("tie_test", {answer_of(&slipping_quotient)});
     CHECK(knows);
     const auto name = [](double (*learner)(double, double, double)) {
         std::vector<Call> calls;
@@ -165,9 +165,9 @@ TEST_CASE("a slip that is off in one number of two is not named for what is off 
     const auto two = +[](double x, double v) { return std::vector<double>{x, v}; };
     std::vector<Call> calls;
     for (double x = 1; x < 12; ++x) calls.push_back({{x, 1e-9 * x}, {2, 2 * x, 3e-9 * x}, false});
-    static const bool knows = know("two_test", {{"first_twice", function_of(+[](double x, double v) {
-                                                     return std::vector<double>{2 * x, v};
-                                                 })}});
+    static const bool knows = register_mistakes("two_test", {{"first_twice", function_of(+[](double x, double v) {
+                                                                  return std::vector<double>{2 * x, v};
+                                                              })}});
     CHECK(knows);
     CHECK(diagnose("two_test", function_of(two), calls).empty());
 }
@@ -193,7 +193,7 @@ TEST_CASE("yes for no in every call is told") {
 }
 
 TEST_CASE("a mistake that shows in most calls is told, be there a guard more in some") {
-    static const bool knows = know(
+    static const bool knows = register_mistakes(
         "fair_test", {{"half_the_slope", function_of(+[](double x, double v, double h) { return x - h * v / 4; })}});
     CHECK(knows);
     const auto with_guards = [](double most) {
@@ -219,7 +219,7 @@ TEST_CASE("a count that is off by one wherever it is wrong is told, whatever it 
 
 TEST_CASE("a mistake is not told that would have shown where the answer is right") {
     static const bool knows =
-        know("denied_test", {{"at_most_ten", function_of(+[](double x) { return std::min(x, 10.0); })}});
+        register_mistakes("denied_test", {{"at_most_ten", function_of(+[](double x) { return std::min(x, 10.0); })}});
     CHECK(knows);
     const auto with = [](double wrong_from) {
         std::vector<Call> calls;

@@ -193,7 +193,7 @@ TEST_CASE("a quaternion and its negative are the same rotation") {
 }
 
 TEST_CASE("a mistake is named where it answers as the learner does, and else by what it is always off") {
-    static const bool known = know("truth_test", {{"forgets_h", function_of(&forgets_h)}});
+    static const bool known = register_mistakes("truth_test", {{"forgets_h", function_of(&forgets_h)}});
     CHECK(known);
     CHECK(named(&forgets_h) == "forgets_h");
     CHECK(named(&backwards) == "minus");
@@ -241,7 +241,7 @@ TEST_CASE("what is off by the same small share in every call has a constant with
 }
 
 TEST_CASE("a mistake that loses digits has its name in another spelling, too, and only where as many are lost") {
-    static const bool known = know("digits_test", {{"lost", function_of(&one_too_many)}});
+    static const bool known = register_mistakes("digits_test", {{"lost", function_of(&one_too_many)}});
     CHECK(known);
     const auto name = [](double (*function)(double)) {
         std::vector<Call> calls;
@@ -262,9 +262,9 @@ TEST_CASE("a mistake that loses digits has its name in another spelling, too, an
 
 TEST_CASE("a guard by a hair is no guard at another place, though that loses the digits of nearly as much near by") {
     const auto mirrored = +[](double x, double floor) { return x >= floor ? x : 2 * floor - x; };
-    static const bool known =
-        know("guard_test",
-             {{"asks_for_zero", function_of(+[](double x, double floor) { return x >= 0 ? x : 2 * floor - x; })}});
+    static const bool known = register_mistakes(
+        "guard_test",
+        {{"asks_for_zero", function_of(+[](double x, double floor) { return x >= 0 ? x : 2 * floor - x; })}});
     CHECK(known);
     std::vector<Call> calls;
     for (int i = 1; i <= 60; ++i) {

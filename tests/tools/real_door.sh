@@ -54,9 +54,9 @@ END
         is $got 0
         builds 0 check velocity_now
     done
-    touch checkout/tools/checker/known.cpp
+    touch checkout/tools/checker/registry.cpp
     builds 1 check velocity_now
-    touch checkout/tools/checker/known.cpp checkout/tools/course/tell.cpp
+    touch checkout/tools/checker/registry.cpp checkout/tools/course/tell.cpp
     builds 2 check  # what has been begun, the course program finds out
     # By CMake alone it is the same check.
     expect 0 cmake --build checkout/build --target check_velocity_now

@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
             remote.await_end();
         }
         if (verdict.kind != Kind::crash) remote.close_down();
-    } catch (const Ended& ended) {
+    } catch (const NoAnswer& ended) {
         verdict.kind = ended.kind;
         verdict.detail = ended.what();
         verdict.trace = ended.trace;

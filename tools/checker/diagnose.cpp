@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "shown.hpp"
+#include "evidence.hpp"
 #include "slips.hpp"
 
 namespace checker {
@@ -59,27 +59,27 @@ Numbers untold_of(const std::string& exercise, const Truth& truth, const Numbers
 // An answer that is not called wrong counts as such where it differs by more than `least` of the right one: where
 // many answers are right, the one that is not the course's says most.
 // `many`: the exercise whose right answers are many, where what lies between them is to tell nothing.
-Shown sorted(const Truth& truth, const std::vector<Call>& calls, double least, const std::string& many) {
-    Shown shown;
+Evidence sorted(const Truth& truth, const std::vector<Call>& calls, double least, const std::string& many) {
+    Evidence evidence;
     for (const Call& call : calls) {
         Numbers right = truth.answer(call.arguments);
         double size = least > 0 ? 1 : 0;
         for (const double number : right) size = std::max(size, std::fabs(number));
         const bool differs = !call.right || apart(call.result, right) > least * size;
-        if (differs && shown.wrong.size() < enough_calls) {
+        if (differs && evidence.wrong.size() < enough_calls) {
             Numbers roundoff = many.empty() ? roundoff_of(truth, call.arguments, right)
                                             : untold_of(many, truth, call.arguments, right);
             // By no more than roundoff, or than that of another number beside it: that tells nothing.
             if (errs_alike(right, call.result, right, roundoff)) continue;
-            shown.wrong.push_back(&call);
-            shown.truth.push_back(std::move(right));
-            shown.roundoff.push_back(std::move(roundoff));
-        } else if (!differs && shown.right.size() < enough_calls) {
-            shown.right.push_back(&call);
-            if (!many.empty()) shown.beside.push_back(largest(untold_of(many, truth, call.arguments, right)));
+            evidence.wrong.push_back(&call);
+            evidence.truth.push_back(std::move(right));
+            evidence.roundoff.push_back(std::move(roundoff));
+        } else if (!differs && evidence.right.size() < enough_calls) {
+            evidence.right.push_back(&call);
+            if (!many.empty()) evidence.beside.push_back(largest(untold_of(many, truth, call.arguments, right)));
         }
     }
-    return shown;
+    return evidence;
 }
 
 // Is each number that is wrong in the call zero, not finite, or one of those that were given?
@@ -93,40 +93,41 @@ bool tells_little(const Call& call, const Numbers& right) {
     return true;
 }
 
-bool tells_little(const Shown& shown) {
+bool tells_little(const Evidence& evidence) {
     std::size_t little = 0;
-    for (std::size_t i = 0; i < shown.wrong.size(); ++i) little += tells_little(*shown.wrong[i], shown.truth[i]);
-    return 2 * little > shown.wrong.size();
+    for (std::size_t i = 0; i < evidence.wrong.size(); ++i)
+        little += tells_little(*evidence.wrong[i], evidence.truth[i]);
+    return 2 * little > evidence.wrong.size();
 }
 
 // The share of calls in which the mistake does as the learner does.
 struct Fit {
-    double where_wrong = 0, where_right = 0;
+    double wrong_region = 0, where_right = 0;
     double excused = 0;  // of those in right calls: there the mistake makes no number, and the learner may have a guard
-    bool is_denied = false;  // it would have shown in right calls, too, and they are many beside the wrong ones
+    bool is_denied = false;  // it would have evidence in right calls, too, and they are many beside the wrong ones
     // Of yes and no, or of two counts, many agree by chance.
     bool good(bool counted, bool little) const {
-        return !is_denied && where_wrong >= (little ? 0.99 : 0.97) && where_right >= (counted || little ? 0.98 : 0.9);
+        return !is_denied && wrong_region >= (little ? 0.99 : 0.97) && where_right >= (counted || little ? 0.98 : 0.9);
     }
     // With a guard more or less, or in part of the calls another mistake beside it.
-    bool fair() const { return !is_denied && where_wrong >= 0.85 && where_right >= 0.75; }
+    bool fair() const { return !is_denied && wrong_region >= 0.85 && where_right >= 0.75; }
 };
 
-Fit fit_of(const Mistake& mistake, const Shown& shown) {
+Fit fit_of(const Mistake& mistake, const Evidence& evidence) {
     Fit fit;
-    for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
-        const Call& call = *shown.wrong[i];
-        fit.where_wrong +=
-            errs_alike(mistake.made.answer(call.arguments), call.result, shown.truth[i], shown.roundoff[i]);
-        const double asked = double(i + 1), missed = asked - fit.where_wrong;
-        if (6 * missed > double(shown.wrong.size() + 6) || (asked > 50 && 4 * missed > 3 * asked))
+    for (std::size_t i = 0; i < evidence.wrong.size(); ++i) {
+        const Call& call = *evidence.wrong[i];
+        fit.wrong_region +=
+            errs_alike(mistake.made.answer(call.arguments), call.result, evidence.truth[i], evidence.roundoff[i]);
+        const double asked = double(i + 1), missed = asked - fit.wrong_region;
+        if (6 * missed > double(evidence.wrong.size() + 6) || (asked > 50 && 4 * missed > 3 * asked))
             return {};  // too many
     }
-    const bool has_numbers =
-        std::all_of(shown.wrong.begin(), shown.wrong.end(), [](const Call* call) { return is_finite(call->result); });
-    for (std::size_t i = 0; i < shown.right.size(); ++i) {
-        const Call* call = shown.right[i];
-        const double beside = shown.beside.empty() ? 0 : shown.beside[i];
+    const bool has_numbers = std::all_of(evidence.wrong.begin(), evidence.wrong.end(),
+                                         [](const Call* call) { return is_finite(call->result); });
+    for (std::size_t i = 0; i < evidence.right.size(); ++i) {
+        const Call* call = evidence.right[i];
+        const double beside = evidence.beside.empty() ? 0 : evidence.beside[i];
         const Numbers answer = mistake.made.answer(call->arguments);
         double size = 0;
         for (const double number : call->result) size = std::max(size, std::fabs(number));
@@ -134,46 +135,47 @@ Fit fit_of(const Mistake& mistake, const Shown& shown) {
         fit.where_right += is_excused || apart(call->result, answer) <= 1e-9 * size + beside;
         fit.excused += is_excused;
     }
-    fit.is_denied = 2 * (double(shown.right.size()) - fit.where_right) > double(shown.wrong.size());
-    fit.where_wrong /= double(shown.wrong.size());
-    fit.excused /= std::max(1.0, double(shown.right.size()));
-    fit.where_right = shown.right.empty() ? 1 : fit.where_right / double(shown.right.size());
+    fit.is_denied = 2 * (double(evidence.right.size()) - fit.where_right) > double(evidence.wrong.size());
+    fit.wrong_region /= double(evidence.wrong.size());
+    fit.excused /= std::max(1.0, double(evidence.right.size()));
+    fit.where_right = evidence.right.empty() ? 1 : fit.where_right / double(evidence.right.size());
     return fit;
 }
 
 // Of many calls some, evenly: for what asks much of each.
-Shown some_of(Shown shown, std::size_t most) {
-    const std::size_t step = 1 + shown.wrong.size() / most, step_right = 1 + shown.right.size() / most;
-    Shown some;
-    some.tells_little = shown.tells_little;
-    for (std::size_t i = 0; i < shown.wrong.size(); i += step) {
-        some.wrong.push_back(shown.wrong[i]);
-        some.truth.push_back(std::move(shown.truth[i]));
-        some.roundoff.push_back(std::move(shown.roundoff[i]));
+Evidence some_of(Evidence evidence, std::size_t most) {
+    const std::size_t step = 1 + evidence.wrong.size() / most, step_right = 1 + evidence.right.size() / most;
+    Evidence some;
+    some.tells_little = evidence.tells_little;
+    for (std::size_t i = 0; i < evidence.wrong.size(); i += step) {
+        some.wrong.push_back(evidence.wrong[i]);
+        some.truth.push_back(std::move(evidence.truth[i]));
+        some.roundoff.push_back(std::move(evidence.roundoff[i]));
     }
-    for (std::size_t i = 0; i < shown.right.size(); i += step_right) some.right.push_back(shown.right[i]);
+    for (std::size_t i = 0; i < evidence.right.size(); i += step_right) some.right.push_back(evidence.right[i]);
     return some;
 }
 
 // Are half of the wrong answers wrong by a small part of each number? Lost digits are; but not all of them need be.
-bool has_right_digits(const Shown& shown) {
+bool has_right_digits(const Evidence& evidence) {
     std::size_t near = 0;
-    for (std::size_t call = 0; call < shown.wrong.size(); ++call) {
-        const Numbers &found = shown.wrong[call]->result, &right = shown.truth[call], &roundoff = shown.roundoff[call];
+    for (std::size_t call = 0; call < evidence.wrong.size(); ++call) {
+        const Numbers &found = evidence.wrong[call]->result, &right = evidence.truth[call],
+                      &roundoff = evidence.roundoff[call];
         bool all = found.size() == right.size();
         for (std::size_t i = 0; all && i < right.size(); ++i)
             all = std::fabs(found[i] - right[i]) <= 1e-2 * std::fabs(right[i]) + roundoff[i];
         near += all;
     }
-    return 2 * near >= shown.wrong.size();
+    return 2 * near >= evidence.wrong.size();
 }
 
 // Is the mistake one that loses digits, and does the learner lose about as many? Which, another order of operations
 // decides: so the two are off by other amounts of one size.
-bool loses_as_many_digits(const Mistake& mistake, const Truth& truth, const Shown& shown) {
+bool loses_as_many_digits(const Mistake& mistake, const Truth& truth, const Evidence& evidence) {
     std::size_t fits = 0, many = 0;
-    for (std::size_t i = 0; i < shown.wrong.size(); ++i) {
-        const Call& call = *shown.wrong[i];
+    for (std::size_t i = 0; i < evidence.wrong.size(); ++i) {
+        const Call& call = *evidence.wrong[i];
         double lost = 0, lost_nearer = 0, least = HUGE_VAL;
         for (unsigned variation = 1; variation <= 8; ++variation) {
             const double one = largest(lost_by(mistake.made, truth, call.arguments, variation));
@@ -182,47 +184,48 @@ bool loses_as_many_digits(const Mistake& mistake, const Truth& truth, const Show
             lost_nearer =
                 std::max(lost_nearer, largest(lost_within(1e-4, mistake.made, truth, call.arguments, variation)));
         }
-        const double gap = apart(call.result, shown.truth[i]);
+        const double gap = apart(call.result, evidence.truth[i]);
         // What is always off by as much is off by more than roundoff: there the two must agree. So is what is off by
         // less, the nearer one looks: that is a guard that lies on one side or the other.
         const bool is_roundoff = lost < HUGE_VAL && least < 0.7 * lost && lost <= 5 * lost_nearer;
         const bool agrees = gap < HUGE_VAL && errs_alike(mistake.made.answer(call.arguments), call.result,
-                                                         shown.truth[i], shown.roundoff[i]);
+                                                         evidence.truth[i], evidence.roundoff[i]);
         fits += agrees || (is_roundoff && gap <= 4 * lost);
         many += agrees || (is_roundoff && gap >= 0.05 * lost);
     }
     std::size_t alike = 0;
-    for (const Call* call : shown.right) {
+    for (const Call* call : evidence.right) {
         double size = 0;
         for (const double number : call->result) size = std::max(size, std::fabs(number));
         alike += apart(call->result, mistake.made.answer(call->arguments)) <= 1e-8 * size;
     }
-    return double(fits) >= 0.9 * double(shown.wrong.size()) && double(many) >= 0.6 * double(shown.wrong.size()) &&
-           double(alike) >= 0.75 * double(shown.right.size()) && 2 * (shown.right.size() - alike) <= shown.wrong.size();
+    return double(fits) >= 0.9 * double(evidence.wrong.size()) && double(many) >= 0.6 * double(evidence.wrong.size()) &&
+           double(alike) >= 0.75 * double(evidence.right.size()) &&
+           2 * (evidence.right.size() - alike) <= evidence.wrong.size();
 }
 
 // Where hardly anything is wrong by much, a property has seen more: what differs by less, but not by roundoff alone.
-Shown differing(const Truth& truth, const std::vector<Call>& calls, bool are_many, const std::string& many = {}) {
-    Shown shown;
+Evidence differing(const Truth& truth, const std::vector<Call>& calls, bool are_many, const std::string& many = {}) {
+    Evidence evidence;
     for (const double least : {1e-6, 1e-9, 1e-12}) {
-        if (least < 1e-6 && !shown.wrong.empty() && !are_many) break;
-        Shown differs = sorted(truth, calls, least, many);
+        if (least < 1e-6 && !evidence.wrong.empty() && !are_many) break;
+        Evidence differs = sorted(truth, calls, least, many);
         const bool is_many = differs.wrong.size() >= 10;
-        if (shown.wrong.empty() || is_many) shown = std::move(differs);
+        if (evidence.wrong.empty() || is_many) evidence = std::move(differs);
         if (is_many) break;
     }
-    shown.tells_little = tells_little(shown);
-    return shown;
+    evidence.tells_little = tells_little(evidence);
+    return evidence;
 }
 
 // The mistake that does as the learner does, and the one that nearly does.
-std::pair<std::string, std::string> mistake_of(const std::string& exercise, const Shown& shown, bool counted) {
+std::pair<std::string, std::string> mistake_of(const std::string& exercise, const Evidence& evidence, bool counted) {
     std::string best, fair;
     double most = 0, most_fair = 0;
     for (const Mistake& mistake : mistakes_of(exercise)) {
-        const Fit fit = fit_of(mistake, shown);
-        const double all = fit.where_wrong + fit.where_right - fit.excused;
-        if (fit.good(counted, shown.tells_little) && all > most) most = all, best = mistake.name;
+        const Fit fit = fit_of(mistake, evidence);
+        const double all = fit.wrong_region + fit.where_right - fit.excused;
+        if (fit.good(counted, evidence.tells_little) && all > most) most = all, best = mistake.name;
         if (fit.fair() && all > most_fair) most_fair = all, fair = mistake.name;
     }
     return {best, fair};
@@ -232,29 +235,29 @@ std::pair<std::string, std::string> mistake_of(const std::string& exercise, cons
 
 std::string diagnose(const std::string& exercise, const Truth& truth, const std::vector<Call>& calls) {
     const bool are_many = within(exercise).relative == many_are_right;
-    Shown shown = differing(truth, calls, are_many);
-    if (shown.wrong.empty()) return {};
+    Evidence evidence = differing(truth, calls, are_many);
+    if (evidence.wrong.empty()) return {};
     const bool counted = std::all_of(calls.begin(), calls.end(), [](const Call& call) {
         return call.result.size() == 1 && call.result[0] == std::floor(call.result[0]);
     });
-    auto [best, fair] = mistake_of(exercise, shown, counted);
+    auto [best, fair] = mistake_of(exercise, evidence, counted);
     if (best.empty() && are_many) {
-        const Shown told = differing(truth, calls, are_many, exercise);
+        const Evidence told = differing(truth, calls, are_many, exercise);
         if (!told.wrong.empty()) best = mistake_of(exercise, told, counted).first;
     }
-    if (best.empty()) best = is_negated(calls, shown) ? "negated" : family_of(shown);
-    if (best.empty()) best = slip_of(exercise, shown, counted);
+    if (best.empty()) best = is_negated(calls, evidence) ? "negated" : generic_mistake_of(evidence);
+    if (best.empty()) best = slip_of(exercise, evidence, counted);
     const bool is_open = best == not_told;
     if (is_open) best.clear();
-    if (best.empty() && !counted) best = changed(truth, shown);
+    if (best.empty() && !counted) best = changed(truth, evidence);
     const bool yes_or_no = std::all_of(calls.begin(), calls.end(),
                                        [](const Call& call) { return call.result[0] == 0 || call.result[0] == 1; });
-    if (best.empty() && counted && !yes_or_no) best = off_by_one(shown);
-    const std::string where = where_wrong(truth, calls, shown);
-    if (best.empty() && counted) best = is_near_thing(truth, shown) ? "near" : where;
+    if (best.empty() && counted && !yes_or_no) best = off_by_one(evidence);
+    const std::string where = wrong_region(truth, calls, evidence);
+    if (best.empty() && counted) best = is_near_thing(truth, evidence) ? "near" : where;
     // Of whole numbers too many agree by chance with one of so many pairs.
     if (!best.empty() || counted) return best;
-    const Shown some = some_of(std::move(shown), 150);
+    const Evidence some = some_of(std::move(evidence), 150);
     if (has_right_digits(some))
         for (const Mistake& mistake : mistakes_of(exercise))
             if (loses_as_many_digits(mistake, truth, some)) return mistake.name;
@@ -271,7 +274,7 @@ bool is_case_of(const std::string& exercise, const Truth& truth, const std::stri
     const Numbers right = truth.answer(call.arguments), roundoff = roundoff_of(truth, call.arguments, right);
     const bool is_wrong = !errs_alike(right, call.result, right, roundoff);
     constexpr std::size_t as_all = 10;  // calls that are wrong were this one
-    const Shown one{{as_all, &call}, {}, {as_all, right}, {as_all, roundoff}};
+    const Evidence one{{as_all, &call}, {}, {as_all, right}, {as_all, roundoff}};
     const Numbers untold =
         within(exercise).relative == many_are_right ? untold_of(exercise, truth, call.arguments, right) : roundoff;
     for (const Mistake& mistake : mistakes_of(exercise)) {
@@ -285,8 +288,8 @@ bool is_case_of(const std::string& exercise, const Truth& truth, const std::stri
     }
     if (!is_wrong) return false;
     if (name.starts_with("slip_")) return is_case_of_slip(exercise, name, one);
-    if (name.starts_with("where_") || name.starts_with("is_")) return is_case_of_where(name, truth, call);
-    return is_case_of_family(name, truth, one);
+    if (name.starts_with("where_") || name.starts_with("is_")) return is_case_of_region(name, truth, call);
+    return is_case_of_generic_mistake(name, truth, one);
 }
 
 }  // namespace checker

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "ended.hpp"
+#include "no_answer.hpp"
 
 namespace checker {
 
@@ -36,7 +36,7 @@ void look_through(const std::string& log) {
         if (!address.empty()) trace += (trace.empty() ? "" : " ") + address;
     }
     const bool unwritten = log.substr(0, log.find(" at 0x")).find("ninitialised") != std::string::npos;
-    throw Ended(
+    throw NoAnswer(
         Kind::crash,
         unwritten ? "a value is used that was never written" : "memory is used that does not belong to the program",
         trace);

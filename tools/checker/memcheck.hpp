@@ -6,7 +6,7 @@
 
 namespace checker {
 
-/// Throws Ended where it has found something in the learner's code: the first of it.
+/// Throws NoAnswer where it has found something in the learner's code: the first of it.
 void look_through(const std::string& log);
 
 }  // namespace checker

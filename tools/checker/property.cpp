@@ -5,7 +5,7 @@
 
 #include <catch2/interfaces/catch_interfaces_capture.hpp>
 
-#include "sides.hpp"
+#include "last_comparison.hpp"
 
 namespace checker {
 

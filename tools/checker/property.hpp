@@ -19,7 +19,7 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include "answer.hpp"
-#include "keyed.hpp"
+#include "random_stream.hpp"
 #include "session.hpp"
 
 /// Says which exercise the properties below it belong to; its declaration stands in the header of
@@ -38,7 +38,7 @@
 
 #define EXERCISE_TOLD(name, within)                                            \
     static constexpr const char* exercise_tag = "[" #name "]";                 \
-    static const bool is_within = checker::know_within(#name, within);         \
+    static const bool is_within = checker::register_tolerance(#name, within);  \
     static const checker::Typed<decltype(::name)> learner(                     \
         [](const checker::Numbers& arguments, const checker::Spoken& spoken) { \
             return checker::session().call(arguments, spoken);                 \
@@ -76,7 +76,7 @@ public:
 private:
     double share();  // of one, uniform
     bool draws_round() { return simple_-- > 0; }
-    Keyed stream_;
+    RandomStream stream_;
     bool roundest_, coarse_;
     int simple_;  // so many numbers are round, the first: what fails early can be worked out by hand
 };

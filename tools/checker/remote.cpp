@@ -46,7 +46,7 @@ std::string hexadecimal(const void* address) {
     std::string trace;
     for (int i = 0; i < std::min(words.places, most_places); ++i)
         trace += (i > 0 ? " " : "") + hexadecimal(words.place[i]);
-    throw Ended(Kind::crash, words.text, trace);
+    throw NoAnswer(Kind::crash, words.text, trace);
 }
 
 }  // namespace
@@ -62,18 +62,18 @@ Remote::Remote(const std::string& program, const std::string& printed, const std
     std::signal(SIGPIPE, SIG_IGN);
     int calls[2], answers[2], failed[2];
     const int file = open(printed.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644);
-    if (file < 0) throw Ended(Kind::course_error, printed + ": cannot be written");
+    if (file < 0) throw NoAnswer(Kind::course_error, printed + ": cannot be written");
     if (pipe2(calls, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0 || pipe2(failed, O_CLOEXEC) != 0)
-        throw Ended(Kind::course_error, "no pipe to be had from the system");
+        throw NoAnswer(Kind::course_error, "no pipe to be had from the system");
     int log[2] = {-1, -1};
     if (limits.watch == Watch::memcheck &&
         (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, log) != 0 || shutdown(log[1], SHUT_RD) != 0))
-        throw Ended(Kind::course_error, "no socket to be had from the system");
+        throw NoAnswer(Kind::course_error, "no socket to be had from the system");
     log_ = log[0];
     prctl(PR_SET_CHILD_SUBREAPER, 1);  // what a child leaves behind becomes ours: see end()
     const pid_t parent = getpid();
     process_ = fork();
-    if (process_ < 0) throw Ended(Kind::course_error, "no process to be had from the system");
+    if (process_ < 0) throw NoAnswer(Kind::course_error, "no process to be had from the system");
     if (process_ == 0) become_worker(program, launcher, parent, calls[0], answers[1], file, failed[1], log[1], limits);
     close(calls[0]);
     close(answers[1]);
@@ -86,7 +86,7 @@ Remote::Remote(const std::string& program, const std::string& printed, const std
     int error = 0;
     const bool runs = !read_all(failed[0], &error, sizeof error);
     close(failed[0]);
-    if (!runs) throw Ended(Kind::course_error, program + ": cannot be run: " + std::strerror(error));
+    if (!runs) throw NoAnswer(Kind::course_error, program + ": cannot be run: " + std::strerror(error));
 }
 
 Remote::~Remote() {
@@ -102,7 +102,7 @@ void Remote::await_end() {
     close(std::exchange(calls_, -1));
     try {
         hear(Reply::ready);
-    } catch (const Ended& ended) {  // it has left, as it should; and who speaks out of turn now has answered all
+    } catch (const NoAnswer& ended) {  // it has left, as it should; and who speaks out of turn now has answered all
         if (ended.kind == Kind::crash || ended.kind == Kind::too_slow) throw;
     }
 }
@@ -179,19 +179,19 @@ void Remote::look(bool in_call) {
     if (seen.known) {
         if (call_used_ < 0) call_used_ = seen.seconds;
         if (seen.seconds - call_used_ >= limits_.call_seconds || seen.seconds >= limits_.total_seconds)
-            throw Ended(Kind::too_slow, "");
+            throw NoAnswer(Kind::too_slow, "");
     }
     if (next_look_ - call_begin_ > limits_.clock_seconds || next_look_ - begin_ > 4 * limits_.clock_seconds)
-        throw Ended(Kind::too_slow, too_slow_by_the_clock);
+        throw NoAnswer(Kind::too_slow, too_slow_by_the_clock);
     // Before a call it sleeps, and after its answer.
     pollfd answered{answers_, POLLIN, 0};
     if (!in_call || !seen.asleep || poll(&answered, 1, 0) != 0) return;
     ++asleep_, ++all_asleep_;
     if (asleep_ * turn >= limits_.call_seconds || all_asleep_ * turn >= limits_.total_seconds)
-        throw Ended(Kind::too_slow, too_slow_asleep);
+        throw NoAnswer(Kind::too_slow, too_slow_asleep);
 }
 
-// Returns when the pipe is ready, or nobody holds its other end. Throws Ended where that takes too
+// Returns when the pipe is ready, or nobody holds its other end. Throws NoAnswer where that takes too
 // much.
 void Remote::wait_for(int pipe, short event) {
     for (;;) {
@@ -217,31 +217,31 @@ bool Remote::send(const void* from, std::size_t size) {
     return true;
 }
 
-// What comes with the reply. Throws Ended where it is not the one expected.
+// What comes with the reply. Throws NoAnswer where it is not the one expected.
 std::string Remote::hear(Reply expected) {
     Head head;
     receive(&head, sizeof head);
     // A thread may crash after an answer, when the next call is on its way: that is told of the call before.
     const bool of_before = head.reply == Reply::crashed && (head.number + 1 == number_ || head.number == 0);
     if ((head.number != number_ && !of_before) || head.reply > Reply::crashed)
-        throw Ended(Kind::left_early, "The program wrote to the pipe that its answers go through");
+        throw NoAnswer(Kind::left_early, "The program wrote to the pipe that its answers go through");
     if (head.bytes > most_bytes_)
-        throw Ended(Kind::left_early,
-                    "The answer was too long, " + std::to_string(head.bytes / sizeof(double)) + " numbers");
+        throw NoAnswer(Kind::left_early,
+                       "The answer was too long, " + std::to_string(head.bytes / sizeof(double)) + " numbers");
     std::string bytes(head.bytes, '\0');
     receive(bytes.data(), bytes.size());
-    if (head.reply == Reply::not_started) throw Ended(Kind::not_started, "");
-    if (head.reply == Reply::out_of_memory) throw Ended(Kind::too_much_memory, "");
+    if (head.reply == Reply::not_started) throw NoAnswer(Kind::not_started, "");
+    if (head.reply == Reply::out_of_memory) throw NoAnswer(Kind::too_much_memory, "");
     if (head.reply == Reply::arguments_changed)
-        throw Ended(Kind::wrong, "the arguments are only read: after the call the caller's are as they were");
+        throw NoAnswer(Kind::wrong, "the arguments are only read: after the call the caller's are as they were");
     if (head.reply == Reply::mode_changed)
-        throw Ended(Kind::wrong,
-                    "the call leaves the processor as it found it: rounding to nearest, no tiny "
-                    "number flushed to zero, full precision, no end of the program at 1/0, nothing "
-                    "left on the x87's stack");
+        throw NoAnswer(Kind::wrong,
+                       "the call leaves the processor as it found it: rounding to nearest, no tiny "
+                       "number flushed to zero, full precision, no end of the program at 1/0, nothing "
+                       "left on the x87's stack");
     if (head.reply == Reply::crashed) crash(bytes);
     if (head.reply != expected)
-        throw Ended(Kind::left_early, "The program wrote to the pipe that its answers go through");
+        throw NoAnswer(Kind::left_early, "The program wrote to the pipe that its answers go through");
     return bytes;
 }
 
@@ -275,18 +275,18 @@ void Remote::gone() {
         if (used < 0) used = seen.seconds;
         if (seen.seconds - used > 2 * turn) break;
     }
-    if (how.si_pid == 0) throw Ended(Kind::left_early, "The program closed the pipe that its answers go through");
+    if (how.si_pid == 0) throw NoAnswer(Kind::left_early, "The program closed the pipe that its answers go through");
     if (how.si_code == CLD_EXITED && launched_ && how.si_status > 128) {  // as a launcher says it
         how.si_code = CLD_KILLED;
         how.si_status -= 128;
     }
     if (how.si_code == CLD_EXITED)
-        throw Ended(Kind::left_early,
-                    "The program ended with status " + std::to_string(how.si_status) + " instead of returning");
-    if (how.si_status == SIGXCPU) throw Ended(Kind::too_slow, "");
+        throw NoAnswer(Kind::left_early,
+                       "The program ended with status " + std::to_string(how.si_status) + " instead of returning");
+    if (how.si_status == SIGXCPU) throw NoAnswer(Kind::too_slow, "");
     // Crashes are told before; so soon it is the system, which has no room for the variables.
-    if (number_ == 0 && how.si_status == SIGSEGV) throw Ended(Kind::too_much_memory, "");
-    throw Ended(Kind::crash, strsignal(how.si_status));
+    if (number_ == 0 && how.si_status == SIGSEGV) throw NoAnswer(Kind::too_much_memory, "");
+    throw NoAnswer(Kind::crash, strsignal(how.si_status));
 }
 
 }  // namespace checker

@@ -8,7 +8,7 @@
 
 #include <sys/types.h>
 
-#include "ended.hpp"
+#include "no_answer.hpp"
 #include "numbers.hpp"
 #include "pipe.hpp"
 
@@ -44,14 +44,14 @@ public:
     Remote& operator=(const Remote&) = delete;
 
     /// Waits for the first call to be possible: the learner's global variables are made before.
-    /// Throws Ended where it never is.
+    /// Throws NoAnswer where it never is.
     void await();
-    /// What the learner's code answers. Throws Ended where it does not.
+    /// What the learner's code answers. Throws NoAnswer where it does not.
     Numbers operator()(const Numbers& arguments);
-    /// The last call has been made: what the learner's code does at its end, it does now. Throws Ended where that is a
-    /// crash, or takes too much.
+    /// The last call has been made: what the learner's code does at its end, it does now. Throws NoAnswer where that is
+    /// a crash, or takes too much.
     void await_end();
-    /// Ends the worker. Throws Ended where memcheck has found something.
+    /// Ends the worker. Throws NoAnswer where memcheck has found something.
     void close_down();
 
 private:

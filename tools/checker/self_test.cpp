@@ -88,7 +88,7 @@ void test_slips(const std::string& exercise) {
             const Answer slipping = [&](const Numbers& arguments) {
                 const Numbers result = slip::answered(answer, arguments, made);
                 leads_nowhere |= result.empty();
-                if (result.empty()) throw Ended(Kind::crash, "a slip that leads nowhere");
+                if (result.empty()) throw NoAnswer(Kind::crash, "a slip that leads nowhere");
                 const Numbers truth = truth_of_exercise(exercise).answer(arguments);
                 for (std::size_t i = 0; i < std::min(truth.size(), result.size()); ++i)
                     most = std::max(most, std::fabs(result[i] - truth[i]) / std::max(1e-300, std::fabs(truth[i])));

@@ -17,8 +17,8 @@ struct Variants {
 };
 
 /// Filled before main.
-bool know_variants(const std::string& exercise, const Answer& stub, const Answer& solution,
-                   std::vector<std::pair<std::string, Answer>> correct);
+bool register_variants(const std::string& exercise, const Answer& stub, const Answer& solution,
+                       std::vector<std::pair<std::string, Answer>> correct);
 const Variants& variants_of(const std::string& exercise);
 
 }  // namespace checker

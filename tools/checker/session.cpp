@@ -10,8 +10,8 @@
 #include <catch2/interfaces/catch_interfaces_capture.hpp>
 
 #include "exercise.hpp"
-#include "shown.hpp"
-#include "sides.hpp"
+#include "evidence.hpp"
+#include "last_comparison.hpp"
 #include "slips.hpp"
 
 namespace checker {
@@ -67,7 +67,7 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
     verdict_ = {};
     last_ = {};
     spoken_ = nullptr;
-    sides_begin();
+    begin_comparisons();
 
     const int failures = run("[" + exercise + "]");
     if (verdict_.property.empty() && failures != 0) {
@@ -90,19 +90,19 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
     if (verdict_.kind == Kind::wrong || verdict_.kind == Kind::not_finite)
         verdict_.misconception = diagnose(exercise, truth_, calls_);
     const bool has_failed = (verdict_.kind == Kind::wrong && !ended_) || verdict_.kind == Kind::not_finite;
-    if (has_failed && spoken_ && truth_.answer) find_simplest(all_hold ? first_wrong_in_ : verdict_.property);
+    if (has_failed && spoken_ && truth_.answer) shrink(all_hold ? first_wrong_in_ : verdict_.property);
     tell_call();
     if (verdict_.kind == Kind::wrong && !verdict_.right.empty()) verdict_.detail.clear();  // that says more
     return verdict_;
 }
 
 Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
-    sides_call();
+    forget_comparison();
     if (search_) return call_in_search(arguments, spoken);
     if (ended_ && ended_->kind != Kind::not_finite) throw *ended_;
     spoken_ = &spoken;
     Numbers result;
-    const auto end = [&](const Ended& ended) {
+    const auto end = [&](const NoAnswer& ended) {
         ended_ = ended;
         is_too_late_ = ended.kind == Kind::too_slow && verdict_.kind != Kind::pass;
         if (!is_too_late_) last_ = {arguments, {}};
@@ -110,12 +110,12 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
     };
     try {
         result = answer_(arguments);
-    } catch (const Ended& ended) {
+    } catch (const NoAnswer& ended) {
         end(ended);
     } catch (const exercise::NotStarted&) {
-        end(Ended(Kind::not_started, ""));
+        end(NoAnswer(Kind::not_started, ""));
     }
-    if (!spoken.is_result(result)) end(Ended(Kind::left_early, "The answer was not made as its type demands"));
+    if (!spoken.is_result(result)) end(NoAnswer(Kind::left_early, "The answer was not made as its type demands"));
     const Call made{arguments, result, is_finite(result) && is_right(truth_, arguments, result, within_, spoken)};
     kept_ += arguments.size() + result.size();
     if (calls_.size() < 100'000 && kept_ < 4'000'000) calls_.push_back(made);
@@ -126,8 +126,8 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
         if (!made.right && !shown_) shown_ = made;
     }
     if (!is_finite(result)) {
-        if (!ended_ && verdict_.kind == Kind::pass) ended_ = Ended(Kind::not_finite, "");
-        throw Ended(Kind::not_finite, "");
+        if (!ended_ && verdict_.kind == Kind::pass) ended_ = NoAnswer(Kind::not_finite, "");
+        throw NoAnswer(Kind::not_finite, "");
     }
     return result;
 }
@@ -135,24 +135,24 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
 void Session::show_last() {
     if (search_ && !search_->doubted && !search_->calls.empty()) search_->doubted = search_->calls.back();
     if (!search_ && !doubted_) doubted_ = last_;
-    sides_break();
+    keep_comparison();
 }
 
 // The properties after the first that breaks are looked at all the same: their calls help to tell
 // one mistake from another.
 void Session::looked_at(const std::string& property, bool holds) {
     if (search_) search_->holds = holds;
-    if (!holds) sides_break();
+    if (!holds) keep_comparison();
     if (verdict_.kind != Kind::pass) return;
     if (holds) {
         shown_.reset();
         doubted_.reset();
-        sides_begin();
+        begin_comparisons();
         return;
     }
     verdict_.kind = Kind::wrong;
     verdict_.property = property;
-    verdict_.detail = sides_said();
+    verdict_.detail = kept_comparison();
 }
 
 // Ten digits are read more easily. Do they lead whoever works the call out by hand to another answer?

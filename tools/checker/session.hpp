@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "answer.hpp"
-#include "ended.hpp"
+#include "no_answer.hpp"
 #include "truth.hpp"
 
 namespace checker {
@@ -43,7 +43,7 @@ public:
     /// Checks `answer` by the properties of `exercise`, with inputs drawn from `seed`.
     Verdict check(const std::string& exercise, const Answer& answer, std::uint64_t seed);
 
-    /// Calls the answer under check. Throws Ended where it gives none, or one that is not finite.
+    /// Calls the answer under check. Throws NoAnswer where it gives none, or one that is not finite.
     Numbers call(const Numbers& arguments, const Spoken& spoken);
     /// What is wrong was seen at the last call: that is shown, whatever is called behind it.
     void show_last();
@@ -71,7 +71,7 @@ private:
     int run(const std::string& properties) const;
     Search searched(const std::string& property, const Answer& answer, unsigned stream, std::size_t most);
     Numbers call_in_search(const Numbers& arguments, const Spoken& spoken);
-    void find_simplest(const std::string& property);
+    void shrink(const std::string& property);
     double effort_of(const Call& call) const;
     void tell_call();
     Digits digits_for(const Call& call) const;
@@ -89,7 +89,7 @@ private:
     std::optional<Call> first_wrong_, shown_;  // the first wrong answer of all, and of the property in hand
     std::optional<Call> doubted_;              // where only the property itself knows what is wrong
     std::string first_wrong_in_;               // the property that called for it
-    std::optional<Ended> ended_;               // no use in calling again
+    std::optional<NoAnswer> ended_;            // no use in calling again
     bool is_too_late_ = false;                 // to be too slow: before, a property has failed
     Verdict verdict_;
 };
@@ -106,11 +106,11 @@ std::size_t long_numbers(const std::string& text);
 std::string diagnose(const std::string& exercise, const Truth& truth, const std::vector<Call>& calls);
 
 /// What is known of an exercise, filled before main: the right answer, how near to it an answer must be, and mistakes.
-bool know_truth(const std::string& exercise, Truth truth);
+bool register_truth(const std::string& exercise, Truth truth);
 const Truth& truth_of_exercise(const std::string& exercise);
-bool know_within(const std::string& exercise, Within within);
+bool register_tolerance(const std::string& exercise, Within within);
 const Within& within(const std::string& exercise);
-bool know(const std::string& exercise, std::vector<Mistake> mistakes);
+bool register_mistakes(const std::string& exercise, std::vector<Mistake> mistakes);
 const std::vector<Mistake>& mistakes_of(const std::string& exercise);
 
 }  // namespace checker

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shown.hpp"
+#include "evidence.hpp"
 #include "slips.hpp"
 
 namespace checker {

@@ -7,8 +7,8 @@ include(CheckCXXCompilerFlag)
 include(CheckCXXSourceCompiles)
 
 # What judges an answer, in a process beside it or (on Windows) in the answer's own.
-set(TIMESTEP_JUDGE diagnose families keyed known property property_eigen session sides simplest truth where
-  slips/slip slips/slipped learner/solve_linear)
+set(TIMESTEP_JUDGE diagnose generic_mistakes last_comparison random_stream registry property property_eigen session shrink truth wrong_region
+  slips/slip slips/diagnose_slip learner/solve_linear)
 list(TRANSFORM TIMESTEP_JUDGE REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/tools/checker/\\1.cpp")
 
 function(timestep_check_learners told)

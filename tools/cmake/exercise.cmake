@@ -105,12 +105,12 @@ int main() {
     return checker::serve(checker::answer_of(&@name@));
 }
 " @ONLY)
-  file(CONFIGURE OUTPUT "${generated}/${name}_here.cpp" CONTENT
+  file(CONFIGURE OUTPUT "${generated}/${name}_check_in_process.cpp" CONTENT
 "#include \"@name@.hpp\"
-#include \"here.hpp\"
+#include \"check_in_process.hpp\"
 
 int main(int count, char** words) {
-    return checker::check_here(\"@name@\", checker::answer_of(&@name@), count, words);
+    return checker::check_in_process(\"@name@\", checker::answer_of(&@name@), count, words);
 }
 " @ONLY)
   file(CONFIGURE OUTPUT "${generated}/${name}_hidden.cpp" CONTENT
@@ -128,7 +128,7 @@ namespace mistakes {
 namespace solution {
 #include \"@source@/@solution@\"
 }
-const bool known = checker::know(\"@name@\", mistakes::all) && checker::know_truth(\"@name@\", checker::function_of(&solution::@name@));
+const bool known = checker::register_mistakes(\"@name@\", mistakes::all) && checker::register_truth(\"@name@\", checker::function_of(&solution::@name@));
 namespace slips {
 #include \"@name@_slips.hpp\"
 }
@@ -153,7 +153,7 @@ namespace correct {
 #include \"@source@/@room@/correct.cpp\"
 #include \"@name@_correct.hpp\"
 }
-const bool known = checker::know_variants(\"@name@\", checker::answer_of(&stub::@name@), checker::answer_of(&solution::@name@), correct::all);
+const bool known = checker::register_variants(\"@name@\", checker::answer_of(&stub::@name@), checker::answer_of(&solution::@name@), correct::all);
 }
 " @ONLY)
 endfunction()

@@ -119,7 +119,7 @@ Pile gather(const Grading& grading) {
     all.left_out = std::move(found.left_out);
     std::map<std::string, std::vector<std::string>> inside;  // what is left out of submissions, by its own name
     for (const Submission& submission : all.submissions) {
-        Answers answers = answers_in(submission, all.exercises);
+        Answers answers = collect_answers(submission, all.exercises);
         for (HandedIn& answer : answers.all) all.answers.push_back(std::move(answer));
         for (const std::string& place : answers.left_out) {
             const std::string name = fs::path(place).filename().string();

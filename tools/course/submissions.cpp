@@ -6,7 +6,7 @@
 #include <cstring>
 #include <set>
 
-#include "left_out.hpp"
+#include "ignored_files.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
 
@@ -48,7 +48,7 @@ namespace {
 bool holds_answers(const fs::path& place, const std::vector<Exercise>& exercises) {
     std::error_code error;
     if (!fs::is_directory(fs::symlink_status(place, error))) return false;
-    const auto answers = answers_in({"", place}, exercises).all;
+    const auto answers = collect_answers({"", place}, exercises).all;
     return std::any_of(answers.begin(), answers.end(), [](const HandedIn& answer) { return !answer.file.empty(); });
 }
 
@@ -74,7 +74,7 @@ std::vector<std::string> learners_in(const fs::path& folder, const std::vector<E
         if (name == "exercises" || is_answer(entry->path(), all_exercises())) return {};
         const bool chapter = std::any_of(all_exercises().begin(), all_exercises().end(),
                                          [&](const Exercise& exercise) { return exercise.chapter == name; });
-        if (!chapter && !name.starts_with(".") && !is_litter(name) &&
+        if (!chapter && !name.starts_with(".") && !is_ignored(name) &&
             (holds_answers(entry->path(), exercises) || holds_answers(entry->path(), all_exercises())))
             names.push_back(in_one_line(name));
     }
@@ -121,7 +121,7 @@ Submissions find_submissions(const fs::path& place, const std::vector<Exercise>&
     std::vector<std::string> beside;  // what is left out where it is one
     for (const fs::path& entry : entries) {
         const std::string name = entry.filename().string(), written = in_one_line(name);
-        if (is_litter(name)) {
+        if (is_ignored(name)) {
             if (holds_answers(entry, all_exercises()))
                 refuse("'" + written + "' holds an answer, and a folder of that name is left out: rename it");
             found.left_out.push_back(written);

@@ -47,8 +47,8 @@ Submissions find_submissions(const std::filesystem::path& place, const std::vect
 /// after another exercise. A submission that is one file is the answer to the only exercise, or to the one
 /// it is named after. No link is followed. Where an answer lies only in a folder that is left out, or only by its name
 /// in other letters or with another ending, it is refused, with the reason; and beside an answer it is named. For .cpp
-/// there may be .cc, .cxx or .c++. (answers_in.cpp)
-Answers answers_in(const Submission& submission, const std::vector<Exercise>& exercises);
+/// there may be .cc, .cxx or .c++. (collect_answers.cpp)
+Answers collect_answers(const Submission& submission, const std::vector<Exercise>& exercises);
 
 /// The text of an answer that is handed in. Throws Stop(bad_use), one line, where it is no file, is
 /// larger than 1 MB, or cannot be read. No link is followed.

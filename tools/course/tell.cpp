@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "defined_otherwise.hpp"
+#include "uncallable_definition.hpp"
 #include "misconception.hpp"
-#include "seen_in_answer.hpp"
+#include "answer_lint.hpp"
 #include "terminal.hpp"
 
 namespace course {
@@ -41,7 +41,7 @@ std::string of_linker(const Exercise& exercise, const std::string& said, const f
     if (said.find("undefined reference to `" + exercise.name + "(") != std::string::npos ||
         said.find("undefined reference to '" + exercise.name + "(") != std::string::npos ||
         said.find("undefined symbol: " + exercise.name + "(") != std::string::npos) {
-        const std::string otherwise = defined_otherwise(contents(file), exercise.name);
+        const std::string otherwise = uncallable_definition(contents(file), exercise.name);
         return "  The file has no function\n      " + exercise.declaration + "\n" +
                (otherwise.empty() ? "  Name and arguments must stay as they were.\n"
                                   : wrapped("It has a function of that name, " + otherwise, 2));
@@ -56,7 +56,7 @@ std::string of_linker(const Exercise& exercise, const std::string& said, const f
 // The header of that name is read before the learner's file.
 std::string of_declaration(const Exercise& exercise, const std::string& said, const fs::path& file) {
     if (said.find("what the exercise declares:") == std::string::npos) return {};
-    const std::string otherwise = defined_otherwise(contents(file), exercise.name);
+    const std::string otherwise = uncallable_definition(contents(file), exercise.name);
     return "  The file declares the function otherwise than the exercise does:\n      " + exercise.declaration + "\n" +
            (otherwise.empty() ? "  The type it returns, name and arguments must stay as they were.\n\n"
                               : wrapped("It has a function of that name, " + otherwise, 2) + "\n");
@@ -110,7 +110,7 @@ std::string wrong(const Exercise& exercise, const Verdict& verdict, const fs::pa
                 wrapped(call(exercise, verdict) + ", which returned " + verdict.result, 6) + "\n";
     if (!verdict.detail.empty()) text += wrapped(verdict.detail, 2) + "\n";
     const std::string mistake = told_of(exercise, verdict.misconception);
-    const std::string seen = seen_in_answer(exercise, verdict, file);
+    const std::string seen = answer_lint(exercise, verdict, file);
     if (!mistake.empty()) return text + mistake + seen;
     if (!seen.empty()) return text + seen.substr(1);  // a blank line is there
     return text + wrapped(
@@ -129,13 +129,13 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
                                        "must be a finite number.",
                                    2);
         const std::string mistake = told_of(exercise, verdict.misconception);
-        return text + (mistake.empty() ? mistake : "\n" + mistake) + seen_in_answer(exercise, verdict, file);
+        return text + (mistake.empty() ? mistake : "\n" + mistake) + answer_lint(exercise, verdict, file);
     }
     if (kind == "crash") {
         std::string text = wrapped(verdict.detail + ", " + when(exercise, verdict), 2);
         if (verdict.line > 0)
             text += "  Line " + std::to_string(verdict.line) + ":  " + line_of(file, verdict.line) + "\n";
-        return text + seen_in_answer(exercise, verdict, file);
+        return text + answer_lint(exercise, verdict, file);
     }
     if (kind == "too_slow" && verdict.detail == too_much_work_for_the_tests)
         return wrapped(

@@ -12,7 +12,7 @@
 #include "json_of.hpp"
 #include <sys/prctl.h>
 
-#include "included.hpp"
+#include "forbidden_includes.hpp"
 #include "places.hpp"
 #include "process.hpp"
 #include "stop.hpp"
@@ -285,7 +285,8 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     put_before(compile, around);
     const bool compiles = succeeds(compile, temporary, verdict, patience);
     if (!compiles) stop_if_broken(around, verdict.compiler);
-    const std::string not_own = not_ones_own(files_in({object.string() + ".d", object.string() + ".incbin.d"}), file);
+    const std::string not_own =
+        forbidden_include(files_in({object.string() + ".d", object.string() + ".incbin.d"}), file);
     if (!compiles && not_own.empty() && watch == Watch::nobody)
         stop_if_damaged(exercise, commands, sandbox, temporary, false, patience);
     if (!not_own.empty()) verdict.compiler = not_own;

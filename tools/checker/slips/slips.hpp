@@ -39,7 +39,7 @@ const char* name_of(Form form);
 }  // namespace slip
 
 /// The right answers of an exercise, written so that they can slip.
-bool know_slips(const std::string& exercise, std::vector<Answer> answers);
+bool register_slips(const std::string& exercise, std::vector<Answer> answers);
 const std::vector<Answer>& slips_of(const std::string& exercise);
 
 }  // namespace checker

@@ -624,6 +624,6 @@ int main(int argc, char** argv) {
     }
     std::ofstream out(argv[2]);
     out << "// Written by write_slips from " << name << "'s right answers.\nnamespace slip = checker::slip;\n"
-        << code << "const bool slips_known = checker::know_slips(\"" << name << "\", {" << list << "});\n";
+        << code << "const bool slips_known = checker::register_slips(\"" << name << "\", {" << list << "});\n";
     return out.good() ? 0 : 2;
 }

@@ -1,7 +1,7 @@
 #include "longest_parabola_step.hpp"
 
 #include "property.hpp"
-#include "sides.hpp"
+#include "last_comparison.hpp"
 
 // A part in a million off is near enough, and where no step is stable a search may end at a tiny
 // one: the properties say how near, on both sides of the limit.

@@ -1,7 +1,7 @@
 #include "tr_bdf2_step.hpp"
 
 #include "property.hpp"
-#include "sides.hpp"
+#include "last_comparison.hpp"
 
 // Far out R is some 5/z, and whoever adds up rates, which are |z| times as large as the velocity, loses |z|
 // roundoffs: how many digits must be right, the properties say.

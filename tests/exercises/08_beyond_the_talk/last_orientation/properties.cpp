@@ -1,7 +1,7 @@
 #include "last_orientation.hpp"
 
 #include "property_eigen.hpp"
-#include "sides.hpp"
+#include "last_comparison.hpp"
 
 // There are several turns of order two that the mean of two spins may stand for: by its angle, by Cayley's formula,
 // by halves. It is the properties that say how near they are to each other.

@@ -1,4 +1,4 @@
-#include "keyed.hpp"
+#include "random_stream.hpp"
 
 #include <bit>
 
@@ -40,9 +40,10 @@ std::uint64_t siphash(const std::array<std::uint64_t, 2>& key, std::string_view 
     return a ^ b ^ c ^ d;
 }
 
-Keyed::Keyed(std::uint64_t seed, std::string_view name) : key_{siphash({seed, 0}, name), siphash({seed, 1}, name)} {}
+RandomStream::RandomStream(std::uint64_t seed, std::string_view name)
+    : key_{siphash({seed, 0}, name), siphash({seed, 1}, name)} {}
 
-std::uint64_t Keyed::next() {
+std::uint64_t RandomStream::next() {
     char text[8];
     for (int i = 0; i < 8; ++i) text[i] = static_cast<char>(count_ >> (8 * i));
     ++count_;

@@ -1,4 +1,4 @@
-#include "here.hpp"
+#include "check_in_process.hpp"
 
 #include <charconv>
 #include <chrono>
@@ -25,20 +25,20 @@ Answer told_as_ended(const Answer& answer) {
         } catch (const exercise::NotStarted&) {
             throw;
         } catch (const ArgumentsChanged&) {
-            throw Ended(Kind::wrong, "the arguments are only read: after the call the caller's are as they were");
+            throw NoAnswer(Kind::wrong, "the arguments are only read: after the call the caller's are as they were");
         } catch (const std::bad_alloc&) {
-            throw Ended(Kind::too_much_memory, "");
+            throw NoAnswer(Kind::too_much_memory, "");
         } catch (const std::exception& error) {
-            throw Ended(Kind::crash, std::string("an exception that nobody caught: ") + error.what());
+            throw NoAnswer(Kind::crash, std::string("an exception that nobody caught: ") + error.what());
         } catch (...) {
-            throw Ended(Kind::crash, "an exception that nobody caught");
+            throw NoAnswer(Kind::crash, "an exception that nobody caught");
         }
     };
 }
 
 }  // namespace
 
-int check_here(const std::string& name, const Answer& answer, int count, char** words) {
+int check_in_process(const std::string& name, const Answer& answer, int count, char** words) {
     std::uint64_t seed = std::random_device{}();
     if (count > 1) {
         const char* const end = words[1] + std::strlen(words[1]);

@@ -26,9 +26,9 @@ bool below(const std::string& what, double found, double limit);
 bool above(const std::string& what, double found, double limit);
 
 /// For the session: a property begins; the answer is called; the property breaks here. And what was said of it.
-void sides_begin();
-void sides_call();
-void sides_break();
-std::string sides_said();
+void begin_comparisons();
+void forget_comparison();
+void keep_comparison();
+std::string kept_comparison();
 
 }  // namespace checker

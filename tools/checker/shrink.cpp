@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shown.hpp"
-#include "sides.hpp"
+#include "evidence.hpp"
+#include "last_comparison.hpp"
 
 namespace checker {
 
@@ -62,7 +62,7 @@ Numbers Session::call_in_search(const Numbers& arguments, const Spoken& spoken) 
     Search& search = *search_;
     if (search.is_over || search.calls.size() == search.most) {
         search.is_over = true;
-        throw Ended(Kind::too_slow, "");
+        throw NoAnswer(Kind::too_slow, "");
     }
     Numbers result;
     try {
@@ -72,17 +72,17 @@ Numbers Session::call_in_search(const Numbers& arguments, const Spoken& spoken) 
         throw;
     }
     search.is_over = !spoken.is_result(result);
-    if (search.is_over) throw Ended(Kind::left_early, "");
+    if (search.is_over) throw NoAnswer(Kind::left_early, "");
     const bool finite = is_finite(result);
     search.calls.push_back({arguments, result, finite && is_right(truth_, arguments, result, within_, spoken)});
-    if (!finite) throw Ended(Kind::not_finite, "");
+    if (!finite) throw NoAnswer(Kind::not_finite, "");
     return result;
 }
 
 Session::Search Session::searched(const std::string& property, const Answer& answer, unsigned stream,
                                   std::size_t most) {
     search_ = Search{answer, stream, most, {}, {}, true, false};
-    sides_begin();
+    begin_comparisons();
     run(by_name(property) + "[" + exercise_ + "]");
     Search found = std::move(*search_);
     search_.reset();
@@ -91,7 +91,7 @@ Session::Search Session::searched(const std::string& property, const Answer& ans
 
 // The answer is asked at most as often again as in the check. What the course's own answer fails in, too, is no case.
 // A case of the mistake that is named goes before all others.
-void Session::find_simplest(const std::string& property) {
+void Session::shrink(const std::string& property) {
     struct Found {
         Call call;
         std::string said;
@@ -122,7 +122,7 @@ void Session::find_simplest(const std::string& property) {
         if (by_call || found.holds || found.calls.empty()) continue;
         const Call seen = found.doubted ? *found.doubted : found.calls.back();
         if (!is_finite(seen.result) || effort_of(seen) >= of_name.effort) continue;
-        const std::string said = sides_said();
+        const std::string said = kept_comparison();
         const Search right = searched(property, truth_.answer, stream, 100'000);
         if (right.holds && !right.doubted) take(seen, said);
     }

@@ -1,4 +1,4 @@
-#include "seen_in_answer.hpp"
+#include "answer_lint.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -97,7 +97,7 @@ bool keeps_by_auto(const std::string& code) {
 
 }  // namespace
 
-std::string seen_in_answer(const Exercise& exercise, const Verdict& verdict, const std::filesystem::path& file) {
+std::string answer_lint(const Exercise& exercise, const Verdict& verdict, const std::filesystem::path& file) {
     const std::string code = without_comments(contents(file));
     std::string text;
     if (const auto found = quotient_of_whole_numbers(code, exercise.declaration)) {

@@ -11,7 +11,7 @@ namespace checker {
 enum class Kind {
     pass,
     not_started,      ///< the file still says `not_started`
-    wrong,            ///< a property does not hold; of Ended: one that all functions have
+    wrong,            ///< a property does not hold; of NoAnswer: one that all functions have
     not_finite,       ///< an answer is NaN or infinite
     crash,            ///< a signal, or an exception that nobody caught
     too_slow,         ///< a call took more than it may
@@ -30,8 +30,8 @@ inline constexpr const char *too_slow_asleep = "asleep", *too_slow_by_the_clock 
 inline constexpr const char* at_the_end = "at the end";
 
 /// Thrown by an Answer that gave none.
-struct Ended : std::runtime_error {
-    Ended(Kind kind, const std::string& what, const std::string& trace = {})
+struct NoAnswer : std::runtime_error {
+    NoAnswer(Kind kind, const std::string& what, const std::string& trace = {})
         : std::runtime_error(what), kind(kind), trace(trace) {}
     Kind kind;
     std::string trace;  ///< of a crash: the addresses that lead to it, from the inside out

@@ -9,6 +9,6 @@
 namespace course {
 
 /// Paragraphs that stand below why the answer is wrong: of whole numbers that are divided, and of what `auto` keeps.
-std::string seen_in_answer(const Exercise& exercise, const Verdict& verdict, const std::filesystem::path& file);
+std::string answer_lint(const Exercise& exercise, const Verdict& verdict, const std::filesystem::path& file);
 
 }  // namespace course

@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "left_out.hpp"
+#include "ignored_files.hpp"
 #include "stop.hpp"
 #include "submissions.hpp"
 
@@ -72,7 +72,7 @@ struct Search {
                 return;
             }
             const std::string name = entry->path().filename().string();
-            if (is_litter(name) || (name.starts_with(".") && is_folder(*entry))) {
+            if (is_ignored(name) || (name.starts_with(".") && is_folder(*entry))) {
                 if (!is_of_the_course(entry->path())) left_out.push_back(below_root(entry->path()));
                 if (is_folder(*entry)) in_left_out(entry->path(), entry->path(), depth + 1);
                 continue;
@@ -140,7 +140,7 @@ const std::vector<Exercise>& all_exercises() {
     return all;
 }
 
-bool is_litter(const std::string& name) {
+bool is_ignored(const std::string& name) {
     static const std::set<std::string> names{".git",         ".svn",        ".hg",
                                              ".DS_Store",    "__MACOSX",    ".Spotlight-V100",
                                              ".Trashes",     ".fseventsd",  "@eaDir",
@@ -216,7 +216,7 @@ std::string text_of(const HandedIn& answer) {
     return text;
 }
 
-Answers answers_in(const Submission& submission, const std::vector<Exercise>& exercises) {
+Answers collect_answers(const Submission& submission, const std::vector<Exercise>& exercises) {
     Answers answers{std::vector<HandedIn>(exercises.size())};
     std::error_code error;
     const auto type = fs::symlink_status(submission.place, error).type();

@@ -14,7 +14,7 @@ namespace course {
 const std::vector<Exercise>& all_exercises();
 
 /// Is it what versions, file managers and archives leave beside the submissions, and beside each file of a Mac's?
-bool is_litter(const std::string& name);
+bool is_ignored(const std::string& name);
 
 /// Is it a part of the whole course, which lies in the same folder?
 bool is_of_the_course(const std::filesystem::path& entry);

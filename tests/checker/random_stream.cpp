@@ -1,7 +1,7 @@
 // Where the inputs of a check come from: the hash is the one whose strength is known, and each seed
 // and property has numbers of its own.
 
-#include "keyed.hpp"
+#include "random_stream.hpp"
 
 #include <cstdio>
 #include <set>
@@ -20,7 +20,7 @@ void expect(bool so, const char* what) {
 }  // namespace
 
 int main() {
-    using checker::Keyed, checker::siphash;
+    using checker::RandomStream, checker::siphash;
     // The test vectors of its authors: the key is the bytes 0 to 15, the text the bytes from 0 on.
     std::string text;
     for (char byte = 0; byte < 15; ++byte) text += byte;
@@ -35,7 +35,7 @@ int main() {
     std::set<std::uint64_t> all;
     for (const std::uint64_t seed : {0ull, 1ull, 1ull << 63})
         for (const char* const name : {"", "a property", "another property"}) {
-            Keyed keyed(seed, name), again(seed, name);
+            RandomStream keyed(seed, name), again(seed, name);
             for (int i = 0; i < 1000; ++i) {
                 const std::uint64_t number = keyed.next();
                 expect(number == again.next(), "a seed repeats its numbers");

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <functional>
 
-#include "shown.hpp"
+#include "evidence.hpp"
 
 namespace checker {
 
@@ -41,29 +41,30 @@ std::vector<Region> regions(std::size_t leading, bool has_list) {
 // Is one of the numbers above all those with which nearly all of the answers are right, or below? "where_above_2_1.5":
 // the least with which it is wrong is 1.5. Where all the others are zero, or next to nothing beside those with which it
 // is wrong: "where_nonzero_2".
-std::string beyond(const Truth& truth, const Shown& shown) {
-    if (shown.wrong.size() < many || shown.right.size() < many) return {};
+std::string beyond(const Truth& truth, const Evidence& evidence) {
+    if (evidence.wrong.size() < many || evidence.right.size() < many) return {};
     std::string where;
     for (std::size_t i = 0; i < std::min(truth.leading, most_numbers); ++i)
         for (const bool above : {true, false}) {
             double limit = HUGE_VAL;
-            for (const Call* call : shown.wrong)
+            for (const Call* call : evidence.wrong)
                 limit = std::min(limit, above ? call->arguments[i] : -call->arguments[i]);
             const auto is_beyond = [&](const Call* call) {
                 return (above ? call->arguments[i] : -call->arguments[i]) >= limit;
             };
-            const auto right_beyond = std::size_t(std::count_if(shown.right.begin(), shown.right.end(), is_beyond));
-            if (20 * right_beyond > shown.wrong.size() || shown.right.size() - right_beyond < many) continue;
+            const auto right_beyond =
+                std::size_t(std::count_if(evidence.right.begin(), evidence.right.end(), is_beyond));
+            if (20 * right_beyond > evidence.wrong.size() || evidence.right.size() - right_beyond < many) continue;
             if (!where.empty()) return {};  // which of the two?
             Numbers sizes;
-            for (const Call* call : shown.wrong) sizes.push_back(std::fabs(call->arguments[i]));
+            for (const Call* call : evidence.wrong) sizes.push_back(std::fabs(call->arguments[i]));
             std::nth_element(sizes.begin(), sizes.begin() + long(sizes.size() / 2), sizes.end());
             const double nothing = std::min(limit, 1e-5 * sizes[sizes.size() / 2]);
             const auto is_zero = [&](const Call* call) {
                 return is_beyond(call) || std::fabs(call->arguments[i]) <= nothing;
             };
             char text[48];
-            if (limit > 0 && std::all_of(shown.right.begin(), shown.right.end(), is_zero))
+            if (limit > 0 && std::all_of(evidence.right.begin(), evidence.right.end(), is_zero))
                 std::snprintf(text, sizeof text, "where_nonzero_%zu", i);
             else
                 std::snprintf(text, sizeof text, "where_%s_%zu_%.3g", above ? "above" : "below", i,
@@ -74,24 +75,24 @@ std::string beyond(const Truth& truth, const Shown& shown) {
 }
 
 // Is it in every wrong call one and the same of the numbers, or rows of numbers, that were given?
-bool is_given(const Shown& shown) {
-    const std::size_t size = shown.wrong[0]->result.size(), most = shown.wrong[0]->arguments.size();
+bool is_given(const Evidence& evidence) {
+    const std::size_t size = evidence.wrong[0]->result.size(), most = evidence.wrong[0]->arguments.size();
     for (std::size_t at = 0; at + size <= most; ++at) {
         const auto is_there = [&](const Call* call) {
             const Numbers& given = call->arguments;
             return call->result.size() == size && at + size <= given.size() &&
                    is_same(Numbers(given.begin() + long(at), given.begin() + long(at + size)), call->result);
         };
-        if (std::all_of(shown.wrong.begin(), shown.wrong.end(), is_there)) return true;
+        if (std::all_of(evidence.wrong.begin(), evidence.wrong.end(), is_there)) return true;
     }
     return false;
 }
 
 // What it is in every wrong call, where that is one thing: "given", or a whole number.
-std::string always(const Shown& shown) {
-    const Numbers& first = shown.wrong[0]->result;
+std::string always(const Evidence& evidence) {
+    const Numbers& first = evidence.wrong[0]->result;
     const auto is_first = [&](const Call* call) { return call->result == first; };
-    if (std::all_of(shown.wrong.begin(), shown.wrong.end(), is_first)) {
+    if (std::all_of(evidence.wrong.begin(), evidence.wrong.end(), is_first)) {
         const bool is_zero = std::all_of(first.begin(), first.end(), [](double x) { return x == 0; });
         if (is_zero || (first.size() == 1 && first[0] == std::floor(first[0]) && std::fabs(first[0]) < 1000)) {
             char text[16];
@@ -99,22 +100,22 @@ std::string always(const Shown& shown) {
             return text;
         }
     }
-    return is_given(shown) ? "given" : "";
+    return is_given(evidence) ? "given" : "";
 }
 
 }  // namespace
 
-std::string where_wrong(const Truth& truth, const std::vector<Call>& calls, const Shown& shown) {
-    if (shown.wrong.size() < few || shown.right.size() < few) return {};
+std::string wrong_region(const Truth& truth, const std::vector<Call>& calls, const Evidence& evidence) {
+    if (evidence.wrong.size() < few || evidence.right.size() < few) return {};
     std::string where;
     bool two = false;
     for (const Region& region : regions(truth.leading, truth.has_list)) {
         const auto inside = [&](const Call* call) { return region.holds(call->arguments); };
-        if (!std::all_of(shown.wrong.begin(), shown.wrong.end(), inside)) continue;
-        const auto right_inside = std::size_t(std::count_if(shown.right.begin(), shown.right.end(), inside));
+        if (!std::all_of(evidence.wrong.begin(), evidence.wrong.end(), inside)) continue;
+        const auto right_inside = std::size_t(std::count_if(evidence.right.begin(), evidence.right.end(), inside));
         // What holds nearly everywhere, or is mostly right there, says nothing.
-        if (2 * right_inside > shown.wrong.size() ||
-            shown.right.size() - right_inside < std::max(few, shown.wrong.size() / 4))
+        if (2 * right_inside > evidence.wrong.size() ||
+            evidence.right.size() - right_inside < std::max(few, evidence.wrong.size() / 4))
             continue;
         two = !where.empty();
         if (two) break;
@@ -123,21 +124,21 @@ std::string where_wrong(const Truth& truth, const std::vector<Call>& calls, cons
     if (two)
         where.clear();
     else if (where.empty())
-        where = beyond(truth, shown);
-    const std::string what = always(shown);
+        where = beyond(truth, evidence);
+    const std::string what = always(evidence);
     if (where.empty() && what.empty()) return {};
     // An answer that is always so tells nothing of where it is wrong.
     const bool else_too = std::all_of(calls.begin(), calls.end(),
-                                      [&](const Call& call) { return call.result == shown.wrong[0]->result; });
+                                      [&](const Call& call) { return call.result == evidence.wrong[0]->result; });
     if (else_too) return {};
     return what.empty() ? where : where.empty() ? "is_" + what : where + "_is_" + what;
 }
 
-bool is_case_of_where(const std::string& name, const Truth& truth, const Call& call) {
+bool is_case_of_region(const std::string& name, const Truth& truth, const Call& call) {
     const auto is = name.rfind("is_");
     const std::string what = is == std::string::npos ? "" : name.substr(is + 3),
                       where = name.substr(0, is == std::string::npos ? is : is - (is > 0));
-    const Shown one{{&call}, {}, {}, {}};
+    const Evidence one{{&call}, {}, {}, {}};
     if (!what.empty() && !(what == "given" ? is_given(one) : always(one) == what)) return false;
     for (const Region& region : regions(truth.leading, truth.has_list))
         if (region.name == where) return region.holds(call.arguments);
@@ -152,7 +153,7 @@ bool is_case_of_where(const std::string& name, const Truth& truth, const Call& c
     return above ? read >= limit : read <= limit;
 }
 
-bool is_near_thing(const Truth& truth, const Shown& shown) {
+bool is_near_thing(const Truth& truth, const Evidence& evidence) {
     constexpr double near = 3e-3;
     constexpr unsigned tries = 24;
     const auto flips = [&](const Numbers& arguments) {
@@ -161,13 +162,13 @@ bool is_near_thing(const Truth& truth, const Shown& shown) {
             if (truth.nudged(arguments, variation, near) != right) return true;
         return false;
     };
-    if (shown.wrong.size() < few || shown.right.size() < few) return false;
+    if (evidence.wrong.size() < few || evidence.right.size() < few) return false;
     std::size_t asked = 0, near_ones = 0;
-    for (std::size_t i = 0; i < shown.wrong.size(); i += 1 + shown.wrong.size() / 100, ++asked)
-        if (!flips(shown.wrong[i]->arguments)) return false;
+    for (std::size_t i = 0; i < evidence.wrong.size(); i += 1 + evidence.wrong.size() / 100, ++asked)
+        if (!flips(evidence.wrong[i]->arguments)) return false;
     asked = 0;
-    for (std::size_t i = 0; i < shown.right.size(); i += 1 + shown.right.size() / 100, ++asked)
-        near_ones += flips(shown.right[i]->arguments);
+    for (std::size_t i = 0; i < evidence.right.size(); i += 1 + evidence.right.size() / 100, ++asked)
+        near_ones += flips(evidence.right[i]->arguments);
     return 3 * near_ones < asked;
 }
 

@@ -1,4 +1,4 @@
-#include "defined_otherwise.hpp"
+#include "uncallable_definition.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -99,7 +99,7 @@ std::string difference(const Words& before, const Words& arguments, const std::v
 
 }  // namespace
 
-std::string defined_otherwise(const std::string& code, const std::string& name) {
+std::string uncallable_definition(const std::string& code, const std::string& name) {
     const Words words = words_of(code);
     std::vector<Scope> scopes;
     Words before;  // since the last statement

@@ -23,9 +23,9 @@ double moved(double x, double v) { return x + v; }
 double moved_by_square(double x, double v);
 double moved_by_square(double x, double v) { return x + v * v; }
 
-#define TOLD(name, relative)                                                             \
-    namespace of_##name {                                                                \
-        const bool is_known = checker::know_truth(#name, checker::function_of(&::name)); \
+#define TOLD(name, relative)                                                                 \
+    namespace of_##name {                                                                    \
+        const bool is_known = checker::register_truth(#name, checker::function_of(&::name)); \
         EXERCISE_WITHIN(name, relative);
 
 TOLD(product, 1e-14)
@@ -66,7 +66,7 @@ PROPERTY("times the gap it is one") {  // of two equal numbers nothing can be sa
 
 // Of the two only the second's calls are many.
 TOLD(moved, 2e-12)
-const bool knows = checker::know("moved", {{"by_square", checker::function_of(&moved_by_square)}});
+const bool knows = checker::register_mistakes("moved", {{"by_square", checker::function_of(&moved_by_square)}});
 PROPERTY("what stands, stays") {
     Draw draw;
     for (int i = 0; i < 2; ++i) {
@@ -177,7 +177,7 @@ int main() {
             "moved",
             [](const checker::Numbers& given) {
                 return given[1] == 0 ? checker::Numbers{given[0] + 1}
-                                     : throw checker::Ended(Kind::wrong, "arguments stay");
+                                     : throw checker::NoAnswer(Kind::wrong, "arguments stay");
             },
             seed);
         expect(verdict.property == "arguments stay" && verdict.right.empty() && verdict.detail.empty(),
@@ -188,10 +188,11 @@ int main() {
         expect(asked <= 400, "an answer is asked at most twice as often", seed, verdict);
         expect(verdict.kind == Kind::wrong, "an answer is asked at most twice as often", seed, verdict);
 
-        verdict = checker::session().check("product", counting(+[](double a, double b) {
-                                               return asked > 110 ? throw checker::Ended(Kind::crash, "late") : a + b;
-                                           }),
-                                           seed);
+        verdict =
+            checker::session().check("product", counting(+[](double a, double b) {
+                                         return asked > 110 ? throw checker::NoAnswer(Kind::crash, "late") : a + b;
+                                     }),
+                                     seed);
         expect(verdict.kind == Kind::wrong && verdict.detail.empty(),
                "a crash while a simpler case is looked for is not told", seed, verdict);
     }

@@ -6,14 +6,14 @@ set(generated "${PROJECT_BINARY_DIR}/exercises/generated")
 set(checker "${PROJECT_SOURCE_DIR}/tools/checker")
 set(course "${PROJECT_SOURCE_DIR}/tools/course")
 
-add_library(checks_here OBJECT EXCLUDE_FROM_ALL ${TIMESTEP_JUDGE} ${checker}/here.cpp ${checker}/reporter.cpp
+add_library(checks_in_process OBJECT EXCLUDE_FROM_ALL ${TIMESTEP_JUDGE} ${checker}/check_in_process.cpp ${checker}/reporter.cpp
   ${course}/exercises.cpp ${course}/files.cpp ${course}/json_of.cpp ${course}/misconception.cpp ${course}/nearest.cpp
-  ${course}/places.cpp ${course}/seen_in_answer.cpp ${course}/tell.cpp ${course}/terminal.cpp)
-target_link_libraries(checks_here PUBLIC timestep Catch2::Catch2 PRIVATE nlohmann_json::nlohmann_json timestep_warnings)
-target_include_directories(checks_here PUBLIC ${checker} ${checker}/learner ${checker}/slips "${generated}" PRIVATE ${course})
-target_compile_definitions(checks_here PUBLIC CATCH_CONFIG_DISABLE_STRINGIFICATION PRIVATE
+  ${course}/places.cpp ${course}/answer_lint.cpp ${course}/tell.cpp ${course}/terminal.cpp)
+target_link_libraries(checks_in_process PUBLIC timestep Catch2::Catch2 PRIVATE nlohmann_json::nlohmann_json timestep_warnings)
+target_include_directories(checks_in_process PUBLIC ${checker} ${checker}/learner ${checker}/slips "${generated}" PRIVATE ${course})
+target_compile_definitions(checks_in_process PUBLIC CATCH_CONFIG_DISABLE_STRINGIFICATION PRIVATE
   TIMESTEP_SOURCE="${PROJECT_SOURCE_DIR}" TIMESTEP_BUILD="${PROJECT_BINARY_DIR}" TIMESTEP_CMAKE="" TIMESTEP_CTEST="")
-target_compile_options(checks_here PUBLIC -O1)
+target_compile_options(checks_in_process PUBLIC -O1)
 
 timestep_answer_writers()
 
@@ -40,8 +40,8 @@ foreach(room IN LISTS rooms)
     "-include;${header};-include;${name}_declared.hpp;-Wall;-Wextra;-Wno-unused-parameter;-Werror=return-type;-D_GLIBCXX_ASSERTIONS")
   set_source_files_properties("${generated}/${name}_hidden.cpp" PROPERTIES COMPILE_OPTIONS -Wno-unused-parameter
     OBJECT_DEPENDS "${generated}/${name}_slips.hpp;${generated}/${name}_mistakes.hpp")
-  add_executable(here_${name} EXCLUDE_FROM_ALL "${ANSWER_${name}}" "${generated}/${name}_here.cpp"
+  add_executable(in_process_${name} EXCLUDE_FROM_ALL "${ANSWER_${name}}" "${generated}/${name}_check_in_process.cpp"
     "${generated}/${name}_hidden.cpp" "${generated}/${name}_slips.hpp" "${generated}/${name}_mistakes.hpp")
-  target_link_libraries(here_${name} PRIVATE checks_here)
-  add_custom_target(check_${name} COMMAND here_${name} USES_TERMINAL VERBATIM)
+  target_link_libraries(in_process_${name} PRIVATE checks_in_process)
+  add_custom_target(check_${name} COMMAND in_process_${name} USES_TERMINAL VERBATIM)
 endforeach()

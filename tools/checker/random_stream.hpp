@@ -14,9 +14,9 @@ std::uint64_t siphash(const std::array<std::uint64_t, 2>& key, std::string_view 
 
 /// 64 random bits, one after the other: the hashes of 0, 1, 2, … by a key that seed and name
 /// decide.
-class Keyed {
+class RandomStream {
 public:
-    Keyed(std::uint64_t seed, std::string_view name);
+    RandomStream(std::uint64_t seed, std::string_view name);
     std::uint64_t next();
 
 private:

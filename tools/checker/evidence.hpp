@@ -9,7 +9,7 @@
 namespace checker {
 
 /// Calls whose answers were wrong, what was right there, and calls whose answers were right.
-struct Shown {
+struct Evidence {
     std::vector<const Call*> wrong, right;
     std::vector<Numbers> truth;     ///< of each of the wrong ones
     std::vector<Numbers> roundoff;  ///< what that of the arguments makes of each number of these
@@ -20,7 +20,7 @@ struct Shown {
 
 inline constexpr std::size_t enough_calls = 2000;  ///< are looked at, of the wrong ones and of the right ones
 
-/// Is the call a case of the mistake of that name, whichever it is of those below? What the learner is shown must be.
+/// Is the call a case of the mistake of that name? The call that the learner is shown must be one.
 /// (diagnose.cpp)
 bool is_case_of(const std::string& exercise, const Truth& truth, const std::string& name, const Call& call);
 
@@ -38,33 +38,33 @@ bool is_same(const Numbers& made, const Numbers& found);
 
 /// The slip, or the two at once, that answer as the learner does: their kinds' names, as "slip_sign" or
 /// "slip_sign_term"; nothing where none does. `counted`: of a yes and a no, or of counts, many agree by chance; two
-/// slips at once are not asked then. (slips/slipped.cpp) Or `not_told`, where two do that say the opposite.
+/// slips at once are not asked then. (slips/diagnose_slip.cpp) Or `not_told`, where two do that say the opposite.
 inline constexpr const char* not_told = "slip_";
-std::string slip_of(const std::string& exercise, const Shown& shown, bool counted);
-std::string two_slips_of(const std::string& exercise, const Shown& shown);
+std::string slip_of(const std::string& exercise, const Evidence& evidence, bool counted);
+std::string two_slips_of(const std::string& exercise, const Evidence& evidence);
 /// `one`: a call as often as if it were all that are wrong.
-bool is_case_of_slip(const std::string& exercise, const std::string& name, const Shown& one);
+bool is_case_of_slip(const std::string& exercise, const std::string& name, const Evidence& one);
 
 /// Is the answer wrong only where one of the arguments is zero, negative or positive, or a list is empty, and is it
 /// there always what was given, or one whole number? "where_negative_2", "is_given", "where_zero_0_is_-1"; else
 /// nothing.
-std::string where_wrong(const Truth& truth, const std::vector<Call>& calls, const Shown& shown);
-bool is_case_of_where(const std::string& name, const Truth& truth, const Call& call);
+std::string wrong_region(const Truth& truth, const std::vector<Call>& calls, const Evidence& evidence);
+bool is_case_of_region(const std::string& name, const Truth& truth, const Call& call);
 /// Of counts, and of yes and no: is it wrong only where a little less of the arguments makes another of the right
-/// answer? (where.cpp)
-bool is_near_thing(const Truth& truth, const Shown& shown);
+/// answer? (wcheck_in_process.cpp)
+bool is_near_thing(const Truth& truth, const Evidence& evidence);
 
 /// By what is the answer off, in nearly every call: "twice", "minus".
-std::string family_of(const Shown& shown);
+std::string generic_mistake_of(const Evidence& evidence);
 /// Is it no where it should be yes, and yes where it should be no, in every call?
-bool is_negated(const std::vector<Call>& calls, const Shown& shown);
+bool is_negated(const std::vector<Call>& calls, const Evidence& evidence);
 /// Is a count off by one, and always to one side, wherever it is wrong?
-std::string off_by_one(const Shown& shown);
+std::string off_by_one(const Evidence& evidence);
 /// Mistakes that make the answer inexact, whatever the exercise.
-std::string inexact(const Truth& truth, const Shown& shown);
+std::string inexact(const Truth& truth, const Evidence& evidence);
 /// Wherever it is wrong, is it what was given, changed twice as much as it should be, half, or the other way?
-std::string changed(const Truth& truth, const Shown& shown);
-bool is_case_of_family(const std::string& name, const Truth& truth, const Shown& one);
-/// (families.cpp)
+std::string changed(const Truth& truth, const Evidence& evidence);
+bool is_case_of_generic_mistake(const std::string& name, const Truth& truth, const Evidence& one);
+/// (generic_mistakes.cpp)
 
 }  // namespace checker

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "shown.hpp"
+#include "evidence.hpp"
 #include "slips.hpp"
 
 namespace checker {
@@ -41,22 +41,23 @@ struct Weighed {
 // An answer beside the calls of a check.
 class Fitting {
 public:
-    Fitting(const Answer& answer, const Shown& shown, bool counted, bool is_solution = true)
+    Fitting(const Answer& answer, const Evidence& evidence, bool counted, bool is_solution = true)
         : answer_(answer),
-          is_strict_(shown.tells_little),
+          is_strict_(evidence.tells_little),
           share_right_(counted ? 100 : 20),
-          least_(std::min(few, shown.wrong.size())) {
+          least_(std::min(few, evidence.wrong.size())) {
         // Of a yes and a no many must be asked; but then they are short.
         const std::size_t most = counted && is_solution ? 2000 : 300;
-        const std::size_t step = 1 + shown.wrong.size() / most, step_right = 1 + shown.right.size() / most;
+        const std::size_t step = 1 + evidence.wrong.size() / most, step_right = 1 + evidence.right.size() / most;
         const auto is_long = [begin = slip::work()](long share) {
             return slip::work() - begin > most_work / 4 * share;
         };
-        for (std::size_t i = 0; i < shown.wrong.size() && !is_long(1); i += step)
-            wrong_.push_back({shown.wrong[i], &shown.truth[i], &shown.roundoff[i],
-                              slip::note(answer, shown.wrong[i]->arguments, slips_)});
-        for (std::size_t i = 0; i < shown.right.size() && !is_long(2); i += step_right)
-            right_.push_back({shown.right[i], nullptr, nullptr, slip::note(answer, shown.right[i]->arguments, slips_)});
+        for (std::size_t i = 0; i < evidence.wrong.size() && !is_long(1); i += step)
+            wrong_.push_back({evidence.wrong[i], &evidence.truth[i], &evidence.roundoff[i],
+                              slip::note(answer, evidence.wrong[i]->arguments, slips_)});
+        for (std::size_t i = 0; i < evidence.right.size() && !is_long(2); i += step_right)
+            right_.push_back(
+                {evidence.right[i], nullptr, nullptr, slip::note(answer, evidence.right[i]->arguments, slips_)});
         for (std::size_t i = 0; i < wrong_.size(); i += 1 + wrong_.size() / few) few_.push_back(wrong_[i]);
         // The shortest first: most slips show at once that they are not the learner's.
         for (auto* calls : {&few_, &wrong_, &right_})
@@ -103,18 +104,18 @@ private:
 };
 
 // Of what is not finite nothing can be told.
-bool is_no_number(const Shown& shown) {
+bool is_no_number(const Evidence& evidence) {
     std::size_t none = 0;
-    for (const Call* call : shown.wrong)
+    for (const Call* call : evidence.wrong)
         none += std::any_of(call->result.begin(), call->result.end(), [](double x) { return !std::isfinite(x); });
-    return 2 * none > shown.wrong.size();
+    return 2 * none > evidence.wrong.size();
 }
 
-bool is_enough(const Shown& shown, bool counted) { return shown.wrong.size() >= (counted ? 4u : 3u); }
+bool is_enough(const Evidence& evidence, bool counted) { return evidence.wrong.size() >= (counted ? 4u : 3u); }
 
 }  // namespace
 
-bool know_slips(const std::string& exercise, std::vector<Answer> answers) {
+bool register_slips(const std::string& exercise, std::vector<Answer> answers) {
     return known().emplace(exercise, std::move(answers)).second;
 }
 
@@ -162,14 +163,14 @@ bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right,
 // The solution first: its slips are those that one thinks of. The conditions and variables of another way to write it
 // are not the learner's. Where one part twice as large, and another half as large, do the same, neither is told; nor
 // where two ways to write it disagree.
-std::string slip_of(const std::string& exercise, const Shown& shown, bool counted) {
-    if (!is_enough(shown, counted) || is_no_number(shown)) return {};
+std::string slip_of(const std::string& exercise, const Evidence& evidence, bool counted) {
+    if (!is_enough(evidence, counted) || is_no_number(evidence)) return {};
     const long begin = slip::work();
     bool is_solution = true;
     Form told = Form::none;
     for (const Answer& answer : slips_of(exercise)) {
         if (slip::work() - begin > most_work) break;
-        const Fitting fitting(answer, shown, counted, is_solution);
+        const Fitting fitting(answer, evidence, counted, is_solution);
         std::vector<Made> slips = fitting.slips();
         slips.push_back({slip::single_site, 1, Form::single});
         std::size_t most = 0;
@@ -198,10 +199,10 @@ std::string slip_of(const std::string& exercise, const Shown& shown, bool counte
 }
 
 // Of the solution alone: two slips in another way to write it could explain nearly everything.
-std::string two_slips_of(const std::string& exercise, const Shown& shown) {
-    if (shown.wrong.size() < 10 || slips_of(exercise).empty()) return {};
+std::string two_slips_of(const std::string& exercise, const Evidence& evidence) {
+    if (evidence.wrong.size() < 10 || slips_of(exercise).empty()) return {};
     const long begin = slip::work();
-    const Fitting fitting(slips_of(exercise).front(), shown, false);
+    const Fitting fitting(slips_of(exercise).front(), evidence, false);
     std::vector<Made> slips = fitting.slips();
     std::erase_if(slips, [](const Made& made) { return made.form > Form::factor && made.form != Form::variable; });
     std::pair best{Form::none, Form::none};
@@ -219,7 +220,7 @@ std::string two_slips_of(const std::string& exercise, const Shown& shown) {
     return std::string("slip_") + slip::name_of(best.first) + "_and_" + slip::name_of(best.second);
 }
 
-bool is_case_of_slip(const std::string& exercise, const std::string& name, const Shown& one) {
+bool is_case_of_slip(const std::string& exercise, const std::string& name, const Evidence& one) {
     const Call& call = *one.wrong[0];
     const std::string forms = name.substr(std::string("slip_").size());
     bool is_solution = true;

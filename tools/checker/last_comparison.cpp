@@ -1,4 +1,4 @@
-#include "sides.hpp"
+#include "last_comparison.hpp"
 
 #include <cmath>
 
@@ -34,11 +34,11 @@ bool above(const std::string& what, double found, double limit) {
     return told(found > limit, what + " " + in_words(found) + ", and must be more than " + in_words(limit) + ".");
 }
 
-void sides_begin() { sides = {}; }
-void sides_call() { sides.is_new = false; }
-void sides_break() {
+void begin_comparisons() { sides = {}; }
+void forget_comparison() { sides.is_new = false; }
+void keep_comparison() {
     if (sides.is_new && sides.said.empty()) sides.said = sides.last;
 }
-std::string sides_said() { return sides.said; }
+std::string kept_comparison() { return sides.said; }
 
 }  // namespace checker

@@ -14,6 +14,6 @@ std::vector<std::filesystem::path> files_in(const std::vector<std::filesystem::p
 
 /// One clear line where an answer has made use of the course's answers or tests: what of them is
 /// among `files` beside the `answer` itself. Empty: nothing.
-std::string not_ones_own(const std::vector<std::filesystem::path>& files, const std::filesystem::path& answer);
+std::string forbidden_include(const std::vector<std::filesystem::path>& files, const std::filesystem::path& answer);
 
 }  // namespace course

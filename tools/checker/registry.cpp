@@ -30,26 +30,26 @@ std::map<std::string, Variants>& variants() {
 
 }  // namespace
 
-bool know_truth(const std::string& exercise, Truth truth) {
+bool register_truth(const std::string& exercise, Truth truth) {
     return truths().emplace(exercise, std::move(truth)).second;
 }
 
 const Truth& truth_of_exercise(const std::string& exercise) { return truths()[exercise]; }
 
-bool know_within(const std::string& exercise, Within within) {
+bool register_tolerance(const std::string& exercise, Within within) {
     return tolerances().emplace(exercise, std::move(within)).second;
 }
 
 const Within& within(const std::string& exercise) { return tolerances()[exercise]; }
 
-bool know(const std::string& exercise, std::vector<Mistake> list) {
+bool register_mistakes(const std::string& exercise, std::vector<Mistake> list) {
     return mistakes().emplace(exercise, std::move(list)).second;
 }
 
 const std::vector<Mistake>& mistakes_of(const std::string& exercise) { return mistakes()[exercise]; }
 
-bool know_variants(const std::string& exercise, const Answer& stub, const Answer& solution,
-                   std::vector<std::pair<std::string, Answer>> correct) {
+bool register_variants(const std::string& exercise, const Answer& stub, const Answer& solution,
+                       std::vector<std::pair<std::string, Answer>> correct) {
     correct.insert(correct.begin(), {"solution", solution});
     return variants().emplace(exercise, Variants{stub, std::move(correct)}).second;
 }

@@ -1,4 +1,4 @@
-#include "included.hpp"
+#include "forbidden_includes.hpp"
 
 #include <fstream>
 #include <iterator>
@@ -73,7 +73,7 @@ std::vector<fs::path> files_in(const std::vector<fs::path>& lists) {
     return files;
 }
 
-std::string not_ones_own(const std::vector<fs::path>& files, const fs::path& answer) {
+std::string forbidden_include(const std::vector<fs::path>& files, const fs::path& answer) {
     std::error_code none;
     for (const auto& file : files) {
         const fs::path real = fs::canonical(file, none);

@@ -11,6 +11,6 @@ namespace checker {
 
 /// Checks the answer with inputs drawn anew, or from the seed in `words[1]`, and tells what `./course check` would.
 /// Returns the exit status: 0 when the answer is right, 1 when it is not, 2 for wrong use.
-int check_here(const std::string& exercise, const Answer& answer, int count, char** words);
+int check_in_process(const std::string& exercise, const Answer& answer, int count, char** words);
 
 }  // namespace checker

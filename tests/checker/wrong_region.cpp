@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "property.hpp"
-#include "sides.hpp"
+#include "last_comparison.hpp"
 
 namespace {
 
@@ -24,7 +24,7 @@ std::string named(R (*truth)(double, double), R (*learner)(double, double), doub
             const double x = step * i, v = step * j, found = learner(x, v);
             calls.push_back({{x, v}, {found}, std::fabs(found - truth(x, v)) < 1e-12});
         }
-    return diagnose("where_test", function_of(truth), calls);
+    return diagnose("wrong_region_test", function_of(truth), calls);
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ TEST_CASE("and where the answer is right for zero alone, or next to it, that is 
                 const double x = i < 0 ? nearly : 0.37 * i, v = 0.37 * j, off = i > 0 ? 0.3 * x * std::cos(v) : 0;
                 calls.push_back({{x, v}, {moved(x, v) + off}, i <= 0});
             }
-        return diagnose("where_test", function_of(&moved), calls);
+        return diagnose("wrong_region_test", function_of(&moved), calls);
     };
     CHECK(told(0) == "where_nonzero_0");
     CHECK(told(1e-7) == "where_nonzero_0");
@@ -91,7 +91,7 @@ TEST_CASE("two places that hold the same wrong answers are neither told") {
         const double x = 0.37 * i;
         calls.push_back({{x, x}, {x < 0 ? 9.1 - x * x : moved(x, x)}, x >= 0});
     }
-    CHECK(diagnose("where_test", function_of(&moved), calls).empty());
+    CHECK(diagnose("wrong_region_test", function_of(&moved), calls).empty());
 }
 
 TEST_CASE("an answer that changes what was given twice as much, half as much or the other way is told so") {
@@ -114,24 +114,24 @@ TEST_CASE("a yes where it should be no is told as a near thing only where all of
 }
 
 TEST_CASE("the sides of a property are those of the check that breaks it, with no call behind") {
-    sides_begin();
+    begin_comparisons();
     CHECK(checker::close(1, 1.0, 1e-9));
-    sides_break();
-    CHECK(sides_said().empty());
+    keep_comparison();
+    CHECK(kept_comparison().empty());
     CHECK_FALSE(checker::close(1, 1.5, 1e-9));
-    sides_call();
-    sides_break();
-    CHECK(sides_said().empty());
+    forget_comparison();
+    keep_comparison();
+    CHECK(kept_comparison().empty());
     CHECK_FALSE(agree(false, "It is", std::complex<double>(1, 2), std::complex<double>(1, -1)));
-    sides_break();
-    CHECK(sides_said() == "It is 1 + 2i, and must be 1 - 1i. They differ by 3.");
+    keep_comparison();
+    CHECK(kept_comparison() == "It is 1 + 2i, and must be 1 - 1i. They differ by 3.");
     CHECK_FALSE(below("So is", 2, 1));
-    sides_break();  // the first is told
-    CHECK(sides_said() == "It is 1 + 2i, and must be 1 - 1i. They differ by 3.");
-    sides_begin();
+    keep_comparison();  // the first is told
+    CHECK(kept_comparison() == "It is 1 + 2i, and must be 1 - 1i. They differ by 3.");
+    begin_comparisons();
     CHECK_FALSE(checker::close(1, 1.5, 1e-9));
-    sides_break();
-    CHECK(sides_said() == "Two numbers that must agree are 1 and 1.5: they differ by 0.5.");
+    keep_comparison();
+    CHECK(kept_comparison() == "Two numbers that must agree are 1 and 1.5: they differ by 0.5.");
     CHECK(below("", 1, 2));
     CHECK_FALSE(below("", 2, 2));
     CHECK(above("", 2, 1));
