@@ -27,11 +27,11 @@ void for_each_record(const std::filesystem::path& file, std::size_t fields, Take
 
 std::map<std::string, TalkRow> load_talks(const std::filesystem::path& file) {
     std::map<std::string, TalkRow> talks;
-    for_each_record(file, 4, [&](const std::vector<std::string>& record, int line) {
+    for_each_record(file, 5, [&](const std::vector<std::string>& record, int line) {
         if (record[2].empty()) {
             throw Error{file.string(), line, record[0] + " has no text"};
         }
-        if (!talks.emplace(record[0], TalkRow{record[1], record[2], record[3], line}).second) {
+        if (!talks.emplace(record[0], TalkRow{record[1], record[2], record[3], split_words(record[4]), line}).second) {
             throw Error{file.string(), line, record[0] + " stands here twice"};
         }
     });

@@ -9,7 +9,8 @@
 
 namespace page {
 
-/// docs/talks.tsv: id, talk, what the talks show, erratum (or nothing). Throws Error.
+/// docs/talks.tsv: id, talk, what the talks show, erratum (or nothing), checks of the chapter's study that confirm it
+/// (names with blanks between, or nothing). Throws Error.
 std::map<std::string, TalkRow> load_talks(const std::filesystem::path& file);
 
 /// Every index file in the folder.

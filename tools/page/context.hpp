@@ -25,6 +25,7 @@ struct Numbered {
 /// What the talks show in one claim, in our words.
 struct TalkRow {
     std::string talk, text, erratum;  ///< the erratum is empty when there is none
+    std::vector<std::string> checks;  ///< of the study that confirm the row
     int line;                         ///< in docs/talks.tsv
 };
 

@@ -73,17 +73,22 @@ const std::string& RunData::check(const std::string& name) {
     return found->second;
 }
 
-std::string RunData::written_at(const std::string& name, const std::string& kind) const {
+std::string RunData::place_of(const std::string& name, const std::string& kind) const {
     if (!std::filesystem::exists(folder_ / "places.tsv")) {
         return {};
     }
     for (const std::string& line : split_lines(read_file(folder_ / "places.tsv"))) {
         const std::vector<std::string> cells = split(line, '\t');
         if (cells.size() == 3 && cells[0] == name && cells[1] == kind) {
-            return " (written at " + cells[2] + ")";
+            return cells[2];
         }
     }
     return {};
+}
+
+std::string RunData::written_at(const std::string& name, const std::string& kind) const {
+    const std::string place = place_of(name, kind);
+    return place.empty() ? "" : " (written at " + place + ")";
 }
 
 Table RunData::table(const std::string& file) const {

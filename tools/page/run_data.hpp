@@ -35,8 +35,10 @@ public:
     /// The statement that the run confirmed.
     const std::string& check(const std::string& name);
     Table table(const std::string& file) const;
-    /// Which line wrote the number, check or data file: " (written at chapters/…/energy.cpp:42)". Nothing where the
-    /// run does not say.
+    /// The line that wrote the number, check or data file, "chapters/…/energy.cpp:42". Empty where the run does not
+    /// say.
+    std::string place_of(const std::string& name, const std::string& kind) const;
+    /// The same for the end of a message: " (written at chapters/…/energy.cpp:42)", or nothing.
     std::string written_at(const std::string& name, const std::string& kind) const;
     /// What the program printed, or what stands in the study's output below a heading, heading included.
     std::string printed(const std::string& heading = "") const;

@@ -38,9 +38,30 @@ std::string plain_html(const std::string& name) {
     return html;
 }
 
-/// Links to the tests of a row: the first, and the others folded away.
-std::string test_links(const Sources& sources, const std::string& row) {
+/// A link to the line of the study that makes the check. An unknown check is an Error in docs/talks.tsv.
+std::string check_link(Context& context, const TalkRow& row, const std::string& check, const Chapter& chapter) {
+    std::string name;
+    RunData& run = context.run_of(chapter.folder + "/" + check, name);
+    try {
+        const std::string text = plain_html(run.check(name)), place = run.place_of(name, "check");
+        const std::size_t colon = place.rfind(':');
+        return colon == std::string::npos
+                   ? text
+                   : source_link(place.substr(0, colon), std::stoi(place.substr(colon + 1)), text);
+    } catch (const NotYet&) {
+        throw;
+    } catch (const std::out_of_range& unknown) {
+        throw Error{"docs/talks.tsv", row.line, unknown.what()};
+    }
+}
+
+/// Links to the tests of a row and to the study's checks of it: the first, and the others folded away.
+std::string evidence_links(Context& context, const Sources& sources, const std::string& row, const Chapter& chapter) {
     std::vector<std::string> links;
+    const TalkRow& talk = sources.talks.at(row);
+    for (const std::string& check : talk.checks) {
+        links.push_back(check_link(context, talk, check, chapter));
+    }
     for (const TestPlace& test : sources.tests) {
         if (test.row == row) {
             links.push_back(source_link(test.file, test.line, plain_html(test.name)));
@@ -60,9 +81,9 @@ std::string test_links(const Sources& sources, const std::string& row) {
     return html + "\\endhtmlonly";
 }
 
-/// One row of the table. A claimed row that lacks its text, section or test is an Error in the
+/// One row of the table. A claimed row that lacks its text, its section, or both check and test is an Error in the
 /// about.json that claims it.
-std::string row_markdown(const Sources& sources, const std::string& row, const Chapter& chapter) {
+std::string row_markdown(Context& context, const Sources& sources, const std::string& row, const Chapter& chapter) {
     const auto claim = [&](bool kept, const std::string& lack) {
         if (!kept) {
             throw Error{chapter.about(), 1, row + " is claimed, but " + lack};
@@ -72,8 +93,8 @@ std::string row_markdown(const Sources& sources, const std::string& row, const C
     claim(found != sources.talks.end(), "docs/talks.tsv does not say what the talks show");
     const std::string sections = index_links(sources, row, "section");
     claim(!sections.empty(), "no section teaches it ({{claims " + row + "}})");
-    const std::string tests = test_links(sources, row);
-    claim(!tests.empty(), "no test is tagged [" + row + "]");
+    const std::string tests = evidence_links(context, sources, row, chapter);
+    claim(!tests.empty(), "docs/talks.tsv names no check of it, and no test is tagged [" + row + "]");
     const std::string figures = index_links(sources, row, "figure");
 
     const TalkRow& talk = found->second;
@@ -105,7 +126,7 @@ std::string talks_markdown(Context& context) {
                   "<table class=\"talks\">\n<tr><th>Row</th><th>What the talks show</th>"
                   "<th>Taught in</th><th>Drawn in</th><th>Tested by</th></tr>\n";
         for (const std::string& row : chapter.claims) {
-            tables += row_markdown(sources, row, chapter);
+            tables += row_markdown(context, sources, row, chapter);
         }
         tables += "</table>\n";
     }

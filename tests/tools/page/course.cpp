@@ -94,7 +94,7 @@ Course::Course() {
     write(run + "seconds.txt", "420 ms\n");
     write(run + "spiral.svg", "<svg\n width=\"640\" height=\"480\"\n></svg>\n");
     write(run + "sweep.gif", small_gif());
-    write("docs/talks.tsv", "N22\tN\tIt spirals, $a<b$.\tNot always.\n");
+    write("docs/talks.tsv", "N22\tN\tIt spirals, $a<b$.\tNot always.\t\n");
 }
 
 Course::~Course() {

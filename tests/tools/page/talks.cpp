@@ -58,6 +58,17 @@ TEST_CASE("all but a row's first test are folded away") {
                                                 "</details>"));
 }
 
+TEST_CASE("a check of the study is evidence for a row: its statement leads to its line") {
+    const Course course;
+    index_row(course);
+    course.write("tests/chapters/a.cpp", "");
+    course.write("docs/talks.tsv", "N22\tN\tIt spirals.\t\tgrows\n");
+    CHECK_THAT(talks(course), ContainsSubstring("<a href=\"source:chapters/03_springs/study/growth.cpp#l00040\">"
+                                                "the amplitude grows</a>"));
+    course.write("docs/talks.tsv", "N23\tN\tOther.\t\t\nN22\tN\tIt spirals.\t\tshrinks\n");
+    CHECK_THAT(talks(course), ContainsSubstring("docs/talks.tsv:2: the run of 03_springs made no check \"shrinks\""));
+}
+
 TEST_CASE("tests are told by their macro at the beginning of a line, and by their tags") {
     const auto rows = [](const std::string& text) {
         std::string found;
@@ -77,11 +88,13 @@ TEST_CASE("tests are told by their macro at the beginning of a line, and by thei
 TEST_CASE("a claimed row without its text, section or test is an error") {
     const Course course;
     index_row(course);
-    course.write("docs/talks.tsv", "N23\tN\tOther.\t\n");
+    course.write("docs/talks.tsv", "N23\tN\tOther.\t\t\n");
     CHECK_THAT(talks(course), ContainsSubstring("N22 is claimed, but docs/talks.tsv does not say"));
-    course.write("docs/talks.tsv", "N22\tN\tIt spirals.\t\n");
+    course.write("docs/talks.tsv", "N22\tN\tIt spirals.\t\t\n");
     course.write("tests/chapters/a.cpp", "TEST_CASE(\"other\", \"[N23]\") {\n}\n");
-    CHECK_THAT(talks(course), ContainsSubstring("N22 is claimed, but no test is tagged [N22]"));
+    CHECK_THAT(
+        talks(course),
+        ContainsSubstring("N22 is claimed, but docs/talks.tsv names no check of it, and no test is tagged [N22]"));
     index_row(course);
     course.write("index/03_springs.tsv", "N22\tfigure\tchapter_03.html\tfig-spiral\tspiral\n");
     CHECK_THAT(talks(course), ContainsSubstring("N22 is claimed, but no section teaches it"));
@@ -109,8 +122,8 @@ TEST_CASE("faulty texts of the talks are refused, at their line") {
             return wrong.what();
         }
     };
-    CHECK_THAT(message("N01\tN\ta\t\nN01\tN\tb\t\n"), ContainsSubstring(":2: N01 stands here twice"));
-    CHECK_THAT(message("N01\tN\t\t\n"), ContainsSubstring(":1: N01 has no text"));
-    CHECK_THAT(message("N01\tN\ta\n"), ContainsSubstring(":1: must be a claim and 3 more fields"));
-    CHECK_THAT(message("N1\tN\ta\t\n"), ContainsSubstring(":1: must be a claim"));
+    CHECK_THAT(message("N01\tN\ta\t\t\nN01\tN\tb\t\t\n"), ContainsSubstring(":2: N01 stands here twice"));
+    CHECK_THAT(message("N01\tN\t\t\t\n"), ContainsSubstring(":1: N01 has no text"));
+    CHECK_THAT(message("N01\tN\ta\n"), ContainsSubstring(":1: must be a claim and 4 more fields"));
+    CHECK_THAT(message("N1\tN\ta\t\t\n"), ContainsSubstring(":1: must be a claim"));
 }
