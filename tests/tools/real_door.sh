@@ -48,7 +48,7 @@ END
     builds 0 check velocity_now
     is $got 0
     builds 1 check 1.2
-    for file in tools/course/tell.cpp tools/cmake/found.cmake include/timestep/state.hpp; do
+    for file in tools/course/verdict_text.cpp tools/cmake/found.cmake include/timestep/state.hpp; do
         touch "checkout/$file"
         builds 1 check velocity_now
         is $got 0
@@ -56,7 +56,7 @@ END
     done
     touch checkout/tools/checker/registry.cpp
     builds 1 check velocity_now
-    touch checkout/tools/checker/registry.cpp checkout/tools/course/tell.cpp
+    touch checkout/tools/checker/registry.cpp checkout/tools/course/verdict_text.cpp
     builds 2 check  # what has been begun, the course program finds out
     # By CMake alone it is the same check.
     expect 0 cmake --build checkout/build --target check_velocity_now

@@ -9,7 +9,7 @@
 
 #include "../course/exercises.hpp"
 #include "../course/stop.hpp"
-#include "../course/tell.hpp"
+#include "../course/verdict_text.hpp"
 #include "exercise.hpp"
 #include "session.hpp"
 

@@ -6,7 +6,7 @@
 #include "build.hpp"
 #include "commands.hpp"
 #include "files.hpp"
-#include "places.hpp"
+#include "paths.hpp"
 #include "process.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
@@ -24,7 +24,7 @@ void run_each(const std::vector<std::string>& programs) {
         progress.now("running " + program);
         std::string said;
         const int status = listen(
-            {(places().build / "tools/bench" / program).string()}, [&](std::string_view text) { said += text; },
+            {(paths().build / "tools/bench" / program).string()}, [&](std::string_view text) { said += text; },
             [&] { progress.tick(); });
         progress.clear();
         std::fprintf(status == 0 ? stdout : stderr, "%s", said.c_str());
@@ -61,13 +61,13 @@ std::vector<std::string> names_in(const std::filesystem::path& source, const std
 
 void bench(const Contest& contest) {
     check_scenes(contest.scenes,
-                 names_in(places().source / "chapters/support/contest/scenes.hpp", "all_scenes{", "Named{\""));
+                 names_in(paths().source / "chapters/support/contest/scenes.hpp", "all_scenes{", "Named{\""));
     {
         ProgressLine progress;
         build({"bench"}, progress);
     }
-    const auto folder = places().build / "runs" / (contest.quick ? "bench_quick" : "bench");
-    std::vector<std::string> command{(places().build / "tools/bench/bench").string(), "--out",
+    const auto folder = paths().build / "runs" / (contest.quick ? "bench_quick" : "bench");
+    std::vector<std::string> command{(paths().build / "tools/bench/bench").string(), "--out",
                                      contest.out.value_or(folder.string())};
     if (contest.quick) command.push_back("--quick");
     if (contest.json) command.push_back("--json");
@@ -86,14 +86,13 @@ void bench_gyroscopic() { run_each({"bench_gyroscopic_O2", "bench_gyroscopic_O3_
 void bench_many() { run_each({"bench_many_O2", "bench_many_O2_native", "bench_many_O3_native"}); }
 
 void bench_engines(const Contest& contest, const std::optional<std::string>& engine) {
-    check_scenes(contest.scenes,
-                 names_in(places().source / "tools/bench/engines/engines.cpp", "Scene scenes[]", "{\""));
+    check_scenes(contest.scenes, names_in(paths().source / "tools/bench/engines/engines.cpp", "Scene scenes[]", "{\""));
     {
         ProgressLine progress;
         build({"bench_engines"}, progress);
     }
-    const auto folder = places().build / "runs/engines";
-    std::vector<std::string> command{(places().build / "tools/bench/engines/bench_engines").string(), "--out",
+    const auto folder = paths().build / "runs/engines";
+    std::vector<std::string> command{(paths().build / "tools/bench/engines/bench_engines").string(), "--out",
                                      contest.out.value_or(folder.string())};
     if (contest.quick) command.push_back("--quick");
     if (engine) command.insert(command.end(), {"--engine", *engine});

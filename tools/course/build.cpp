@@ -17,9 +17,8 @@
 #include "exercises.hpp"
 #include "files.hpp"
 #include "grades.hpp"
-#include "interrupt.hpp"
-#include "places.hpp"
 #include "process.hpp"
+#include "paths.hpp"
 #include "stop.hpp"
 #include "verdict.hpp"
 
@@ -87,10 +86,10 @@ const fs::path packages = "/var/lib/dpkg/status";
 bool is_configured() {
     std::error_code ignored;
     const auto is_written = [&](const char* name) {
-        return fs::is_regular_file(places().build / name, ignored) && fs::file_size(places().build / name, ignored) > 0;
+        return fs::is_regular_file(paths().build / name, ignored) && fs::file_size(paths().build / name, ignored) > 0;
     };
-    const std::string home = "CMAKE_HOME_DIRECTORY:INTERNAL=" + places().source.string();
-    std::ifstream cache(places().build / "CMakeCache.txt");
+    const std::string home = "CMAKE_HOME_DIRECTORY:INTERNAL=" + paths().source.string();
+    std::ifstream cache(paths().build / "CMakeCache.txt");
     for (std::string line; std::getline(cache, line);)
         if (line == home) return is_written("build.ninja") || is_written("Makefile");
     return false;
@@ -99,7 +98,7 @@ bool is_configured() {
 // The learner's edition is configured when there is something to build: its course program comes
 // built. Again where a package has been installed or removed, as what CMake looks for may be there now.
 void configure_kit(ProgressLine& progress) {
-    const fs::path &root = places().source, mark = places().build / "packages_seen";
+    const fs::path &root = paths().source, mark = paths().build / "packages_seen";
     const bool fresh = !is_configured();
     const auto seen = written_at(mark);
     if (!fresh && seen && !(fs::exists(packages) && touched_since(packages, *seen))) return;
@@ -110,7 +109,7 @@ void configure_kit(ProgressLine& progress) {
         if (line.starts_with("course: ")) unfit = line.substr(8);
         all += line + "\n";
     });
-    std::vector<std::string> command{places().cmake, "-S", root.string(), "-B", places().build.string()};
+    std::vector<std::string> command{paths().cmake, "-S", root.string(), "-B", paths().build.string()};
     if (fresh) command.insert(command.end(), {"--fresh", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"});
     const int status = listen(command, std::ref(lines), [&] { progress.tick(); });
     progress.clear();
@@ -122,8 +121,8 @@ void configure_kit(ProgressLine& progress) {
 // What says that an exercise was found ready, at the time when it was written; by this course and this
 // CMake, for the tests' fixtures build in the same folder.
 fs::path ready_mark(const Exercise& exercise) {
-    return places().build / "exercises/found_ready" /
-           (exercise.name + "_" + mark_of(places().source.string() + "\n" + places().cmake));
+    return paths().build / "exercises/found_ready" /
+           (exercise.name + "_" + mark_of(paths().source.string() + "\n" + paths().cmake));
 }
 
 // Is everything there that CMake writes for the exercise when it configures?
@@ -146,7 +145,7 @@ bool is_ready(const Exercise& exercise) {
     const auto since = written_at(ready_mark(exercise));
     const auto now = std::chrono::system_clock::now().time_since_epoch();
     if (!since || *since > std::chrono::duration<double>(now).count()) return false;  // a clock set back
-    const fs::path &source = places().source, &build = places().build;
+    const fs::path &source = paths().source, &build = paths().build;
     const std::string room = exercise.chapter + "/" + exercise.name;
     std::vector<fs::path> parts{source / "CMakeLists.txt", source / "include",         source / "tools/cmake",
                                 source / "tools/checker",  source / "tools/processes", build / "CMakeCache.txt"};
@@ -184,16 +183,46 @@ bool is_built(const std::string& target) {
     return std::find(std::istream_iterator<std::string>(targets), {}, target) != std::istream_iterator<std::string>();
 }
 
+// CMake's first error. Its words are broken into lines, indented by two, and end with an empty one or with where
+// it was.
+class FirstError {
+public:
+    void hear(const std::string& line) {
+        if (!begun_ && line.starts_with("CMake Error")) {
+            begun_ = true;
+            if (line.starts_with("CMake Error: ")) text_ = line.substr(13);
+        } else if (begun_ && !ended_) {
+            ended_ = (line.empty() && !text_.empty()) || line.starts_with("Call Stack");
+            const auto words = line.find_first_not_of(' ');
+            if (!ended_ && words != std::string::npos) text_ += (text_.empty() ? "" : " ") + line.substr(words);
+        }
+    }
+    // Its first sentence: two blanks stand before the next.
+    std::string text() const {
+        return text_.empty() ? "CMake could not configure the build" : text_.substr(0, text_.find(".  "));
+    }
+
+private:
+    bool begun_ = false, ended_ = false;
+    std::string text_;
+};
+
+fs::path place_of_lock() {
+    const auto lock = paths().build / "course.lock";
+    if (Lock::is_held(lock)) std::fprintf(stderr, "Another ./course is building here; this goes on when it has done\n");
+    return lock;
+}
+
 }  // namespace
 
 void build(const std::vector<std::string>& targets, ProgressLine& progress, const std::string& what) {
     std::error_code ignored;
-    fs::create_directories(places().build, ignored);
+    fs::create_directories(paths().build, ignored);
     // A build that asks this program for a transcript, say, is not to be waited for.
     std::optional<Lock> one_at_a_time;
     const char* const builder = std::getenv("TIMESTEP_BUILDS_IN");
-    if (builder == nullptr || builder != places().build.string()) {
-        const fs::path lock = places().build / "course.lock";
+    if (builder == nullptr || builder != paths().build.string()) {
+        const fs::path lock = paths().build / "course.lock";
         const std::string words = "Another ./course is building here; this goes on when it makes a pause";
         for (int looks = 0; Lock::is_held(lock); ++looks) {
             stop_if_interrupted();
@@ -206,11 +235,11 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress, cons
         }
         progress.clear();
         one_at_a_time.emplace(lock, words);  // a third may have been faster
-        setenv("TIMESTEP_BUILDS_IN", places().build.c_str(), 1);
+        setenv("TIMESTEP_BUILDS_IN", paths().build.c_str(), 1);
     }
     if (is_kit()) configure_kit(progress);
     if (targets.empty()) return;
-    const fs::path log_path = places().build / "course.log";
+    const fs::path log_path = paths().build / "course.log";
     std::ofstream log(log_path);
     std::vector<std::string> heard;
     Late late(progress, what);
@@ -227,9 +256,9 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress, cons
         }
         progress.now("[" + step.count + "] " + step.text);
     });
-    std::vector<std::string> command{places().cmake,
+    std::vector<std::string> command{paths().cmake,
                                      "--build",
-                                     places().build.string(),
+                                     paths().build.string(),
                                      "--parallel",
                                      std::to_string(std::max(1u, std::thread::hardware_concurrency())),
                                      "--target"};
@@ -254,7 +283,7 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) 
         const std::string target = "ready_" + exercise.name;
         if (is_built(target) && all_there(exercise)) {
             // The front door's mark is as old as its build.
-            const auto begin = fs::last_write_time(places().build / "up_to_date", ignored);
+            const auto begin = fs::last_write_time(paths().build / "up_to_date", ignored);
             if (!ignored) mark_ready({ready_mark(exercise)}, begin);
             continue;
         }
@@ -273,10 +302,10 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) 
     // What CMake writes when it configures, the build does not bring back.
     if (std::any_of(exercises.begin(), exercises.end(),
                     [](const auto& exercise) { return !is_configured(exercise); }) &&
-        fs::exists(places().build / "CMakeCache.txt")) {
+        fs::exists(paths().build / "CMakeCache.txt")) {
         Late late(progress, what);
         listen(
-            {places().cmake, places().build.string()}, [&](std::string_view) { late.look(); }, [&] { late.look(); });
+            {paths().cmake, paths().build.string()}, [&](std::string_view) { late.look(); }, [&] { late.look(); });
     }
     build(targets, progress, what);
     mark_ready(marks, begin);
@@ -285,7 +314,7 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) 
 void make_again(const std::vector<Exercise>& exercises, bool header, ProgressLine& progress) {
     progress.say("The files for checking " + exercises.front().name + " are damaged; building them again");
     std::error_code ignored;
-    const std::string build = places().build.string() + "/";  // what comes built with a learner's edition stays
+    const std::string build = paths().build.string() + "/";  // what comes built with a learner's edition stays
     for (const Exercise& exercise : exercises) {
         auto parts = parts_of_check(exercise);
         if (header) parts.erase(parts.begin(), parts.end() - 1);
@@ -309,7 +338,26 @@ std::string address_of(const fs::path& page) {
 }
 
 std::string site_address() {
-    return address_of(is_kit() ? places().source / "site/index.html" : places().build / "site/html/index.html");
+    return address_of(is_kit() ? paths().source / "site/index.html" : paths().build / "site/html/index.html");
+}
+
+void configure() {
+    const Lock one_at_a_time(place_of_lock());
+    FirstError error;
+    Lines lines([&](const std::string& line) { error.hear(line); });
+    if (listen({paths().cmake, "-S", paths().source.string(), "-B", paths().build.string()}, std::ref(lines)) != 0)
+        throw Stop(Status::bad_use, error.text());
+}
+
+// To list what there is to build, Ninja or Make must have read all of it.
+std::string why_unbuildable() {
+    const Lock one_at_a_time(place_of_lock());
+    std::string why;
+    Lines lines([&](const std::string& line) {
+        if (why.empty() && (line.starts_with("ninja: error: ") || line.find("***") != std::string::npos)) why = line;
+    });
+    if (listen({paths().cmake, "--build", paths().build.string(), "--target", "help"}, std::ref(lines)) == 0) return "";
+    return why.empty() ? "what CMake has written of it cannot be built" : why;
 }
 
 }  // namespace course

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <fstream>
 
-#include "json_of.hpp"
+#include "read_json.hpp"
 
-#include "places.hpp"
+#include "paths.hpp"
 #include "stop.hpp"
 
 namespace course {
@@ -27,7 +27,7 @@ Chapter read_chapter(const fs::path& folder) {
     try {
         std::ifstream file(about);
         if (!file) throw Stop(Status::bad_use, about.string() + ": cannot be read");
-        const auto json = json_of(std::string(std::istreambuf_iterator<char>(file), {}));
+        const auto json = read_json(std::string(std::istreambuf_iterator<char>(file), {}));
         return {name,
                 name.substr(3),
                 json.at("title"),
@@ -43,12 +43,12 @@ Chapter read_chapter(const fs::path& folder) {
 }  // namespace
 
 int Chapter::number() const { return std::stoi(folder.substr(0, 2)); }
-fs::path Chapter::sources() const { return places().source / "chapters" / folder; }
-fs::path Chapter::run() const { return places().build / "chapters" / folder / "run"; }
+fs::path Chapter::sources() const { return paths().source / "chapters" / folder; }
+fs::path Chapter::run() const { return paths().build / "chapters" / folder / "run"; }
 
 std::vector<Chapter> read_chapters() {
     std::vector<Chapter> chapters;
-    for (const auto& entry : fs::directory_iterator(places().source / "chapters"))
+    for (const auto& entry : fs::directory_iterator(paths().source / "chapters"))
         if (is_chapter(entry.path().filename().string())) chapters.push_back(read_chapter(entry));
     std::sort(chapters.begin(), chapters.end(), [](const Chapter& a, const Chapter& b) { return a.folder < b.folder; });
     return chapters;

@@ -13,7 +13,7 @@
 #include "commands.hpp"
 #include "progress.hpp"
 #include "stop.hpp"
-#include "tell.hpp"
+#include "verdict_text.hpp"
 #include "terminal.hpp"
 
 namespace course {

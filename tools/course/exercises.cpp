@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <tuple>
 
-#include "json_of.hpp"
+#include "read_json.hpp"
 
-#include "nearest.hpp"
-#include "places.hpp"
-#include "stop.hpp"
 #include "terminal.hpp"
+#include "paths.hpp"
+#include "stop.hpp"
 
 namespace course {
 
@@ -16,12 +15,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path told_of_all() { return places().source / (is_kit() ? "kit/about" : "tests/exercises"); }
+fs::path told_of_all() { return paths().source / (is_kit() ? "kit/about" : "tests/exercises"); }
 
 Exercise read_exercise(const fs::path& about) {
     const fs::path folder = about.parent_path();
     try {
-        const auto json = json_of(contents(about));
+        const auto json = read_json(contents(about));
         Exercise exercise;
         exercise.name = folder.filename().string();
         exercise.chapter = folder.parent_path().filename().string();
@@ -44,35 +43,34 @@ Exercise read_exercise(const fs::path& about) {
 std::string Exercise::place() const {
     return std::to_string(std::stoi(chapter.substr(0, 2))) + "." + std::to_string(number);
 }
-fs::path Exercise::file() const { return places().source / "exercises" / chapter / (name + ".cpp"); }
+fs::path Exercise::file() const { return paths().source / "exercises" / chapter / (name + ".cpp"); }
 fs::path Exercise::stub() const {
     // The learner's edition brings it, whether it has been configured or not.
-    return (is_kit() ? places().source / "kit/generated" : places().build / "exercises/generated") /
-           (name + "_stub.cpp");
+    return (is_kit() ? paths().source / "kit/generated" : paths().build / "exercises/generated") / (name + "_stub.cpp");
 }
 fs::path Exercise::about() const { return told_of_all() / chapter / name / "about.json"; }
-fs::path Exercise::told() const { return places().build / "exercises/generated" / (name + "_mistakes.json"); }
+fs::path Exercise::told() const { return paths().build / "exercises/generated" / (name + "_mistakes.json"); }
 std::map<std::string, Misconception> Exercise::mistakes() const {
     const fs::path file = told();
     try {
         std::map<std::string, Misconception> known;
-        const auto json = json_of(contents(file));
+        const auto json = read_json(contents(file));
         for (const auto& [mistake, words] : json.items()) known[mistake] = {words.at("says"), words.at("hint")};
         return known;
     } catch (const nlohmann::json::exception& error) {
         throw Stop(Status::bad_use, file.string() + ": " + error.what());
     }
 }
-fs::path Exercise::declared() const { return places().build / "exercises/generated" / (name + "_declared.hpp"); }
+fs::path Exercise::declared() const { return paths().build / "exercises/generated" / (name + "_declared.hpp"); }
 fs::path Exercise::solution() const {
-    return places().source / (is_kit() ? "kit/solutions" : "solutions") / chapter / (name + ".cpp");
+    return paths().source / (is_kit() ? "kit/solutions" : "solutions") / chapter / (name + ".cpp");
 }
 bool Exercise::has_solution() const {
     std::error_code ignored;
     return fs::exists(solution(), ignored);
 }
 
-bool is_kit() { return fs::exists(places().source / "kit/kit.json"); }
+bool is_kit() { return fs::exists(paths().source / "kit/kit.json"); }
 
 std::vector<Exercise> read_exercises() {
     std::vector<Exercise> exercises;

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "places.hpp"
+#include "paths.hpp"
 
 namespace course {
 
@@ -57,7 +57,7 @@ std::vector<std::string> names_in(std::string_view list) {
 // What exercise.hpp itself includes of the library. The rest of it holds what exercises ask for.
 bool is_for_answers(const fs::path& header) {
     std::error_code none;
-    const fs::path library = fs::canonical(places().source / "include/timestep", none);
+    const fs::path library = fs::canonical(paths().source / "include/timestep", none);
     return header == library / "state.hpp" || header == library / "real.hpp";
 }
 
@@ -79,12 +79,12 @@ std::string forbidden_include(const std::vector<fs::path>& files, const fs::path
         const fs::path real = fs::canonical(file, none);
         if (none || real == answer || is_for_answers(real)) continue;
         for (const auto& hidden :
-             {places().source / "solutions", places().source / "include", places().source / "tests",
-              places().build / "tests", places().build / "exercises/hidden", places().build / "exercises/check",
-              places().build / "exercises/self_test", places().source / "kit"}) {
+             {paths().source / "solutions", paths().source / "include", paths().source / "tests",
+              paths().build / "tests", paths().build / "exercises/hidden", paths().build / "exercises/check",
+              paths().build / "exercises/self_test", paths().source / "kit"}) {
             const fs::path below = real.lexically_relative(fs::canonical(hidden, none));
             if (!below.empty() && *below.begin() != "..")
-                return "The file includes " + real.lexically_relative(fs::canonical(places().source)).string() +
+                return "The file includes " + real.lexically_relative(fs::canonical(paths().source)).string() +
                        ". An answer is to be one's own.\n";
         }
     }

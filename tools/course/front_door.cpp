@@ -12,7 +12,7 @@
 #include "commands.hpp"
 #include "exercises.hpp"
 #include "files.hpp"
-#include "places.hpp"
+#include "paths.hpp"
 #include "process.hpp"
 #include "stop.hpp"
 
@@ -80,7 +80,7 @@ void append(const fs::path& file, const std::string& line) { std::ofstream(file,
 void copy_course(const fs::path& to) {
     fs::remove_all(to);
     fs::create_directories(to);
-    for (const auto& entry : fs::directory_iterator(places().source)) {
+    for (const auto& entry : fs::directory_iterator(paths().source)) {
         const std::string name = entry.path().filename().string();
         if (name != "build" && name != ".git" && name != ".progress")
             fs::copy(entry.path(), to / name, fs::copy_options::recursive);
@@ -90,7 +90,7 @@ void copy_course(const fs::path& to) {
 // From the saved file to the verdict: the median of some checks of the course's own answer.
 Cost check_of(const fs::path& folder, const std::string& room) {
     const fs::path answer = folder / "exercises" / (room + ".cpp");
-    fs::copy_file(places().source / "solutions" / (room + ".cpp"), answer, fs::copy_options::overwrite_existing);
+    fs::copy_file(paths().source / "solutions" / (room + ".cpp"), answer, fs::copy_options::overwrite_existing);
     const std::string name = fs::path(room).filename().string();
     cost_of(folder, {"./course", "check", name});  // the first makes its hidden tests
     std::vector<Cost> costs;
@@ -106,7 +106,7 @@ Cost check_of(const fs::path& folder, const std::string& room) {
 
 void bench_front_door(bool with_tests) {
     if (is_kit()) throw Stop(Status::bad_use, "this is the learner's edition: bench front-door is for the course");
-    const fs::path place = places().build / "front_door", copy = place / "course", edition = place / "kit";
+    const fs::path place = paths().build / "front_door", copy = place / "course", edition = place / "kit";
     copy_course(copy);
     fs::remove_all(edition);
     const std::string plain = "01_derivatives/velocity_now", eigen = "05_gyroscopic/world_acceleration";

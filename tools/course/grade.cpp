@@ -14,11 +14,11 @@
 #include "commands.hpp"
 #include "grades.hpp"
 #include "jobs.hpp"
-#include "places.hpp"
+#include "paths.hpp"
 #include "sandbox.hpp"
 #include "stop.hpp"
 #include "submissions.hpp"
-#include "tell.hpp"
+#include "verdict_text.hpp"
 #include "terminal.hpp"
 #include "temporary_folder.hpp"
 
@@ -31,11 +31,11 @@ namespace {
 // What grades depend on besides the answers: this program, which makes verdicts and words; the hidden tests; and what
 // answers are compiled and linked with, but for what the compiler has made of the headers, which is large.
 std::string edition(const std::vector<Exercise>& exercises) {
-    std::set<fs::path> parts{"/proc/self/exe", places().build / "exercises/commands.json",
-                             places().source / "include/timestep/state.hpp",
-                             places().source / "include/timestep/real.hpp"};
+    std::set<fs::path> parts{"/proc/self/exe", paths().build / "exercises/commands.json",
+                             paths().source / "include/timestep/state.hpp",
+                             paths().source / "include/timestep/real.hpp"};
     std::error_code ignored;
-    for (const auto& header : fs::directory_iterator(places().source / "tools/checker/learner", ignored))
+    for (const auto& header : fs::directory_iterator(paths().source / "tools/checker/learner", ignored))
         parts.insert(header.path());
     for (const auto& exercise : exercises) {
         for (const auto& part : parts_of_check(exercise))

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "commands.hpp"
-#include "configure.hpp"
-#include "places.hpp"
+#include "build.hpp"
+#include "paths.hpp"
 #include "progress.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
@@ -50,7 +50,7 @@ void begin_again(const Exercise& exercise) {
     const std::string stub = contents(exercise.stub());
     std::error_code error, ignored;
     if (fs::exists(fs::symlink_status(file, error))) {
-        const fs::path kept = places().source / ".progress" / "answers";
+        const fs::path kept = paths().source / ".progress" / "answers";
         fs::create_directories(kept, error);
         fs::path copy;
         for (int i = 1; copy.empty() || fs::exists(copy, ignored); ++i)

@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "interrupt.hpp"
+#include "process.hpp"
 #include "stop.hpp"
 
 namespace course {

@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include <fcntl.h>
-#include "json_of.hpp"
+#include "read_json.hpp"
 #include <unistd.h>
 
 #include "grades.hpp"
@@ -25,7 +25,7 @@ std::vector<json> read_lines(const fs::path& file) {
     std::vector<json> lines;
     std::ifstream stream(file);
     for (std::string line; std::getline(stream, line) && !stream.eof();) {
-        json value = json_or_nothing(line);
+        json value = try_read_json(line);
         if (value.is_discarded() || !value.is_object()) break;
         lines.push_back(std::move(value));
     }

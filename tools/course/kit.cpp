@@ -4,14 +4,13 @@
 #include <cstdio>
 #include <random>
 
-#include "json_of.hpp"
+#include "read_json.hpp"
 
 #include "build.hpp"
 #include "commands.hpp"
 #include "exercises.hpp"
-#include "interrupt.hpp"
-#include "places.hpp"
 #include "process.hpp"
+#include "paths.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
 
@@ -109,7 +108,7 @@ void copy_stripped(const fs::path& from, const fs::path& to, const std::string& 
 }
 
 void write_exercises(const Unfinished& kit, bool with_solutions) {
-    const fs::path built = places().build / "exercises";
+    const fs::path built = paths().build / "exercises";
     for (const auto& exercise : read_exercises()) {
         const fs::path room = fs::path(exercise.chapter) / exercise.name;
         kit.write("kit/about" / room / "about.json", told_of(exercise));
@@ -119,8 +118,8 @@ void write_exercises(const Unfinished& kit, bool with_solutions) {
         kit.copy(exercise.declared(), "kit/generated" / exercise.declared().filename());
         kit.copy(exercise.told(), "kit/generated" / exercise.told().filename());
     }
-    const auto commands = json_of(contents(built / "commands.json"));
-    copy_stripped(places().build / "tools/course/kit_course", kit.at("kit/course"), "--strip-all");
+    const auto commands = read_json(contents(built / "commands.json"));
+    copy_stripped(paths().build / "tools/course/kit_course", kit.at("kit/course"), "--strip-all");
     copy_stripped(built / "check", kit.at("kit/check"), "--strip-all");
     copy_stripped(std::string(commands.at("worker")), kit.at("kit/libtimestep_worker.a"), "--strip-debug");
     for (const auto& [name, object] : commands.at("workers").items())
@@ -129,7 +128,7 @@ void write_exercises(const Unfinished& kit, bool with_solutions) {
 }
 
 void write_kit(const Unfinished& kit, bool with_solutions) {
-    const fs::path& source = places().source;
+    const fs::path& source = paths().source;
     for (const auto& part : parts)
         for (const fs::path& file : files_in(source / part.folder))
             if (std::any_of(part.endings.begin(), part.endings.end(),
@@ -137,7 +136,7 @@ void write_kit(const Unfinished& kit, bool with_solutions) {
                 kit.copy(source / part.folder / file, part.folder / file);
     for (const auto& file : single_files) kit.copy(source / file, file);
     kit.copy(source / "tools/kit/README.md", "README.md");
-    const fs::path site = places().build / "site_kit/html";
+    const fs::path site = paths().build / "site_kit/html";
     for (const fs::path& file : files_in(site)) kit.copy(site / file, "site" / file);
     write_exercises(kit, with_solutions);
 }
@@ -167,7 +166,7 @@ fs::path wanted(const std::string& name) {
     }
     if (!fs::is_directory(folder.parent_path(), error))
         refuse("cannot be made: the folder it is to be in is not there");
-    const fs::path inside = folder.lexically_relative(fs::canonical(places().source));
+    const fs::path inside = folder.lexically_relative(fs::canonical(paths().source));
     if (!inside.empty() && *inside.begin() != ".." && *inside.begin() != "build")
         refuse("is in the course itself; a kit goes beside it");
     return folder;

@@ -4,15 +4,15 @@
 #include <cstdio>
 #include <utility>
 
-#include "json_of.hpp"
+#include "read_json.hpp"
 
 #include "chapters.hpp"
 #include "commands.hpp"
-#include "configure.hpp"
+#include "build.hpp"
 #include "exercises.hpp"
-#include "interrupt.hpp"
+#include "process.hpp"
 #include "new_name.hpp"
-#include "places.hpp"
+#include "paths.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
 
@@ -33,7 +33,7 @@ struct Skeleton {
 };
 
 std::string filled(const std::string& sample, const Replacements& words) {
-    const fs::path file = places().source / "tools/new" / sample;
+    const fs::path file = paths().source / "tools/new" / sample;
     std::string text = contents(file);
     for (const auto& [word, by] : words) replace_all(text, word, by);
     const auto left = text.find("NEW_");
@@ -53,7 +53,7 @@ public:
     InTheMaking& operator=(const InTheMaking&) = delete;
 
     void write(const std::string& place, const std::string& text) {
-        const fs::path file = places().source / place;
+        const fs::path file = paths().source / place;
         std::error_code error;
         if (fs::exists(fs::symlink_status(file, error))) give_up(place + " is there already; nothing was made");
         make_folder(file.parent_path());
@@ -61,7 +61,7 @@ public:
         undo_.emplace_back(file, std::nullopt);
     }
     void change(const std::string& place, const std::string& text) {
-        const fs::path file = places().source / place;
+        const fs::path file = paths().source / place;
         std::string before = contents(file);
         write_whole(file, text);
         undo_.emplace_back(file, std::move(before));
@@ -108,7 +108,7 @@ std::string title_from(std::string name) {
 
 // README.md with this line at the end of its table of chapters.
 std::string readme_with(const std::string& line) {
-    std::string text = contents(places().source / "README.md");
+    std::string text = contents(paths().source / "README.md");
     const auto last = text.rfind("](chapters/");
     const auto end = last == std::string::npos ? last : text.find('\n', last);
     if (end == std::string::npos) give_up("README.md has no table of chapters, where the new one belongs");
@@ -178,7 +178,7 @@ void new_chapter(const std::string& name) {
         {"chapter/test.cpp", "tests/chapters/" + folder + ".cpp", "what the chapter claims, as tests"}};
     InTheMaking unfinished;
     for (const auto& part : parts) unfinished.write(part.place, filled(part.sample, words));
-    const auto about = json_of(filled("chapter/about.json", words));
+    const auto about = read_json(filled("chapter/about.json", words));
     unfinished.change(
         "README.md", readme_with("| [" + std::to_string(number) + " " + std::string(about.at("title")) + "](chapters/" +
                                  folder + ") | " + std::string(about.at("question")) + " |"));

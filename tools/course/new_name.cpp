@@ -8,7 +8,7 @@
 
 #include <dlfcn.h>
 
-#include "places.hpp"
+#include "paths.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
 
@@ -51,7 +51,7 @@ const std::set<std::string> cmakes_own{"all",        "clean",          "codegen"
 // All that can be built, as CMake has written it when it configured (tools/cmake/targets.cmake).
 std::set<std::string> targets() {
     std::set<std::string> names;
-    std::ifstream lines(places().build / "targets.txt");
+    std::ifstream lines(paths().build / "targets.txt");
     for (std::string line; std::getline(lines, line);)
         if (!line.empty()) names.insert(line);
     return names;
@@ -88,7 +88,7 @@ void check_exercise_is_new(const std::string& name) {
     if (name.ends_with("_declared"))
         refuse(name, "names that end in _declared are for what the build writes of exercises");
     std::error_code error;
-    const fs::path headers = places().source / "tools/checker";
+    const fs::path headers = paths().source / "tools/checker";
     for (fs::recursive_directory_iterator header(headers, error), end; !error && header != end; header.increment(error))
         if (header->path().filename() == name + ".hpp") refuse(name, "is a header of the checker");
     check_targets(

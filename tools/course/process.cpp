@@ -17,7 +17,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "interrupt.hpp"
 #include "look.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
@@ -177,6 +176,11 @@ private:
     int idle_looks_ = 0;
 };
 
+const std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
+volatile std::sig_atomic_t caught = 0;
+
+extern "C" void remember_signal(int signal) { caught = signal; }
+
 }  // namespace
 
 void hand_over(const std::vector<std::string>& command) {
@@ -273,6 +277,31 @@ void Lines::operator()(std::string_view piece) {
         line_(rest_.substr(0, end));
         rest_.erase(0, end + 1);
     }
+}
+
+TidyEnd::TidyEnd() {
+    struct sigaction remember {};
+    remember.sa_handler = remember_signal;
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+        sigaction(signals[i], nullptr, &before_[i]);
+        // What is ignored stays ignored: nohup, or a script that runs us beside other things.
+        if (before_[i].sa_handler != SIG_IGN) sigaction(signals[i], &remember, nullptr);
+    }
+}
+
+TidyEnd::~TidyEnd() {
+    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+    const int left = caught;
+    caught = 0;
+    if (left != 0) std::raise(left);
+}
+
+bool interrupted() { return caught != 0; }
+
+void stop_if_interrupted() {
+    if (!interrupted()) return;
+    caught = 0;
+    throw Stop(Status::interrupted, "interrupted");
 }
 
 }  // namespace course

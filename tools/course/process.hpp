@@ -1,7 +1,9 @@
 #pragma once
 /// \file
-/// Running another program and listening to it.
+/// Running another program and listening to it; Ctrl-C while there is something to tidy up.
 
+#include <array>
+#include <csignal>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -57,5 +59,25 @@ private:
     std::function<void(const std::string&)> line_;
     std::string rest_;
 };
+
+/// While it lives, SIGINT, SIGTERM and SIGHUP end nothing by themselves: whoever waits looks at
+/// `interrupted`, and throws, so that destructors run. A signal that nobody has looked at ends the
+/// program after it.
+class TidyEnd {
+public:
+    TidyEnd();
+    ~TidyEnd();
+    TidyEnd(const TidyEnd&) = delete;
+    TidyEnd& operator=(const TidyEnd&) = delete;
+
+private:
+    std::array<struct sigaction, 3> before_;
+};
+
+/// Has there been a signal that nobody has thrown for?
+bool interrupted();
+
+/// Throws Stop(interrupted) if so.
+void stop_if_interrupted();
 
 }  // namespace course

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "places.hpp"
+#include "paths.hpp"
 #include "stop.hpp"
 
 namespace course {
@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path file() { return places().source / ".progress" / "exercises.tsv"; }
+fs::path file() { return paths().source / ".progress" / "exercises.tsv"; }
 
 }  // namespace
 

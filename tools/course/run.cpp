@@ -15,7 +15,7 @@
 #include "build.hpp"
 #include "chapters.hpp"
 #include "commands.hpp"
-#include "places.hpp"
+#include "paths.hpp"
 #include "process.hpp"
 #include "stop.hpp"
 
@@ -125,16 +125,16 @@ std::string cmake_error(const std::string& error) {
     return words;
 }
 
-fs::path built(const std::string& program) { return places().build / "chapters" / program; }
+fs::path built(const std::string& program) { return paths().build / "chapters" / program; }
 
 // Program, study and figures, by the same script that the build uses.
 Complaint make_run(const Chapter& chapter, bool study, const fs::path& folder,
                    const std::vector<std::string>& options) {
-    const fs::path source = places().source;
-    const fs::path file = places().build / ("complaint_" + std::to_string(getpid()));
+    const fs::path source = paths().source;
+    const fs::path file = paths().build / ("complaint_" + std::to_string(getpid()));
     std::string said;
     const int status =
-        listen({places().cmake, "-DPROGRAM=" + built(chapter.program).string(),
+        listen({paths().cmake, "-DPROGRAM=" + built(chapter.program).string(),
                 "-DSTUDY=" + (study ? built(chapter.study()).string() : ""), "-DOUT=" + folder.string(),
                 "-DROOM=" + chapter.sources().string(), "-DSTYLE=" + (source / "tools/figures/style.gp").string(),
                 "-DGNUPLOT=gnuplot", "-DQUIET=ON", "-DARGUMENTS=" + cmake_list(options), "-DCOMPLAINT=" + file.string(),
@@ -177,7 +177,7 @@ void run(const std::string& name, bool study, const std::optional<std::string>& 
                        "--out belongs before the --: ./course run " + name + " --study --out DIR -- OPTIONS");
     }
 
-    const fs::path folder = out ? fs::path(*out) : places().build / "runs" / chapter.folder;
+    const fs::path folder = out ? fs::path(*out) : paths().build / "runs" / chapter.folder;
     if (folder.empty()) throw Stop(Status::bad_use, "--out '': must be the name of a folder");
     Destination destination(folder);
     const Complaint complaint = make_run(chapter, study, destination.work(), options);

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "places.hpp"
+#include "paths.hpp"
 #include "process.hpp"
 #include "stop.hpp"
 
@@ -37,7 +37,7 @@ bool is_below(const fs::path& place, const fs::path& folder) {
 // What stands of this course among the system's files, and would be seen with them.
 std::vector<fs::path> hidden_again() {
     std::vector<fs::path> own;
-    for (const fs::path& place : {places().source, places().build})
+    for (const fs::path& place : {paths().source, paths().build})
         if (is_below(place, "/usr")) own.push_back(place);
     return own;
 }

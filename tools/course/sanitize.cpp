@@ -1,8 +1,8 @@
 // course check --sanitize
 
-#include "json_of.hpp"
+#include "read_json.hpp"
 
-#include "places.hpp"
+#include "paths.hpp"
 #include "process.hpp"
 #include "stop.hpp"
 #include "verdict.hpp"
@@ -23,7 +23,7 @@ Verdict unwatched(const Exercise& exercise, const std::filesystem::path& file, s
 
 Verdict check_sanitized(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed) {
     if (!commands_are_whole(exercise)) return check_file(exercise, file, seed);  // which says so
-    const auto json = json_of(contents(places().build / "exercises/commands.json"));
+    const auto json = read_json(contents(paths().build / "exercises/commands.json"));
     if (json.at("sanitize").empty())
         throw Stop(Status::missing,
                    "check --sanitize: the compiler has no AddressSanitizer and no "

@@ -5,7 +5,7 @@
 #include "build.hpp"
 #include "commands.hpp"
 #include "exercises.hpp"
-#include "places.hpp"
+#include "paths.hpp"
 #include "process.hpp"
 #include "stop.hpp"
 
@@ -23,7 +23,7 @@ void print_book() {
         ProgressLine progress;
         build({"book"}, progress);
     }
-    const fs::path folder = places().build / "site";
+    const fs::path folder = paths().build / "site";
     if (!fs::exists(folder / "timestep.pdf"))
         throw Stop(Status::missing, "--pdf: no browser that prints was found (package chromium); to print by hand: " +
                                         address_of(folder / "book.html"));

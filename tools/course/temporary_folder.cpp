@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "places.hpp"
+#include "paths.hpp"
 #include "stop.hpp"
 
 namespace course {
@@ -27,7 +27,7 @@ void sweep(const fs::path& temporaries) {
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() {
-    const fs::path temporaries = places().build / "exercises";
+    const fs::path temporaries = paths().build / "exercises";
     const Lock no_sweep(temporaries / "temporaries.lock");  // before ours has its lock
     sweep(temporaries);
     std::string name = (temporaries / "check_XXXXXX").string();

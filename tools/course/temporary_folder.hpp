@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "files.hpp"
-#include "interrupt.hpp"
+#include "process.hpp"
 
 namespace course {
 

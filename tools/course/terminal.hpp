@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace course {
 
@@ -43,6 +44,12 @@ std::size_t width_of(const std::string& text);
 
 /// Puts `by` in the place of every `what`.
 void replace_all(std::string& text, const std::string& what, const std::string& by);
+
+/// How many letters one word is away from another: changed, left out, too many, or two that changed places.
+std::size_t distance(const std::string& a, const std::string& b);
+
+/// The name that is nearest to `word`, whose capitals and hyphens do not count; "" where none is near.
+std::string nearest(const std::string& word, const std::vector<std::string>& names);
 
 /// Writes out what has been printed. Throws Stop(bad_use) where nobody gets it: a full disk.
 void flush();

@@ -12,7 +12,7 @@
 #include "build.hpp"
 #include "commands.hpp"
 #include "exercises.hpp"
-#include "places.hpp"
+#include "paths.hpp"
 #include "process.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
@@ -44,7 +44,7 @@ std::vector<std::string> skipped(const std::string& summary) {
 // Which tests are left to another `command`, as ctest lists them: "  Test #3: headers stand alone".
 void print_left_out(const char* label, const char* command) {
     std::string list;
-    listen({places().ctest, "--test-dir", places().build.string(), "-N", "-L", label},
+    listen({paths().ctest, "--test-dir", paths().build.string(), "-N", "-L", label},
            [&](std::string_view text) { list += text; });
     std::vector<std::string> names;
     std::istringstream lines(list);
@@ -93,8 +93,8 @@ void test(Tests which) {
     // One more than there are processors: many a test waits for what sleeps.
     const std::string jobs = std::to_string(1 + std::max(1u, std::thread::hardware_concurrency()));
     std::vector<std::string> command{
-        places().ctest, "--test-dir", places().build.string(), "--output-on-failure", "--no-tests=error",
-        "--parallel",   jobs};
+        paths().ctest, "--test-dir", paths().build.string(), "--output-on-failure", "--no-tests=error",
+        "--parallel",  jobs};
     if (which == Tests::quick) command.insert(command.end(), {"--label-exclude", "long|release"});
     if (which == Tests::all) command.insert(command.end(), {"--label-exclude", "release"});
     const int status = listen(command, std::ref(lines));

@@ -14,7 +14,7 @@
 #include "chapters.hpp"
 #include "commands.hpp"
 #include "exercises.hpp"
-#include "places.hpp"
+#include "paths.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
 
@@ -83,12 +83,12 @@ void tour() {
     ProgressLine progress;
     progress.say(std::string("Building the programs, running the chapters, drawing the figures") +
                  (is_kit() ? ":" : ", making the site:"));
-    if (!is_kit() && !std::filesystem::exists(places().build / "site/html/made")) {
+    if (!is_kit() && !std::filesystem::exists(paths().build / "site/html/made")) {
         try {
             grow(chapters, progress);
         } catch (const Stop& stop) {
             if (stop.status() != Status::interrupted ||
-                !std::filesystem::exists(places().build / "site/html/index.html"))
+                !std::filesystem::exists(paths().build / "site/html/index.html"))
                 throw;
             throw Stop(Status::interrupted, "interrupted. What is there can be read: " + site_address() +
                                                 "; ./course tour goes on from there");

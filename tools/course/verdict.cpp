@@ -9,11 +9,11 @@
 #include <random>
 #include <sstream>
 
-#include "json_of.hpp"
+#include "read_json.hpp"
 #include <sys/prctl.h>
 
 #include "forbidden_includes.hpp"
-#include "places.hpp"
+#include "paths.hpp"
 #include "process.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
@@ -34,9 +34,9 @@ struct Commands {
 };
 
 Commands read_commands(const Exercise& exercise) {
-    const fs::path file = places().build / "exercises/commands.json";
+    const fs::path file = paths().build / "exercises/commands.json";
     try {
-        const auto json = json_of(contents(file));
+        const auto json = read_json(contents(file));
         return {json.at(exercise.eigen ? "compile_eigen" : "compile"),
                 json.at(exercise.eigen ? "bare_eigen" : "bare"),
                 json.at("sanitize"),
@@ -64,7 +64,7 @@ void stop_if_full(const fs::path& folder) {
     try {
         write_whole(folder / "room", std::string(4 << 20, ' '));
     } catch (const Stop&) {
-        throw Stop(Status::bad_use, places().build.string() + ": no space left on the device");
+        throw Stop(Status::bad_use, paths().build.string() + ": no space left on the device");
     }
 }
 
@@ -91,7 +91,7 @@ constexpr double idle_seconds = 5;
 
 // Runs the compiler; false where it refuses, or has not come to an end.
 bool succeeds(const Words& command, const TemporaryFolder& temporary, Verdict& verdict, int patience) {
-    const int seconds = places().compiler_seconds * patience;
+    const int seconds = paths().compiler_seconds * patience;
     const Outcome outcome = run_within(command, {10. * seconds, 4096, 64, 64, temporary.folder().string(), seconds,
                                                  idle_seconds, "Waiting for the compiler"});
     // The words may be the answer's own: so the disk is asked, too.
@@ -223,7 +223,7 @@ fs::path hidden_tests_of(const Exercise& exercise) { return read_commands(exerci
 std::vector<fs::path> parts_of_check(const Exercise& exercise) {
     const Commands commands = read_commands(exercise);
     const char* const header = exercise.eigen ? "exercise_eigen.hpp" : "exercise.hpp";
-    const fs::path ready = places().build / "exercises/ready";
+    const fs::path ready = paths().build / "exercises/ready";
     const bool gnu = fs::exists(ready / header);  // which clang++ needs no copy of
     return {commands.check, commands.worker_object, commands.worker_library,
             ready / (header + std::string(gnu ? ".gch" : ".pch"))};

@@ -7,7 +7,7 @@
 
 namespace course {
 
-struct Places {
+struct Paths {
     std::filesystem::path source;  ///< the checkout
     std::filesystem::path build;   ///< the build folder that this program belongs to
     std::string cmake, ctest;      ///< the programs that made the build folder
@@ -16,6 +16,6 @@ struct Places {
     int compiler_seconds = 9;
 };
 
-const Places& places();
+const Paths& paths();
 
 }  // namespace course

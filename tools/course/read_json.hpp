@@ -9,9 +9,9 @@
 namespace course {
 
 /// What the text says. Throws nlohmann::json::exception where it is no JSON.
-nlohmann::json json_of(const std::string& text);
+nlohmann::json read_json(const std::string& text);
 
 /// The same; where it is no JSON, a value that is_discarded().
-nlohmann::json json_or_nothing(const std::string& text);
+nlohmann::json try_read_json(const std::string& text);
 
 }  // namespace course

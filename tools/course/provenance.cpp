@@ -11,8 +11,8 @@
 #include "chapters.hpp"
 #include "commands.hpp"
 #include "files.hpp"
-#include "nearest.hpp"
-#include "places.hpp"
+#include "terminal.hpp"
+#include "paths.hpp"
 #include "stop.hpp"
 
 namespace course {
@@ -60,7 +60,7 @@ std::string first_line_of(const fs::path& file) {
     return line;
 }
 
-std::string from_root(const fs::path& file) { return fs::relative(file, places().source).generic_string(); }
+std::string from_root(const fs::path& file) { return fs::relative(file, paths().source).generic_string(); }
 
 // What no program has told of is where its name stands in a source: a small program's data and the
 // figures.
@@ -103,10 +103,10 @@ void read_things(Run& run) {
 // The run named by what stands before the slash, or all that there are.
 std::vector<Run> runs_meant(const std::string& folder) {
     std::vector<Run> runs;
-    const fs::path all = places().build / "chapters";
+    const fs::path all = paths().build / "chapters";
     for (const char* beside : {"instructions", "programs"})
         if (folder.empty() || folder == beside)
-            runs.push_back({beside, places().source / "tools/instructions", all / beside / "run", {}});
+            runs.push_back({beside, paths().source / "tools/instructions", all / beside / "run", {}});
     if (!folder.empty() && runs.empty()) {
         const Chapter chapter = find_chapter(folder);
         return {{chapter.folder, chapter.sources(), chapter.run(), {}}};
@@ -155,12 +155,12 @@ std::map<std::string, std::set<std::ptrdiff_t>> uses_of(const Thing& thing) {
     std::map<std::string, std::set<std::ptrdiff_t>> uses;
     std::error_code none;
     for (const char* folder : {"chapters", "docs"})
-        for (const auto& entry : fs::recursive_directory_iterator(places().source / folder, none)) {
+        for (const auto& entry : fs::recursive_directory_iterator(paths().source / folder, none)) {
             const bool page = entry.path().extension() == ".md";
             const bool drawing = entry.path().extension() == ".gp" && thing.kind == "data";
             if (!page && !drawing) continue;
             const std::string text = contents(entry.path()), file = from_root(entry.path());
-            const std::string own = fs::relative(entry.path(), places().source / "chapters").begin()->string();
+            const std::string own = fs::relative(entry.path(), paths().source / "chapters").begin()->string();
             if (drawing && own != thing.folder) continue;
             const std::string mark = page ? "{{" : thing.name;
             for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) {
@@ -175,7 +175,7 @@ std::map<std::string, std::set<std::ptrdiff_t>> uses_of(const Thing& thing) {
 
 // Has the source been changed since it was run, so that the line may stand elsewhere now?
 bool has_changed(const Thing& thing, const Run& run) {
-    const auto done = written_at(run.place / "done"), written = written_at(places().source / thing.file);
+    const auto done = written_at(run.place / "done"), written = written_at(paths().source / thing.file);
     return done && (!written || *written > *done);
 }
 

@@ -1,4 +1,4 @@
-#include "tell.hpp"
+#include "verdict_text.hpp"
 
 #include <cmath>
 #include <sstream>
