@@ -91,7 +91,8 @@ endif()
 # to make the site ${site}/html from it, with the figures in `figures`. `tests` is the folder of the tests, or nothing.
 # A gap in the documentation is an error, or with OFF none.
 function(timestep_doxyfile name site pages figures tests strict make)
-  doxygen_list(inputs "${pages}" "${PROJECT_SOURCE_DIR}/include" "${library}" "${PROJECT_SOURCE_DIR}/docs/engines" "${PROJECT_SOURCE_DIR}/chapters" ${tests})
+  doxygen_list(inputs "${pages}" "${PROJECT_SOURCE_DIR}/include" "${library}" "${PROJECT_SOURCE_DIR}/engines" "${PROJECT_SOURCE_DIR}/chapters"
+    "${PROJECT_SOURCE_DIR}/tools/lab" "${PROJECT_SOURCE_DIR}/tools/bench/contest" ${tests})
   set(unlinked "")
   if(NOT tests)
     set(unlinked tests/)

@@ -7,7 +7,7 @@ set(fixture "${WORK}/course")
 # Copies the course without its chapters.
 function(set_fixture)
   file(REMOVE_RECURSE "${WORK}")
-  foreach(part CMakeLists.txt include tools chapters/CMakeLists.txt chapters/support)
+  foreach(part CMakeLists.txt include tools engines chapters/CMakeLists.txt)
     get_filename_component(folder "${fixture}/${part}" DIRECTORY)
     file(COPY "${ROOT}/${part}" DESTINATION "${folder}")
   endforeach()

@@ -12,7 +12,7 @@
 
 #include <timestep/measured_order.hpp>
 
-#include "plane_scene.hpp"
+#include "chapters/05_gyroscopic/study/plane_scene.hpp"
 
 using namespace timestep;
 using plane::Arms;

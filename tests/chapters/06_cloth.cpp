@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "cloth.hpp"
+#include "chapters/06_stability/study/cloth.hpp"
 
 namespace {
 

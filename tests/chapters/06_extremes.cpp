@@ -4,7 +4,7 @@
 #include <timestep/methods/implicit_euler.hpp>
 #include <timestep/models/spring.hpp>
 
-#include "extremes/extremes.hpp"
+#include "chapters/06_stability/study/extremes/extremes.hpp"
 
 using namespace extremes;
 

@@ -9,7 +9,7 @@
 #include <timestep/run.hpp>
 #include <timestep/scene.hpp>
 
-#include "mixed.hpp"
+#include "chapters/06_stability/study/mixed.hpp"
 
 using namespace timestep;
 

@@ -20,8 +20,8 @@
 #include <timestep/models/van_der_pol.hpp>
 #include <timestep/run.hpp>
 
-#include "adaptive.hpp"
-#include "sdirk.hpp"
+#include "chapters/06_stability/study/adaptive.hpp"
+#include "chapters/06_stability/study/sdirk.hpp"
 
 using namespace timestep;
 

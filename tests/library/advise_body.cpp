@@ -7,7 +7,7 @@
 #include <timestep/advise_body.hpp>
 #include <timestep/nearly_symmetric.hpp>
 
-#include "body_questions.hpp"
+#include "chapters/06_stability/study/body_questions.hpp"
 
 using namespace timestep;
 using questions::Body;

@@ -2,7 +2,7 @@
 # result, whole; what is in the folder and not the run's own stays. A full disk is played by the
 # shell's limit on the size of files, by /dev/full, and by a folder where a file should go.
 #
-# All of this is the doing of chapters/support, one for all programs: the sources in ROOM must open no
+# All of this is the doing of tools/lab, one for all programs: the sources in ROOM must open no
 # file. So every program runs as the page has it, and once into an older result on a full disk; the
 # other ways to fail are tried on the programs for which EVERY_WAY is set.
 include("${CMAKE_CURRENT_LIST_DIR}/program.cmake")
@@ -14,7 +14,7 @@ endif()
 foreach(source IN LISTS sources)
   file(STRINGS "${source}" opens REGEX "fstream|fopen|<filesystem>|<fcntl.h>|<unistd.h>")
   if(opens)
-    wrong("${source}: opens files itself, past chapters/support: ${opens}")
+    wrong("${source}: opens files itself, past tools/lab: ${opens}")
   endif()
 endforeach()
 

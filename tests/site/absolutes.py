@@ -73,7 +73,7 @@ def strings(lines):
 
 
 def sources(root):
-    for file in sorted([root / "README.md", *root.glob("chapters/*/*.md"), *root.glob("docs/*.md"), *root.glob("docs/engines/*.md")]):
+    for file in sorted([root / "README.md", *root.glob("chapters/*/*.md"), *root.glob("docs/*.md"), *root.glob("engines/*.md")]):
         if file.name != "promises.md":  # each of its rows names its own tests, which tests/grading/promises.sh looks up
             yield file, page
     for file in sorted([*root.glob("include/timestep/**/*.h*")]):
@@ -114,7 +114,7 @@ class Proofs:
         named = f'"{check}"'
         studies = [*self.root.glob(f"chapters/{chapter}/study/*.cpp"), *self.root.glob(f"chapters/{chapter}/study/*.hpp")]
         if chapter == "in_engines":
-            studies = [self.root / "docs/engines/measured/checks.tsv"]
+            studies = [self.root / "engines/measured/checks.tsv"]
             named = f"\n{check}\t"
         return "" if check and any(named in file.read_text(encoding="utf-8") for file in studies) \
             else f"no study has the check {where}"

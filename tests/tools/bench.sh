@@ -193,9 +193,9 @@ many with O3_native"
 }
 
 test_bench_engines_hands_its_words_over() {
-    mkdir -p build/tools/bench/engines
-    printf '#!/bin/sh\necho "$@"\n' >build/tools/bench/engines/bench_engines
-    chmod +x build/tools/bench/engines/bench_engines
+    mkdir -p build/engines/measure
+    printf '#!/bin/sh\necho "$@"\n' >build/engines/measure/bench_engines
+    chmod +x build/engines/measure/bench_engines
     expect 0 course bench engines --quick --scene top --scene cost --engine ODE --out there
     is "$(cat out)" '--out there --quick --engine ODE --scene top --scene cost'
     says calls '--target bench_engines'

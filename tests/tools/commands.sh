@@ -61,9 +61,9 @@ END
 }
 
 test_a_scene_that_is_not_there_is_refused_before_anything_is_built() {
-    mkdir -p source/chapters/support/contest source/tools/bench/engines
-    cp "${source_of_door%/course}/chapters/support/contest/scenes.hpp" source/chapters/support/contest
-    cp "${source_of_door%/course}/tools/bench/engines/engines.cpp" source/tools/bench/engines
+    mkdir -p source/tools/bench/contest source/engines/measure
+    cp "${source_of_door%/course}/tools/bench/contest/scenes.hpp" source/tools/bench/contest
+    cp "${source_of_door%/course}/engines/measure/engines.cpp" source/engines/measure
     : >calls
     expect 2 course bench --scene nosuch
     is "$(cat err)" "course: --scene 'nosuch': must be one of projectile, drag, spring, damped_spring, spring_3d, stiff_spring, \
@@ -95,7 +95,7 @@ test_the_help_says_what_kit_and_check_take() {
 }
 
 test_list_shows_title_and_question_in_order() {
-    mkdir source/chapters/support source/chapters/my_notes source/chapters/1x_notes source/chapters/x1_notes
+    mkdir source/chapters/my_notes source/chapters/1x_notes source/chapters/x1_notes
     expect 0 course list
     is "$(grep -v '^$' out)" '01  A body falls
     Why?

@@ -15,7 +15,7 @@ list(REMOVE_ITEM CATCH2 /usr/include)
 foreach(folder IN LISTS EIGEN CATCH2)
   list(APPEND dialect -isystem "${folder}")
 endforeach()
-foreach(folder IN ITEMS include chapters/support docs docs/engines tests/support tools/live)
+foreach(folder IN ITEMS include . tools/lab tools/bench engines tests/support tools/live)
   list(APPEND dialect "-I${ROOT}/${folder}")
 endforeach()
 function(read)
@@ -27,13 +27,13 @@ endfunction()
 
 set(include "${ROOT}/include")
 set(programs_sources chapters/*/*.cpp chapters/*/live/*.cpp docs/library/*.cpp)
-set(studies_sources chapters/*/study/*.cpp chapters/support/*.cpp chapters/support/*/*.cpp)
-set(tests_sources tests/library/*.cpp tests/chapters/*.cpp tests/c/*.cpp)
+set(studies_sources chapters/*/study/*.cpp chapters/*/study/*/*.cpp tools/lab/*.cpp tools/bench/contest/*.cpp)
+set(tests_sources tests/library/*.cpp tests/chapters/*.cpp engines/tests/*.cpp)
 list(TRANSFORM ${PART}_sources PREPEND "${ROOT}/")
 file(GLOB sources ${${PART}_sources})
-list(FILTER sources EXCLUDE REGEX "/chapters/support/options[.]cpp$")  # the one that reads CLI11
+list(FILTER sources EXCLUDE REGEX "/tools/lab/options[.]cpp$")  # the one that reads CLI11
+list(FILTER sources EXCLUDE REGEX "/engines/tests/(bullet_adapter|ode_adapter|patches|record)[.]cpp$")  # Linux alone has them
 if(PART STREQUAL "programs")
-  list(FILTER sources EXCLUDE REGEX "/chapters/support/")
   file(GLOB_RECURSE headers RELATIVE "${include}" "${include}/*.hpp" "${include}/timestep/*.h")
   list(REMOVE_ITEM headers timestep/gyroscopic/rules.h timestep/gyroscopic/flying.h timestep/gyroscopic/lanes.h)  # which gyroscopic.h includes
   list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>")
@@ -48,7 +48,7 @@ endif()
 
 # CTest calls a test by its name, and Windows hands on no letters but these.
 if(PART STREQUAL "tests")
-  file(GLOB named "${ROOT}/tests/library/*.cpp" "${ROOT}/tests/chapters/*.cpp" "${ROOT}/tests/c/*.cpp")
+  file(GLOB named "${ROOT}/tests/library/*.cpp" "${ROOT}/tests/chapters/*.cpp" "${ROOT}/engines/tests/*.cpp")
   foreach(source IN LISTS named)
     file(READ "${source}" text)
     if(text MATCHES "TEST_CASE\\([ \n]*\"([^\"\n]*[^ -~\n][^\"\n]*)\"")
@@ -59,7 +59,7 @@ endif()
 
 # What is not ours: the standard library, Eigen and Catch2, as any of the sources or of our headers includes it.
 file(GLOB_RECURSE ours "${include}/*.hpp" "${include}/*.h" "${ROOT}/chapters/*.hpp" "${ROOT}/tests/support/*.hpp"
-  "${ROOT}/tests/c/*.h*" "${ROOT}/tools/live/*.hpp")
+  "${ROOT}/tools/lab/*.hpp" "${ROOT}/tools/bench/contest/*.hpp" "${ROOT}/engines/tests/*.h*" "${ROOT}/tools/live/*.hpp")
 set(theirs "")
 foreach(file IN LISTS ours sources)
   file(STRINGS "${file}" lines REGEX "^#include <(Eigen/|catch2/|[a-z_]+>)")

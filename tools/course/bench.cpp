@@ -61,7 +61,7 @@ std::vector<std::string> names_in(const std::filesystem::path& source, const std
 
 void bench(const Contest& contest) {
     check_scenes(contest.scenes,
-                 names_in(paths().source / "chapters/support/contest/scenes.hpp", "all_scenes{", "Named{\""));
+                 names_in(paths().source / "tools/bench/contest/scenes.hpp", "all_scenes{", "Named{\""));
     {
         ProgressLine progress;
         build({"bench"}, progress);
@@ -86,13 +86,13 @@ void bench_gyroscopic() { run_each({"bench_gyroscopic_O2", "bench_gyroscopic_O3_
 void bench_many() { run_each({"bench_many_O2", "bench_many_O2_native", "bench_many_O3_native"}); }
 
 void bench_engines(const Contest& contest, const std::optional<std::string>& engine) {
-    check_scenes(contest.scenes, names_in(paths().source / "tools/bench/engines/engines.cpp", "Scene scenes[]", "{\""));
+    check_scenes(contest.scenes, names_in(paths().source / "engines/measure/engines.cpp", "Scene scenes[]", "{\""));
     {
         ProgressLine progress;
         build({"bench_engines"}, progress);
     }
     const auto folder = paths().build / "runs/engines";
-    std::vector<std::string> command{(paths().build / "tools/bench/engines/bench_engines").string(), "--out",
+    std::vector<std::string> command{(paths().build / "engines/measure/bench_engines").string(), "--out",
                                      contest.out.value_or(folder.string())};
     if (contest.quick) command.push_back("--quick");
     if (engine) command.insert(command.end(), {"--engine", *engine});

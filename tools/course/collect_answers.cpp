@@ -151,25 +151,16 @@ bool is_ignored(const std::string& name) {
 
 // What the folder is made of that holds the whole course.
 bool is_of_the_course(const fs::path& entry) {
-    static const std::set<std::string> parts{"chapters",
-                                             "docs",
-                                             "exercises",
-                                             "include",
-                                             "kit",
-                                             "site",
-                                             "solutions",
-                                             "tests",
-                                             "tools",
-                                             "build",
-                                             "course",
-                                             "CMakeLists.txt",
-                                             "CMakePresets.json",
-                                             "LICENSE",
-                                             "README.md",
-                                             ".gitignore",
-                                             ".progress",
-                                             ".github",
-                                             ".ci",
+    static const std::set<std::string> parts{"chapters",       "docs",
+                                             "engines",        "exercises",
+                                             "include",        "kit",
+                                             "site",           "solutions",
+                                             "tests",          "tools",
+                                             "build",          "course",
+                                             "CMakeLists.txt", "CMakePresets.json",
+                                             "LICENSE",        "README.md",
+                                             ".gitignore",     ".progress",
+                                             ".github",        ".ci",
                                              ".clang-format"};
     std::error_code error;
     const fs::path folder = entry.parent_path();

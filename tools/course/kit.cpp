@@ -28,14 +28,15 @@ struct Part {
 };
 const std::vector<Part> parts{
     {"chapters", {".cpp", ".hpp", ".gp", ".md", ".json", "CMakeLists.txt"}},
-    {"docs/engines", {".hpp", ".h", ".c", ".patch"}},
     {"docs/library", {".cpp"}},
+    {"engines", {".cpp", ".hpp", ".h", ".c", ".cmake", ".patch", "CMakeLists.txt"}},
     {"include", {".hpp", ".h"}},
     {"tools/bench", {".cpp", ".hpp", ".cmake", "CMakeLists.txt"}},
     {"tools/checker/learner", {".hpp"}},
     {"tools/cmake", {".cmake", ".sh"}},
     {"tools/course", {".cpp", ".hpp", "CMakeLists.txt"}},
     {"tools/figures", {".gp"}},
+    {"tools/lab", {".cpp", ".hpp", "CMakeLists.txt"}},
     {"tools/live", {".hpp", ".md"}},
     {"tools/processes", {".cpp", ".hpp", "CMakeLists.txt"}},
 };

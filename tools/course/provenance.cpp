@@ -154,7 +154,7 @@ bool shows(const std::string& words, const std::string& own, const Thing& thing)
 std::map<std::string, std::set<std::ptrdiff_t>> uses_of(const Thing& thing) {
     std::map<std::string, std::set<std::ptrdiff_t>> uses;
     std::error_code none;
-    for (const char* folder : {"chapters", "docs"})
+    for (const char* folder : {"chapters", "docs", "engines"})
         for (const auto& entry : fs::recursive_directory_iterator(paths().source / folder, none)) {
             const bool page = entry.path().extension() == ".md";
             const bool drawing = entry.path().extension() == ".gp" && thing.kind == "data";

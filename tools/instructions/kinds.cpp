@@ -6,7 +6,7 @@
 #include <string>
 
 #include "count.hpp"
-#include "mixed.hpp"
+#include "chapters/06_stability/study/mixed.hpp"
 
 namespace {
 

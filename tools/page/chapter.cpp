@@ -23,7 +23,7 @@ std::vector<std::string> list(const Json& about, const std::string& key) {
     return found == about.end() ? std::vector<std::string>{} : found->second;
 }
 
-/// Chapters live in folders like 03_euler_variants; chapters/support is none.
+/// Chapters live in folders like 03_euler_variants.
 bool is_chapter(const std::string& folder) {
     const auto digit = [&](std::size_t i) { return std::isdigit(static_cast<unsigned char>(folder[i])) != 0; };
     return folder.size() > 3 && digit(0) && digit(1) && folder[2] == '_';

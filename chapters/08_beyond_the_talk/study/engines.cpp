@@ -1,5 +1,5 @@
 // The appendix: the rules of the engines, and of a few books, each with what it keeps and how it
-// fails. The page is docs/engines/rigid_methods.md.
+// fails. The page is engines/rigid_methods.md.
 
 #include <algorithm>
 #include <cmath>

@@ -68,7 +68,7 @@ TEST_CASE("a method has one colour in all figures") {
     const std::regex plot{"with (?:lines|points|linespoints) ([^,\n]*?(?:\\([^)]*\\)[^,\n]*?)?)title \"([^\"]*)\""};
     const std::regex look{"@(\\w+)|lc rgb [\"'](#[0-9a-f]{6})"};
     int compared = 0;
-    for (const char* folder : {"chapters", "docs/engines"}) {
+    for (const char* folder : {"chapters", "engines"}) {
         for (const auto& entry : fs::recursive_directory_iterator{root / folder}) {
             if (entry.path().extension() != ".gp") {
                 continue;

@@ -1,4 +1,4 @@
-// The step that docs/engines/in_your_engine.md shows, in an engine of two functions.
+// The step that engines/in_your_engine.md shows, in an engine of two functions.
 #include "taken_home.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -21,7 +21,7 @@
 #include <timestep/stability_function.hpp>
 #include <timestep/stability_limit.hpp>
 
-#include "any_method.hpp"
+#include "../any_method.hpp"
 #include "extremes.hpp"
 
 namespace extremes {

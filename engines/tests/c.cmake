@@ -11,7 +11,7 @@ enable_language(C)
 # As compilers make it that have no vectors of four numbers.
 add_library(c_one_by_one OBJECT calls.c)
 target_compile_definitions(c_one_by_one PRIVATE TIMESTEP_ONE_BY_ONE calls=calls_one_by_one callsf=callsf_one_by_one)
-add_executable(c_tests $<TARGET_OBJECTS:c_one_by_one> calls.c ../../docs/engines/taken_home.c taken_home.cpp creep.cpp unity.cpp bits.cpp extremes.cpp limits.cpp)
+add_executable(c_tests $<TARGET_OBJECTS:c_one_by_one> calls.c ../taken_home.c taken_home.cpp creep.cpp unity.cpp bits.cpp extremes.cpp limits.cpp)
 set_target_properties(c_tests c_one_by_one PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
 # Eigen adds four numbers, and multiplies quaternions, in another order where it has vectors of the processor: here
 # it shall do as the formulas stand. So the bits can be the same.
@@ -20,7 +20,7 @@ foreach(target c_tests c_one_by_one)
   target_compile_options(${target} PRIVATE -O1
     $<$<COMPILE_LANGUAGE:C>:-Wconversion -Wsign-conversion -Wshadow -Wfloat-conversion>)
 endforeach()
-target_include_directories(c_tests PRIVATE ../support ../../docs/engines)
+target_include_directories(c_tests PRIVATE "${PROJECT_SOURCE_DIR}/tests/support" ..)
 target_link_libraries(c_one_by_one PRIVATE timestep_headers timestep_warnings)
 target_link_libraries(c_tests PRIVATE timestep timestep_shared timestep_warnings Catch2::Catch2WithMain m)
 catch_discover_tests(c_tests)

@@ -386,7 +386,7 @@ std::string checks(const Record& of) {
     return lines;
 }
 
-// What `file` has of Box3D's own tests, which another command wrote there (tests/engines/own_tests.sh).
+// What `file` has of Box3D's own tests, which another command wrote there (engines/tests/own_tests.sh).
 std::string of_own_tests(const fs::path& file) {
     std::ifstream in(file);
     std::string rows;

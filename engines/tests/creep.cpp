@@ -1,4 +1,4 @@
-// Energy creeps up in Box3D with each substep (docs/engines/in_your_engine.md). Not by the calm
+// Energy creeps up in Box3D with each substep (engines/in_your_engine.md). Not by the calm
 // half-step, nor by the half-step Jacobian where only the change of the spin is turned back: here
 // they are, with substeps that turn a body as Box3D's do. Last what flies.
 #include <catch2/catch_test_macros.hpp>

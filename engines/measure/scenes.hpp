@@ -73,7 +73,7 @@ void throw_bodies(const std::vector<Engine>& engines, const Effort& effort, Numb
 void pile_up(const std::vector<Engine>& engines, const Effort& effort, Numbers& numbers);
 void time_steps(const std::vector<Engine>& engines, const Effort& effort, Numbers& numbers);
 
-// Leaves in `folder` what docs/engines/in_your_engine.md shows: numbers.tsv and its tables.
+// Leaves in `folder` what engines/in_your_engine.md shows: numbers.tsv and its tables.
 void record(const std::filesystem::path& folder, const Numbers& numbers);
 
 // "Box3D, 4 substeps  calm half-step, after   ": the first two columns of a table.

@@ -1,4 +1,4 @@
-// The C# that docs/engines/in_your_engine.md shows keeps to what C++ understands as well: so it is
+// The C# that engines/in_your_engine.md shows keeps to what C++ understands as well: so it is
 // held to gyroscopic.h.
 #include <catch2/catch_test_macros.hpp>
 
