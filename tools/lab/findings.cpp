@@ -41,8 +41,7 @@ std::string formatted(double value, int digits) {
 
 std::string id(const std::string& name) {
     std::string word;
-    for (const char c : name)
-        word += std::isalnum(static_cast<unsigned char>(c)) ? char(std::tolower(c)) : '_';
+    for (const char c : name) word += std::isalnum(static_cast<unsigned char>(c)) ? char(std::tolower(c)) : '_';
     return word;
 }
 
@@ -68,8 +67,8 @@ void Findings::section(const std::string& title) {
     std::printf("\n%s\n%s\n", title.c_str(), std::string(title.size(), '-').c_str());
 }
 
-void Findings::add_number(const std::string& name, const std::string& value,
-                          const std::string& unit, const std::string& meaning, Place from) {
+void Findings::add_number(const std::string& name, const std::string& value, const std::string& unit,
+                          const std::string& meaning, Place from) {
     if (std::find(names_.begin(), names_.end(), name) != names_.end())
         throw std::logic_error(name + ": a number of that name exists already");
     names_.push_back(name);
@@ -86,18 +85,16 @@ void Findings::add_place(const char* kind, const std::string& name, Place from) 
     places_ += join({name, kind, shown + ":" + std::to_string(from.line)});
 }
 
-void Findings::number(const std::string& name, double value, const std::string& unit,
-                      const std::string& meaning, int digits, Place from) {
+void Findings::number(const std::string& name, double value, const std::string& unit, const std::string& meaning,
+                      int digits, Place from) {
     add_number(name, formatted(value, digits), unit, meaning, from);
 }
 
-void Findings::text(const std::string& name, const std::string& words, const std::string& meaning,
-                    Place from) {
+void Findings::text(const std::string& name, const std::string& words, const std::string& meaning, Place from) {
     add_number(name, words, "", meaning, from);
 }
 
-void Findings::check(const std::string& name, bool holds, const std::string& statement,
-                     Place from) {
+void Findings::check(const std::string& name, bool holds, const std::string& statement, Place from) {
     add_place("check", name, from);
     checks_ += join({name, statement});
     if (!holds) failed_.push_back(statement);
@@ -114,8 +111,7 @@ namespace {
 std::vector<fs::path> make_folder(const fs::path& folder) {
     std::vector<fs::path> made;
     std::error_code error;
-    for (fs::path path = folder; !path.empty() && !fs::exists(path, error);
-         path = path.parent_path())
+    for (fs::path path = folder; !path.empty() && !fs::exists(path, error); path = path.parent_path())
         made.push_back(path);
     fs::create_directories(folder, error);
     if (!error) return made;
@@ -154,14 +150,11 @@ void Findings::save(const std::string& folder) const {
         staging = make_staging(target);
         for (const auto& [name, text] : files) {
             if (fs::is_directory(target / name, error))
-                throw std::runtime_error((target / name).string() +
-                                         ": must be a file, not a folder");
+                throw std::runtime_error((target / name).string() + ": must be a file, not a folder");
             std::ofstream file(staging / name, std::ios::binary);
             file << *text;
             file.close();
-            if (!file)
-                throw std::runtime_error((target / name).string() +
-                                         ": cannot be written (is the disk full?)");
+            if (!file) throw std::runtime_error((target / name).string() + ": cannot be written (is the disk full?)");
         }
         for (const auto& [name, text] : files) fs::rename(staging / name, target / name);
         fs::remove(staging);

@@ -62,17 +62,15 @@ public:
     /// Prints a heading; `{{run: title}}` on a page quotes what is printed below it.
     void section(const std::string& title);
     /// A number for the page, rounded to `digits` significant digits. Integers stand in full.
-    void number(const std::string& name, double value, const std::string& unit,
-                const std::string& meaning, int digits = 3, Place from = Place::here());
+    void number(const std::string& name, double value, const std::string& unit, const std::string& meaning,
+                int digits = 3, Place from = Place::here());
     /// Words for the page, such as the name of the method that won.
     void text(const std::string& name, const std::string& words, const std::string& meaning,
               Place from = Place::here());
     /// Something the page says and this run confirms.
-    void check(const std::string& name, bool holds, const std::string& statement,
-               Place from = Place::here());
+    void check(const std::string& name, bool holds, const std::string& statement, Place from = Place::here());
     /// A data file with the columns named.
-    Table& table(const std::string& file, std::vector<std::string> columns,
-                 Place from = Place::here());
+    Table& table(const std::string& file, std::vector<std::string> columns, Place from = Place::here());
 
     const std::vector<std::string>& failed() const { return failed_; }
     /// Writes every file into `folder`, each of them whole. A disk that is full changes nothing
@@ -113,11 +111,9 @@ public:
     Program(std::string name, std::string summary);
     void option(const std::string& flag, double& value, Rule rule, const std::string& help);
     /// A whole number between `least` and `most`.
-    void option(const std::string& flag, long& value, long least, long most,
-                const std::string& help);
+    void option(const std::string& flag, long& value, long least, long most, const std::string& help);
     /// One of a few words.
-    void option(const std::string& flag, std::string& value, std::vector<std::string> choices,
-                const std::string& help);
+    void option(const std::string& flag, std::string& value, std::vector<std::string> choices, const std::string& help);
     int run(int argc, char** argv, const std::function<void(Findings&)>& body);
 
 private:

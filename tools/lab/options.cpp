@@ -39,8 +39,7 @@ bool Options::parse(int argc, char** argv) const {
         for (std::size_t k = 0; k < options_.size() && !known; ++k) {
             const auto& [flag, setter, has_value, often] = options_[k];
             if (word == flag) {
-                if (has_value && i + 1 == argc)
-                    throw std::invalid_argument(flag + ": needs a value");
+                if (has_value && i + 1 == argc) throw std::invalid_argument(flag + ": needs a value");
                 given[k].push_back(has_value ? argv[++i] : "");
             } else if (has_value && word.starts_with(flag + "=")) {
                 given[k].push_back(word.substr(flag.size() + 1));
@@ -53,8 +52,7 @@ bool Options::parse(int argc, char** argv) const {
     }
     for (const std::string& word : unknown) {
         if (word == "--help" || word == "-h") return false;
-        throw std::invalid_argument(shown(word) + ": unknown option (" + program_ +
-                                    " --help lists them)");
+        throw std::invalid_argument(shown(word) + ": unknown option (" + program_ + " --help lists them)");
     }
     for (std::size_t k = 0; k < options_.size(); ++k) {
         const Option& option = options_[k];

@@ -48,15 +48,13 @@ std::string shown(double value) {
 
 }  // namespace
 
-Program::Program(std::string name, std::string summary)
-    : name_(std::move(name)), summary_(std::move(summary)) {}
+Program::Program(std::string name, std::string summary) : name_(std::move(name)), summary_(std::move(summary)) {}
 
 void Program::option(const std::string& flag, double& value, Rule rule, const std::string& help) {
     const auto set = [&value, rule](const std::string& text) {
         double given = 0;
         const std::errc error = read(text, given);
-        if (error == std::errc::invalid_argument)
-            return "is no number (must be " + std::string(rule.words) + ")";
+        if (error == std::errc::invalid_argument) return "is no number (must be " + std::string(rule.words) + ")";
         if (error != std::errc() || !std::isfinite(given) || !rule.holds(given))
             return "must be " + std::string(rule.words);
         value = given;
@@ -65,14 +63,11 @@ void Program::option(const std::string& flag, double& value, Rule rule, const st
     options_.push_back({flag, help, rule.words, shown(value), set});
 }
 
-void Program::option(const std::string& flag, long& value, long least, long most,
-                     const std::string& help) {
-    const std::string rule =
-        "a whole number from " + std::to_string(least) + " to " + std::to_string(most);
+void Program::option(const std::string& flag, long& value, long least, long most, const std::string& help) {
+    const std::string rule = "a whole number from " + std::to_string(least) + " to " + std::to_string(most);
     const auto set = [&value, least, most, rule](const std::string& text) {
         long given = 0;
-        if (read(text, given) != std::errc() || given < least || given > most)
-            return "must be " + rule;
+        if (read(text, given) != std::errc() || given < least || given > most) return "must be " + rule;
         value = given;
         return std::string();
     };
@@ -85,8 +80,7 @@ void Program::option(const std::string& flag, std::string& value, std::vector<st
     for (const auto& choice : choices) words += (words.empty() ? "" : ", ") + choice;
     const std::string rule = "one of " + words;
     const auto set = [&value, choices, rule](const std::string& text) {
-        if (std::find(choices.begin(), choices.end(), text) == choices.end())
-            return "must be " + rule;
+        if (std::find(choices.begin(), choices.end(), text) == choices.end()) return "must be " + rule;
         value = text;
         return std::string();
     };
@@ -117,10 +111,10 @@ bool Program::parse(int argc, char** argv) {
 void Program::print_help() const {
     std::printf("%s: %s\n\n", name_.c_str(), summary_.c_str());
     for (const auto& option : options_)
-        std::printf("  %-11s %s (%s; must be %s)\n", option.flag.c_str(), option.help.c_str(),
-                    option.initial.c_str(), option.rule.c_str());
-    std::printf("  %-11s %s\n  %-11s %s\n", "--out DIR", "leave data, numbers and checks in DIR",
-                "--help", "this text");
+        std::printf("  %-11s %s (%s; must be %s)\n", option.flag.c_str(), option.help.c_str(), option.initial.c_str(),
+                    option.rule.c_str());
+    std::printf("  %-11s %s\n  %-11s %s\n", "--out DIR", "leave data, numbers and checks in DIR", "--help",
+                "this text");
 }
 
 int Program::run(int argc, char** argv, const std::function<void(Findings&)>& body) {

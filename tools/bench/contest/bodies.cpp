@@ -4,8 +4,7 @@
 
 namespace contest {
 
-Entry stepped(const std::string& method, const std::string& library,
-              std::unique_ptr<Runner> its_runner) {
+Entry stepped(const std::string& method, const std::string& library, std::unique_ptr<Runner> its_runner) {
     const std::shared_ptr<Runner> runner = std::move(its_runner);
     const auto h = [](long steps) { return duration / double(steps); };
     Entry e{method, library, {}, {}, {}};

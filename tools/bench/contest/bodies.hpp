@@ -68,16 +68,13 @@ Entry stepped(const std::string& method, const std::string& library, const Body&
 // What one step asks for: the gyroscopic torque ω × Iω is the force of a free body, and a solve is
 // one of three equations, by a formula or not.
 template <class Solver, class Inertia, class Real>
-void count(Work& work, const Solver& solver, const Inertia& inertia,
-           const timestep::RigidState<Real>& s, Real h) {
+void count(Work& work, const Solver& solver, const Inertia& inertia, const timestep::RigidState<Real>& s, Real h) {
     using namespace timestep;
-    if constexpr (std::is_same_v<Solver, ConvergedGyroscopic> &&
-                  std::is_same_v<Inertia, PrincipalInertia<Real>>) {
+    if constexpr (std::is_same_v<Solver, ConvergedGyroscopic> && std::is_same_v<Inertia, PrincipalInertia<Real>>) {
         const Vector3<Real> in_body = s.q.conjugate() * s.omega;
         solver.step(inertia, in_body, h, [&] { ++work.evaluations, ++work.solves; });
     } else {
-        const bool has_torque =
-            !std::is_same_v<Solver, NoGyroscopic> && !std::is_same_v<Solver, LaggedInertia>;
+        const bool has_torque = !std::is_same_v<Solver, NoGyroscopic> && !std::is_same_v<Solver, LaggedInertia>;
         work.evaluations += has_torque;
         work.solves += has_torque && !std::is_same_v<Solver, ExplicitGyroscopic>;
     }
@@ -107,13 +104,9 @@ struct TurningByRungeKutta {
     timestep::FirstOrder<typename timestep::FreeBody<Inertia>::Y> s = timestep::stacked(start);
 
     void restart() { s = timestep::stacked(start); }
-    void step(double h) {
-        s = timestep::orientation_scaled(timestep::runge_kutta_4.step(model, s, h));
-    }
+    void step(double h) { s = timestep::orientation_scaled(timestep::runge_kutta_4.step(model, s, h)); }
     void count(Work& work, double h) const {
-        const auto counted = [&](double t, const auto& y) {
-            return ++work.evaluations, model(t, y);
-        };
+        const auto counted = [&](double t, const auto& y) { return ++work.evaluations, model(t, y); };
         timestep::runge_kutta_4.step(counted, s, h);
     }
     Place place() const { return contest::place<double>(unstacked(s).q.toRotationMatrix()); }

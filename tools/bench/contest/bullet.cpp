@@ -32,8 +32,7 @@ struct BulletBody {
     }
     void step(double step) {
         const btScalar h = btScalar(step);
-        body->setAngularVelocity(body->getAngularVelocity() +
-                                 body->computeGyroscopicImpulseImplicit_Body(h));
+        body->setAngularVelocity(body->getAngularVelocity() + body->computeGyroscopicImpulseImplicit_Body(h));
         btTransform next = body->getWorldTransform();
         if (update == Update::exponential) {
             body->predictIntegratedTransform(h, next);
@@ -57,17 +56,15 @@ struct BulletBody {
 
 }  // namespace
 
-void enter_bullet(Scene& scene, const Moments& inertia, const Start& start,
-                  const std::string& which) {
+void enter_bullet(Scene& scene, const Moments& inertia, const Start& start, const std::string& which) {
     const auto vector = [](const timestep::Vector3<double>& v) {
         return btVector3(btScalar(v.x()), btScalar(v.y()), btScalar(v.z()));
     };
     const std::string real = sizeof(btScalar) == sizeof(float) ? ", float" : "";
     for (const Update update : {Update::derivative, Update::exponential}) {
         // Bullet's bodies start with the world's axes, as ours do here.
-        const BulletBody body{
-            std::make_shared<btRigidBody>(btScalar(1), nullptr, nullptr, vector(inertia.moments)),
-            vector(start.omega), update};
+        const BulletBody body{std::make_shared<btRigidBody>(btScalar(1), nullptr, nullptr, vector(inertia.moments)),
+                              vector(start.omega), update};
         const std::string turned = update == Update::exponential ? ", exponential map" : "";
         scene.entries.push_back(stepped("one Newton step" + which + turned + real, "Bullet", body));
     }

@@ -64,8 +64,7 @@ struct Effort {
     double longest_run;  // s; a method whose run takes longer is given no shorter steps
     int rounds;          // every run is timed so often, in turns with all others
 };
-inline constexpr Effort page{30L << 13, 1e-3, 5}, quick{30L << 15, 4e-3, 9},
-    full{30L << 19, 0.1, 25};
+inline constexpr Effort page{30L << 13, 1e-3, 5}, quick{30L << 15, 4e-3, 9}, full{30L << 19, 0.1, 25};
 
 // The same time from mark to mark, and steps that halve: 7.5 Hz, 15, 30, 60, 120, …
 std::vector<Point> measure(const Scene& scene, const Effort& effort,
@@ -80,8 +79,7 @@ struct Cheapest {
     std::string method, library;  // empty: none reaches it
     double seconds = 0, step = 0;
 };
-Cheapest cheapest(const std::vector<Point>& points, double accuracy,
-                  const std::function<bool(const Point&)>& among);
+Cheapest cheapest(const std::vector<Point>& points, double accuracy, const std::function<bool(const Point&)>& among);
 
 // In words. Two digits are all that a measured number has: 1234 becomes 1200, and 6.21e-7 s 620 ns.
 std::string rounded(double value);

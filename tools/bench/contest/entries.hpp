@@ -49,8 +49,7 @@ struct StepperOf : Stepper<S> {
     Method method;
     Model model;
 
-    StepperOf(const Method& its_method, const Model& its_model)
-        : method(its_method), model(its_model) {}
+    StepperOf(const Method& its_method, const Model& its_model) : method(its_method), model(its_model) {}
 
     void advance(S& s, Real h, long steps) const override { s = run(method, model, s, h, steps); }
     Work count(const S& s, Real h, long steps) const override {
@@ -79,8 +78,8 @@ Track track(const Stepper<S>& stepper, const S& start, timestep::real_of<S> h, l
 }
 
 template <class S>
-Entry entry(const std::string& method, const std::string& library,
-            std::unique_ptr<Stepper<S>> its_stepper, const S& start) {
+Entry entry(const std::string& method, const std::string& library, std::unique_ptr<Stepper<S>> its_stepper,
+            const S& start) {
     const std::shared_ptr<Stepper<S>> stepper = std::move(its_stepper);
     const auto h = [](long steps) { return timestep::real_of<S>(duration / double(steps)); };
     Entry e{method, library, {}, {}, {}};
@@ -99,8 +98,7 @@ Entry entry(const std::string& method, const std::string& library,
 }
 
 template <class Method, class Model, class S>
-Entry entry(const Method& method, const Model& model, const S& start,
-            const std::string& library = "Timestep") {
+Entry entry(const Method& method, const Model& model, const S& start, const std::string& library = "Timestep") {
     std::unique_ptr<Stepper<S>> stepper(new StepperOf<Method, Model, S>(method, model));
     return entry(Method::name, library, std::move(stepper), start);
 }
@@ -109,9 +107,7 @@ Entry entry(const Method& method, const Model& model, const S& start,
 template <class Model, class X>
 void enter_methods(Scene& scene, const Model& model, const timestep::State<X>& start) {
     using namespace timestep;
-    const auto enter = [&](const auto& method) {
-        scene.entries.push_back(entry(method, model, start));
-    };
+    const auto enter = [&](const auto& method) { scene.entries.push_back(entry(method, model, start)); };
     for_each_method(enter);
     if constexpr (PositionForce<Model, X>) {
         enter(verlet);
@@ -126,8 +122,7 @@ void enter_methods(Scene& scene, const Model& model, const timestep::State<X>& s
 template <class Exact>
 Track at_the_marks(const Exact& exact) {
     Track track;
-    for (int mark = 1; mark <= marks; ++mark)
-        track.push_back(place(exact(duration * mark / marks)));
+    for (int mark = 1; mark <= marks; ++mark) track.push_back(place(exact(duration * mark / marks)));
     return track;
 }
 

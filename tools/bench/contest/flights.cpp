@@ -84,8 +84,7 @@ Track true_heights() {
         const Real at_top = begun + second * phi;
         const Real landed = at_top + second * std::acosh(std::exp(top / metre));
         Real t;
-        while (int(track.size()) < marks &&
-               (t = Real(duration) * (track.size() + 1) / marks) < landed) {
+        while (int(track.size()) < marks && (t = Real(duration) * (track.size() + 1) / marks) < landed) {
             const Real up = metre * std::log(std::cos(phi - (t - begun) / second) / std::cos(phi));
             const Real down = top - metre * std::log(std::cosh((t - at_top) / second));
             track.push_back({double(t < at_top ? up : down)});
@@ -117,8 +116,7 @@ Scene drag() {
     const Track rougher = through_air(30L << 9);
     scene.reference_error = 4 * std::numeric_limits<double>::epsilon();
     for (int mark = 0; mark < marks; ++mark)
-        scene.reference_error =
-            std::max(scene.reference_error, distance(scene, scene.reference[mark], rougher[mark]));
+        scene.reference_error = std::max(scene.reference_error, distance(scene, scene.reference[mark], rougher[mark]));
     enter_methods(scene, through_air<double>(), thrown);
     enter_peers(scene, through_air<double>(), thrown);
     return scene;

@@ -40,8 +40,7 @@ public:
     }
     void advance(long n) override {
         for (long i = 0; i < n; ++i, t_ += h_)
-            gsl_odeiv2_step_apply(step_.get(), t_, h_, y_.data(), error_.data(), nullptr, nullptr,
-                                  &system_);
+            gsl_odeiv2_step_apply(step_.get(), t_, h_, y_.data(), error_.data(), nullptr, nullptr, &system_);
     }
     const double* place() const override { return y_.data(); }
 
@@ -61,8 +60,7 @@ public:
           problem_(problem),
           system_(system_of(problem_)),
           y_(problem_.start),
-          driver_(gsl_odeiv2_driver_alloc_y_new(&system_, gsl_odeiv2_step_rk8pd, 1e-3, 1, 1),
-                  gsl_odeiv2_driver_free) {
+          driver_(gsl_odeiv2_driver_alloc_y_new(&system_, gsl_odeiv2_step_rk8pd, 1e-3, 1, 1), gsl_odeiv2_driver_free) {
         gsl_set_error_handler_off();  // it would end the program; we look at what is returned
     }
 
@@ -75,8 +73,7 @@ public:
     }
     void advance(long n) override {
         for (const int last = mark_ + int(n); mark_ < last;)
-            if (gsl_odeiv2_driver_apply(driver_.get(), &t_, duration * ++mark_ / marks,
-                                        y_.data()) != GSL_SUCCESS)
+            if (gsl_odeiv2_driver_apply(driver_.get(), &t_, duration * ++mark_ / marks, y_.data()) != GSL_SUCCESS)
                 std::fill(y_.begin(), y_.end(), std::numeric_limits<double>::quiet_NaN());
     }
     const double* place() const override { return y_.data(); }

@@ -119,8 +119,7 @@ std::vector<Point> measure(const Scene& scene, const Effort& effort,
     return points;
 }
 
-Cheapest cheapest(const std::vector<Point>& points, double accuracy,
-                  const std::function<bool(const Point&)>& among) {
+Cheapest cheapest(const std::vector<Point>& points, double accuracy, const std::function<bool(const Point&)>& among) {
     Cheapest best;
     for (std::size_t first = 0; first < points.size();) {
         std::size_t end = first;  // the points of one entry, steps growing shorter
@@ -135,13 +134,11 @@ Cheapest cheapest(const std::vector<Point>& points, double accuracy,
             double seconds = a.seconds, step = a.step;
             if (good > first && std::isfinite(points[good - 1].error_max) && a.error_max > 0) {
                 const Point& b = points[good - 1];  // just not good enough
-                const double share =
-                    std::log(accuracy / a.error_max) / std::log(b.error_max / a.error_max);
+                const double share = std::log(accuracy / a.error_max) / std::log(b.error_max / a.error_max);
                 seconds *= std::pow(b.seconds / a.seconds, share);
                 step *= std::pow(b.step / a.step, share);
             }
-            if (best.method.empty() || seconds < best.seconds)
-                best = {a.method, a.library, seconds, step};
+            if (best.method.empty() || seconds < best.seconds) best = {a.method, a.library, seconds, step};
         }
         first = end;
     }

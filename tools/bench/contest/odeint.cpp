@@ -47,9 +47,7 @@ struct Fixed {
         return y;
     }
     void advance(Y& all, double h, long steps) const {
-        const auto f = [this](const Y& y, Y& dydt, double) {
-            slope<X>(model, y.data(), dydt.data());
-        };
+        const auto f = [this](const Y& y, Y& dydt, double) { slope<X>(model, y.data(), dydt.data()); };
         double t = 0;
         Y y = all;  // nobody else looks at the copy: it may stay in registers
         Stepper stepper;
@@ -83,8 +81,7 @@ struct SymplecticEuler {
         double t = 0;
         Y vx = all;
         symplectic_euler<Half<X>> stepper;
-        for (long i = 0; i < steps; ++i, t += h)
-            stepper.do_step(std::make_pair(v_dot, x_dot), vx, t, h);
+        for (long i = 0; i < steps; ++i, t += h) stepper.do_step(std::make_pair(v_dot, x_dot), vx, t, h);
         all = vx;
     }
     static const double* place(const Y& vx) { return vx.second.data(); }
@@ -146,9 +143,7 @@ public:
         write(start_, y_.data());
     }
     void advance(long n) override {
-        const auto f = [this](const Flat<X>& y, Flat<X>& dydt, double) {
-            slope<X>(model_, y.data(), dydt.data());
-        };
+        const auto f = [this](const Flat<X>& y, Flat<X>& dydt, double) { slope<X>(model_, y.data(), dydt.data()); };
         auto stepper = make_controlled<runge_kutta_dopri5<Flat<X>>>(allowed_, 0.0);
         Flat<X> y = y_;
         double t = t_, wish = wish_;
@@ -184,9 +179,7 @@ private:
 template <class Model, class X>
 Methods methods(const Model& model, const State<X>& start, double size) {
     Methods all;
-    const auto add = [&](const char* name, Solver* solver) {
-        all.push_back({name, std::unique_ptr<Solver>(solver)});
-    };
+    const auto add = [&](const char* name, Solver* solver) { all.push_back({name, std::unique_ptr<Solver>(solver)}); };
     using Dopri5 = runge_kutta_dopri5<Flat<X>>;
     add("explicit Euler", new Marching<Fixed<euler<Flat<X>>, Model, X>>({model, start}));
     if constexpr (timestep::PositionForce<Model, X>) {
@@ -201,8 +194,8 @@ Methods methods(const Model& model, const State<X>& start, double size) {
 
 template <class Model, class S>
 void enter(Scene& scene, const Model& model, const S& start) {
-    contest::enter<std::decay_t<decltype(start.x)>>(
-        scene, "Boost.odeint", model, [&](const auto& m) { return methods(m, start, scene.size); });
+    contest::enter<std::decay_t<decltype(start.x)>>(scene, "Boost.odeint", model,
+                                                    [&](const auto& m) { return methods(m, start, scene.size); });
 }
 
 // They go into this file alone, whose headers are dear to compile.

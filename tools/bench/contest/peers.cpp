@@ -29,20 +29,18 @@ Entry entry(const std::string& method, const std::string& library, int coordinat
         *asked = {};
         counting->restart(steps);
         counting->advance(adaptive ? marks : steps);
-        return Work{adaptive ? counting->steps_taken() : steps, asked->evaluations,
-                    counting->solves()};
+        return Work{adaptive ? counting->steps_taken() : steps, asked->evaluations, counting->solves()};
     };
     return e;
 }
 
 }  // namespace
 
-void enter(Scene& scene, const std::string& library, int coordinates, Methods timed,
-           Methods counting, const std::shared_ptr<Work>& asked) {
+void enter(Scene& scene, const std::string& library, int coordinates, Methods timed, Methods counting,
+           const std::shared_ptr<Work>& asked) {
     for (std::size_t i = 0; i < timed.size(); ++i)
-        scene.entries.push_back(entry(timed[i].name, library, coordinates,
-                                      std::move(timed[i].solver), std::move(counting[i].solver),
-                                      asked));
+        scene.entries.push_back(entry(timed[i].name, library, coordinates, std::move(timed[i].solver),
+                                      std::move(counting[i].solver), asked));
 }
 
 }  // namespace contest

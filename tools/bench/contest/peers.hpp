@@ -18,8 +18,7 @@ namespace contest {
 
 // A few of each library: those that are ours, and the ones it would itself recommend.
 template <class Model, class S>
-void enter_peers([[maybe_unused]] Scene& scene, [[maybe_unused]] const Model& model,
-                 [[maybe_unused]] const S& start) {
+void enter_peers([[maybe_unused]] Scene& scene, [[maybe_unused]] const Model& model, [[maybe_unused]] const S& start) {
 #ifdef TIMESTEP_WITH_ODEINT
     odeint::enter(scene, model, start);
 #endif

@@ -41,9 +41,7 @@ struct OnPlane {
 
     void restart() { m = start; }
     void step(double h) { m = plane::step(solver, body, ground, m, h, contacts); }
-    void count(Work& work, double h) const {
-        contest::count(work, solver, body.inertia, m.turning, h);
-    }
+    void count(Work& work, double h) const { contest::count(work, solver, body.inertia, m.turning, h); }
     Place place() const { return place_of(m); }
     double number() const { return m.turning.q.w(); }
 };
@@ -58,8 +56,7 @@ struct RungeKuttaInTheAir : OnPlane<PassiveGyroscopic> {
         if (contacts.at[0].normal > 0 || contacts.at[1].normal > 0) return;
         const auto turning = runge_kutta_4.step(free, stacked(before.turning), h);
         const plane::V fall = h * ground.gravity * plane::V::UnitZ();
-        m = {unstacked(orientation_scaled(turning)), before.x + h * (before.v - fall / 2),
-             before.v - fall};
+        m = {unstacked(orientation_scaled(turning)), before.x + h * (before.v - fall / 2), before.v - fall};
     }
     void count(Work& work, double h) const {
         OnPlane::count(work, h);
@@ -78,8 +75,7 @@ Scene capsule_on_plane() {
     const plane::Motion start = plane::placed(body, leaning, {1, 0, 6}, 0.3);
 
     const SlidingCapsule exact(body, ice.gravity, start, 1000);
-    for (int mark = 1; mark <= marks; ++mark)
-        scene.reference.push_back(place_of(exact(duration * mark / marks)));
+    for (int mark = 1; mark <= marks; ++mark) scene.reference.push_back(place_of(exact(duration * mark / marks)));
     scene.reference_error = 1e-11;  // as twice the slices change it, and the formulas' roundoff
 
     for_each_gyroscopic([&](const auto& solver) {

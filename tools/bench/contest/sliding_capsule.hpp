@@ -52,9 +52,7 @@ private:
 
     // The end that lands, seen from the centre.
     V end(const Turning& s) const { return body_.end(s.q, lower_); }
-    double gap(const Motion& m) const {
-        return m.x.z() - std::fabs(end(m.turning).z()) - body_.radius;
-    }
+    double gap(const Motion& m) const { return m.x.z() - std::fabs(end(m.turning).z()) - body_.radius; }
     // How the velocity of that end upwards changes with ω: by c·ω.
     V lever(const Turning& s) const { return end(s).cross(V::UnitZ()); }
     V turned_by(const Turning& s, const V& torque) const {  // I⁻¹ torque, world coordinates
@@ -90,8 +88,7 @@ private:
         };
         auto s = timestep::stacked(landed_);
         const double h = (t - lands_) / double(slices_);
-        for (long i = 0; i < slices_; ++i)
-            s = orientation_scaled(timestep::runge_kutta_4.step(pressed, s, h));
+        for (long i = 0; i < slices_; ++i) s = orientation_scaled(timestep::runge_kutta_4.step(pressed, s, h));
         return timestep::unstacked(s);
     }
     double axis_up(const Turning& s) const { return -end(s).z(); }

@@ -14,8 +14,7 @@ using Moments = timestep::PrincipalInertia<double>;
 
 // Both know nothing of two equal moments; where our own solvers make use of them, `which` says that
 // theirs do not: ", three moments".
-void enter_bullet(Scene& scene, const Moments& inertia, const Start& start,
-                  const std::string& which);
+void enter_bullet(Scene& scene, const Moments& inertia, const Start& start, const std::string& which);
 void enter_ode(Scene& scene, const Moments& inertia, const Start& start, const std::string& which);
 
 }  // namespace contest

@@ -23,8 +23,7 @@ RigidState<Real> spun(double x, double y, double z) {
 template <class Solver, class Inertia>
 void enter(Scene& scene, const Solver& solver, const Inertia& inertia,
            const RigidState<typename Inertia::Scalar>& start, const std::string& which = "") {
-    scene.entries.push_back(
-        stepped(solver.name + which, "Timestep", Turning<Solver, Inertia>{solver, inertia, start}));
+    scene.entries.push_back(stepped(solver.name + which, "Timestep", Turning<Solver, Inertia>{solver, inertia, start}));
 }
 
 // All solvers of the course, and Runge-Kutta.
@@ -64,11 +63,9 @@ Scene dzhanibekov() {
     Scene scene{"dzhanibekov", "a box that turns over, again and again", radian};
     const auto inertia = box(12.0, 1.0, 2.0, 3.0);
     const RigidState<double> start = spun<double>(0.25, 10, 0.25);
-    const ExactFreeBody<long double> exact(box(12.0L, 1.0L, 2.0L, 3.0L),
-                                           spun<long double>(0.25, 10, 0.25));
+    const ExactFreeBody<long double> exact(box(12.0L, 1.0L, 2.0L, 3.0L), spun<long double>(0.25, 10, 0.25));
     scene.reference = orientations([&](long double t) { return exact(t).q; });
-    scene.reference_error =
-        1e-12;  // so well an integration, which the tumble disturbs, confirms it
+    scene.reference_error = 1e-12;  // so well an integration, which the tumble disturbs, confirms it
     enter_solvers(scene, inertia, start);
     const auto& I = inertia.moments;
     enter_others(scene, I.x(), I.y(), I.z(), start, "");
@@ -88,8 +85,7 @@ Scene symmetric_top() {
         const Vector3<long double> L = exactly.momentum(omega);
         const long double about_L = L.norm() * t / exactly.across;
         const long double about_z = -exactly.wobble * omega.z() * t;
-        return Quaternion<long double>(Turn(about_L, L.normalized()) *
-                                       Turn(about_z, Vector3<long double>::UnitZ()));
+        return Quaternion<long double>(Turn(about_L, L.normalized()) * Turn(about_z, Vector3<long double>::UnitZ()));
     });
     enter_solvers(scene, inertia, start);
     // Who does not know that two moments are equal.

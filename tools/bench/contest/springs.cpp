@@ -11,8 +11,7 @@ namespace contest {
 
 // Twice: the second time in float, to show its floor.
 Scene spring() {
-    Scene spring = spring_scene("spring", "a spring, one oscillation a second", 1, Spring(hertz),
-                                State{0, 1.0, 0.0});
+    Scene spring = spring_scene("spring", "a spring, one oscillation a second", 1, Spring(hertz), State{0, 1.0, 0.0});
     const Spring single(static_cast<float>(hertz));
     const State start{0.0f, 1.0f, 0.0f};
     spring.entries.push_back(entry(verlet, single, start, "Timestep, float"));
@@ -21,13 +20,12 @@ Scene spring() {
 }
 
 Scene damped_spring() {
-    return spring_scene("damped_spring", "the same spring, damped (ζ = 0.1)", 1,
-                        DampedSpring(hertz, 0.1), State{0, 1.0, 0.0});
+    return spring_scene("damped_spring", "the same spring, damped (ζ = 0.1)", 1, DampedSpring(hertz, 0.1),
+                        State{0, 1.0, 0.0});
 }
 
 Scene stiff_spring() {
-    return spring_scene("stiff_spring", "a stiff spring, ω = 100 rad/s", 1, Spring(100.0),
-                        State{0, 1.0, 0.0});
+    return spring_scene("stiff_spring", "a stiff spring, ω = 100 rad/s", 1, Spring(100.0), State{0, 1.0, 0.0});
 }
 
 }  // namespace contest

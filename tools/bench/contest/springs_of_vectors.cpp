@@ -21,8 +21,7 @@ Scene two_time_scales() {
     const Eigen::Vector2d slow = row.modes().col(0) / row.modes()(0, 0);
     const Eigen::Vector2d fast = row.modes().col(1) / row.modes().col(1).norm();
     const State start{0, Eigen::Vector2d(slow + 1e-3 * fast), Eigen::Vector2d(0, 0)};
-    return spring_scene("two_time_scales",
-                        "a slow oscillation, and a fast shiver of a thousandth of it", 1, row,
+    return spring_scene("two_time_scales", "a slow oscillation, and a fast shiver of a thousandth of it", 1, row,
                         start);
 }
 

@@ -81,8 +81,7 @@ public:
     void advance(long n) override {
         double t = 0;
         for (long i = 0; i < n; ++i) {
-            if (status_ >= 0)
-                status_ = ERKStepEvolve(solver_, duration, unknowns_.y(), &t, ARK_ONE_STEP);
+            if (status_ >= 0) status_ = ERKStepEvolve(solver_, duration, unknowns_.y(), &t, ARK_ONE_STEP);
             if (status_ < 0) unknowns_.give_up();
         }
     }
@@ -165,8 +164,7 @@ Methods methods(const Problem& problem) {
     Methods all;
     all.push_back({"Runge-Kutta 4", std::make_unique<RungeKutta4>(problem)});
     all.push_back({"Adams, adaptive", std::make_unique<Multistep>(problem, CV_ADAMS)});
-    if (problem.slopes)
-        all.push_back({"BDF, adaptive", std::make_unique<Multistep>(problem, CV_BDF)});
+    if (problem.slopes) all.push_back({"BDF, adaptive", std::make_unique<Multistep>(problem, CV_BDF)});
     return all;
 }
 

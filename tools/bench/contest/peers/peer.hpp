@@ -46,8 +46,8 @@ using Methods = std::vector<Method>;
 
 // Enters the methods that are timed. (Making a solver is not: memory is asked for once.) `counting`
 // are the same, on a model that counts in `asked`.
-void enter(Scene& scene, const std::string& library, int coordinates, Methods timed,
-           Methods counting, const std::shared_ptr<Work>& asked);  // peers.cpp
+void enter(Scene& scene, const std::string& library, int coordinates, Methods timed, Methods counting,
+           const std::shared_ptr<Work>& asked);  // peers.cpp
 
 // A model, and how often it was asked.
 template <class Model>
