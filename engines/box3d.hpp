@@ -45,7 +45,7 @@ struct Box3dSpin {
             s.omega = Box3dGyroscopic{}.step(inertia, s.omega, part);
             const Real speed = s.omega.norm();
             if (speed > cap) s.omega *= cap / speed;
-            s.q = turned_in_body(s.q, s.omega, part);
+            s.q = rotated_in_body(s.q, s.omega, part);
         }
         s.t = s1.t + h;
         return s;

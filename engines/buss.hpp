@@ -25,7 +25,7 @@ struct BussSpin {
         const Vector3<Real> slope = -w1.cross(L1).cwiseQuotient(inertia.unit);
         Vector3<Real> mean = w1 + h / 2 * slope;
         if constexpr (Augmented) mean += h * h / 12 * slope.cross(w1);
-        const Quaternion<Real> rho = turn_by(Vector3<Real>(h * mean));
+        const Quaternion<Real> rho = rotation_by(Vector3<Real>(h * mean));
         const Vector3<Real> L2 = rho.conjugate() * L1;
         return {s1.t + h, (s1.q * rho).normalized(), L2.cwiseQuotient(inertia.unit)};
     }

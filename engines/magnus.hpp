@@ -31,7 +31,7 @@ struct MagnusTaylor {
         const V w1 = both(w, w) / 2, w2 = both(w, w1);
         const V w3 = both(w, w2) + both(w1, w1);
         const V turn = w + w1 / 2 + w2 / 6 + w3 / 24 + w.cross(w1) / 12 + w.cross(w2) / 24;
-        const Quaternion<Real> rho = turn_by(turn);
+        const Quaternion<Real> rho = rotation_by(turn);
         const V L = rho.conjugate() * V(U.cwiseProduct(s1.omega));
         return {s1.t + h, (s1.q * rho).normalized(), L.cwiseQuotient(U)};
     }

@@ -24,7 +24,7 @@ struct MidpointSpin {
     SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1, Real h,
                          const Iterated& iterated) const {
         const Vector3<Real> m = converged_gyroscopic.step(inertia, s1.omega, h / 2, iterated);
-        return {s1.t + h, turned_in_body(s1.q, m, h), 2 * m - s1.omega};
+        return {s1.t + h, rotated_in_body(s1.q, m, h), 2 * m - s1.omega};
     }
     /// [step]
     /// The same, and nobody counts.

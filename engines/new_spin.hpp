@@ -17,7 +17,7 @@ struct NewSpin {
     template <class Inertia, class Real>
     TIMESTEP_INLINE SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s1, Real h) const {
         const Vector3<Real> omega2 = Solver{}.step(inertia, s1.omega, h);
-        return {s1.t + h, turned_in_body(s1.q, omega2, h), omega2};
+        return {s1.t + h, rotated_in_body(s1.q, omega2, h), omega2};
     }
 };
 

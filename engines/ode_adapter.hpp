@@ -80,7 +80,7 @@ private:
     }
     // Turns it anew, by its present spin, from where it was before ODE's step.
     static void turn(const Body& body, double h) {
-        const Quaternion<double> q = turn_by(Vector3<double>(h * spin(body.id))) * body.before;
+        const Quaternion<double> q = rotation_by(Vector3<double>(h * spin(body.id))) * body.before;
         const dQuaternion after = {dReal(q.w()), dReal(q.x()), dReal(q.y()), dReal(q.z())};
         dBodySetQuaternion(body.id, after);
     }

@@ -41,7 +41,7 @@ struct AvianGyroscopic {
                                        Real h) const {
         const SymmetricGuess<Real> guess(inertia, omega);
         const Vector3<Real> turn = h * guess.about;
-        return (turn_by(turn).conjugate() * guess.L).cwiseQuotient(inertia.unit);
+        return (rotation_by(turn).conjugate() * guess.L).cwiseQuotient(inertia.unit);
     }
     /// [step]
 };
@@ -60,9 +60,9 @@ struct SpiersSpin {
     TIMESTEP_INLINE SpinState<Real> step(const PrincipalInertia<Real>& inertia, const SpinState<Real>& s1,
                                          Real h) const {
         const SymmetricGuess<Real> guess(inertia, s1.omega);
-        const Quaternion<Real> first = turn_by(Vector3<Real>(h * guess.about));
+        const Quaternion<Real> first = rotation_by(Vector3<Real>(h * guess.about));
         const Vector3<Real> L2 = first.conjugate() * guess.L;
-        const Quaternion<Real> last = turn_by(Vector3<Real>(h * guess.inverse * L2));
+        const Quaternion<Real> last = rotation_by(Vector3<Real>(h * guess.inverse * L2));
         return {s1.t + h, (s1.q * first * last).normalized(), L2.cwiseQuotient(inertia.unit)};
     }
     /// [whole]

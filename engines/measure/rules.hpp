@@ -6,7 +6,7 @@
 #include <timestep/gyroscopic/calm_half_step.hpp>
 #include <timestep/gyroscopic/cayley_gyroscopic.hpp>
 #include <timestep/gyroscopic/half_step_jacobian.hpp>
-#include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/rigid/ball_and_remainder.hpp>
 
 #include "engines/rule_in_engine.hpp"
 #include "engines/spiers.hpp"
@@ -50,7 +50,7 @@ struct RemainderSpin {
     template <class Real>
     timestep::Vector3<Real> step(const timestep::PrincipalInertia<Real>& I, const timestep::Vector3<Real>& omega,
                                  Real h) const {
-        return timestep::symmetric_remainder_2
+        return timestep::ball_and_remainder_2
             .step(I, timestep::SpinState<Real>{0, timestep::Quaternion<Real>::Identity(), omega}, h)
             .omega;
     }

@@ -124,7 +124,7 @@ TEMPLATE_TEST_CASE("in C what flies has the library's bits", "[c]", float, doubl
         for (const int four : {0, 1}) {
             const SpinState<TestType> start{0, q, w};
             const auto flown = [&](const SpinState<TestType>& s) {
-                return four ? symmetric_remainder_4.step(I, s, h) : symmetric_remainder_2.step(I, s, h);
+                return four ? ball_and_remainder_4.step(I, s, h) : ball_and_remainder_2.step(I, s, h);
             };
             const auto expected = flown(start);
             Quaternion<TestType> turned = q;

@@ -84,7 +84,7 @@ TEST_CASE("One step in ODE is two halves of the rule's, the turn is by its spin,
     for (int half = 0; half < 2; ++half) expected = timestep::calm_half_step.step(inertia, expected, h / 2);
     scene.steps(1);
     CHECK((scene.omega() - expected).norm() < 1e-14);
-    const timestep::Quaternion<double> turned = timestep::turn_by(Vector3<double>(h * expected));
+    const timestep::Quaternion<double> turned = timestep::rotation_by(Vector3<double>(h * expected));
     const dReal* q = dBodyGetQuaternion(scene.body);
     CHECK(timestep::apart(turned, timestep::Quaternion<double>(q[0], q[1], q[2], q[3])) < 1e-14);
 }

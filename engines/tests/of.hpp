@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include <timestep/gyroscopic/calm_half_step.hpp>
-#include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/rigid/ball_and_remainder.hpp>
 
 #include "calls.h"
 

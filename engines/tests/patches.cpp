@@ -110,7 +110,7 @@ engines::State by_the_library(const Rule& rule, const engines::Shape& shape, con
         Vector w = axes.conjugate() * s.omega;
         for (int part = 0; part < parts; ++part) w = rule.step(inertia, w, h / substeps / parts);
         s.omega = axes * w;
-        s.q = timestep::turn_by(Vector(h / substeps * s.omega)) * s.q;
+        s.q = timestep::rotation_by(Vector(h / substeps * s.omega)) * s.q;
     }
     return s;
 }

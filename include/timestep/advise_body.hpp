@@ -171,17 +171,17 @@ void judge_remainder(BodyAdvice& advice, const Rule&, const PrincipalInertia<dou
     if (two_equal(inertia)) return void(advice.reason = "two equal moments: the exact motion");
     by_momentum(advice, inertia);
 }
-inline void judge(BodyAdvice& advice, const SymmetricRemainder2& rule,
+inline void judge(BodyAdvice& advice, const BallAndRemainder2& rule,
                   const PrincipalInertia<double>& inertia, double, double, bool) {
     judge_remainder(advice, rule, inertia);
 }
-inline void judge(BodyAdvice& advice, const SymmetricRemainder4& rule,
+inline void judge(BodyAdvice& advice, const BallAndRemainder4& rule,
                   const PrincipalInertia<double>& inertia, double, double, bool) {
     judge_remainder(advice, rule, inertia);
 }
 
-// With two equal moments the other two components of ω go round with the angle h·wobble·ω_z a step,
-// and chapter 3's 2√2 is the limit.
+// With two equal moments the other two components of ω go round with the angle
+// h·precession_ratio·ω_z a step, and chapter 3's 2√2 is the limit.
 TIMESTEP_WHERE_CALLED
 void judge(BodyAdvice& advice, const RungeKuttaSpin& rule, const PrincipalInertia<double>& inertia,
            double spin, double h, bool) {
@@ -279,7 +279,7 @@ inline bool passes_for_symmetric(const PrincipalInertia<double>& inertia,
     if (callback)
         return turn < unbounded_step(inertia, 1) &&
                worst_direction(ImplicitGyroscopic{}, inertia, turn, 1, 1.001).gain <= 1.001;
-    return throw_body(symmetric_remainder_2, inertia, as_thrown(omega), frames, 2).off <=
+    return throw_body(ball_and_remainder_2, inertia, as_thrown(omega), frames, 2).off <=
            right_orientation;
 }
 }  // namespace detail

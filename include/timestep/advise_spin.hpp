@@ -40,7 +40,7 @@ double energy_gain(const Solver& solver, PrincipalInertia<double> inertia,
         return kinetic_energy(inertia, next) / kinetic_energy(inertia, omega);
     } else {
         const RigidState<double> before{0, Quaternion<double>::Identity(), omega};
-        const RigidState<double> after = turn(solver, inertia, before, h);
+        const RigidState<double> after = step_rotation(solver, inertia, before, h);
         return kinetic_energy(inertia, after) / kinetic_energy(inertia, before);
     }
 }

@@ -53,7 +53,7 @@ inline constexpr bool one_pattern<VelocityVerlet> = false;
 template <>
 inline constexpr bool one_pattern<Leapfrog> = false;
 template <>
-inline constexpr bool one_pattern<Newton> = false;
+inline constexpr bool one_pattern<ConstantAcceleration> = false;
 
 template <class Method>
 const auto& when_step_changes(const Method& method) {

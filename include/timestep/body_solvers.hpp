@@ -12,7 +12,7 @@
 #include <timestep/methods/runge_kutta_4.hpp>
 #include <timestep/rigid/free_body.hpp>
 #include <timestep/rigid/strang.hpp>
-#include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/rigid/ball_and_remainder.hpp>
 #include <timestep/rigid/tumble.hpp>
 
 namespace timestep {
@@ -24,7 +24,7 @@ struct LaggedInertiaSpin {
     /// One step of `h` seconds.
     template <class Inertia, class Real>
     SpinState<Real> step(const Inertia& inertia, const SpinState<Real>& s, Real h) const {
-        return in_body(turn(lagged_inertia, inertia, in_world(s), h));
+        return in_body(step_rotation(lagged_inertia, inertia, in_world(s), h));
     }
 };
 
@@ -72,8 +72,8 @@ void for_each_body_solver(const Visit& visit) {
     visit(tumble<CalmHalfStep>, BodyPrice{0, 0, 0, false});
     visit(tumble<CayleyGyroscopic>, BodyPrice{1, 1, 0});
     visit(strang, BodyPrice{0, 0, 5});
-    visit(symmetric_remainder_2, BodyPrice{0, 0, 4});
-    visit(symmetric_remainder_4, BodyPrice{0, 0, 14});
+    visit(ball_and_remainder_2, BodyPrice{0, 0, 4});
+    visit(ball_and_remainder_4, BodyPrice{0, 0, 14});
     visit(RungeKuttaSpin{}, BodyPrice{4, 0, 0});
 }
 

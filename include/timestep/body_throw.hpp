@@ -13,7 +13,7 @@
 
 #include <timestep/inline.hpp>
 #include <timestep/rigid/exact_free_body.hpp>
-#include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/rigid/ball_and_remainder.hpp>
 #include <timestep/which_method.hpp>
 
 namespace timestep {
@@ -102,8 +102,8 @@ namespace detail {
 // The splittings divide the body beforehand.
 template <class Rule>
 auto prepared(const Rule&, const PrincipalInertia<double>& inertia) {
-    if constexpr (std::is_same_v<Rule, SymmetricRemainder2> ||
-                  std::is_same_v<Rule, SymmetricRemainder4>)
+    if constexpr (std::is_same_v<Rule, BallAndRemainder2> ||
+                  std::is_same_v<Rule, BallAndRemainder4>)
         return RemainderInertia<double>(inertia);
     else
         return inertia;

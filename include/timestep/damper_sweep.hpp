@@ -72,9 +72,9 @@ public:
         dampers_.push_back({a, b, direction(along), rate, share(a), share(b)});
     }
 
-    /// Turns damper i to another direction. Two masses in one place have no direction: if `along`
+    /// Points damper i to another direction. Two masses in one place have no direction: if `along`
     /// is zero, the damper does nothing. Throws `std::invalid_argument`.
-    void turn(std::size_t i, const X& along) {
+    void redirect(std::size_t i, const X& along) {
         if (i >= dampers_.size()) refuse("damper: must be one of those added");
         if (!is_finite(along)) refuse("direction of a damper: must be finite");
         dampers_[i].along = direction(along);

@@ -54,7 +54,7 @@
 ///
 /// Bit for bit, where neither contracts a product and a sum to one operation, and up to the bounds
 /// above, these are the steps of the library's PassiveGyroscopic, HalfStepJacobian, CalmHalfStep,
-/// SymmetricRemainder2 and 4 (the last two with `omega` in the body's axes); there stands where
+/// BallAndRemainder2 and 4 (the last two with `omega` in the body's axes); there stands where
 /// they come from. Two equal moments turn as they do there with SymmetricInertia, by each of the
 /// first three.
 

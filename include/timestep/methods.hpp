@@ -11,7 +11,7 @@
 #include <timestep/methods/implicit_midpoint.hpp>
 #include <timestep/methods/leapfrog.hpp>
 #include <timestep/methods/midpoint.hpp>
-#include <timestep/methods/newton.hpp>
+#include <timestep/methods/constant_acceleration.hpp>
 #include <timestep/methods/runge_kutta_4.hpp>
 #include <timestep/methods/semi_implicit_euler.hpp>
 #include <timestep/methods/velocity_verlet.hpp>
@@ -30,8 +30,9 @@ void for_each_method(const Visit& visit) {
     std::apply([&](const auto&... method) { (visit(method), ...); }, all_methods);
 }
 
-/// The methods of chapter 4. All but `newton` step a PositionForce only.
-inline constexpr std::tuple verlet_methods{verlet, velocity_verlet, leapfrog, newton};
+/// The methods of chapter 4. All but `constant_acceleration` step a PositionForce only.
+inline constexpr std::tuple verlet_methods{verlet, velocity_verlet, leapfrog,
+                                           constant_acceleration};
 
 /// Calls `visit(method)` for each of those.
 template <class Visit>

@@ -29,7 +29,7 @@ public:
         const Vector3<double> after = passive_gyroscopic.step(equal_, along_z, h);
         Vector3<double> omega;
         omega[i] = after.x(), omega[j] = after.y(), omega[odd_] = after.z();
-        return {s.t + h, turned_in_body(s.q, Vector3<double>(s.omega / 2 + omega / 2), h), omega};
+        return {s.t + h, rotated_in_body(s.q, Vector3<double>(s.omega / 2 + omega / 2), h), omega};
     }
 
 private:

@@ -73,7 +73,7 @@ inline StabilityLimit stability_limit(const SemiImplicitEulerNewDamping&, double
 
 /// The constant-acceleration step: T = 2 − 2ζs − s²/2, D = 1 − 2ζs + s²/2. It swings too far from s
 /// = 4ζ on, and flips from 1 + T + D = 4 − 4ζs = 0 on.
-inline StabilityLimit stability_limit(const Newton&, double zeta) {
+inline StabilityLimit stability_limit(const ConstantAcceleration&, double zeta) {
     if (zeta <= 0.5) return {4 * zeta, "4ζ"};
     return {1 / zeta, "1/ζ"};
 }

@@ -186,7 +186,7 @@ inline const std::vector<Choice>& choices() {
         {"ball",
          "a body with three equal moments, or so nearly that nobody sees it: a ball, a cube",
          "**nothing**: leave the gyroscopic torque out",
-         "it is zero, or next to it; `turn_by` turns the body by h|ω| about ω, to roundoff",
+         "it is zero, or next to it; `rotation_by` turns the body by h|ω| about ω, to roundoff",
          "ch5_orientation", "dropped"},
         {"callback_light",
          "a light body with two equal moments (or within " + within +

@@ -111,7 +111,7 @@ TEMPLATE_TEST_CASE("the constant-force method is exact on a projectile, for any 
     const State<TestType> thrown{0, 2, 14};
     for (const long steps : {1L, 2L, 7L, 100L, 2800L}) {
         const TestType h = TestType(2.8) / steps;
-        const State<TestType> end = run(newton, gravity, thrown, h, steps);
+        const State<TestType> end = run(constant_acceleration, gravity, thrown, h, steps);
         const State<TestType> exact = gravity.exact(thrown, h * steps);
         // A step rounds v, 14 or less, and x, 12 or less, by no more than two ε of each; what v
         // lost moves x for the rest of the 2.8 s. h·steps is rounded too, by an ε of 2.8 s at
@@ -125,7 +125,7 @@ TEMPLATE_TEST_CASE("the constant-force method is exact on a projectile, for any 
 TEST_CASE("the constant-force method blows up on every undamped spring", "[I09][ch4]") {
     const Spring spring(1.0);
     for (const double wh : {1e-3, 0.1, 1.0, 2.0, 3.0, 3.99}) {
-        const double radius = spectral_radius(step_matrix(newton, spring, wh));
+        const double radius = spectral_radius(step_matrix(constant_acceleration, spring, wh));
         // The determinant is 1 + (ωh)²/2, from numbers below 10 that carry an ε each.
         CHECK(std::fabs(radius - std::sqrt(1 + wh * wh / 2)) < 40 * eps<double>);
         CHECK(radius > 1);
@@ -133,7 +133,7 @@ TEST_CASE("the constant-force method blows up on every undamped spring", "[I09][
     // Past ωh = 4 the pair of roots is real, and the root of the determinant only their geometric
     // mean.
     for (const double wh : {4.5, 6.0, 20.0}) {
-        const double radius = spectral_radius(step_matrix(newton, spring, wh));
+        const double radius = spectral_radius(step_matrix(constant_acceleration, spring, wh));
         const double half_trace = 1 - wh * wh / 4, det = 1 + wh * wh / 2;
         CHECK(std::fabs(radius / (std::fabs(half_trace) + std::sqrt(half_trace * half_trace - det)) - 1) < 1e-12);
         CHECK(radius > std::sqrt(det));
@@ -143,7 +143,7 @@ TEST_CASE("the constant-force method blows up on every undamped spring", "[I09][
 TEST_CASE("stepping shows the constant-force method's growth", "[I09][ch4]") {
     for (const double wh : {0.1, 0.5, 1.5, 3.0}) {
         const long steps = std::lround(60 / std::log1p(wh * wh / 2));  // to some e³⁰
-        const State end = run(newton, Spring(1.0), State{0, 1.0, 0.0}, wh, steps);
+        const State end = run(constant_acceleration, Spring(1.0), State{0, 1.0, 0.0}, wh, steps);
         const double growth = std::log(std::hypot(end.x, end.v)) / double(steps);
         // In the step's own ellipse every step multiplies by the same; an ellipse of axes q : 1
         // makes at most ln q of the distance. q is that of the matrix (1 − w²/2, w; −w, 1), below 2
@@ -198,9 +198,9 @@ TEST_CASE("both demos of the talk run with every method", "[I11][ch4]") {
         CHECK(stays > 1 / std::sqrt(1 + 0.2));
         CHECK(stays < 1 / std::sqrt(1 - 0.2));
     }
-    CHECK(amplitude(explicit_euler) > 1e30);   // 1.16^500
-    CHECK(amplitude(newton) > 1e15);           // 1.08^500 = 5e16, give or take the ellipse
-    CHECK(amplitude(implicit_euler) < 1e-30);  // 1.16^−500
+    CHECK(amplitude(explicit_euler) > 1e30);         // 1.16^500
+    CHECK(amplitude(constant_acceleration) > 1e15);  // 1.08^500 = 5e16, give or take the ellipse
+    CHECK(amplitude(implicit_euler) < 1e-30);        // 1.16^−500
 }
 
 // What exercise 4.2 tells afterwards.

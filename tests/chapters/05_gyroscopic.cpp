@@ -26,7 +26,7 @@ Spin spinning(double x, double y, double z) { return {0, Quaternion<double>::Ide
 
 template <class Solver, class Inertia>
 Spin after(const Solver& solver, const Inertia& inertia, Spin s, double step, long steps) {
-    for (long n = 0; n < steps; ++n) s = turn(solver, inertia, s, step);
+    for (long n = 0; n < steps; ++n) s = step_rotation(solver, inertia, s, step);
     return s;
 }
 
@@ -43,7 +43,7 @@ std::vector<double> flips(const Solver& solver, const PrincipalInertia<double>& 
     std::vector<double> at;
     while (s.t < seconds) {
         const double before = in_body(s).y();
-        s = turn(solver, inertia, s, h);
+        s = step_rotation(solver, inertia, s, h);
         if (before * in_body(s).y() < 0) at.push_back(s.t);
     }
     return at;
@@ -85,7 +85,7 @@ TEST_CASE("a cube and a ball have no gyroscopic torque, a box has", "[N41][ch5]"
 
 TEST_CASE("a solver without any code steps a ball", "[N41][ch5]") {
     struct Nothing {};
-    CHECK(turn(Nothing{}, sphere(1.0, 1.0), spinning(1, 2, 3), h).omega == V(1, 2, 3));
+    CHECK(step_rotation(Nothing{}, sphere(1.0, 1.0), spinning(1, 2, 3), h).omega == V(1, 2, 3));
 }
 
 TEST_CASE("the orientation of a tumbling box is of order one, its quaternion of length one", "[N42][ch5]") {
@@ -103,7 +103,7 @@ TEST_CASE("the orientation of a tumbling box is of order one, its quaternion of 
 }
 
 TEST_CASE("explicit: a free capsule has a thousand times its energy within seconds", "[N43][ch5]") {
-    // Across the axis ω grows by √(1 + θ²) a step, θ = h·wobble·ω_z ≈ 0.27; the part of the energy
+    // Across the axis ω grows by √(1 + θ²) a step, θ = h·precession_ratio·ω_z ≈ 0.27; the part of the energy
     // there is half. A factor of 2000 needs ln 2000/ln(1 + θ²) ≈ 105 steps.
     const auto pill = capsule(1.0, 0.15, 0.6);
     const Spin start = spinning(5, 0, 20);
@@ -118,7 +118,7 @@ TEST_CASE("dropped: omega stands still in the world and the momentum swings", "[
     const V L0 = angular_momentum(pill, start);
     Spin s = start;
     for (int n = 0; n < 60; ++n) {
-        s = turn(no_gyroscopic, pill, s, h);
+        s = step_rotation(no_gyroscopic, pill, s, h);
         const V L = angular_momentum(pill, s);
         swing = std::max(swing, std::acos(std::min(1.0, L.dot(L0) / L.norm() / L0.norm())));
     }

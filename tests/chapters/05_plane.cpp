@@ -25,11 +25,11 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double h = 1.0 / 60;
 
 template <class Solver, class Inertia, class Look>
-plane::Motion run(const Solver& solver, const plane::Capsule<Inertia>& body, const plane::Ground& ground,
-                  plane::Motion m, long steps, const Look& look, double step_length = h) {
+plane::BodyState run(const Solver& solver, const plane::Capsule<Inertia>& body, const plane::Ground& ground,
+                     plane::BodyState m, long steps, const Look& look, double step_length = h) {
     Contacts contacts;
     for (long n = 0; n < steps; ++n) {
-        const plane::Motion before = m;
+        const plane::BodyState before = m;
         m = plane::step(solver, body, ground, m, step_length, contacts);
         if (!look(before, m, contacts)) break;
     }
@@ -37,7 +37,7 @@ plane::Motion run(const Solver& solver, const plane::Capsule<Inertia>& body, con
 }
 
 const auto to_the_end = [](const auto&...) { return true; };
-bool at_rest(const plane::Motion& m) { return m.turning.omega.norm() < 1e-3 && m.v.norm() < 1e-3; }
+bool at_rest(const plane::BodyState& m) { return m.turning.omega.norm() < 1e-3 && m.v.norm() < 1e-3; }
 
 // The time at which it lies still, −1 if that does not happen within 20 s.
 template <class Solver>
@@ -59,7 +59,7 @@ TEST_CASE("a step turns a point about the middle between its old and its new pla
     for (int i = 0; i < 1000; ++i) {
         const Quaternion<double> q = Quaternion<double>(number(), number(), number(), 1).normalized();
         const V omega(2000 * number(), 2000 * number(), 2000 * number()), e(0, 0, 1);
-        const V before = q * e, after = turned(q, omega, h) * e;
+        const V before = q * e, after = rotated(q, omega, h) * e;
         REQUIRE((after - before - h * omega.cross((before + after) / 2)).norm() < 20 * 16 * eps);
     }
 }
@@ -125,7 +125,7 @@ TEST_CASE("the dropped torque is stable, and the capsule stands up and spins", "
 }
 
 TEST_CASE("the explicit torque blows the capsule up on the plane too", "[N43][ch5]") {
-    // One step multiplies the part of ω across the axis by √(1 + θ²), θ = h wobble ω_z: here 7 %
+    // One step multiplies the part of ω across the axis by √(1 + θ²), θ = h precession_ratio ω_z: here 7 %
     // each sixtieth of a second, against which the plane takes what it can.
     const auto body = scene::capsule();
     for (const Arms arms : {Arms::start, Arms::middle}) {
@@ -185,7 +185,8 @@ TEST_CASE("a motor explicitly and the gyroscopic torque by its solver: order one
     const auto motor = [](double t) { return V(3 * std::cos(2 * t), 3 * std::sin(3 * t), 1.5); };
     const auto after = [&](const auto& solver, long rate) {
         RigidState<double> s{0, Quaternion<double>::Identity(), V(1, 2, 2)};
-        for (long n = 0; n < rate / 2; ++n) s = turn(solver, inertia, s, motor(s.t), 1.0 / static_cast<double>(rate));
+        for (long n = 0; n < rate / 2; ++n)
+            s = step_rotation(solver, inertia, s, motor(s.t), 1.0 / static_cast<double>(rate));
         return s;
     };
     // Half a second. The reference: explicit steps, extrapolated three times to h = 0, so of order

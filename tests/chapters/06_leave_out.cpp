@@ -32,9 +32,9 @@ Crowd hundred_of_each() {
 template <class Kind>
 void same_bits_alone(const mixed::Sorted& start, const mixed::Sorted& end, int steps) {
     for (std::size_t i = 0; i < start.of<Kind>().size(); ++i) {
-        Motion<double> m = start.of<Kind>()[i].motion;
+        BodyState<double> m = start.of<Kind>()[i].state;
         for (int n = 0; n < steps; ++n) debris.step(start.of<Kind>()[i].body, m, 0.01);
-        const Motion<double>& other = end.of<Kind>()[i].motion;
+        const BodyState<double>& other = end.of<Kind>()[i].state;
         REQUIRE(m.x == other.x);
         REQUIRE(m.v == other.v);
         REQUIRE(m.turning.omega == other.turning.omega);

@@ -156,7 +156,7 @@ TEST_CASE("ODE solves the passive step's equation, and turns the body as we do",
                 CHECK((left - L).norm() < 100 * epsilon * ratio * L.norm());
                 // Ours, from the same state; the orientation too unless it is told to be finite: then
                 // a step turns by h|ω| instead of 2 atan(h|ω|/2), and ω is the same.
-                const RigidState<double> ours = turn(passive_gyroscopic, inertia, s1, h);
+                const RigidState<double> ours = step_rotation(passive_gyroscopic, inertia, s1, h);
                 CHECK((ours.omega - s2.omega).norm() < 100 * epsilon * ratio * omega.norm());
                 const double off = 2 * std::asin((ours.q.conjugate() * s2.q).vec().norm());
                 const double angle = h * s2.omega.norm();

@@ -175,7 +175,7 @@ TEST_CASE("with friction and rolling resistance shorter steps do not settle the 
     const plane::Orientation leaning(Eigen::AngleAxisd(0.2, V::UnitX()));
     const auto after = [&](long steps) {
         const plane::Ground rough{9.81, 0.5, 0.1, plane::Arms::middle};
-        plane::Motion m = plane::placed(body, leaning, V(1, 0, 6), 0.3);
+        plane::BodyState m = plane::placed(body, leaning, V(1, 0, 6), 0.3);
         plane::Contacts contacts;
         for (long i = 0; i < steps; ++i)
             m = plane::step(passive_gyroscopic, body, rough, m, duration / double(steps), contacts);

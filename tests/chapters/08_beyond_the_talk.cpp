@@ -15,7 +15,7 @@
 #include <timestep/rigid/free_body.hpp>
 #include <timestep/rigid/shapes.hpp>
 #include <timestep/rigid/strang.hpp>
-#include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/rigid/ball_and_remainder.hpp>
 #include <timestep/rigid/tumble.hpp>
 
 using namespace timestep;
@@ -148,7 +148,7 @@ TEST_CASE("an uneven capsule keeps its spin by the splittings, longer by Cayley 
     CHECK(after(tumble<PassiveGyroscopic>, uneven, start, h, 300).omega.z() < 5);
     CHECK(after(tumble<CayleyGyroscopic>, uneven, start, h, 1200).omega.z() > 15);
     CHECK(after(tumble<CayleyGyroscopic>, uneven, start, h, 9000).omega.z() < 10);
-    CHECK(after(symmetric_remainder_2, uneven, start, h, 36000).omega.z() > 19.9);
+    CHECK(after(ball_and_remainder_2, uneven, start, h, 36000).omega.z() > 19.9);
     CHECK(after(strang, uneven, start, h, 36000).omega.z() > 19.5);
 }
 
@@ -160,18 +160,18 @@ TEST_CASE("at 60 Hz, thrown in any direction: what the recommendation says", "[c
         for (int n = 0; n < 300; ++n) {
             const V d = random.direction();
             INFO("I = " << I.moments.transpose() << ", along " << d.transpose());
-            REQUIRE(worst(symmetric_remainder_4, I, 10 * d, 60) < 1e-3);
-            REQUIRE(worst(symmetric_remainder_4, I, 30 * d, 60) < 0.05);
+            REQUIRE(worst(ball_and_remainder_4, I, 10 * d, 60) < 1e-3);
+            REQUIRE(worst(ball_and_remainder_4, I, 30 * d, 60) < 0.05);
             REQUIRE(worst(tumble<HalfStepJacobian>, I, 10 * d, 60) < 0.1);
-            const double two = worst(symmetric_remainder_2, I, 10 * d, 60);
+            const double two = worst(ball_and_remainder_2, I, 10 * d, 60);
             if (I.moments == three[0].moments) REQUIRE(two < 1e-3);
             wrong += I.moments == ruler.moments && two > 0.01;
         }
     CHECK(wrong > 60);
     // Close to the middle axis: there it is worse than the half-step Jacobian.
     const V middle(0.1, 10, 0.1);
-    CHECK(worst(symmetric_remainder_2, ruler, middle, 60) > worst(tumble<HalfStepJacobian>, ruler, middle, 60));
-    CHECK(worst(RungeKutta{}, brick, 10, 60) < worst(symmetric_remainder_2, brick, 10, 60));
+    CHECK(worst(ball_and_remainder_2, ruler, middle, 60) > worst(tumble<HalfStepJacobian>, ruler, middle, 60));
+    CHECK(worst(RungeKutta{}, brick, 10, 60) < worst(ball_and_remainder_2, brick, 10, 60));
 }
 
 TEST_CASE("the half-step Jacobian keeps E/Delta, which bounds the energy", "[ch8]") {
@@ -209,7 +209,7 @@ TEST_CASE("the half-step Jacobian keeps E/Delta, which bounds the energy", "[ch8
 TEST_CASE("at 60 Hz and 100 rad/s ball and remainder 4 is right, and alone", "[ch8]") {
     for (const Body& I : three) {
         INFO("I = " << I.moments.transpose());
-        CHECK(worst(symmetric_remainder_4, I, 100, 60) < 0.02);
+        CHECK(worst(ball_and_remainder_4, I, 100, 60) < 0.02);
         CHECK(worst(tumble<HalfStepJacobian>, I, 100, 60) > 0.5);
         CHECK(worst(tumble<CayleyGyroscopic>, I, 100, 60) > 0.5);
         CHECK(worst(strang, I, 100, 60) > 0.5);
@@ -221,7 +221,7 @@ TEST_CASE("ball and remainder 4 is nearer than Runge-Kutta 4 at three times its 
     for (const Body& I : three)
         for (const double spin : {1.0, 10.0, 100.0})
             for (const long rate : {15, 30, 60, 120, 240}) {
-                const double mine = worst(symmetric_remainder_4, I, spin, rate);
+                const double mine = worst(ball_and_remainder_4, I, spin, rate);
                 if (mine > 0.1 || mine < 1e-11) continue;  // lost, or roundoff
                 INFO("I = " << I.moments.transpose() << ", " << spin << " rad/s, " << rate << " Hz");
                 CHECK(mine < worst(RungeKutta{}, I, spin, 3 * rate));

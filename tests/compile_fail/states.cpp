@@ -171,13 +171,13 @@ int main() {
     const PrincipalInertia<double> inertia(1, 2, 2.5);
 #endif
     const RigidState<double> s{0, Quaternion<double>::Identity(), {1, 2, 3}};
-    return turn(calm_half_step, inertia, s, 0.01).omega.x() > 2;
+    return step_rotation(calm_half_step, inertia, s, 0.01).omega.x() > 2;
 }
 
 // ---- two kinds of real numbers in flight
 // The same of a method for the whole body.
 // error: timestep: the inertia and the state hold one kind of number: both float, or both double
-#include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/rigid/ball_and_remainder.hpp>
 
 using namespace timestep;
 
@@ -188,7 +188,7 @@ int main() {
     const PrincipalInertia<double> inertia(1, 2, 2.5);
 #endif
     const SpinState<double> s{0, Quaternion<double>::Identity(), {1, 2, 3}};
-    return symmetric_remainder_2.step(inertia, s, 0.01).omega.x() > 2;
+    return ball_and_remainder_2.step(inertia, s, 0.01).omega.x() > 2;
 }
 
 // ---- world taken for body

@@ -24,11 +24,11 @@ Real fly() {
     const auto pill = capsule(Real(1), Real(0.2), Real(1));
     SpinState<Real> s{0, Quaternion<Real>::Identity(), {1, 2, 3}};
     for_each_body_solver([&](const auto& method, const BodyPrice&) { s = method.step(crate, s, Real(0.01)); });
-    s = symmetric_remainder_4.step(pill, s, Real(0.01));
+    s = ball_and_remainder_4.step(pill, s, Real(0.01));
     const FullInertia<Real> full(Matrix3<Real>(crate.moments.asDiagonal()));
     RigidState<Real> world{0, s.q, s.omega};
-    for_each_gyroscopic([&](const auto& solver) { world = turn(solver, full, world, Real(0.01)); });
-    world = turn(calm_half_step, pill, world, Vector3<Real>(1, 2, 3), Real(0.01));
+    for_each_gyroscopic([&](const auto& solver) { world = step_rotation(solver, full, world, Real(0.01)); });
+    world = step_rotation(calm_half_step, pill, world, Vector3<Real>(1, 2, 3), Real(0.01));
     return world.omega.norm();
 }
 

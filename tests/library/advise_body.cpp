@@ -79,7 +79,7 @@ TEST_CASE("a throw is watched as it was: energy, spin and orientation", "[librar
     // Of two equal moments ball and remainder is the exact motion.
     const Body wheel(1, 1, 1.8);
     const Vector omega(2, 1, 9);
-    const Thrown exact = throw_body(symmetric_remainder_2, wheel, omega, at_60_hz);
+    const Thrown exact = throw_body(ball_and_remainder_2, wheel, omega, at_60_hz);
     CHECK(std::abs(exact.seconds - 10) < 1e-9);
     CHECK(std::abs(exact.energy - 1) < 1e-12);
     CHECK(exact.off < 1e-9);
@@ -250,9 +250,9 @@ TEST_CASE("two moments all but equal: a throw is advised by what it does", "[lib
                                                   : random.direction())));
         const auto take = asked(body, omega);
         const double h = 1.0 / 60 / double(take.substeps);
-        const double two = throw_body(symmetric_remainder_2, body, omega, Frames(h, h), 2).off;
-        const double four = throw_body(symmetric_remainder_4, body, omega, Frames(h, h), 2).off;
-        const double two_in_one = throw_body(symmetric_remainder_2, body, omega, at_60_hz, 2).off;
+        const double two = throw_body(ball_and_remainder_2, body, omega, Frames(h, h), 2).off;
+        const double four = throw_body(ball_and_remainder_4, body, omega, Frames(h, h), 2).off;
+        const double two_in_one = throw_body(ball_and_remainder_2, body, omega, at_60_hz, 2).off;
         CAPTURE(apart, along, omega.transpose(), take.choice.name, two, four);
         CHECK((take.choice.name == "symmetric_free" ? two : four) < 1e-3);
         CHECK((take.choice.name == "ball" ||
@@ -311,7 +311,7 @@ TEST_CASE("a body of revolution is lost when its axis is, not when its roll is",
     const Thrown dropped = throw_body(tumble<NoGyroscopic>, spear, omega, at_60_hz);
     CHECK(dropped.axis_off > 0.5);
     CHECK(dropped.lost);
-    CHECK(throw_body(symmetric_remainder_2, spear, omega, at_60_hz).axis_off < 1e-6);
+    CHECK(throw_body(ball_and_remainder_2, spear, omega, at_60_hz).axis_off < 1e-6);
     CHECK(std::isnan(throw_body(strang, box, omega, at_60_hz).axis_off));
     // Explicit is beyond all numbers.
     const Thrown blown = throw_body(tumble<ExplicitGyroscopic>, spear, omega, at_60_hz);

@@ -37,7 +37,7 @@ template <class Visit>
 void for_each_damped(const Visit& visit) {
     for_each_method(visit);
     visit(semi_implicit_euler_new_damping);
-    visit(newton);
+    visit(constant_acceleration);
 }
 
 }  // namespace

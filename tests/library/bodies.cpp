@@ -25,7 +25,7 @@ struct Box {
 };
 struct Nothing {};  // a body that has nothing but its motion
 
-Motion<double> lying(const Ball& ball, const V& v) {
+BodyState<double> lying(const Ball& ball, const V& v) {
     return {{0, Quaternion<double>::Identity(), V::Zero()}, V(0, 0, ball.radius), v};
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("terms of a body's scene refuse numbers that make no sense", "[library
 // within n ε of its size.
 TEST_CASE("a scene of weight alone is a fall, and asks the body for nothing", "[library][ch6]") {
     const BodyScene scene{Weight(9.81)};
-    Motion<double> m{{0, Quaternion<double>::Identity(), V(0, 0, 1)}, V::Zero(), V(1, 0, 0)};
+    BodyState<double> m{{0, Quaternion<double>::Identity(), V(0, 0, 1)}, V::Zero(), V(1, 0, 0)};
     const double h = 0.01;
     for (int n = 0; n < 100; ++n) scene.step(Nothing{}, m, h);
     const double eps = std::numeric_limits<double>::epsilon();
@@ -59,7 +59,7 @@ TEST_CASE("a scene of weight alone is a fall, and asks the body for nothing", "[
 // v + 2/5 r ω stays to roundoff, and the last step stops the sliding exactly.
 TEST_CASE("a sliding ball rolls at five sevenths of its speed", "[library][ch6]") {
     const BodyScene scene{Weight(9.81), Ground(0.3)};
-    Motion<double> m = lying(ball, V(7, 0, 0));
+    BodyState<double> m = lying(ball, V(7, 0, 0));
     for (int n = 0; n < 2000; ++n) scene.step(ball, m, 0.001);
     CHECK(std::fabs(m.v.x() - 5) < 1e-11);
     CHECK(std::fabs(ball.radius * m.turning.omega.y() - 5) < 1e-11);
@@ -73,7 +73,7 @@ TEST_CASE("a sliding ball rolls at five sevenths of its speed", "[library][ch6]"
 TEST_CASE("rolling resistance stops a ball, at five sevenths of c g", "[library][ch6]") {
     const double c = 0.05, h = 0.001;
     const BodyScene scene{Weight(9.81), Ground(0.5), RollingResistance(c)};
-    Motion<double> m = lying(ball, V(1, 0, 0));
+    BodyState<double> m = lying(ball, V(1, 0, 0));
     m.turning.omega.y() = 1 / ball.radius;
     while (m.v.x() > 0.01 && m.turning.t < 10) scene.step(ball, m, h);
     CHECK(std::fabs(m.turning.t - 0.99 * 1.4 / (c * 9.81)) < 5 * h);
@@ -84,7 +84,7 @@ TEST_CASE("rolling resistance stops a ball, at five sevenths of c g", "[library]
 TEST_CASE("a ball in the air neither rubs nor rolls", "[library][ch6]") {
     const BodyScene all{Weight(9.81), Ground(0.5), RollingResistance(0.1)};
     const BodyScene weight_only{Weight(9.81)};
-    Motion<double> a = lying(ball, V(3, 1, 4)), b = a;
+    BodyState<double> a = lying(ball, V(3, 1, 4)), b = a;
     a.turning.omega = b.turning.omega = V(1, 2, 3);
     for (int n = 0; n < 700; ++n) all.step(ball, a, 0.001), weight_only.step(ball, b, 0.001);
     CHECK(a.x == b.x);
@@ -105,18 +105,18 @@ struct Poison {
 TEST_CASE("a group of balls compiles no gyroscopic code", "[library][N41][ch6]") {
     Bodies<double, Ball> balls;
     balls.add(ball, lying(ball, V(1, 0, 0)));
-    balls.of<Ball>()[0].motion.turning.omega = V(1, 2, 3);
+    balls.of<Ball>()[0].state.turning.omega = V(1, 2, 3);
     balls.step(BodyScene{Weight(9.81), Gyroscopic(Poison{})}, 0.01);  // this line compiles
-    CHECK(balls.of<Ball>()[0].motion.turning.omega == V(1, 2, 3));
+    CHECK(balls.of<Ball>()[0].state.turning.omega == V(1, 2, 3));
 }
 
 TEST_CASE("sorted bodies move as each does alone, to the last bit", "[library][ch6]") {
     const BodyScene scene{Weight(9.81), Gyroscopic(passive_gyroscopic)};
     Bodies<double, Ball, Box> bodies;
-    std::vector<Motion<double>> balls, boxes;
+    std::vector<BodyState<double>> balls, boxes;
     const Box crate{box(3.0, 1.0, 2.0, 3.0)};
     for (int i = 0; i < 5; ++i) {
-        Motion<double> m = lying(ball, V(i, 1, 0));
+        BodyState<double> m = lying(ball, V(i, 1, 0));
         m.turning.omega = V(i, 5, -2);
         bodies.add(ball, m), balls.push_back(m);
         bodies.add(crate, m), boxes.push_back(m);
@@ -128,20 +128,20 @@ TEST_CASE("sorted bodies move as each does alone, to the last bit", "[library][c
         for (auto& m : boxes) scene.step(crate, m, 0.01);
     }
     for (int i = 0; i < 5; ++i) {
-        CHECK(bodies.of<Ball>()[i].motion.x == balls[i].x);
-        CHECK(bodies.of<Ball>()[i].motion.turning.q.coeffs() == balls[i].turning.q.coeffs());
-        CHECK(bodies.of<Box>()[i].motion.x == boxes[i].x);
-        CHECK(bodies.of<Box>()[i].motion.turning.omega == boxes[i].turning.omega);
-        CHECK(bodies.of<Box>()[i].motion.turning.q.coeffs() == boxes[i].turning.q.coeffs());
+        CHECK(bodies.of<Ball>()[i].state.x == balls[i].x);
+        CHECK(bodies.of<Ball>()[i].state.turning.q.coeffs() == balls[i].turning.q.coeffs());
+        CHECK(bodies.of<Box>()[i].state.x == boxes[i].x);
+        CHECK(bodies.of<Box>()[i].state.turning.omega == boxes[i].turning.omega);
+        CHECK(bodies.of<Box>()[i].state.turning.q.coeffs() == boxes[i].turning.q.coeffs());
     }
-    CHECK(bodies.of<Box>()[1].motion.turning.omega != V(1, 5, -2));  // the boxes do tumble
+    CHECK(bodies.of<Box>()[1].state.turning.omega != V(1, 5, -2));  // the boxes do tumble
 }
 
 TEST_CASE("a body that no scene could step is refused where it is added", "[library][ch6]") {
     const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
     const auto add = [](const Ball& bad, const V& v, const V& omega) {
         Bodies<double, Ball> balls;
-        Motion<double> m = lying(ball, v);
+        BodyState<double> m = lying(ball, v);
         m.turning.omega = omega;
         balls.add(bad, m);
     };
@@ -167,15 +167,15 @@ TEST_CASE("a body's orientation is scaled to length one where it is added", "[li
     const Box crate{box(3.0, 1.0, 2.0, 3.0)};
     for (const double size : {2.0, 10.0, 1e-200, 1e200, 0.5e-323}) {
         Bodies<double, Box> boxes;
-        Motion<double> m{{0, Quaternion<double>(size, size, size, -size), V(1, 2, 3)}, V(4, 5, 6), V(7, 8, 9)};
+        BodyState<double> m{{0, Quaternion<double>(size, size, size, -size), V(1, 2, 3)}, V(4, 5, 6), V(7, 8, 9)};
         boxes.add(crate, m);
-        const Motion<double>& added = boxes.of<Box>()[0].motion;
+        const BodyState<double>& added = boxes.of<Box>()[0].state;
         INFO("size " << size);
         CHECK((added.turning.q.coeffs() - Quaternion<double>(0.5, 0.5, 0.5, -0.5).coeffs()).norm() < 1e-15);
         CHECK((added.turning.omega == V(1, 2, 3) && added.x == m.x && added.v == m.v));
     }
     Bodies<double, Box> boxes;
-    Motion<double> none{{0, Quaternion<double>(0, 0, 0, 0), V(1, 2, 3)}, V::Zero(), V::Zero()};
+    BodyState<double> none{{0, Quaternion<double>(0, 0, 0, 0), V(1, 2, 3)}, V::Zero(), V::Zero()};
     CHECK_THROWS_AS(boxes.add(crate, none), std::invalid_argument);
     CHECK(boxes.size() == 0);
 }
@@ -185,7 +185,7 @@ TEST_CASE("friction and resistance that cannot be computed are not dropped in si
     const BodyScene scene{Weight(9.81), Ground(0.5), RollingResistance(0.01)};
     const double nan = std::nan("");
     const auto lost = [&](const Ball& body, const V& v, const V& omega) {
-        Motion<double> m = lying(ball, v);
+        BodyState<double> m = lying(ball, v);
         m.turning.omega = omega;
         scene.step(body, m, 0.01);
         return !is_finite(m.turning) || !is_finite(m.v);

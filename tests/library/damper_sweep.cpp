@@ -265,7 +265,7 @@ static double most_energy_of_a_wheel(double damping) {
             const double longer = apart.norm() - along.norm();
             energy += k * longer * longer / 2;
             v[a] += k * longer * apart.normalized(), v[b] -= k * longer * apart.normalized();
-            sweep.turn(i, apart);
+            sweep.redirect(i, apart);
         }
         if (n == 0) first = energy;
         most = std::max(most, energy / first);
@@ -298,7 +298,7 @@ TEST_CASE("dampers keep the momentum, and a held mass its velocity", "[library][
     rigid.there_and_back(w, 1e10);  // h c is past the largest number
     CHECK((w[0] - Vector2d(7, 2)).norm() < 20 * eps);
     CHECK(w[1] == Vector2d(1, 2));
-    rigid.turn(0, Vector2d(1, 0));
+    rigid.redirect(0, Vector2d(1, 0));
     rigid.there_and_back(w, 1);
     CHECK((w[0] - Vector2d(1, 2)).norm() < 20 * eps);
 }
@@ -312,7 +312,7 @@ TEST_CASE("no dampers, soft ones of zero, those between held masses and without 
     sweep.add(0, 1, Vector2d(1, 0), 0);
     sweep.add(1, 2, Vector2d(1, 0), 1e6);
     sweep.add(0, 1, Vector2d(1, 0), 1e6);
-    sweep.turn(2, Vector2d(0, 0));  // two masses in one place
+    sweep.redirect(2, Vector2d(0, 0));  // two masses in one place
     sweep.there_and_back(v, 0.1);
     CHECK(v == before);
 }
@@ -331,9 +331,9 @@ TEST_CASE("a sweep refuses masses and dampers that make no sense", "[library][ch
     refuses([&] { sweep.add(0, 1, along, 1e9); }, "damping / mass = inf: must be a finite number");
     refuses([&] { sweep.add(0, 1, Vector2d(0, 0), 1); }, "direction of a damper: must be finite and not zero");
     refuses([&] { sweep.add(0, 1, Vector2d(NAN, 0), 1); }, "direction of a damper: must be finite and not zero");
-    refuses([&] { sweep.turn(0, along); }, "damper: must be one of those added");
+    refuses([&] { sweep.redirect(0, along); }, "damper: must be one of those added");
     sweep.add(0, 1, along, 1);
-    refuses([&] { sweep.turn(0, Vector2d(INFINITY, 0)); }, "direction of a damper: must be finite");
+    refuses([&] { sweep.redirect(0, Vector2d(INFINITY, 0)); }, "direction of a damper: must be finite");
     std::vector<Vector2d> v(2, Vector2d(0, 0));
     refuses([&] { sweep.there_and_back(v, 1); }, "velocities: must be one for each mass");
     v.resize(3);

@@ -207,13 +207,13 @@ TEMPLATE_TEST_CASE("a pack of bodies turns as each does alone", "[library][ch8]"
         const Vector3<L> omega = some_spin<L>();
         const Quaternion<L> q = some_orientation<L>();
         const Vector3<L> after = after_gyroscopic_torque(passive_gyroscopic, packed, q, omega, L(h));
-        const Quaternion<L> q2 = turned(q, omega, L(h));
+        const Quaternion<L> q2 = rotated(q, omega, L(h));
         for (int i = 0; i < L::lanes; ++i) {
             const Vector3<Real> one = lane(omega, i);
             const Quaternion<Real> q1(lane(q.coeffs(), i));
             const Vector3<Real> alone = after_gyroscopic_torque(passive_gyroscopic, one_of(i), q1, one, h);
             same_lane("velocity", after, i, alone, allowed * double(one.norm()));
-            same_lane("orientation", q2.coeffs(), i, turned(q1, one, h).coeffs(), 8 * eps);
+            same_lane("orientation", q2.coeffs(), i, rotated(q1, one, h).coeffs(), 8 * eps);
         }
     };
     for (int n = 0; n < 200; ++n) {

@@ -165,7 +165,7 @@ void turn_as_alone(const Solver& solver, int count) {
     }
     for (int n = 0; n < 20; ++n) all.step(solver, h);
     const auto alone = [&](const auto& inertia, RigidState<Real> s) {
-        for (int n = 0; n < 20; ++n) s = turn(solver, inertia, s, h);
+        for (int n = 0; n < 20; ++n) s = step_rotation(solver, inertia, s, h);
         return s;
     };
     for (int i = 0; i < count; ++i) {

@@ -242,7 +242,8 @@ TEMPLATE_TEST_CASE("with an orientation, and omega in the world, energy and |L| 
     for (const Real spin : {Real(10), Real(60)}) {
         RigidState<Real> s{0, Quaternion<Real>::Identity(), spin * Vector3<Real>(Real(0.6), Real(0.64), Real(0.48))};
         const double E = energy(I, s.omega), L = momentum(I, s.omega);
-        for (int n = 0; n < 36000; ++n) s = turn(calm_half_step, I, s, Real(n % 3 == 0 ? 1.0 / 60 : 1.0 / 120));
+        for (int n = 0; n < 36000; ++n)
+            s = step_rotation(calm_half_step, I, s, Real(n % 3 == 0 ? 1.0 / 60 : 1.0 / 120));
         const Vector3<Real> w = s.q.conjugate() * s.omega;
         CHECK(std::fabs(energy(I, w) / E - 1) < roundoff);
         CHECK(std::fabs(momentum(I, w) / L - 1) < roundoff);
@@ -253,7 +254,7 @@ TEST_CASE("in any axes it is the same calm step", "[library][ch8]") {
     RandomInertia random(12);
     for (int i = 0; i < 100; ++i) {
         const auto I = random.inertia<double>(10);
-        const Matrix3<double> R = turn_by(V(3 * random.direction<double>())).toRotationMatrix();
+        const Matrix3<double> R = rotation_by(V(3 * random.direction<double>())).toRotationMatrix();
         const Matrix3<double> turned = R * I.moments.asDiagonal() * R.transpose();
         const FullInertia<double> full((turned + turned.transpose()) / 2);
         const V w = 3 * random.direction<double>();

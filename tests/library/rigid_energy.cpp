@@ -6,7 +6,7 @@
 #include <limits>
 
 #include <timestep/gyroscopic.hpp>
-#include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/rigid/ball_and_remainder.hpp>
 
 #include "random_inertia.hpp"
 
@@ -127,7 +127,7 @@ TEST_CASE("in float the passive step of bodies in the world gains nothing in an 
         RigidState<float> s{0, Quaternion<float>::Identity(), start};
         double least = 1e9;
         for (int n = 0; n < 216000; ++n) {
-            s = turn(passive_gyroscopic, I, s, 1 / 60.0f);
+            s = step_rotation(passive_gyroscopic, I, s, 1 / 60.0f);
             if (n % 600 != 0) continue;
             const Quaternion<double> q = s.q.cast<double>().normalized();
             const Vector3<float> w = (q.conjugate() * s.omega.cast<double>()).cast<float>();
@@ -159,7 +159,7 @@ TEST_CASE("in float a symmetric body keeps its energy for an hour", "[library][N
 TEST_CASE("a symmetric body's step turns by the angle of the true motion, to its fifth power", "[library]") {
     const SymmetricInertia<double> I(1, 1.9);
     for (const double theta : {0.1, 0.2, 0.4, 0.8}) {
-        const double z = theta / I.wobble;
+        const double z = theta / I.precession_ratio;
         const Vector3<double> w = passive_gyroscopic.step(I, Vector3<double>(1, 0, z), 1.0);
         const double off = std::atan2(w.y(), w.x()) - theta;
         CHECK(std::fabs(off / (-std::pow(theta, 5) / 120) - 1) < 0.2);
@@ -177,7 +177,7 @@ TEST_CASE("in float a splitting keeps |L| for an hour", "[library][ch8]") {
         SpinState<float> s{0, Quaternion<float>::Identity(), 10 * random.direction<float>()};
         const auto momentum = [&] { return parts.unit.cast<double>().cwiseProduct(s.omega.cast<double>()).norm(); };
         const double before = momentum();
-        for (int n = 0; n < 216000; ++n) s = symmetric_remainder_4.step(parts, s, 1 / 60.0f);
+        for (int n = 0; n < 216000; ++n) s = ball_and_remainder_4.step(parts, s, 1 / 60.0f);
         worst = std::max(worst, std::fabs(momentum() / before - 1));
     }
     CHECK(worst < 5e-4);  // thirteen turns a step, roundoffs either way: √2.8 million of them are 1e-4

@@ -7,7 +7,7 @@
 
 #include <timestep/gyroscopic.hpp>
 #include <timestep/rigid/shapes.hpp>
-#include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/rigid/ball_and_remainder.hpp>
 
 #include "random_inertia.hpp"
 
@@ -26,11 +26,11 @@ TEST_CASE("a needle stays finite, and a rod knows no spin about itself", "[libra
     }
     const auto stick = rod(1.0, 2.0);
     RigidState<double> s{0, Quaternion<double>::Identity(), {1, 2, 0}};
-    for (int n = 0; n < 1000; ++n) s = turn(passive_gyroscopic, stick, s, 0.01);
+    for (int n = 0; n < 1000; ++n) s = step_rotation(passive_gyroscopic, stick, s, 0.01);
     CHECK(s.omega == V(1, 2, 0));
     // What a torque along the rod would do is nothing.
-    s = turn(passive_gyroscopic, stick, RigidState<double>{0, Quaternion<double>::Identity(), {0, 0, 0}}, V(0, 0, 5),
-             0.1);
+    s = step_rotation(passive_gyroscopic, stick, RigidState<double>{0, Quaternion<double>::Identity(), {0, 0, 0}},
+                      V(0, 0, 5), 0.1);
     CHECK(s.omega == V(0, 0, 0));
 }
 
@@ -126,23 +126,23 @@ TEST_CASE("ball and remainder are numbers to 1e19 in float", "[library][ch8]") {
     const auto spun = [&](float size) {
         return SpinState<float>{0, Quaternion<float>::Identity(), size * F(0.48f, 0.6f, 0.64f)};
     };
-    CHECK(is_finite(symmetric_remainder_2.step(I, spun(1e18f), 1.0f)));
-    CHECK(is_finite(symmetric_remainder_4.step(I, spun(1e18f), 1.0f)));
-    CHECK(!is_finite(symmetric_remainder_2.step(I, spun(1e20f), 1.0f)));
-    CHECK(!is_finite(symmetric_remainder_4.step(I, spun(1e20f), 1.0f)));
+    CHECK(is_finite(ball_and_remainder_2.step(I, spun(1e18f), 1.0f)));
+    CHECK(is_finite(ball_and_remainder_4.step(I, spun(1e18f), 1.0f)));
+    CHECK(!is_finite(ball_and_remainder_2.step(I, spun(1e20f), 1.0f)));
+    CHECK(!is_finite(ball_and_remainder_4.step(I, spun(1e20f), 1.0f)));
 }
 
 // Half a turn is what is left of so fast a spin: q₂ = (0, u) q₁, with the axis u.
 TEST_CASE("an orientation keeps its length as long as a square does not overflow", "[library][N42]") {
     const Quaternion<float> one = Quaternion<float>::Identity();
     for (const float spin : {1e10f, 1e15f, 1e19f, 1e21f}) {
-        const Quaternion<float> q = turned(one, F(spin * F(2, -1, 2) / 3), 1 / 60.0f);
+        const Quaternion<float> q = rotated(one, F(spin * F(2, -1, 2) / 3), 1 / 60.0f);
         INFO("at " << spin << " rad/s");
         CHECK(std::fabs(q.norm() - 1) < 4 * std::numeric_limits<float>::epsilon());
         CHECK((q.vec() - F(2, -1, 2) / 3).norm() < 1e-6f);
     }
     const F beyond(1e22f, 0, 0);
-    CHECK(!is_finite(RigidState<float>{0, turned(one, beyond, 1 / 60.0f), beyond}));
+    CHECK(!is_finite(RigidState<float>{0, rotated(one, beyond, 1 / 60.0f), beyond}));
 }
 
 TEST_CASE("a quaternion of length zero is no orientation: the state is not finite", "[library][N42]") {
@@ -159,7 +159,7 @@ TEST_CASE("a locked axis is a mask after the step, and nothing becomes strange",
     const LockedAxes<double> upright{{0, 0, 1}};
     RigidState<double> s{0, Quaternion<double>(1, 0.2, 0.1, 0).normalized(), {0, 0, 5}};
     for (int n = 0; n < 10000; ++n) {
-        s = turn(passive_gyroscopic, I, s, V(1, 2, 0.5), 1.0 / 60);
+        s = step_rotation(passive_gyroscopic, I, s, V(1, 2, 0.5), 1.0 / 60);
         s.omega = upright(s.omega);
     }
     CHECK(is_finite(s));
@@ -175,7 +175,7 @@ TEST_CASE("a spin that dies does not end in subnormal numbers", "[library][long]
     RigidState<float> s{0, Quaternion<float>(4, 3, 2, 1).normalized(), {1, 10, 0.1f}};
     long subnormal = 0;
     for (long n = 0; n < 2000000; ++n) {
-        s = turn(passive_gyroscopic, I, s, 1 / 60.0f);
+        s = step_rotation(passive_gyroscopic, I, s, 1 / 60.0f);
         const F w = s.q.conjugate() * s.omega;
         for (int i = 0; i < 3; ++i) subnormal += std::fpclassify(w[i]) == FP_SUBNORMAL;
     }

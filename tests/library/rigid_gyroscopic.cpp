@@ -35,7 +35,7 @@ double error(const Solver& solver, const PrincipalInertia<double>& I, const V& o
     const RigidState<double> start{0, Quaternion<double>::Identity(), omega};
     const RigidState<double> exact = ExactFreeBody<double>(I, start)(1);
     RigidState<double> s = start;
-    for (long n = 0; n < steps; ++n) s = turn(solver, I, s, 1.0 / double(steps));
+    for (long n = 0; n < steps; ++n) s = step_rotation(solver, I, s, 1.0 / double(steps));
     if (orientation) return (s.q.conjugate() * exact.q).vec().norm();
     return (s.q.conjugate() * s.omega - exact.q.conjugate() * exact.omega).norm() / omega.norm();
 }
@@ -168,7 +168,7 @@ TEST_CASE("two equal moments: the closed forms are the general steps", "[library
         CHECK((one - converged_gyroscopic.step(pill, omega, h)).norm() == 0);
         // The passive step turns (ω_x, ω_y) by 2 atan(u/(1 − u²/3 + u⁴/9)), u = θ/2.
         const V passive = passive_gyroscopic.step(pill, omega, h);
-        const double u = h / 2 * pill.wobble * omega.z(), p = u * u / 3;
+        const double u = h / 2 * pill.precession_ratio * omega.z(), p = u * u / 3;
         const double angle = 2 * std::atan(u / (1 - p + p * p));
         const V expected(std::cos(angle) * omega.x() - std::sin(angle) * omega.y(),
                          std::sin(angle) * omega.x() + std::cos(angle) * omega.y(), omega.z());
@@ -184,7 +184,7 @@ TEST_CASE("a full matrix moves as its principal axes do", "[library]") {
     for_each_gyroscopic([&](const auto& solver) {
         INFO(solver.name);
         RigidState<double> a{0, Quaternion<double>::Identity(), omega}, b{0, Quaternion<double>(R).conjugate(), omega};
-        for (int n = 0; n < 100; ++n) a = turn(solver, I, a, 0.01), b = turn(solver, full, b, 0.01);
+        for (int n = 0; n < 100; ++n) a = step_rotation(solver, I, a, 0.01), b = step_rotation(solver, full, b, 0.01);
         CHECK((a.omega - b.omega).norm() < 1e-12);
     });
 }
@@ -194,7 +194,8 @@ TEST_CASE("balls, and spins about an axis, stay as they are", "[library][N41]") 
     const auto I = box(12.0, 1.0, 2.0, 3.0);
     for_each_gyroscopic([&](const auto& solver) {
         INFO(solver.name);
-        const RigidState<double> ball = turn(solver, sphere(1.0, 1.0), RigidState<double>{0, q, {1, 2, 3}}, 0.5);
+        const RigidState<double> ball =
+            step_rotation(solver, sphere(1.0, 1.0), RigidState<double>{0, q, {1, 2, 3}}, 0.5);
         if constexpr (requires { solver.step(I, V(), 0.1); }) {
             CHECK(ball.omega == V(1, 2, 3));  // to the last bit: nothing is computed
             for (int i = 0; i < 3; ++i) {

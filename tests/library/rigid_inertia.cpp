@@ -283,14 +283,14 @@ TEST_CASE("the orientation turns by nearly h omega, keeps its length and undoes 
     const Quaternion<double> q = Quaternion<double>(1, 2, 3, 4).normalized();
     const V omega(0.3, -0.2, 0.6);
     for (const double h : {0.01, 0.1, 1.0, 100.0}) {
-        const Quaternion<double> q2 = turned(q, omega, h);
+        const Quaternion<double> q2 = rotated(q, omega, h);
         CHECK(std::fabs(q2.norm() - 1) < 4 * epsilon);
         const Quaternion<double> step = q2 * q.conjugate();
         const double angle = 2 * std::atan2(step.vec().norm(), std::fabs(step.w()));
         CHECK(std::fabs(angle - 2 * std::atan(h * omega.norm() / 2)) < 16 * epsilon);
-        CHECK((turned(q2, omega, -h).coeffs() - q.coeffs()).norm() < 16 * epsilon);
+        CHECK((rotated(q2, omega, -h).coeffs() - q.coeffs()).norm() < 16 * epsilon);
     }
-    CHECK((turned(q, omega, 0.0).coeffs() - q.coeffs()).norm() < 2 * epsilon);
+    CHECK((rotated(q, omega, 0.0).coeffs() - q.coeffs()).norm() < 2 * epsilon);
 }
 
 TEST_CASE("a body's momentum and energy do not depend on the axes they are reckoned in", "[library]") {

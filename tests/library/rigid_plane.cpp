@@ -29,11 +29,11 @@ const plane::Capsule<UniformInertia<double>> ball{sphere(1.0, 0.15), 1.0, 0.15, 
 plane::Ground rough(double rolling) { return {9.81, 0.5, rolling, plane::Arms::middle}; }
 
 template <class Solver, class Inertia, class Look>
-plane::Motion run(const Solver& solver, const plane::Capsule<Inertia>& body, const plane::Ground& ground,
-                  plane::Motion m, long steps, const Look& look) {
+plane::BodyState run(const Solver& solver, const plane::Capsule<Inertia>& body, const plane::Ground& ground,
+                     plane::BodyState m, long steps, const Look& look) {
     Contacts contacts;
     for (long n = 0; n < steps; ++n) {
-        const plane::Motion before = m;
+        const plane::BodyState before = m;
         m = plane::step(solver, body, ground, m, h, contacts);
         if (!look(before, m, contacts)) break;
     }
@@ -41,13 +41,13 @@ plane::Motion run(const Solver& solver, const plane::Capsule<Inertia>& body, con
 }
 
 // From half a metre up, turning about any axis.
-plane::Motion any_throw(RandomInertia& random) {
+plane::BodyState any_throw(RandomInertia& random) {
     const V axis = random.direction<double>();
     const plane::Orientation q(Eigen::AngleAxisd(1 + axis.x(), random.direction<double>()));
     return plane::placed(pill, q, 40 * axis, 0.5);
 }
 const auto to_the_end = [](const auto&...) { return true; };
-bool at_rest(const plane::Motion& m) { return m.turning.omega.norm() < 1e-3 && m.v.norm() < 1e-3; }
+bool at_rest(const plane::BodyState& m) { return m.turning.omega.norm() < 1e-3 && m.v.norm() < 1e-3; }
 
 }  // namespace
 
@@ -77,7 +77,7 @@ TEST_CASE("impulses keep to their cones", "[library][N49]") {
 
 TEST_CASE("a capsule that lies still stays, carried by its weight", "[library][N49]") {
     const Quaternion<double> lying(Eigen::AngleAxisd(std::acos(-1.0) / 2, V::UnitY()));
-    const plane::Motion start{{0, lying, V::Zero()}, {0, 0, pill.radius}, V::Zero()};
+    const plane::BodyState start{{0, lying, V::Zero()}, {0, 0, pill.radius}, V::Zero()};
     const auto end =
         run(no_gyroscopic, pill, rough(0.0), start, 600, [&](const auto&, const auto&, const Contacts& contacts) {
             const double carried = contacts.at[0].normal + contacts.at[1].normal;
@@ -127,19 +127,19 @@ TEST_CASE("rolling resistance stops a ball when it should", "[library][N49]") {
 TEST_CASE("a rule may stand before the contacts, after them, or half and half", "[library]") {
     using plane::AroundContacts;
     const AroundContacts<PassiveGyroscopic> before{passive_gyroscopic, 1}, after{passive_gyroscopic, 0};
-    const auto same = [](const plane::Motion& a, const plane::Motion& b) {
+    const auto same = [](const plane::BodyState& a, const plane::BodyState& b) {
         return a.turning.omega == b.turning.omega && a.turning.q.coeffs() == b.turning.q.coeffs() && a.x == b.x;
     };
     RandomInertia random(8);
     for (int i = 0; i < 5; ++i) {
-        const plane::Motion start = any_throw(random);
+        const plane::BodyState start = any_throw(random);
         // All of it before them is the step as it always was.
         CHECK(same(run(before, pill, rough(0.1), start, 300, to_the_end),
                    run(passive_gyroscopic, pill, rough(0.1), start, 300, to_the_end)));
         // In the air there is nothing that it could stand before or after. On the plane there is.
-        plane::Motion high = start;
+        plane::BodyState high = start;
         high.x.z() += 100;
-        const auto same_places = [&](const plane::Motion& from, long steps) {
+        const auto same_places = [&](const plane::BodyState& from, long steps) {
             return same(run(after, pill, rough(0.1), from, steps, to_the_end),
                         run(before, pill, rough(0.1), from, steps, to_the_end));
         };
@@ -160,10 +160,10 @@ TEST_CASE("what is thrown gains energy by a rule before the contacts, not by one
     const auto most_energy = [&](double before, double lean) {
         const plane::Orientation q = plane::Orientation(1, lean / 2, 0, 0).normalized();
         const V axis = (q * V::UnitZ() + V::UnitY()).normalized();
-        const plane::Motion start = plane::placed(pill, q, 40 * axis, 0.5);
+        const plane::BodyState start = plane::placed(pill, q, 40 * axis, 0.5);
         double most = 0;
         run(plane::AroundContacts<PassiveGyroscopic>{passive_gyroscopic, before}, pill, as_engines, start, 12 * 60,
-            [&](const auto&, const plane::Motion& m, const Contacts&) {
+            [&](const auto&, const plane::BodyState& m, const Contacts&) {
                 most = std::max(most, energy(pill, as_engines, m));
                 return true;
             });

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/rigid/ball_and_remainder.hpp>
 
 #include "exact_free_body.hpp"
 #include "random_inertia.hpp"
@@ -30,8 +30,8 @@ TEST_CASE("ball and remainder are exact for a symmetric body", "[library][ch8]")
         const ExactFreeBody<double> exact(body, in_world(spinning(V(1, 2, -2))));
         for (const double h : {0.1, 1.0, 7.0})
             for (const bool four : {false, true}) {
-                const Spin s = four ? after(symmetric_remainder_4, body, spinning(V(1, 2, -2)), h, 10)
-                                    : after(symmetric_remainder_2, body, spinning(V(1, 2, -2)), h, 10);
+                const Spin s = four ? after(ball_and_remainder_4, body, spinning(V(1, 2, -2)), h, 10)
+                                    : after(ball_and_remainder_2, body, spinning(V(1, 2, -2)), h, 10);
                 const Spin truth = in_body(exact(10 * h));
                 INFO("I = " << I.transpose() << ", h = " << h);
                 // ExactFreeBody: some 60 ε times the ratio for each radian, and 3 rad/s for 10 h.
@@ -46,8 +46,8 @@ TEST_CASE("ball and remainder take a symmetric body as such", "[library][ch8]") 
     const SymmetricInertia<double> pill(1, along);
     const PrincipalInertia<double> same(1, 1, along);
     const Spin s = spinning(V(1, 2, -2));
-    CHECK(symmetric_remainder_2.step(pill, s, 0.1).omega == symmetric_remainder_2.step(same, s, 0.1).omega);
-    CHECK(symmetric_remainder_4.step(pill, s, 0.1).omega == symmetric_remainder_4.step(same, s, 0.1).omega);
+    CHECK(ball_and_remainder_2.step(pill, s, 0.1).omega == ball_and_remainder_2.step(same, s, 0.1).omega);
+    CHECK(ball_and_remainder_4.step(pill, s, 0.1).omega == ball_and_remainder_4.step(same, s, 0.1).omega);
     CHECK(RemainderInertia<double>(pill).A * RemainderInertia<double>(pill).B == 0);
 }
 

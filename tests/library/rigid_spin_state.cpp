@@ -11,7 +11,7 @@
 #include <timestep/gyroscopic/cayley_gyroscopic.hpp>
 #include <timestep/rigid/spin_state.hpp>
 #include <timestep/rigid/strang.hpp>
-#include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/rigid/ball_and_remainder.hpp>
 
 using namespace timestep;
 using V = Vector3<double>;
@@ -20,7 +20,7 @@ using Spin = SpinState<double>;
 static constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 TEST_CASE("a state goes to the world and back", "[library][ch8]") {
-    const Spin s{2, turn_by(V(0.3, -1, 2)), V(1, 2, 3)};
+    const Spin s{2, rotation_by(V(0.3, -1, 2)), V(1, 2, 3)};
     const Spin back = in_body(in_world(s));
     CHECK((back.omega - s.omega).norm() < 8 * epsilon);
     CHECK(back.t == s.t);
@@ -34,7 +34,7 @@ TEST_CASE("a turn by a vector is Eigen's, and none by none", "[library][ch8]") {
     for (const V& v : {V(0, 0, 0), V(1e-300, 0, 0), V(1e-9, 2e-9, 0), V(1, -2, 3)}) {
         const double angle = v.norm();
         const Quaternion<double> expected(Eigen::AngleAxis<double>(angle, angle > 0 ? V(v / angle) : V(V::UnitX())));
-        CHECK((turn_by(v).coeffs() - expected.coeffs()).norm() < 4 * epsilon);
+        CHECK((rotation_by(v).coeffs() - expected.coeffs()).norm() < 4 * epsilon);
     }
 }
 
@@ -43,11 +43,11 @@ namespace {
 // Does the call compile?
 template <class State>
 concept Turns = requires(PrincipalInertia<double> I, State s) {
-    turn(calm_half_step, I, s, 0.1);
+    step_rotation(calm_half_step, I, s, 0.1);
 };
 template <class State>
 concept Flies = requires(PrincipalInertia<double> I, State s) {
-    symmetric_remainder_2.step(I, s, 0.1);
+    ball_and_remainder_2.step(I, s, 0.1);
 };
 template <class A, class B>
 constexpr bool becomes = std::is_constructible_v<B, A> || std::is_convertible_v<A, B>;
@@ -70,10 +70,10 @@ static_assert(
 static_assert(noexcept(HalfStepJacobian{}.step(std::declval<const PrincipalInertia<double>&>(), std::declval<V>(),
                                                0.1)));
 static_assert(noexcept(Strang{}.step(std::declval<const PrincipalInertia<double>&>(), std::declval<Spin>(), 0.1)));
-static_assert(noexcept(SymmetricRemainder2{}.step(std::declval<const RemainderInertia<double>&>(), std::declval<Spin>(),
-                                                  0.1)));
-static_assert(noexcept(SymmetricRemainder4{}.step(std::declval<const RemainderInertia<double>&>(), std::declval<Spin>(),
-                                                  0.1)));
-static_assert(noexcept(turned(std::declval<Quaternion<double>>(), std::declval<V>(), 0.1)) && noexcept(
-    turned_in_body(std::declval<Quaternion<double>>(), std::declval<V>(), 0.1)));
+static_assert(noexcept(BallAndRemainder2{}.step(std::declval<const RemainderInertia<double>&>(), std::declval<Spin>(),
+                                                0.1)));
+static_assert(noexcept(BallAndRemainder4{}.step(std::declval<const RemainderInertia<double>&>(), std::declval<Spin>(),
+                                                0.1)));
+static_assert(noexcept(rotated(std::declval<Quaternion<double>>(), std::declval<V>(), 0.1)) && noexcept(
+    rotated_in_body(std::declval<Quaternion<double>>(), std::declval<V>(), 0.1)));
 static_assert(noexcept(in_world(std::declval<Spin>())) && noexcept(in_body(std::declval<RigidState<double>>())));

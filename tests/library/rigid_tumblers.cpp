@@ -15,7 +15,7 @@
 #include <timestep/measured_order.hpp>
 #include <timestep/rigid/shapes.hpp>
 #include <timestep/rigid/strang.hpp>
-#include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/rigid/ball_and_remainder.hpp>
 #include <timestep/rigid/tumble.hpp>
 
 #include "exact_free_body.hpp"
@@ -32,14 +32,14 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 template <class Visit>
 void for_each_tumbler(const Visit& visit) {
-    std::apply([&](const auto&... method) { (visit(method), ...); },
-               std::tuple{tumble<ImplicitGyroscopic>, tumble<PassiveGyroscopic>, tumble<HalfStepJacobian>,
-                          tumble<CalmHalfStep>, tumble<CayleyGyroscopic>, strang, symmetric_remainder_2,
-                          symmetric_remainder_4});
+    std::apply(
+        [&](const auto&... method) { (visit(method), ...); },
+        std::tuple{tumble<ImplicitGyroscopic>, tumble<PassiveGyroscopic>, tumble<HalfStepJacobian>,
+                   tumble<CalmHalfStep>, tumble<CayleyGyroscopic>, strang, ball_and_remainder_2, ball_and_remainder_4});
 }
 template <class Visit>
 void for_each_splitting(const Visit& visit) {
-    visit(strang), visit(symmetric_remainder_2), visit(symmetric_remainder_4);
+    visit(strang), visit(ball_and_remainder_2), visit(ball_and_remainder_4);
 }
 
 // The error in ω, or in the orientation, falls with this power of the step.
@@ -75,7 +75,7 @@ TEST_CASE("with the new spin for the mean the orientation falls back to order on
     std::vector<double> h, errors;
     for (long steps = 128; steps <= 1024; steps *= 2) {
         RigidState<double> s = start;
-        for (long n = 0; n < steps; ++n) s = turn(half_step_jacobian, I, s, 2.0 / double(steps));
+        for (long n = 0; n < steps; ++n) s = step_rotation(half_step_jacobian, I, s, 2.0 / double(steps));
         h.push_back(2.0 / double(steps)), errors.push_back(apart(s.q, exact.q));
     }
     CHECK(std::fabs(measured_order(h, errors) - 1) < 0.15);
@@ -102,7 +102,7 @@ TEST_CASE("in any axes, and with two equal moments, it is the same step", "[libr
     RandomInertia random(12);
     for (int i = 0; i < 100; ++i) {
         const auto I = random.inertia<double>(10);
-        const Matrix3<double> R = turn_by(V(3 * random.direction<double>())).toRotationMatrix();
+        const Matrix3<double> R = rotation_by(V(3 * random.direction<double>())).toRotationMatrix();
         const Matrix3<double> turned = R * I.moments.asDiagonal() * R.transpose();
         const FullInertia<double> full((turned + turned.transpose()) / 2);
         const V w = random.direction<double>();
@@ -113,7 +113,7 @@ TEST_CASE("in any axes, and with two equal moments, it is the same step", "[libr
         const PrincipalInertia<double> same(1, 1, 0.3);
         // Its own equations turn by 2 atan(θ/2) = θ − θ³/12 + θ⁵/80 …, this step by θ − θ⁵/120 …
         const V s = half_step_jacobian.step(pill, w, 0.3), own = half_step_jacobian.step(same, w, 0.3);
-        const double theta = 0.3 * pill.wobble * w.z(), across = w.x() * w.x() + w.y() * w.y();
+        const double theta = 0.3 * pill.precession_ratio * w.z(), across = w.x() * w.x() + w.y() * w.y();
         const double apart = own.x() * s.y() - own.y() * s.x();  // across times the sine of the angle between
         CHECK(std::fabs(apart - across * std::pow(theta, 3) / 12) <
               across * std::pow(std::fabs(theta), 5) / 40 + 64 * epsilon);
@@ -212,7 +212,7 @@ TEST_CASE("a step back undoes a step where the page says so", "[library][ch8]") 
         CHECK((yes ? worst < 1e-12 : worst > 1e-3));
     };
     returns(tumble<HalfStepJacobian>, true), returns(strang, true);
-    returns(symmetric_remainder_2, true), returns(symmetric_remainder_4, true);
+    returns(ball_and_remainder_2, true), returns(ball_and_remainder_4, true);
     returns(tumble<PassiveGyroscopic>, false), returns(tumble<CayleyGyroscopic>, false);
 }
 
@@ -253,7 +253,7 @@ TEMPLATE_TEST_CASE("no whole-body method makes a NaN of honest input", "[library
 }
 
 TEST_CASE("a step of no time is nothing", "[library][ch8]") {
-    const Spin s{2, turn_by(V(0.3, -1, 2)), V(1, 2, 3)};
+    const Spin s{2, rotation_by(V(0.3, -1, 2)), V(1, 2, 3)};
     for_each_tumbler([&](const auto& method) {
         const Spin same = method.step(PrincipalInertia<double>(1, 2, 2.5), s, 0.0);
         CHECK((same.omega - s.omega).norm() + apart(same.q, s.q) < 16 * epsilon);

@@ -106,7 +106,7 @@ static_assert(Spring(3.0).slope_x() == -9 && DampedSpring(3.0, 0.5).acceleration
 static_assert(Spring<float>::valid(3) && !Spring<float>::valid(-3) && !DampedSpring<double>::valid(-1, 0));
 static_assert(sphere(5.0, 1.0).moment == 2 && cube(6.0, 1.0).moment == 1 && rod(12.0f, 1.0f).moment == 1);
 static_assert(cylinder(12.0, 1.0, 3.0).across == 12 && cylinder(12.0, 1.0, 3.0).along == 6);
-static_assert(about<Axis::y>(staff(12.0, 2.0, 1.0)).about_z.across == 5 && capsule(1.0, 0.1, 0.5).wobble < 0);
+static_assert(about<Axis::y>(staff(12.0, 2.0, 1.0)).about_z.across == 5 && capsule(1.0, 0.1, 0.5).precession_ratio < 0);
 static_assert(valid_capsule(1.0, 0.1, 0.5) && !valid_capsule(1.0, 0.0, 0.5) && !valid_sphere(1.0f, 1e-30f));
 static_assert(!UniformInertia<double>::valid(0) && !SymmetricInertia<double>::valid(1, 3));
 

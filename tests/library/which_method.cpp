@@ -14,7 +14,7 @@
 #include <timestep/gyroscopic/half_step_jacobian.hpp>
 #include <timestep/methods.hpp>
 #include <timestep/methods/semi_implicit_euler_new_damping.hpp>
-#include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/rigid/ball_and_remainder.hpp>
 #include <timestep/models/damped_spring.hpp>
 #include <timestep/models/tether.hpp>
 #include <timestep/stability.hpp>
@@ -23,8 +23,8 @@
 using namespace timestep;
 
 TEST_CASE("every answer has a name of its own, and takes a method that there is", "[library][I13]") {
-    std::set<std::string> methods{"", semi_implicit_euler_new_damping.name, symmetric_remainder_2.name,
-                                  symmetric_remainder_4.name};
+    std::set<std::string> methods{"", semi_implicit_euler_new_damping.name, ball_and_remainder_2.name,
+                                  ball_and_remainder_4.name};
     const auto known = [&](const auto& method) { methods.insert(method.name); };
     for_each_method(known), for_each_verlet_method(known), for_each_gyroscopic(known);
     known(half_step_jacobian), known(calm_half_step);

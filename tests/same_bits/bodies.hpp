@@ -22,8 +22,7 @@ void print(const char* scene, const Rule& rule, const Inertia& I) {
 }
 
 template <class Rule>
-inline constexpr bool by_remainder =
-    std::is_same_v<Rule, SymmetricRemainder2> || std::is_same_v<Rule, SymmetricRemainder4>;
+inline constexpr bool by_remainder = std::is_same_v<Rule, BallAndRemainder2> || std::is_same_v<Rule, BallAndRemainder4>;
 template <class Rule>
 inline constexpr bool lacks_full = by_remainder<Rule> || std::is_same_v<Rule, Strang>;
 

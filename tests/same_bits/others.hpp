@@ -66,7 +66,7 @@ void print_lanes() {
 void print_plane() {
     const plane::Capsule<SymmetricInertia<double>> body{capsule(10.3, 0.11, 0.7), 10.3, 0.11, 0.35};
     const plane::Ground ground;
-    plane::Motion m = plane::placed(body, plane::Orientation(0.6, 0, 0.8, 0), plane::V(0.3, 2.1, 17.3), 0.2);
+    plane::BodyState m = plane::placed(body, plane::Orientation(0.6, 0, 0.8, 0), plane::V(0.3, 2.1, 17.3), 0.2);
     plane::Contacts contacts;
     Hash hash;
     for (int i = 0; i < bits_steps; ++i) {

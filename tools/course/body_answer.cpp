@@ -26,7 +26,7 @@ Frames frames_of(const Question& question) {
 struct BallTurn {
     template <class Inertia>
     timestep::SpinState<double> step(const Inertia&, const timestep::SpinState<double>& s, double h) const {
-        return {s.t + h, timestep::over_its_length(s.q * timestep::turn_by(timestep::Vector3<double>(h * s.omega))),
+        return {s.t + h, timestep::over_its_length(s.q * timestep::rotation_by(timestep::Vector3<double>(h * s.omega))),
                 s.omega};
     }
 };

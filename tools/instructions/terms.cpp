@@ -76,25 +76,25 @@ struct Crate {
 
 // All by value, here and in the loops written by hand: what stands elsewhere might change under
 // their feet, and would be read anew in every step.
-double seen(const Motion<double>& m) {
+double seen(const BodyState<double>& m) {
     return m.x.sum() + m.v.sum() + m.turning.omega.sum() + m.turning.q.coeffs().sum();
 }
 
 template <class Body, class... Terms>
-[[gnu::noinline]] double fly(BodyScene<Terms...> scene, Body body, Motion<double> m, long n) {
+[[gnu::noinline]] double fly(BodyScene<Terms...> scene, Body body, BodyState<double> m, long n) {
     for (long i = 0; i < n; ++i) scene.step(body, m, h);
     return seen(m);
 }
-[[gnu::noinline]] double fly_by_hand(double gravity, Motion<double> m, long n) {
+[[gnu::noinline]] double fly_by_hand(double gravity, BodyState<double> m, long n) {
     for (long i = 0; i < n; ++i) {
         m.v.z() -= h * gravity;
         m.turning.t += h;
         m.x += h * m.v;
-        m.turning.q = turned(m.turning.q, m.turning.omega, h);
+        m.turning.q = rotated(m.turning.q, m.turning.omega, h);
     }
     return seen(m);
 }
-[[gnu::noinline]] double slide_by_hand(double gravity, double mu, Ball ball, Motion<double> m, long n) {
+[[gnu::noinline]] double slide_by_hand(double gravity, double mu, Ball ball, BodyState<double> m, long n) {
     const double r = ball.radius, I = ball.inertia.moment;
     V& v = m.v;
     V& spin = m.turning.omega;
@@ -117,7 +117,7 @@ template <class Body, class... Terms>
             }
         }
         m.x += h * v;
-        m.turning.q = turned(m.turning.q, spin, h);
+        m.turning.q = rotated(m.turning.q, spin, h);
     }
     return seen(m);
 }
@@ -165,7 +165,7 @@ void take(const std::string& term, const std::string& way, long n) {
     };
     const Ball ball{sphere(one, 0.1 * one), one, 0.1 * one};
     const Crate crate{box(one, 1.0, 2.0, 3.0)};
-    const Motion<double> start{
+    const BodyState<double> start{
         {0, Quaternion<double>(one, 2, 3, 4).normalized(), V(one, 2, 3)}, V(0, 0, 0.1 * one), V(3, one, 0)};
     const Weight weight(g * one);
     const Ground ground(mu * one);

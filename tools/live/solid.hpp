@@ -28,9 +28,9 @@ public:
     void drag(double x, double y) {
         const double faster = 2;  // rad per unit of the picture
         const Orientation before = world_to_screen_;
-        world_to_screen_ = timestep::turned_in_body(world_to_screen_, Place(0, 0, x - x_), faster);
+        world_to_screen_ = timestep::rotated_in_body(world_to_screen_, Place(0, 0, x - x_), faster);
         const Orientation sideways = world_to_screen_;
-        world_to_screen_ = timestep::turned(sideways, Place(y_ - y, 0, 0), faster);
+        world_to_screen_ = timestep::rotated(sideways, Place(y_ - y, 0, 0), faster);
         const Place up = seen(Place::UnitZ());
         if (!(up.y() > 0.05 && up.z() > 0.05)) world_to_screen_ = sideways;
         if (!timestep::is_finite(world_to_screen_.coeffs())) world_to_screen_ = before;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include <timestep/methods/newton.hpp>
+#include <timestep/methods/constant_acceleration.hpp>
 #include <timestep/methods/velocity_verlet.hpp>
 #include <timestep/models/projectile.hpp>
 #include <timestep/run.hpp>
@@ -25,7 +25,7 @@ double measured_growth(double wh) {
     double log_growth = 0;
     const int skip = 2000;
     for (int n = 0; n < skip + measured_steps; ++n) {
-        s = newton.step(spring, s, wh);
+        s = constant_acceleration.step(spring, s, wh);
         const double size = std::hypot(s.x, s.v);
         if (n >= skip) log_growth += std::log(size);
         s = {0, s.x / size, s.v / size};
@@ -50,7 +50,7 @@ void constant_force(const Settings& settings, lab::Findings& out) {
     double worst = 0;
     bool within = true;
     for (const long steps : {1L, 2L, 7L, 100L, 2800L}) {
-        const State end = run(newton, gravity, thrown, 2.8 / steps, steps);
+        const State end = run(constant_acceleration, gravity, thrown, 2.8 / steps, steps);
         const State exact = gravity.exact(thrown, 2.8);
         worst = std::max(worst, distance(end, exact));
         // A step rounds x, below 12 m, and v, 14 m/s or less, by an ε of them or two; what v lost
@@ -67,12 +67,13 @@ void constant_force(const Settings& settings, lab::Findings& out) {
               "the constant-force method is exact on a projectile but for rounding");
 
     const Spring spring(1.0);
-    auto& lines = out.table("newton_line.tsv", {"wh", "newton", "root"});
+    auto& lines =
+        out.table("constant_acceleration_line.tsv", {"wh", "constant_acceleration", "root"});
     for (int i = 0; i <= 300; ++i) {
         const double wh = 0.02 * i;
         lines.row({wh, formula(wh), std::sqrt(1 + wh * wh / 2)});
     }
-    auto& points = out.table("newton_points.tsv", {"wh", "growth"});
+    auto& points = out.table("constant_acceleration_points.tsv", {"wh", "growth"});
     double off = 0, beyond = 0;
     bool as_it_says = true;
     for (const double wh : {0.01, 0.1, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.5, 5.0, 5.5}) {
@@ -88,7 +89,7 @@ void constant_force(const Settings& settings, lab::Findings& out) {
                                            ripple / measured_steps + 4 * eps;
         }
         if (wh == 5.0) beyond = growth;
-        const double radius = spectral_radius(step_matrix(newton, spring, wh));
+        const double radius = spectral_radius(step_matrix(constant_acceleration, spring, wh));
         as_it_says = as_it_says && std::fabs(radius / formula(wh) - 1) < 1e-12;
     }
     const double wh = settings.wh(), a_second = std::pow(formula(wh), 1 / settings.step);

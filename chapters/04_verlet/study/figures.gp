@@ -25,7 +25,7 @@ unset logscale
 set format xy "%g"
 
 # The constant-force method on springs: growth a step.
-call figure "newton.svg" 640 440 520
+call figure "constant_acceleration.svg" 640 440 520
 set xlabel "ωh (rad)"
 set ylabel "growth of the amplitude a step"
 set xrange [0:6]
@@ -33,9 +33,9 @@ set yrange [0:16]
 set key top left reverse Left
 @key_below
 plot 1 with lines @exact title "exact", \
-     "newton_line.tsv" using 1:3 with lines @faint title "√(1 + ω²h²/2)", \
+     "constant_acceleration_line.tsv" using 1:3 with lines @faint title "√(1 + ω²h²/2)", \
      "" using 1:2 with lines lc rgb "#808000" lw 2.5 dt 1 title "constant acceleration, largest |λ|", \
-     "newton_points.tsv" using 1:2 with points pt 6 ps 0.9 lw 1.6 lc rgb "#808000" title "measured"
+     "constant_acceleration_points.tsv" using 1:2 with points pt 6 ps 0.9 lw 1.6 lc rgb "#808000" title "measured"
 
 # The first demo: a ball.
 call figure "balls.svg" 640 480 560

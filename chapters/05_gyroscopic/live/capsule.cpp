@@ -151,7 +151,7 @@ private:
     // 90 cm long, 30 cm thick, 1 kg.
     const plane::Capsule<SymmetricInertia<double>> capsule{timestep::capsule(1.0, 0.15, 0.6), 1,
                                                            0.15, 0.3};
-    std::array<plane::Motion, 5> now{};
+    std::array<plane::BodyState, 5> now{};
     live::Chart<5> spins{"spin |ω|, rad/s", 200}, energies{"energy, at the start 1", 1.6};
     double energy_at_start = 1;
     live::Solid solid;

@@ -73,11 +73,11 @@ public:
             for (int n = 0; n < 100; ++n)
                 true_one = tumble<CalmHalfStep>.step(inertia, true_one, h / 100);
             now[0] = in_world(true_one);
-            now[1] = turn(no_gyroscopic, inertia, now[1], h);
-            if (holds[2]) now[2] = turn(explicit_gyroscopic, inertia, now[2], h);
-            if (holds[3]) now[3] = turn(lagged_inertia, inertia, now[3], h);
-            if (holds[4]) now[4] = turn(implicit_gyroscopic, inertia, now[4], h);
-            now[5] = turn(passive_gyroscopic, inertia, now[5], h);
+            now[1] = step_rotation(no_gyroscopic, inertia, now[1], h);
+            if (holds[2]) now[2] = step_rotation(explicit_gyroscopic, inertia, now[2], h);
+            if (holds[3]) now[3] = step_rotation(lagged_inertia, inertia, now[3], h);
+            if (holds[4]) now[4] = step_rotation(implicit_gyroscopic, inertia, now[4], h);
+            now[5] = step_rotation(passive_gyroscopic, inertia, now[5], h);
             measure(inertia);
         });
     }

@@ -26,7 +26,7 @@ double turn_rate(const RigidState<double>& a, const RigidState<double>& b, const
 // The passive step's ω after a second, where two moments are equal: the exact one turns about the
 // axis.
 double order_of_round(const Round& pill) {
-    const double angle = pill.wobble * 20;  // that it turns by
+    const double angle = pill.precession_ratio * 20;  // that it turns by
     std::vector<double> h, error;
     for (long steps = 120; steps <= 960; steps *= 2) {
         V omega(5, 0, 20);
@@ -126,7 +126,7 @@ void uneven_capsule(const Settings& settings, lab::Findings& out) {
     const auto pill = capsule(1.0, 0.15, 0.6);
     // By how much the step for two equal moments turns ω, where the exact motion turns it by θ.
     const auto turned = [&](double theta) {
-        const V omega = passive_gyroscopic.step(pill, V(1, 0, theta / pill.wobble), 1.0);
+        const V omega = passive_gyroscopic.step(pill, V(1, 0, theta / pill.precession_ratio), 1.0);
         return std::atan2(omega.y(), omega.x());
     };
     bool falls = true;  // with p = θ²/12 the tangent θ/2 / (1 − p + p²) is largest at p = (1 +

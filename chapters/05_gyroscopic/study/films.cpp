@@ -101,14 +101,14 @@ void on_plane(lab::Findings& out) {
     const plane::Ground ground = scene::ground(0.1, plane::Arms::start);
     picture::Film film(out, "capsule.tsv");
     auto& captions = out.table("capsule_captions.tsv", {"t", "explicit", "dropped", "passive"});
-    std::array<plane::Motion, 3> now;
+    std::array<plane::BodyState, 3> now;
     now.fill(scene::thrown(body));
     std::array<bool, 3> lost{};
     constexpr int frames = 150, steps = 2;
     for (int frame = 0; frame < frames; ++frame) {
         std::vector<lab::Cell> caption{words("t = %.1f s", frame * steps / rate)};
         for (int i = 0; i < 3; ++i) {
-            const plane::Motion& m = now[i];
+            const plane::BodyState& m = now[i];
             const double spin = m.turning.omega.norm();
             lost[i] = lost[i] || !(spin < 200) || m.x.z() > 1.2;
             const V origin = lost[i] ? V(V::Zero()) : V(m.x.x(), m.x.y(), 0);

@@ -30,18 +30,18 @@ struct Outcome {
     double sunk = 0;         // m
 };
 
-double angle_above_plane(const plane::Motion& m) {
+double angle_above_plane(const plane::BodyState& m) {
     const double z = (m.turning.q * plane::V::UnitZ()).z();
     return std::asin(std::min(1.0, std::fabs(z))) * 180 / std::acos(-1.0);
 }
 
 // Runs until rest, loss or the end; `observe` sees each state.
-using Observe = std::function<void(const plane::Motion&)>;
+using Observe = std::function<void(const plane::BodyState&)>;
 template <class Inertia>
 Outcome watch(
     const scene::PlaneSolver& solver, const plane::Capsule<Inertia>& body,
-    const plane::Ground& ground, plane::Motion m, double h,
-    const Observe& observe = [](const plane::Motion&) {}) {
+    const plane::Ground& ground, plane::BodyState m, double h,
+    const Observe& observe = [](const plane::BodyState&) {}) {
     Outcome result;
     const double start = energy(body, ground, m);
     plane::Contacts contacts;
@@ -88,7 +88,7 @@ std::string said(const Outcome& o) {
 void one_throw(const Settings& settings, lab::Findings& out) {
     out.section("A capsule on a plane");
     const auto body = scene::capsule();
-    const plane::Motion start = scene::thrown(body);
+    const plane::BodyState start = scene::thrown(body);
     out.number("plane_spin", scene::spin, "rad/s", "spin of the capsule on the plane at the start");
     out.number("plane_seconds", long_enough, "s", "for which the capsule on the plane is watched");
     out.number("plane_friction", scene::ground(0.1).friction, "", "Coulomb's coefficient");
@@ -112,7 +112,7 @@ void one_throw(const Settings& settings, lab::Findings& out) {
             const double first = energy(body, ground, start);
             long n = 0;
             (resists ? with : without)[index] =
-                watch(solver, body, ground, start, settings.step, [&](const plane::Motion& m) {
+                watch(solver, body, ground, start, settings.step, [&](const plane::BodyState& m) {
                     if (n++ % 3 != 0) return;
                     data.row({m.turning.t, m.turning.omega.norm(), energy(body, ground, m) / first,
                               angle_above_plane(m)});
@@ -187,7 +187,7 @@ void one_throw(const Settings& settings, lab::Findings& out) {
 // A ball has no gyroscopic torque: every variant compiles to the same step.
 void ball(const Settings& settings, lab::Findings& out) {
     const auto body = scene::ball();
-    const plane::Motion start = scene::thrown(body);
+    const plane::BodyState start = scene::thrown(body);
     std::vector<Outcome> outcomes;
     for (const scene::PlaneSolver& solver : scene::plane_solvers()) {
         if (solver.key == "lagged_inertia")

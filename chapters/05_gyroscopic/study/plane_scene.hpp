@@ -48,7 +48,7 @@ inline plane::Ground ground(double rolling, plane::Arms arms = plane::Arms::midd
 
 // On one end, a twentieth of a radian off upright; the spin halfway between its axis and the plane.
 template <class Inertia>
-plane::Motion thrown(const plane::Capsule<Inertia>& body) {
+plane::BodyState thrown(const plane::Capsule<Inertia>& body) {
     const plane::Orientation q(Eigen::AngleAxisd(0.05, plane::V::UnitX()));
     const plane::V axis = q * plane::V::UnitZ();
     return placed(body, q, spin * (axis + plane::V::UnitY()).normalized());
@@ -56,7 +56,7 @@ plane::Motion thrown(const plane::Capsule<Inertia>& body) {
 
 // Any orientation, any axis of spin, from half a metre up.
 template <class Inertia>
-plane::Motion random_throw(const plane::Capsule<Inertia>& body, std::mt19937& random) {
+plane::BodyState random_throw(const plane::Capsule<Inertia>& body, std::mt19937& random) {
     // Directions from a cube, with the corners thrown away: the same numbers with every compiler.
     const auto direction = [&](auto v) {
         do

@@ -14,21 +14,21 @@ using Ball = plane::Capsule<timestep::UniformInertia<double>>;
 // Each is compiled for a capsule and for a ball once, in solvers.cpp, and every section calls it
 // there.
 struct PlaneSolver {
-    using Motion = plane::Motion;
+    using BodyState = plane::BodyState;
 
     std::string key;   // in the data files and numbers; that of style.gp
     std::string name;  // in tables
-    Motion (*step_pill)(const Pill&, const plane::Ground&, const Motion&, double h,
-                        plane::Contacts&);
-    Motion (*step_ball)(const Ball&, const plane::Ground&, const Motion&, double h,
-                        plane::Contacts&);
+    BodyState (*step_pill)(const Pill&, const plane::Ground&, const BodyState&, double h,
+                           plane::Contacts&);
+    BodyState (*step_ball)(const Ball&, const plane::Ground&, const BodyState&, double h,
+                           plane::Contacts&);
 
-    Motion step(const Pill& body, const plane::Ground& ground, const Motion& m, double h,
-                plane::Contacts& contacts) const {
+    BodyState step(const Pill& body, const plane::Ground& ground, const BodyState& m, double h,
+                   plane::Contacts& contacts) const {
         return step_pill(body, ground, m, h, contacts);
     }
-    Motion step(const Ball& body, const plane::Ground& ground, const Motion& m, double h,
-                plane::Contacts& contacts) const {
+    BodyState step(const Ball& body, const plane::Ground& ground, const BodyState& m, double h,
+                   plane::Contacts& contacts) const {
         return step_ball(body, ground, m, h, contacts);
     }
 };

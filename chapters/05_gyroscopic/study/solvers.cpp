@@ -14,21 +14,25 @@ template <class Method>
 Solver solver_of(const char* key, const Method&) {
     using State = RigidState<double>;
     return {key, Method::name,
-            [](const Box& body, const State& s, double h) { return turn(Method{}, body, s, h); },
-            [](const Round& body, const State& s, double h) { return turn(Method{}, body, s, h); },
+            [](const Box& body, const State& s, double h) {
+                return step_rotation(Method{}, body, s, h);
+            },
+            [](const Round& body, const State& s, double h) {
+                return step_rotation(Method{}, body, s, h);
+            },
             [](const Box& body, const State& s, const Vector3<double>& torque, double h) {
-                return turn(Method{}, body, s, torque, h);
+                return step_rotation(Method{}, body, s, torque, h);
             }};
 }
 
 template <class Method>
 scene::PlaneSolver on_plane(const char* key, const Method&, const char* name = Method::name) {
     return {key, name,
-            [](const scene::Pill& body, const plane::Ground& ground, const plane::Motion& m,
+            [](const scene::Pill& body, const plane::Ground& ground, const plane::BodyState& m,
                double h, plane::Contacts& contacts) {
                 return plane::step(Method{}, body, ground, m, h, contacts);
             },
-            [](const scene::Ball& body, const plane::Ground& ground, const plane::Motion& m,
+            [](const scene::Ball& body, const plane::Ground& ground, const plane::BodyState& m,
                double h, plane::Contacts& contacts) {
                 return plane::step(Method{}, body, ground, m, h, contacts);
             }};

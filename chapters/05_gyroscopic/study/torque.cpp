@@ -50,7 +50,7 @@ void torque(const Settings&, lab::Findings& out) {
     // it.
     struct Nothing {};
     const auto ball = sphere(12.0, 1.0);
-    const auto rolled = turn(Nothing{}, ball, spinning(1, 2, 2), 0.1);
+    const auto rolled = step_rotation(Nothing{}, ball, spinning(1, 2, 2), 0.1);
     out.check("sphere_compiles_nothing", !decltype(ball)::gyroscopic && rolled.omega == omega,
               "a ball is stepped by a solver without any code, and keeps its spin bit for bit");
 

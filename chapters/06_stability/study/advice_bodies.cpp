@@ -71,7 +71,7 @@ void advice_bodies(const Settings&, lab::Findings& out) {
               "of its price is nearer");
 
     // Uneven frames.
-    const auto four = questions::uneven_throws(symmetric_remainder_4, fair_turn, 4, 100);
+    const auto four = questions::uneven_throws(ball_and_remainder_4, fair_turn, 4, 100);
     const auto kutta = questions::uneven_throws(RungeKuttaSpin{}, fair_uneven_turn, 4, 100);
     std::printf(
         "  uneven frames near the intermediate axis: ball and remainder 4 loses %.2g %%, "

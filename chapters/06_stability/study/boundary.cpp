@@ -39,7 +39,7 @@ double predicted(const SemiImplicitEulerNewDamping&, double zeta) {
 }
 // Determinant 1 − 2ζs + s²/2: a swing grows from s = 4ζ on. 1 + trace + determinant = 4 − 4ζs: a
 // state flips from s = 1/ζ on.
-double predicted(const Newton&, double zeta) { return std::min(4 * zeta, 1 / zeta); }
+double predicted(const ConstantAcceleration&, double zeta) { return std::min(4 * zeta, 1 / zeta); }
 
 /// [grows]
 // Longer after twice the steps? Enough steps for 200 swings.
@@ -157,7 +157,8 @@ void boundary(const Settings&, lab::Findings& out) {
     std::printf("  %-32s %9s %9s %9s %9s\n", "omega h, for the damping ratio", "0.01", "0.1", "1",
                 "10");
     Worst worst;
-    edge(explicit_euler, worst, out), edge(newton, worst, out), edge(midpoint, worst, out);
+    edge(explicit_euler, worst, out), edge(constant_acceleration, worst, out),
+        edge(midpoint, worst, out);
     edge(heun, worst, out), edge(runge_kutta_4, worst, out);
     edge(semi_implicit_euler, worst, out), edge(semi_implicit_euler_new_damping, worst, out);
     std::printf("  %d limits found by running: within %.1e of the formulas\n", worst.points,
@@ -188,7 +189,7 @@ void boundary(const Settings&, lab::Findings& out) {
               "a million");
 
     bool alike = true;
-    for (const double hard : {predicted(explicit_euler, 10), predicted(newton, 10),
+    for (const double hard : {predicted(explicit_euler, 10), predicted(constant_acceleration, 10),
                               predicted(midpoint, 10), predicted(semi_implicit_euler, 10)})
         alike = alike && std::fabs(hard / 0.1 - 1) < 0.01;
     out.check("edge_hard_alike",

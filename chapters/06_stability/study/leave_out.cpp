@@ -85,9 +85,9 @@ template <class KindOfBody>
 bool same_bits(const mixed::Sorted& start, const mixed::Sorted& end, int steps) {
     const auto &before = start.of<KindOfBody>(), &after = end.of<KindOfBody>();
     for (std::size_t i = 0; i < before.size(); ++i) {
-        Motion<double> m = before[i].motion;
+        BodyState<double> m = before[i].state;
         for (int n = 0; n < steps; ++n) debris.step(before[i].body, m, 0.001);
-        const Motion<double>& other = after[i].motion;
+        const BodyState<double>& other = after[i].state;
         if (m.x != other.x || m.v != other.v || m.turning.omega != other.turning.omega ||
             m.turning.q.coeffs() != other.turning.q.coeffs())
             return false;

@@ -13,7 +13,7 @@
 
 namespace mixed {
 
-using timestep::Motion, timestep::Vector3;
+using timestep::BodyState, timestep::Vector3;
 
 struct Ball {
     timestep::UniformInertia<double> inertia;
@@ -31,7 +31,7 @@ using Sorted = timestep::Bodies<double, Ball, Capsule, Box>;
 class Variants {
 public:
     template <class Kind>
-    void add(const Kind& kind, const Motion<double>& start) {
+    void add(const Kind& kind, const BodyState<double>& start) {
         all_.push_back({kind, start});
     }
     //! [variant]
@@ -43,7 +43,7 @@ public:
     //! [variant]
 
 private:
-    std::vector<std::pair<std::variant<Ball, Capsule, Box>, Motion<double>>> all_;
+    std::vector<std::pair<std::variant<Ball, Capsule, Box>, BodyState<double>>> all_;
 };
 
 // One vector of pointers, with a virtual function.
@@ -51,7 +51,7 @@ template <class Scene>
 class Virtuals {
 public:
     template <class Kind>
-    void add(const Kind& kind, const Motion<double>& start) {
+    void add(const Kind& kind, const BodyState<double>& start) {
         all_.push_back(std::make_unique<ThingOf<Kind>>(kind, start));
     }
     void step(const Scene& scene, double h) {
@@ -66,8 +66,8 @@ private:
     template <class Kind>
     struct ThingOf final : Thing {
         Kind kind;
-        Motion<double> motion;
-        ThingOf(const Kind& k, const Motion<double>& m) : kind(k), motion(m) {}
+        BodyState<double> motion;
+        ThingOf(const Kind& k, const BodyState<double>& m) : kind(k), motion(m) {}
         void step(const Scene& scene, double h) override { scene.step(kind, motion, h); }
     };
     std::vector<std::unique_ptr<Thing>> all_;
@@ -77,7 +77,7 @@ private:
 class Alike {
 public:
     template <class Kind>
-    void add(const Kind& kind, const Motion<double>& start) {
+    void add(const Kind& kind, const BodyState<double>& start) {
         // Every inertia answers with the momentum of a unit spin about an axis: the moment about
         // it.
         const auto I = [&](int axis) {
@@ -95,7 +95,7 @@ private:
 };
 
 // The i-th body of a crowd; sizes and spins differ.
-inline Motion<double> motion(int i) {
+inline BodyState<double> motion(int i) {
     const timestep::Quaternion<double> q(1 + i % 3, i % 5, i % 7, 1);
     return {{0, q.normalized(), Vector3<double>(1 + i % 4, 2 - i % 6, i % 9)},
             Vector3<double>(i, 0, 1),

@@ -81,7 +81,7 @@ void fates(lab::Findings& out) {
     of_both(bdf2), of_both(implicit_euler), of_both(implicit_midpoint);
     of_springs(velocity_verlet), of_springs(verlet);  // a damper needs the velocity
     of_both(semi_implicit_euler_new_damping), of_both(semi_implicit_euler);
-    of_both(runge_kutta_4), of_both(heun), of_both(midpoint), of_both(newton),
+    of_both(runge_kutta_4), of_both(heun), of_both(midpoint), of_both(constant_acceleration),
         of_both(explicit_euler);
     out.check(
         "fates_of_springs", explicit_gone && implicit_stay,
@@ -154,7 +154,7 @@ void stiff_springs(const Settings&, lab::Findings& out) {
     };
     for_each_method(damper_row);
     damper_row(semi_implicit_euler_new_damping);
-    damper_row(newton);
+    damper_row(constant_acceleration);
     out.check("hard_dampers_as_predicted", holds,
               "a damper is gone where the longest stable step is exceeded, and nowhere else");
     fates(out);

@@ -82,7 +82,7 @@ void two_scales(const Settings&, lab::Findings& out) {
         gone += !(e.fast < 1e6);
         enough += name.find(", enough") != std::string::npos && e.slow_error < 0.1 && e.fast < 0.1;
     }
-    // Explicit Euler, midpoint, Heun and Newton have no step that is short enough.
+    // Explicit Euler, midpoint, Heun and constant acceleration have no step that is short enough.
     out.check("two_scales_explicit", gone == 10 && enough == 6,
               "of the ten explicit methods none stands 60 Hz; with as many steps as theory asks "
               "for six do");

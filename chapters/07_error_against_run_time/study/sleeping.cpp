@@ -78,7 +78,8 @@ void sleeping(lab::Findings& out) {
     const double impl = try_one("implicit_euler", implicit_euler.name, by(implicit_euler));
     const double semi =
         try_one("semi_implicit_euler", semi_implicit_euler.name, by(semi_implicit_euler));
-    const double constant = try_one("constant_acceleration", "constant acceleration", by(newton));
+    const double constant =
+        try_one("constant_acceleration", "constant acceleration", by(constant_acceleration));
     // The rule on one frame alone: it stands still where it turns round.
     const double hasty = sleeps_after(by(semi_implicit_euler), h);
     const State<double> hung = lamp.exact(State<double>{0, start, 0}, hasty);

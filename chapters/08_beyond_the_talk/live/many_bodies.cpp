@@ -13,14 +13,14 @@
 #include <timestep/gyroscopic/implicit_gyroscopic.hpp>
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
 #include <timestep/rigid/many_bodies.hpp>
-#include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/rigid/ball_and_remainder.hpp>
 #include <timestep/rigid/tumble.hpp>
 #include "live.hpp"
 
 using namespace timestep;
 
-constexpr std::tuple solvers{implicit_gyroscopic,  passive_gyroscopic,    half_step_jacobian,
-                             tumble<CalmHalfStep>, symmetric_remainder_4, explicit_gyroscopic};
+constexpr std::tuple solvers{implicit_gyroscopic,  passive_gyroscopic,   half_step_jacobian,
+                             tumble<CalmHalfStep>, ball_and_remainder_4, explicit_gyroscopic};
 using Pack = Lanes<float>;  // a number of each of four boxes
 constexpr std::size_t lanes = Pack::lanes, most = 10000;
 constexpr std::size_t few = 64;  // are followed as they truly move, and timed
@@ -106,7 +106,7 @@ public:
         // As good as exact: chapter 8's best method, with an eighth of the step.
         for (One& one : truth)
             for (int part = 0; part < 8; ++part)
-                one.now = symmetric_remainder_4.step(one.inertia, one.now, double(h) / 8);
+                one.now = ball_and_remainder_4.step(one.inertia, one.now, double(h) / 8);
         look();
         if (steps % 4 == 0) measure(static_cast<std::size_t>(steps / 4) % prices.size());
     }

@@ -33,8 +33,8 @@ struct Outcome {
 
 using Capsule = plane::Capsule<Body>;
 // A step of any method.
-using Step = std::function<plane::Motion(const Capsule&, const plane::Ground&, const plane::Motion&,
-                                         double h, plane::Contacts&)>;
+using Step = std::function<plane::BodyState(const Capsule&, const plane::Ground&,
+                                            const plane::BodyState&, double h, plane::Contacts&)>;
 
 Outcome thrown(const Step& step, double spin, double h) {
     const double radius = 0.15, half = 0.3;
@@ -48,7 +48,7 @@ Outcome thrown(const Step& step, double spin, double h) {
         const Vector axis = random.direction();
         const Vector tilt = random.direction();
         const plane::Orientation q(Eigen::AngleAxisd(2, tilt));
-        plane::Motion m = placed(body, q, spin * axis, 0.5);
+        plane::BodyState m = placed(body, q, spin * axis, 0.5);
         const double start = energy(body, ground, m);
         plane::Contacts contacts;
         const auto lies_still = [&] { return m.turning.omega.norm() < 1e-3 && m.v.norm() < 1e-3; };
@@ -96,7 +96,7 @@ void contacts(const Settings& settings, lab::Findings& out) {
         return rest;
     };
     const auto by = [](const auto& solver) -> Step {
-        return [=](const Capsule& body, const plane::Ground& ground, const plane::Motion& m,
+        return [=](const Capsule& body, const plane::Ground& ground, const plane::BodyState& m,
                    double h, plane::Contacts& contacts) {
             return plane::step(solver, body, ground, m, h, contacts);
         };

@@ -77,7 +77,8 @@ void ten_thousand(lab::Findings& out) {
     const double at_start = energy();
     const auto step_all = [&](auto&... group) {
         const auto step = [&](auto& bodies) {
-            for (auto& b : bodies) b.state = turn(half_step_jacobian, b.inertia, b.state, h);
+            for (auto& b : bodies)
+                b.state = step_rotation(half_step_jacobian, b.inertia, b.state, h);
         };
         (step(group), ...);
     };

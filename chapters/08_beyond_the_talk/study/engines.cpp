@@ -222,7 +222,7 @@ void burst_moment(const Body& brick, lab::Findings& out) {
     const auto intact = [&](double energy, double t) { return energy < 1e6 * E0 && t < patience; };
     RigidState<double> in_the_world = in_world(tumbling);
     while (intact(kinetic_energy(brick, in_the_world), in_the_world.t))
-        in_the_world = turn(explicit_gyroscopic, brick, in_the_world, h);
+        in_the_world = step_rotation(explicit_gyroscopic, brick, in_the_world, h);
     const double apart = 1e-12;
     const int many = 100;
     const Steps take = method("explicit_euler").made(brick);

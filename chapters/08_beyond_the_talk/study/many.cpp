@@ -221,7 +221,8 @@ void many_bodies(lab::Findings& out) {
         {"one_by_one",
          [&](std::size_t count) {
              for (std::size_t i = 0; i < count; ++i)
-                 boxes[i].state = turn(half_step_jacobian, boxes[i].inertia, boxes[i].state, h);
+                 boxes[i].state =
+                     step_rotation(half_step_jacobian, boxes[i].inertia, boxes[i].state, h);
          }},
         {"lanes", [&](std::size_t count) { some(packs, 0, (count + lanes - 1) / lanes); }},
         {"balls", [&](std::size_t count) { some(balls, 0, (count + lanes - 1) / lanes); }}};
@@ -273,7 +274,7 @@ void many_bodies(lab::Findings& out) {
     const Body brick = box(12.0, 1.0, 2.0, 3.0), ruler = box(0.05, 1.0, 0.1, 0.02);
     const auto errors = [&](const std::string& id, const auto& solver) {
         const Turn turned = [=](const Body& inertia, const RigidState<double>& s, double step) {
-            return turn(solver, inertia, s, step);
+            return step_rotation(solver, inertia, s, step);
         };
         out.text(
             "lanes_" + id + "_box", error_in_a_pack(turned, brick),

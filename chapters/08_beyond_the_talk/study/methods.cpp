@@ -41,8 +41,8 @@ const std::vector<Method>& methods() {
         made(tumble<CalmHalfStep>, "calm"),
         made(tumble<CayleyGyroscopic>, "cayley"),
         made(strang, "strang"),
-        made(symmetric_remainder_2, "remainder_2"),
-        made(symmetric_remainder_4, "remainder_4"),
+        made(ball_and_remainder_2, "remainder_2"),
+        made(ball_and_remainder_4, "remainder_4"),
         made(RungeKuttaSpin{}, "runge_kutta_4")};
     return all;
 }

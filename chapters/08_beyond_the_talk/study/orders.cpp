@@ -69,7 +69,7 @@ void orders(const Settings&, lab::Findings& out) {
             s.omega = solver.step(brick, s.omega, -back * h);
             for (long n = 0; n < steps; ++n) {
                 const Vector omega = solver.step(brick, s.omega, h);
-                s = {s.t + h, turned_in_body(s.q, omega, h), omega};
+                s = {s.t + h, rotated_in_body(s.q, omega, h), omega};
             }
             return s;
         });

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <timestep/rigid/symmetric_remainder.hpp>
+#include <timestep/rigid/ball_and_remainder.hpp>
 
 #include "random_body.hpp"
 #include "sections.hpp"
@@ -209,7 +209,7 @@ void throws(const Settings&, lab::Findings& out) {
     const auto length = [&] { return ruler.momentum(hour.omega.cast<double>()).norm(); };
     const double at_first = length();
     for (int n = 0; n < 60 * 60 * 60; ++n)
-        hour = symmetric_remainder_4.step(single, hour, 1.0f / 60);
+        hour = ball_and_remainder_4.step(single, hour, 1.0f / 60);
     out.number("float_hour", 100 * std::fabs(length() / at_first - 1), "%",
                "how far |L| is off after an hour of ball and remainder 4 in float", 2);
     const Vector& r = ruler.ratio;  // thrown about the axis y

@@ -48,7 +48,7 @@ struct ConvergedGyroscopic {
     template <class Real>
     Vector3<Real> step(const SymmetricInertia<Real>& inertia, const Vector3<Real>& omega,
                        Real h) const {
-        const Real angle = h * inertia.wobble * omega.z();
+        const Real angle = h * inertia.precession_ratio * omega.z();
         const Real share = 1 / (1 + angle * angle);
         return {share * (omega.x() - angle * omega.y()), share * (omega.y() + angle * omega.x()),
                 omega.z()};

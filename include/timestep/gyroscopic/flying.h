@@ -2,7 +2,7 @@
 /// \file
 /// What stands behind gyroscopic.h, for one kind of real number: the body that flies, and limits.
 /// As rules.h, it is included there twice. The formulas are explained in axis_spin.hpp and
-/// symmetric_remainder.hpp.
+/// ball_and_remainder.hpp.
 
 /// \cond
 TIMESTEP_C_INLINE void TIMESTEP_NAME(timestep_times)(const TIMESTEP_REAL a[4],

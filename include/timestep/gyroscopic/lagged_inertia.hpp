@@ -22,10 +22,10 @@ inline constexpr LaggedInertia lagged_inertia;  ///< the method as a value
 /// One step of `h` seconds without a torque from outside.
 /// [step]
 template <class Inertia, class Real>
-RigidState<Real> turn(const LaggedInertia&, const Inertia& inertia, const RigidState<Real>& s1,
-                      Real h) {
+RigidState<Real> step_rotation(const LaggedInertia&, const Inertia& inertia,
+                               const RigidState<Real>& s1, Real h) {
     const Vector3<Real> L = angular_momentum(inertia, s1);
-    const Quaternion<Real> q2 = turned(s1.q, s1.omega, h);  // ω = I₁⁻¹L
+    const Quaternion<Real> q2 = rotated(s1.q, s1.omega, h);  // ω = I₁⁻¹L
     const Vector3<Real> omega2 = q2 * inertia.velocity(q2.conjugate() * L);
     return {s1.t + h, q2, omega2};
 }

@@ -64,7 +64,7 @@ struct PassiveGyroscopic {
     template <class Real>
     TIMESTEP_INLINE Vector3<Real> step(const SymmetricInertia<Real>& inertia,
                                        const Vector3<Real>& omega, Real h) const noexcept {
-        const Real u = h / 2 * inertia.wobble * omega.z();  // θ/2
+        const Real u = h / 2 * inertia.precession_ratio * omega.z();  // θ/2
         const Real p = u * u / 3;
         const Real t = u / (1 - p + p * p);
         const Real s = 2 * t / (1 + t * t);

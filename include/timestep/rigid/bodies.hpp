@@ -32,19 +32,19 @@ Quaternion<Real> as_rotation(const Quaternion<Real>& q) {
 template <class Real, class... Kinds>
 class Bodies {
 public:
-    /// A body and its motion.
+    /// A body and its state.
     template <class Kind>
     struct Member {
-        Kind body;            ///< what it is
-        Motion<Real> motion;  ///< what it does
+        Kind body;              ///< what it is
+        BodyState<Real> state;  ///< what it does
     };
 
     /// Adds a body to the others of its kind, its orientation scaled to length one. Throws
     /// `std::invalid_argument`, as `checked` does, where a scene could not step it.
     template <class Kind>
-    void add(const Kind& body, const Motion<Real>& start) {
+    void add(const Kind& body, const BodyState<Real>& start) {
         Member<Kind> member{checked(body), checked(start)};
-        member.motion.turning.q = as_rotation(start.turning.q);
+        member.state.turning.q = as_rotation(start.turning.q);
         of<Kind>().push_back(member);
     }
 
@@ -67,7 +67,7 @@ public:
     template <class Scene>
     void step(const Scene& scene, Real h) {
         const auto step_all = [&](auto& group) {
-            for (auto& [body, motion] : group) scene.step(body, motion, h);
+            for (auto& [body, state] : group) scene.step(body, state, h);
         };
         (step_all(of<Kinds>()), ...);
     }

@@ -102,13 +102,13 @@ TIMESTEP_INLINE Vector3<Real> after_gyroscopic_torque(const Gyroscopic& solver,
 /// One step of `h` seconds without a torque from outside.
 /// [free]
 template <class Gyroscopic, class Inertia, class Real>
-RigidState<Real> turn(const Gyroscopic& solver, const Inertia& inertia, const RigidState<Real>& s1,
-                      Real h) {
+RigidState<Real> step_rotation(const Gyroscopic& solver, const Inertia& inertia,
+                               const RigidState<Real>& s1, Real h) {
     static_assert(
         detail::one_real<Inertia, Real>,
         "timestep: the inertia and the state hold one kind of number: both float, or both double");
     const Vector3<Real> omega2 = after_gyroscopic_torque(solver, inertia, s1.q, s1.omega, h);
-    return {s1.t + h, turned(s1.q, omega2, h), omega2};
+    return {s1.t + h, rotated(s1.q, omega2, h), omega2};
 }
 /// [free]
 
@@ -119,15 +119,15 @@ RigidState<Real> turn(const Gyroscopic& solver, const Inertia& inertia, const Ri
 /// One step of `h` seconds under a torque in world coordinates, N m.
 /// [driven]
 template <class Gyroscopic, class Inertia, class Real>
-RigidState<Real> turn(const Gyroscopic& solver, const Inertia& inertia, const RigidState<Real>& s1,
-                      const Vector3<Real>& torque, Real h) {
+RigidState<Real> step_rotation(const Gyroscopic& solver, const Inertia& inertia,
+                               const RigidState<Real>& s1, const Vector3<Real>& torque, Real h) {
     static_assert(
         detail::one_real<Inertia, Real>,
         "timestep: the inertia and the state hold one kind of number: both float, or both double");
     const Vector3<Real> in_body = s1.q.conjugate() * torque;
     const Vector3<Real> push = s1.q * inertia.velocity(in_body);
     const Vector3<Real> driven = s1.omega + h * push;
-    return turn(solver, inertia, RigidState<Real>{s1.t, s1.q, driven}, h);
+    return step_rotation(solver, inertia, RigidState<Real>{s1.t, s1.q, driven}, h);
 }
 /// [driven]
 

@@ -18,7 +18,7 @@ namespace timestep {
 
 /// A body that flies and turns.
 template <class Real>
-struct Motion {
+struct BodyState {
     RigidState<Real> turning;  ///< time, orientation, angular velocity
     Vector3<Real> x;           ///< the centre of mass, m
     Vector3<Real> v;           ///< its velocity, m/s
@@ -46,7 +46,7 @@ const Body& checked(const Body& body) {
 /// The motion, as it came, if all of it is finite and its speeds have squares. Throws
 /// `std::invalid_argument`.
 template <class Real>
-const Motion<Real>& checked(const Motion<Real>& m) {
+const BodyState<Real>& checked(const BodyState<Real>& m) {
     if (!is_finite(m.turning) || !is_finite(m.x) || !is_finite(m.v))
         refuse("motion: must be finite, its orientation not zero");
     for (const Real speed : {m.v.stableNorm(), m.turning.omega.stableNorm()})
@@ -119,12 +119,12 @@ public:
     /// velocities, and the new velocities move the body (N46).
     /// [step]
     template <class Body, class Real>
-    TIMESTEP_INLINE void step(const Body& body, Motion<Real>& m, Real h) const {
+    TIMESTEP_INLINE void step(const Body& body, BodyState<Real>& m, Real h) const {
         Real load = 0;
         const auto act = [&](const auto&... term) { (term(body, m, load, h), ...); };
         std::apply(act, terms_);
         m.turning.t += h;
-        m.turning.q = turned(m.turning.q, m.turning.omega, h);
+        m.turning.q = rotated(m.turning.q, m.turning.omega, h);
         m.x += h * m.v;
     }
     /// [step]
@@ -144,7 +144,7 @@ struct Weight {
     /// v changes by h g.
     /// [weight]
     template <class Body>
-    TIMESTEP_INLINE void operator()(const Body&, Motion<Real>& m, Real&, Real h) const {
+    TIMESTEP_INLINE void operator()(const Body&, BodyState<Real>& m, Real&, Real h) const {
         m.v.z() -= h * gravity;
     }
     /// [weight]
@@ -162,7 +162,7 @@ struct Gyroscopic {
     /// ω as the solver leaves it. Needs `body.inertia`.
     /// [gyroscopic]
     template <class Body, class Real>
-    TIMESTEP_INLINE void operator()(const Body& body, Motion<Real>& m, Real&, Real h) const {
+    TIMESTEP_INLINE void operator()(const Body& body, BodyState<Real>& m, Real&, Real h) const {
         auto& [t, q, omega] = m.turning;
         if constexpr (decltype(body.inertia)::gyroscopic)  // not even a copy of ω
             omega = after_gyroscopic_torque(solver, body.inertia, q, omega, h);
@@ -187,7 +187,8 @@ struct Ground {
     /// number, NaN.
     /// [ground]
     template <class Body>
-    TIMESTEP_INLINE void operator()(const Body& body, Motion<Real>& m, Real& load, Real h) const {
+    TIMESTEP_INLINE void operator()(const Body& body, BodyState<Real>& m, Real& load,
+                                    Real h) const {
         Vector3<Real>& v = m.v;
         Vector3<Real>& omega = m.turning.omega;
         const Real r = body.radius, inverse_inertia = 1 / body.inertia.moment;
@@ -221,7 +222,7 @@ struct RollingResistance {
     /// At most as much as stops the turning. Where ω² is too large for a number, NaN.
     /// [rolling]
     template <class Body>
-    TIMESTEP_INLINE void operator()(const Body& body, Motion<Real>& m, Real& load, Real) const {
+    TIMESTEP_INLINE void operator()(const Body& body, BodyState<Real>& m, Real& load, Real) const {
         Vector3<Real>& omega = m.turning.omega;
         const Real rate = std::sqrt(omega.x() * omega.x() + omega.y() * omega.y());
         const Real most = coefficient * body.radius * load / body.inertia.moment;

@@ -143,7 +143,7 @@ struct SymmetricInertia {
     static constexpr bool gyroscopic = true;  ///< has the body a gyroscopic torque at all?
     Real across;                              ///< about x, y and every axis between, kg m²
     Real along;                               ///< about z, kg m²
-    Real wobble;                              ///< (along − across) / across: see rate()
+    Real precession_ratio;                    ///< (along − across) / across: see rate()
 
     /// Is there a body with these moments? What the constructor takes, and without an exception.
     static constexpr bool valid(Real across_, Real along_) noexcept {
@@ -157,7 +157,7 @@ struct SymmetricInertia {
     constexpr SymmetricInertia(Real across_, Real along_)
         : across(positive("moment of inertia", across_)),
           along(positive("moment of inertia", along_)),
-          wobble((along - across) / across) {
+          precession_ratio((along - across) / across) {
         detail::triangle_rule(across, across, along);
     }
 

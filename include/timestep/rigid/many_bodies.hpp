@@ -27,7 +27,7 @@ template <class L, class Real>
 void set_lane(SymmetricInertia<L>& pack, int i, const SymmetricInertia<Real>& one) {
     pack.across.set(i, one.across);
     pack.along.set(i, one.along);
-    pack.wobble.set(i, one.wobble);
+    pack.precession_ratio.set(i, one.precession_ratio);
 }
 template <class L, class Real>
 void set_lane(PrincipalInertia<L>& pack, int i, const PrincipalInertia<Real>& one) {
@@ -61,12 +61,12 @@ struct BodyPack {
     Quaternion<Pack> q;   ///< orientation
     Vector3<Pack> omega;  ///< angular velocity in world coordinates, rad/s
 
-    /// One step of `h` seconds, of all of them: turn(), that steps one.
+    /// One step of `h` seconds, of all of them: step_rotation(), that steps one.
     /// [step]
     template <class Gyroscopic>
     TIMESTEP_INLINE void step(const Gyroscopic& solver, Pack h) {
         omega = after_gyroscopic_torque(solver, inertia, q, omega, h);
-        q = turned(q, omega, h);
+        q = rotated(q, omega, h);
     }
     /// [step]
 };

@@ -15,12 +15,12 @@
 /// A capsule, the plane z = 0 that carries it, and one step of the two, in `double`.
 namespace timestep::plane {
 
-using V = Vector3<double>;                ///< a vector, world coordinates
-using M = Matrix3<double>;                ///< a matrix, world coordinates
-using Orientation = Quaternion<double>;   ///< from body to world coordinates
-using Turning = RigidState<double>;       ///< time, orientation and angular velocity
-using Motion = timestep::Motion<double>;  ///< and the centre of mass with its velocity
-using Flat = Eigen::Vector2d;             ///< the part of a vector along the plane
+using V = Vector3<double>;                      ///< a vector, world coordinates
+using M = Matrix3<double>;                      ///< a matrix, world coordinates
+using Orientation = Quaternion<double>;         ///< from body to world coordinates
+using Turning = RigidState<double>;             ///< time, orientation and angular velocity
+using BodyState = timestep::BodyState<double>;  ///< and the centre of mass with its velocity
+using Flat = Eigen::Vector2d;                   ///< the part of a vector along the plane
 
 /// Where a contact takes its lever arm from: the orientation at the start of the step, as engines
 /// do, or the middle between that and the one at its end.
@@ -71,15 +71,15 @@ struct Contacts {
 
 /// Kinetic and potential energy, J; none where a ball lies still.
 template <class Inertia>
-double energy(const Capsule<Inertia>& body, const Ground& ground, const Motion& m) {
+double energy(const Capsule<Inertia>& body, const Ground& ground, const BodyState& m) {
     return kinetic_energy(body.inertia, m.turning) +
            body.mass * (m.v.squaredNorm() / 2 + ground.gravity * (m.x.z() - body.radius));
 }
 
 /// The body at rest but for its spin `omega`, put on the plane or `height` above it.
 template <class Inertia>
-Motion placed(const Capsule<Inertia>& body, const Orientation& q, const V& omega,
-              double height = 0) {
+BodyState placed(const Capsule<Inertia>& body, const Orientation& q, const V& omega,
+                 double height = 0) {
     return {{0, q, omega}, {0, 0, height + body.radius + std::fabs(body.end(q, 0).z())}, V::Zero()};
 }
 
@@ -107,11 +107,11 @@ V spun(const LaggedInertia&, const Inertia&, const Turning& s, double) {
 }
 template <class Gyroscopic, class Inertia>
 Turning moved(const Gyroscopic&, const Inertia&, const Turning& s, double h) {
-    return {s.t + h, turned(s.q, s.omega, h), s.omega};
+    return {s.t + h, rotated(s.q, s.omega, h), s.omega};
 }
 template <class Inertia>
 Turning moved(const LaggedInertia& solver, const Inertia& inertia, const Turning& s, double h) {
-    return turn(solver, inertia, s, h);
+    return step_rotation(solver, inertia, s, h);
 }
 
 template <class Gyroscopic, class Inertia>
@@ -188,14 +188,14 @@ inline void solve(Contacts& contacts, double mass, const M& inverse_inertia, con
     }
 }
 
-// The arm in the middle: `turned` takes the body's point e to e₂ with e₂ − e = h ω × (e + e₂)/2,
+// The arm in the middle: `rotated` takes the body's point e to e₂ with e₂ − e = h ω × (e + e₂)/2,
 // with no error. So with (e + e₂)/2 as its arm the gap at the end of the step is gap + h v_n, with
 // no error either; with e it is another one, by about h²|ω × (ω × e)|/2, and who lifts the body out
 // of the plane by that works against gravity, step after step. e₂ needs the ω that the contacts
 // have yet to find: so they are solved a few times, each time from the start with the last ω.
 /// What the plane makes of the velocities `v` and `omega` that the body would have without it.
 template <class Inertia>
-void touch(const Capsule<Inertia>& body, const Ground& ground, const Motion& m1, double h,
+void touch(const Capsule<Inertia>& body, const Ground& ground, const BodyState& m1, double h,
            Contacts& contacts, V& v, V& omega) {
     const M R = m1.turning.q.toRotationMatrix();
     M inverse;
@@ -205,7 +205,7 @@ void touch(const Capsule<Inertia>& body, const Ground& ground, const Motion& m1,
     const V v1 = v, omega1 = omega;
     const int passes = ground.arms == Arms::start ? 1 : 4;
     for (int pass = 0; pass < passes; ++pass) {
-        const Orientation q2 = turned(m1.turning.q, omega, h);
+        const Orientation q2 = rotated(m1.turning.q, omega, h);
         contacts = {};
         contacts.count = body.ends();
         /// [arms]
@@ -225,14 +225,14 @@ void touch(const Capsule<Inertia>& body, const Ground& ground, const Motion& m1,
 /// the impulses are explicit, the gyroscopic torque is what its solver makes of it. `contacts` is
 /// written only.
 template <class Gyroscopic, class Inertia>
-Motion step(const Gyroscopic& solver, const Capsule<Inertia>& body, const Ground& ground,
-            const Motion& m1, double h, Contacts& contacts) {
+BodyState step(const Gyroscopic& solver, const Capsule<Inertia>& body, const Ground& ground,
+               const BodyState& m1, double h, Contacts& contacts) {
     V v = m1.v - h * ground.gravity * V::UnitZ();
     V omega = detail::spun(solver, body.inertia, m1.turning, h);
     touch(body, ground, m1, h, contacts, v, omega);
 
     const Turning turning{m1.turning.t, m1.turning.q, omega};
-    Motion m2{detail::moved(solver, body.inertia, turning, h), m1.x + h * v, v};
+    BodyState m2{detail::moved(solver, body.inertia, turning, h), m1.x + h * v, v};
     for (int i = 0; i < body.ends(); ++i)
         contacts.sunk =
             std::max(contacts.sunk, body.radius - m2.x.z() - body.end(m2.turning.q, i).z());

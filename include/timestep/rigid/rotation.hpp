@@ -79,7 +79,7 @@ TIMESTEP_INLINE Quaternion<Real> over_its_length(const Quaternion<Real>& q) noex
 /// `is_finite` of a state refuses.
 /// [orientation]
 template <class Real>
-Quaternion<Real> turned(const Quaternion<Real>& q1, const Vector3<Real>& omega, Real h) noexcept {
+Quaternion<Real> rotated(const Quaternion<Real>& q1, const Vector3<Real>& omega, Real h) noexcept {
     const Vector3<Real> half = h / 2 * omega;
     const Quaternion<Real> rate = vector_product(half, q1);
     return over_its_length(Quaternion<Real>(q1.coeffs() + rate.coeffs()));
@@ -91,10 +91,10 @@ Quaternion<Real> turned(const Quaternion<Real>& q1, const Vector3<Real>& omega, 
 // (h|ω|)³/12 less: no sine, no cosine, and little enough for order two.
 /// The orientation after `h` seconds at the angular velocity `omega`, in rad/s and BODY
 /// coordinates: the other side of the product. With the mean of the old and the new ω it is of
-/// order two. The same bounds hold as for `turned`. [in_body]
+/// order two. The same bounds hold as for `rotated`. [in_body]
 template <class Real>
-TIMESTEP_INLINE Quaternion<Real> turned_in_body(const Quaternion<Real>& q1,
-                                                const Vector3<Real>& omega, Real h) noexcept {
+TIMESTEP_INLINE Quaternion<Real> rotated_in_body(const Quaternion<Real>& q1,
+                                                 const Vector3<Real>& omega, Real h) noexcept {
     const Real half = h / 2;
     const Vector3<Real> v = half * omega;
     const Quaternion<Real> cayley(1, v.x(), v.y(), v.z());
@@ -105,7 +105,7 @@ TIMESTEP_INLINE Quaternion<Real> turned_in_body(const Quaternion<Real>& q1,
 /// The quaternion of a turn by the angle |v| about v, rad: what a constant angular velocity does.
 /// [exponential]
 template <class Real>
-TIMESTEP_INLINE Quaternion<Real> turn_by(const Vector3<Real>& v) noexcept {
+TIMESTEP_INLINE Quaternion<Real> rotation_by(const Vector3<Real>& v) noexcept {
     const Real half = norm(v) / 2;
     const auto [sine, cosine] = sine_cosine(half);
     const Real share = half > 0 ? sine / half / 2 : Real(0.5);

@@ -27,7 +27,7 @@ struct Tumble {
                       "both double");
         const Vector3<Real> omega2 = Solver{}.step(inertia, s1.omega, h);
         const Vector3<Real> mean = s1.omega / 2 + omega2 / 2;
-        return {s1.t + h, turned_in_body(s1.q, mean, h), omega2};
+        return {s1.t + h, rotated_in_body(s1.q, mean, h), omega2};
     }
     /// [step]
 };

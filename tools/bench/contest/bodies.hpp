@@ -89,7 +89,7 @@ struct Turning {
     timestep::RigidState<Real> start, s = start;
 
     void restart() { s = start; }
-    void step(double h) { s = turn(solver, inertia, s, Real(h)); }
+    void step(double h) { s = step_rotation(solver, inertia, s, Real(h)); }
     void count(Work& work, double h) const { contest::count(work, solver, inertia, s, Real(h)); }
     Place place() const { return contest::place<Real>(s.q.toRotationMatrix()); }
     Real number() const { return s.q.w(); }

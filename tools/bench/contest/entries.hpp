@@ -115,7 +115,7 @@ void enter_methods(Scene& scene, const Model& model, const timestep::State<X>& s
     } else if constexpr (LinearDamping<Model, X>) {
         enter(semi_implicit_euler_new_damping);  // without a damper it is semi-implicit Euler
     }
-    enter(newton);
+    enter(constant_acceleration);
 }
 
 // The exact solution at the marks.

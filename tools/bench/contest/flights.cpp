@@ -134,7 +134,7 @@ Scene bouncing_ball() {
             scene.entries.push_back(entry(Bouncing<Method>{method}, model, let_go));
     };
     for_each_method(enter);
-    enter(newton);
+    enter(constant_acceleration);
     return scene;
 }
 

@@ -23,7 +23,7 @@ namespace {
 using Body = SlidingCapsule::Body;
 
 // The orientation, and the centre of mass: a metre counts as a radian.
-Place place_of(const plane::Motion& m) {
+Place place_of(const plane::BodyState& m) {
     Place all = place<double>(m.turning.q.toRotationMatrix());
     for (const double coordinate : m.x) all.push_back(radian * coordinate);
     return all;
@@ -36,7 +36,7 @@ struct OnPlane {
     Solver solver;
     Body body;
     plane::Ground ground;
-    plane::Motion start, m = start;
+    plane::BodyState start, m = start;
     plane::Contacts contacts = {};
 
     void restart() { m = start; }
@@ -51,7 +51,7 @@ struct RungeKuttaInTheAir : OnPlane<PassiveGyroscopic> {
     FreeBody<SymmetricInertia<double>> free = FreeBody(body.inertia);
 
     void step(double h) {
-        const plane::Motion before = m;
+        const plane::BodyState before = m;
         OnPlane::step(h);
         if (contacts.at[0].normal > 0 || contacts.at[1].normal > 0) return;
         const auto turning = runge_kutta_4.step(free, stacked(before.turning), h);
@@ -72,7 +72,7 @@ Scene capsule_on_plane() {
     const Body body{capsule(1.0, 0.15, 0.6), 1.0, 0.15, 0.3};  // 90 cm long, 30 cm thick, 1 kg
     const plane::Ground ice{9.81, 0.0, 0.0, plane::Arms::middle};
     const plane::Orientation leaning(Eigen::AngleAxisd(0.2, plane::V::UnitX()));
-    const plane::Motion start = plane::placed(body, leaning, {1, 0, 6}, 0.3);
+    const plane::BodyState start = plane::placed(body, leaning, {1, 0, 6}, 0.3);
 
     const SlidingCapsule exact(body, ice.gravity, start, 1000);
     for (int mark = 1; mark <= marks; ++mark) scene.reference.push_back(place_of(exact(duration * mark / marks)));

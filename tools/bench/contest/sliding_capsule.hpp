@@ -17,11 +17,11 @@ class SlidingCapsule {
 
 public:
     using Body = timestep::plane::Capsule<Inertia>;
-    using Motion = timestep::plane::Motion;
+    using BodyState = timestep::plane::BodyState;
 
     // `start` without a velocity and in the air. `slices`: steps of the one part that is not known
     // in closed form.
-    SlidingCapsule(const Body& body, double gravity, const Motion& start, long slices)
+    SlidingCapsule(const Body& body, double gravity, const BodyState& start, long slices)
         : body_(body),
           gravity_(gravity),
           start_(start),
@@ -33,7 +33,7 @@ public:
         lying_ = on_its_side(sliding(lies_));
     }
 
-    Motion operator()(double t) const {
+    BodyState operator()(double t) const {
         if (t < lands_) return flying(t);
         const Turning s = t < lies_ ? sliding(t) : rolling(t);
         return {s, {0, 0, body_.radius - end(s).z()}, V::Zero()};  // nobody asks for the velocity
@@ -45,14 +45,14 @@ public:
 
 private:
     // 1. In the air: a free body that falls.
-    Motion flying(double t) const {
+    BodyState flying(double t) const {
         const double fallen = gravity_ * t * t / 2;
         return {air_(t), start_.x - fallen * V::UnitZ(), -gravity_ * t * V::UnitZ()};
     }
 
     // The end that lands, seen from the centre.
     V end(const Turning& s) const { return body_.end(s.q, lower_); }
-    double gap(const Motion& m) const { return m.x.z() - std::fabs(end(m.turning).z()) - body_.radius; }
+    double gap(const BodyState& m) const { return m.x.z() - std::fabs(end(m.turning).z()) - body_.radius; }
     // How the velocity of that end upwards changes with ω: by c·ω.
     V lever(const Turning& s) const { return end(s).cross(V::UnitZ()); }
     V turned_by(const Turning& s, const V& torque) const {  // I⁻¹ torque, world coordinates
@@ -60,7 +60,7 @@ private:
     }
 
     // One impulse upwards stops the end.
-    Turning on_one_end(const Motion& m) {
+    Turning on_one_end(const BodyState& m) {
         lower_ = body_.end(m.turning.q, 0).z() < 0 ? 0 : 1;
         Turning s = m.turning;
         const V c = lever(s), kick = turned_by(s, c);
@@ -124,7 +124,7 @@ private:
 
     Body body_;
     double gravity_;
-    Motion start_;
+    BodyState start_;
     long slices_;
     timestep::ExactFreeBody<double> air_;
     int lower_ = 0;  // the end that lands

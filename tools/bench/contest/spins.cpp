@@ -73,7 +73,7 @@ Scene dzhanibekov() {
 }
 
 // A capsule. Its axis goes round L at |L|/across, and the capsule round its axis besides:
-//     q(t) = turn by |L| t/across about L, then turn by −wobble ω_z t about z.
+//     q(t) = turn by |L| t/across about L, then turn by −precession_ratio ω_z t about z.
 Scene symmetric_top() {
     Scene scene{"symmetric_top", "a capsule in the air", radian};
     const SymmetricInertia<double> inertia = capsule(1.0, 0.15, 0.6);
@@ -84,7 +84,7 @@ Scene symmetric_top() {
         const Vector3<long double> omega = start.omega.cast<long double>();
         const Vector3<long double> L = exactly.momentum(omega);
         const long double about_L = L.norm() * t / exactly.across;
-        const long double about_z = -exactly.wobble * omega.z() * t;
+        const long double about_z = -exactly.precession_ratio * omega.z() * t;
         return Quaternion<long double>(Turn(about_L, L.normalized()) * Turn(about_z, Vector3<long double>::UnitZ()));
     });
     enter_solvers(scene, inertia, start);

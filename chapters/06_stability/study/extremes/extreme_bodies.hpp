@@ -37,8 +37,8 @@ struct AnySolver {
     template <class Solver>
     explicit AnySolver(const Solver&)
         : name(Solver::name), turned([](const AnyInertia<Real>& any, const S& s, Real h) {
-              return std::visit([&](const auto& inertia) { return turn(Solver{}, inertia, s, h); },
-                                any);
+              return std::visit(
+                  [&](const auto& inertia) { return step_rotation(Solver{}, inertia, s, h); }, any);
           }) {}
 
     S step(const AnyInertia<Real>& inertia, const S& s, Real h) const {

@@ -12,11 +12,11 @@ template <class Real>
 struct Rolling {
     using Scalar = Real;
     Real t;
-    Motion<Real> motion;
+    BodyState<Real> motion;
 };
 template <class Real>
 bool is_finite(const Rolling<Real>& s) {
-    const Motion<Real>& m = s.motion;
+    const BodyState<Real>& m = s.motion;
     return is_finite(m.turning) && timestep::is_finite(m.x) && timestep::is_finite(m.v);
 }
 template <class Real>
@@ -27,10 +27,10 @@ struct Ball {
 template <class Real>
 struct OnGround {
     static constexpr const char* name = "a ball on the ground";
-    std::function<void(const Ball<Real>&, Motion<Real>&, Real)>
+    std::function<void(const Ball<Real>&, BodyState<Real>&, Real)>
         change;  // a step of one of the scenes
     Rolling<Real> step(const Ball<Real>& ball, const Rolling<Real>& s, Real h) const {
-        Motion<Real> m = s.motion;
+        BodyState<Real> m = s.motion;
         change(ball, m, h);
         return {m.turning.t, m};
     }

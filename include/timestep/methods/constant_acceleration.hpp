@@ -13,7 +13,7 @@ namespace timestep {
 /// On an undamped spring the step has determinant 1 + (ωh)²/2 and trace 2 − (ωh)²/2. Up to ωh = 4
 /// its eigenvalues are a pair with |λ| = √(1 + (ωh)²/2); beyond they are real and the larger grows
 /// faster still. It blows up for every ω > 0 and every h.
-struct Newton {
+struct ConstantAcceleration {
     static constexpr const char* name = "constant acceleration";  ///< for tables and keys
     static constexpr int order = 1;                ///< of the error after a whole run
     static constexpr Cost cost{.evaluations = 1};  ///< of one step
@@ -31,6 +31,6 @@ struct Newton {
     /// [step]
 };
 
-inline constexpr Newton newton;  ///< the method as a value
+inline constexpr ConstantAcceleration constant_acceleration;  ///< the method as a value
 
 }  // namespace timestep

@@ -65,7 +65,7 @@ struct RemainderStep {
     TIMESTEP_INLINE
     RemainderStep(const RemainderInertia<Real>& inertia_, const SpinState<Real>& s, Real h_)
         : inertia(inertia_), h(h_), body{s.q, inertia_.unit.cwiseProduct(s.omega)} {
-        body.q = quaternion_product(s.q, turn_by(Vector3<Real>(h * (inertia.ball * body.L))));
+        body.q = quaternion_product(s.q, rotation_by(Vector3<Real>(h * (inertia.ball * body.L))));
     }
     TIMESTEP_INLINE void a(Real part) {
         const int i = inertia.a;
@@ -89,9 +89,9 @@ struct RemainderStep {
 ///
 /// Its error goes with (hλ)², λ² = −A B |L|², and for throws near the intermediate axis grows like
 /// exp(λt): λ is the rate at which a turn about that axis is left. A ruler's is nearly |ω|; take
-/// SymmetricRemainder4 for it. Beyond h|ω| of about 1e19 in `float`, 1e154 in `double`, both give
+/// BallAndRemainder4 for it. Beyond h|ω| of about 1e19 in `float`, 1e154 in `double`, both give
 /// NaN.
-struct SymmetricRemainder2 {
+struct BallAndRemainder2 {
     static constexpr const char* name = "ball and remainder 2";  ///< for tables and keys
     static constexpr int order = 2;                              ///< of the error after a whole run
 
@@ -118,9 +118,9 @@ struct SymmetricRemainder2 {
 };
 
 /// The same three motions in parts whose errors of order two and three cancel: six of b between
-/// seven of a (Blanes and Moan 2002, their S6). Order four, and keeps what SymmetricRemainder2
+/// seven of a (Blanes and Moan 2002, their S6). Order four, and keeps what BallAndRemainder2
 /// keeps.
-struct SymmetricRemainder4 {
+struct BallAndRemainder4 {
     static constexpr const char* name = "ball and remainder 4";  ///< for tables and keys
     static constexpr int order = 4;                              ///< of the error after a whole run
 
@@ -150,7 +150,7 @@ struct SymmetricRemainder4 {
     }
 };
 
-inline constexpr SymmetricRemainder2 symmetric_remainder_2;  ///< the method as a value
-inline constexpr SymmetricRemainder4 symmetric_remainder_4;  ///< the method as a value
+inline constexpr BallAndRemainder2 ball_and_remainder_2;  ///< the method as a value
+inline constexpr BallAndRemainder4 ball_and_remainder_4;  ///< the method as a value
 
 }  // namespace timestep
