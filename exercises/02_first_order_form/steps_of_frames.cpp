@@ -5,8 +5,8 @@
 //
 // At first nothing is owed. A frame adds its time to what is owed and pays in whole steps. A step
 // that is owed in full, to the last bit, is taken now and not later. No frame takes more than
-// most_steps. If there is a whole step or more left to pay then, whole steps are dropped until less
-// than one step is owed, and that remainder stays owed.
+// `most_steps`. If there is a whole step or more left to pay then, whole steps are dropped until
+// less than one step is owed, and that remainder stays owed.
 //
 //   frames      how long each frame took, in s: from zero to a million steps; the list may be empty
 //   step        length of a step, above zero, in s

@@ -9,12 +9,12 @@
 //   sag       by which the springs give way under the car at rest, above zero, in m
 //   zeta      damping ratio of the whole car, zero or more, without unit
 //   g         acceleration of gravity, above zero, in m/s²
-//   returns   stiffness k in N/m and damping c in N·s/m of one wheel, in this order
+//   returns   stiffness $k$ in N/m and damping $c$ in N·s/m of one wheel, in this order
 //
-// Example: 1000 kg, a sag of 0.1 m, zeta = 0.3 and g = 10 give k = 25000 and c = 1500.
+// Example: 1000 kg, a sag of 0.1 m, $ζ = 0.3$ and $g = 10$ give $k = 25000$ and $c = 1500$.
 //
-// What is checked: the four springs carry the weight; no damper for zeta = 0; the four dampers are
-// critical at zeta = 1; the oscillation decays as zeta says, below 1 and above; twice the car needs
+// What is checked: the four springs carry the weight; no damper for $ζ = 0$; the four dampers are
+// critical at $ζ = 1$; the oscillation decays as $ζ$ says, below 1 and above; twice the car needs
 // twice the spring and twice the damper; another planet.
 
 #include "exercise.hpp"

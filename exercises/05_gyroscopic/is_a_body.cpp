@@ -5,11 +5,11 @@
 // three moments at all?
 //
 // The moments are sums over all the pieces of the body, each with its mass m, which is never
-// negative, and its place (x, y, z):
+// negative, and its place $(x, y, z)$:
 //
-//     inertia.x() = sum of m (y² + z²)
-//     inertia.y() = sum of m (z² + x²)
-//     inertia.z() = sum of m (x² + y²)
+//     inertia_x = \text{sum of }m (y² + z²)
+//     inertia_y = \text{sum of }m (z² + x²)
+//     inertia_z = \text{sum of }m (x² + y²)
 //
 // A piece that adds to one of them adds to another, too. So no moment can be as large as you like
 // beside the other two. The mass may be spread in any way that gives three moments above zero. All
@@ -24,8 +24,8 @@
 // up without rounding. You may use one, up to a billionth of the largest moment: a share of it, not
 // a fixed number, which would be all that a small body has.
 //
-// Example: is_a_body({4, 5, 8}) is true. So is is_a_body({4, 5, 9}): a plate. is_a_body({4, 5, 10})
-// is false.
+// Example: `is_a_body({4, 5, 8})` is true. So is `is_a_body({4, 5, 9})`: a plate.
+// `is_a_body({4, 5, 10})` is false.
 //
 // What is checked: clouds of masses are bodies, and so are flat plates, whichever way they lie; a
 // moment that is a little or much too large, of large and of tiny bodies; moments that are zero or

@@ -6,14 +6,15 @@
 // now and then other programs are let in, and what runs just then takes longer. Nothing ever takes
 // less time than it needs.
 //
-//   rounds    the times of each round, {A, B, empty loop}, in seconds (1e-9 to 1e3); one round or
-//             more. All but one of A's times may be disturbed, all but one of B's, and all but one
-//             of the empty loop's: those left may be in three different rounds
+//   rounds    the times of each round, `{A, B, empty loop}`, in seconds (1e-9 to 1e3); one round
+//             or more. All but one of A's times may be disturbed, all but one of B's, and all but
+//             one of the empty loop's: those left may be in three different rounds
 //   returns   how many times as long A takes as B, both without what the loop and the clock cost
 //
 // Where nothing disturbs, A and B take longer than the empty loop, by a thousandth of it at least.
 //
-// Example: fair_ratio({{5, 4, 1}, {7, 3, 1}, {9, 4, 2}}) is 2: A takes 5 - 1 seconds and B 3 - 1.
+// Example: `fair_ratio({{5, 4, 1}, {7, 3, 1}, {9, 4, 2}})` is 2: A takes 5 - 1 seconds and B 3 -
+// 1.
 //
 // What is checked: one round; a solver against itself; disturbances of every round but one, in each
 // column, change nothing, be they short, long or of a whole round; the order of the rounds; A and B

@@ -4,8 +4,8 @@
 // long it took and how far off it was. The options menu is to offer only those that somebody could
 // want: a setting that is slower than another and no more accurate is worth nothing to anybody.
 //
-//   points    {seconds, error} of each setting, none below zero; up to 200 of them, perhaps none;
-//             some settings blew up, and their error or their time is NaN or infinite
+//   points    `{seconds, error}` of each setting, none below zero; up to 200 of them, perhaps
+//             none; some settings blew up, and their error or their time is NaN or infinite
 //   returns   the places in the list, from 0 on, of those worth having: the fastest first. Twins,
 //             equal in seconds and in error, stand as they do in the list
 //
@@ -13,8 +13,8 @@
 // better in one of the two, if only by the last bit. Twins do not beat each other: both are worth
 // having, or neither. What is NaN or infinite is not worth having, and beats nobody.
 //
-// Example: worth_having({{3, 0.1}, {1, 0.5}, {2, 0.5}, {4, 0.1}, {5, 0}}) is {1, 0, 4}: the third
-// takes longer than the second for the same error, and the fourth longer than the first.
+// Example: `worth_having({{3, 0.1}, {1, 0.5}, {2, 0.5}, {4, 0.1}, {5, 0}})` is `{1, 0, 4}`: the
+// third takes longer than the second for the same error, and the fourth longer than the first.
 //
 // What is checked: no settings and single ones; what is returned is in order, and in the list once;
 // nobody returned is beaten, and everybody else is; settings with the same time or the same error;

@@ -6,21 +6,21 @@
 // between the frames. From frame to frame, let the mean of the two spins turn the body: by its angle,
 // by Cayley's formula or half and half, as all these are of order two.
 //
-//   q        orientation at the first frame, of length one: q * v is in world coordinates what v is
-//            in the body's
+//   q        orientation at the first frame, of length one: `q * v` is in world coordinates what
+//            $v$ is in the body's
 //   times    of the frames, in s: 1 to 1000 of them, none before the one before it, but several in
 //            a row may be equal (the game was paused)
 //   spins    the spin at each frame, as many as times, in the body's own axes, in rad/s; may be
 //            zero
 //   returns  the orientation at the last frame, of length one
 //
-// The frames come at uneven times. From one to the next the body turns by 0.1 radians at most. q
-// and -q are one orientation, and you may return either. Quaterniond(w, x, y, z) has the cosine
-// first.
+// The frames come at uneven times. From one to the next the body turns by 0.1 radians at most.
+// $q$ and $−q$ are one orientation, and you may return either. `Quaterniond(w, x, y, z)` has the
+// cosine first.
 //
-// Example: q = Quaterniond(1, 0, 0, 0), times = {5, 5.01, 5.03} and spins = {(2, 0, 0), (4, 0, 0),
-// (2, 0, 0)} turn by 0.09 radians about x: the answer is Quaterniond(0.9990, 0.0450, 0, 0),
-// rounded.
+// Example: q = `Quaterniond(1, 0, 0, 0)`, times = `{5, 5.01, 5.03}` and spins =
+// `{(2, 0, 0), (4, 0, 0), (2, 0, 0)}` turn by 0.09 radians about $x$: the answer is
+// `Quaterniond(0.9990, 0.0450, 0, 0)`, rounded.
 //
 // What is checked: one frame, a pause, no spin, and a spin that reverses in a gap; the length; a
 // constant spin, about which axis and by what angle; a clock that was started at another time; two

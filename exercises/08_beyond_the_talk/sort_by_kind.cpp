@@ -5,19 +5,19 @@
 // again and again. So sort them by kind once, before the first step: then each group has a loop of
 // its own.
 //
-//   kinds    what each body is: kinds[i] is the kind of body i, from 0 to count - 1; from no body
-//            at all to 10000
+//   kinds    what each body is: `kinds[i]` is the kind of body $i$, from 0 to $count − 1$; from
+//            no body at all to 10000
 //   count    how many kinds there are, 1 to 100; some may have no body
-//   returns  {order, begins}. order[p] is the number of the body that stands at place p after
-//            sorting, both counted from 0. begins has count + 1 numbers: the bodies of kind k stand
-//            at the places from begins[k] to before begins[k + 1], and the last number is how many
-//            bodies there are
+//   returns  `{order, begins}`. order[p] is the number of the body that stands at place $p$ after
+//            sorting, both counted from 0. begins has $count + 1$ numbers: the bodies of kind $k$
+//            stand at the places from begins[k] to before begins[k + 1], and the last number is
+//            how many bodies there are
 //
 // Bodies of one kind stay in the order they had: a stable sort. Then the same game gives the same
 // order on each machine.
 //
-// Example: sort_by_kind({2, 0, 2, 0, 2}, 4) is {{1, 3, 0, 2, 4}, {0, 2, 2, 5, 5}}: bodies 1 and 3
-// are of kind 0, none is of kind 1, bodies 0, 2 and 4 are of kind 2, and none is of kind 3.
+// Example: `sort_by_kind({2, 0, 2, 0, 2}, 4)` is `{{1, 3, 0, 2, 4}, {0, 2, 2, 5, 5}}`: bodies 1
+// and 3 are of kind 0, none is of kind 1, bodies 0, 2 and 4 are of kind 2, and none is of kind 3.
 //
 // What is checked: every body is there once; each group holds its own kind, from where it begins to
 // where the next begins; bodies of one kind keep their order; kinds without a body, and no body at

@@ -5,12 +5,12 @@
 // for both you would find an acceleration even where the velocity is constant.
 //
 //   x0, x1, x2   positions, oldest first, in metres
-//   h0           time from x0 to x1, in seconds (above zero)
-//   h1           time from x1 to x2, in seconds (above zero)
-//   returns      the acceleration at the moment of x1, in metres per second squared
+//   h0           time from $x₀$ to $x₁$, in seconds (above zero)
+//   h1           time from $x₁$ to $x₂$, in seconds (above zero)
+//   returns      the acceleration at the moment of $x₁$, in metres per second squared
 //
-// Example: for x = t² at t = 1, 2 and 4, acceleration_uneven(1, 4, 16, 1, 2) is 2, as the second
-// derivative says.
+// Example: for $x = t²$ at $t = 1$, 2 and 4, `acceleration_uneven(1, 4, 16, 1, 2)` is 2, as the
+// second derivative says.
 //
 // What is checked: a constant velocity has no acceleration, and a constant acceleration comes out
 // exactly, but for rounding, whatever the two intervals; run backwards, a motion has the same

@@ -17,7 +17,7 @@
 // off, with the largest jerk, and the noise at its worst in both positions. Where two numbers of
 // frames are equally good, return either.
 //
-// Example: best_gap(0.01, 0.0005, 12, 60) is 10. The same with most = 8 is 8.
+// Example: `best_gap(0.01, 0.0005, 12, 60)` is 10. The same with $most = 8$ is 8.
 //
 // What is checked: without noise, neighbouring frames; without jerk, frames as far apart as can
 // be; no other number of frames has a smaller worst error, also where the optimal step size lies

@@ -7,7 +7,7 @@
 //   first     height of the first peak above the position of rest, in any unit, not zero
 //   later     height of the later peak, same unit, same sign, not larger in size, not zero
 //   swings    full periods between the two, 1 or more
-//   returns   damping ratio zeta, without unit, from 0 to below 1
+//   returns   damping ratio $ζ$, without unit, from 0 to below 1
 //
 // Example: a peak of 10 and, one full period later, a peak of 5 give 0.109653.
 //

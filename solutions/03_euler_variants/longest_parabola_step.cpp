@@ -2,21 +2,22 @@
 //
 // An engine moves each body along a parabola, which is exact for a thrown ball:
 //
-//     x2 = x1 + h v1 + h² a1 / 2      v2 = v1 + h a1
+//     x₂ = x₁ + h v₁ + h² a₁ / 2 \quad v₂ = v₁ + h a₁
 //
-// where a1 is the acceleration at x1 and v1. You put a door closer into it, a spring with a damper:
-// a = -omega² x - 2 zeta omega v. Up to which step is the door stable?
+// where $a₁$ is the acceleration at $x₁$ and $v₁$. You put a door closer into it, a spring with a
+// damper: $a = −ω² x − 2 ζ ω v$. Up to which step is the door stable?
 //
 //   omega    angular frequency of the spring, rad/s (above zero)
 //   zeta     damping ratio, no unit (zero, or from 10⁻⁴ to 20)
-//   returns  the h, in seconds, below which every step is stable: whatever the start, the motion
-//            dies away. One part in a million off is near enough. Zero where no step is stable.
+//   returns  the $h$, in seconds, below which every step is stable: whatever the start, the
+//            motion dies away. One part in a million off is near enough. Zero where no step is
+//            stable.
 //
-// Example: longest_parabola_step(10, 0.1) is 0.04.
+// Example: `longest_parabola_step(10, 0.1)` is 0.04.
 //
-// What is checked: a little below it, and far below, a run dies away; a little above it, one grows;
-// without damping no step is stable; only omega h and zeta count; weak damping helps, and strong
-// damping does harm.
+// What is checked: a little below it, and far below, a run dies away; a little above it, one
+// grows; without damping no step is stable; only $ω h$ and $ζ$ count; weak damping helps, and
+// strong damping does harm.
 
 #include "exercise.hpp"
 

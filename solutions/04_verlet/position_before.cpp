@@ -11,8 +11,8 @@
 //   h         the step of Verlet, in seconds (greater than zero)
 //   returns   the position one step before now, in metres
 //
-// Example: a stone at the top of its throw, x = 5, v = 0, a = -10. With h = 0.2, a h²/2 is
-// -0.2, and position_before(5, 0, -10, 0.2) is 4.8: the stone was lower, on its way up.
+// Example: a stone at the top of its throw, $x = 5$, $v = 0$, $a = −10$. With $h = 0.2$, a $h²/2$
+// is -0.2, and `position_before(5, 0, -10, 0.2)` is 4.8: the stone was lower, on its way up.
 //
 // What is checked: at rest and without a force the two positions are the same; with a constant
 // acceleration the position lies on the parabola through now, and Verlet's next step too, in games

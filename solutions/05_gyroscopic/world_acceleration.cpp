@@ -6,17 +6,18 @@
 //
 //   inertia   the three moments along the body's own axes, in kg m²: of any body, also a long rod,
 //             whose largest moment is up to a million times the least
-//   q         orientation, of length one: q * v is in world coordinates what v is in the body's. In
-//             Eigen q.conjugate() turns back
+//   q         orientation, of length one: `q * v` is in world coordinates what $v$ is in the
+//             body's. In Eigen `q.conjugate()` turns back
 //   omega     angular velocity in world coordinates, in rad/s; may be zero
 //   torque    in world coordinates, in N m; may be zero
 //   returns   angular acceleration in world coordinates, in rad/s²
 //
-// What Eigen offers for this: a.cwiseProduct(b) multiplies and a.cwiseQuotient(b) divides component
-// by component, a.cross(b) is a × b, and q * v turns a vector.
+// What Eigen offers for this: a.cwiseProduct(b) multiplies and a.cwiseQuotient(b) divides
+// component by component, a.cross(b) is a × $b$, and `q * v` turns a vector.
 //
-// Example: a ship with inertia = (2, 4, 5) is turned by a quarter about z: its own x axis is the
-// world's y axis. With omega = (0, 3, 2) and torque = (2, 6, 5) the answer is (−4, 3, 1).
+// Example: a ship with $inertia = (2, 4, 5)$ is turned by a quarter about $z$: its own $x$ axis
+// is the world's $y$ axis. With $ω = (0, 3, 2)$ and $torque = (2, 6, 5)$ the answer is (−4, 3,
+// 1).
 //
 // What is checked: bodies at rest, balls, and spin about one of the body's own axes; the torque's
 // power is what the energy gains; the angular momentum changes at the rate of the torque; the part

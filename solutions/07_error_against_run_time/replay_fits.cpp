@@ -15,7 +15,7 @@
 // An error as large as the accuracy, to the last bit, is within. A height that is NaN or infinite
 // is not, whatever the accuracy.
 //
-// Example: replay_fits({3, 5.5, 1}, {3, 5, 1}, 20, 0.01) is false: in the middle 0.5 m are
+// Example: `replay_fits({3, 5.5, 1}, {3, 5, 1}, 20, 0.01)` is false: in the middle 0.5 m are
 // 0.025. With an accuracy of 0.1 it is true.
 //
 // What is checked: a perfect replay; replays off everywhere by more and by less than is allowed, to

@@ -1,15 +1,17 @@
 // Chapter 8, exercise 5: a top that never forgets
 //
 // A wooden top dances on a table in your game: its tip stays where it is, and it may have three
-// different moments. Everything is kept in the top's own axes: its angular momentum L about the
-// tip, and the direction up, which tells how it leans. Its centre of mass is on its z axis. Then
+// different moments. Everything is kept in the top's own axes: its angular momentum $L$ about the
+// tip, and the direction up, which tells how it leans. Its centre of mass is on its $z$ axis.
+// Then
 //
-//     L'  = L x omega + mgl (up x z)   with   omega = (L.x/I.x, L.y/I.y, L.z/I.z),   z = (0, 0, 1)
-//     up' = up x omega
+//     L' = L × ω + mgl (up × z) \quad\text{with}\quad ω = (L_x/I_x, L_y/I_y, L_z/I_z), \quad z = (0, 0, 1)
+//     up' = up × ω
 //
-// Split the motion: gravity alone, the spin about x alone, about y alone, about z alone. Each part
-// by itself you can solve exactly. Put them together so that the step has order two and reads the
-// same from both ends, gravity first and last, then x, then y, and z in the middle.
+// Split the motion: gravity alone, the spin about $x$ alone, about $y$ alone, about $z$ alone.
+// Each part by itself you can solve exactly. Put them together so that the step has order two and
+// reads the same from both ends, gravity first and last, then $x$, then $y$, and $z$ in the
+// middle.
 //
 //   inertia  the moments about the tip, along the top's own axes, in kg m^2 (1e-5 to 1e3; of
 //            any body whose largest moment is at most ten times the least)
@@ -19,18 +21,18 @@
 //   up       the vertical, upwards, in the top's axes, of length one
 //   h        length of the step, in s; may be zero, below zero (back in time), and much too long:
 //            the top may turn by a thousand radians in it
-//   returns  {L, up} at the end of the step
+//   returns  `{L, up}` at the end of the step
 //
-// What Eigen offers for this: Eigen::AngleAxisd(angle, Vector3d::Unit(i)) * v turns v about axis i
-// = 0, 1 or 2 by an angle, counterclockwise when the axis points at you.
+// What Eigen offers for this: `Eigen::AngleAxisd(angle, Vector3d::Unit(i))` * $v$ turns $v$ about
+// axis $i = 0$, 1 or 2 by an angle, counterclockwise when the axis points at you.
 //
-// Example: the moments (2, 3, 4) with mgl = 0, L = (0, 0, 4), up = (0.6, 0, 0.8) and h = 0.5 end at
-// L = (0, 0, 4) and up = (0.5265, -0.2877, 0.8), rounded.
+// Example: the moments (2, 3, 4) with $mgl = 0$, $L = (0, 0, 4)$, $up = (0.6, 0, 0.8)$ and
+// $h = 0.5$ end at $L = (0, 0, 4)$ and $up = (0.5265, −0.2877, 0.8)$, rounded.
 //
 // What is checked: no time; a top at rest, upright or hanging; spin about one axis, without
-// gravity; a tilted top that is let go; the length of up, and without gravity of L; the momentum
-// about the vertical; each for any step; the step back; half the step leaves a quarter of the
-// error; the energy of a long dance. Eleven digits count.
+// gravity; a tilted top that is let go; the length of up, and without gravity of $L$; the
+// momentum about the vertical; each for any step; the step back; half the step leaves a quarter
+// of the error; the energy of a long dance. Eleven digits count.
 
 #include "exercise_eigen.hpp"
 

@@ -69,6 +69,12 @@ void begin_again(const Exercise& exercise) {
     write_whole(file, stub);
 }
 
+/// A hint as a terminal shows it: without the marks that make formulas of it on a page.
+std::string without_marks(std::string hint) {
+    std::erase_if(hint, [](char c) { return c == '$' || c == '\\'; });
+    return hint;
+}
+
 }  // namespace
 
 void hint(const std::string& name) {
@@ -80,7 +86,7 @@ void hint(const std::string& name) {
         std::printf("%s\n", bold(exercise.place() + " " + exercise.name + ", " + exercise.title).c_str());
         for (int i = 0; i < shown_so_far; ++i)
             std::printf("\n  Hint %d of %d\n%s", i + 1, known,
-                        wrapped(exercise.hints[static_cast<std::size_t>(i)], 6).c_str());
+                        wrapped(without_marks(exercise.hints[static_cast<std::size_t>(i)]), 6).c_str());
         if (shown_so_far == known)
             std::printf("\n  There are no more hints.%s\n",
                         exercise.has_solution() ? (" After a pass:  ./course solution " + exercise.name).c_str() : "");

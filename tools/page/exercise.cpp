@@ -2,9 +2,11 @@
 
 #include "error.hpp"
 #include "json.hpp"
+#include "scanner.hpp"
 #include "text.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace page {
 namespace {
@@ -19,25 +21,59 @@ std::string required(const Json& about, const std::string& key, const std::strin
     return found->second.front();
 }
 
+/// TeX of a formula as tasks have it, `u = length v`: a name of several letters is one name.
+std::string task_tex(const std::string& formula) {
+    const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+    std::string tex;
+    for (std::size_t at = 0; at < formula.size();) {
+        const char before = at > 0 ? formula[at - 1] : ' ';
+        std::size_t end = at;
+        while (end < formula.size() && is_letter(formula[end])) ++end;
+        if (formula.compare(at, 5, "text{") == 0 && before == '\\') {
+            end = std::min(formula.find('}', at), formula.size());
+            tex += formula.substr(at, end - at);
+        } else if (end > at + 1 && before != '\\') {
+            tex += "\\mathit{" + formula.substr(at, end - at) + "}";
+            if (end + 1 < formula.size() && formula[end] == ' ' &&
+                (is_letter(formula[end + 1]) || formula[end + 1] == '('))
+                tex += "\\,";
+        } else if (end > at) {
+            tex += formula.substr(at, end - at);
+        } else {
+            tex += formula[at] == '|' ? "\\vert " : formula.substr(at, 1);
+            ++end;
+        }
+        at = end;
+    }
+    return tex;
+}
+
+/// Words of a task or a hint as Markdown: they hold formulas, `$h = 0.1$`, and code between backticks.
+std::string markdown(const std::string& words) {
+    std::string text;
+    for (const Piece& piece : scan(words, "a task"))
+        text += piece.kind == Piece::Kind::formula ? "\\f$" + task_tex(piece.text) + "\\f$"
+                : piece.kind == Piece::Kind::code  ? piece.text
+                                                   : escape_markdown(piece.text);
+    return text;
+}
+
 /// A row of the table of what goes in and comes out: `h   length of the step, s`, where lines farther in go on.
-std::string row(const std::string& words, const std::set<std::string>& names) {
+std::string row(const std::string& words) {
     const auto end = words.find("  ");
     const auto meaning = words.find_first_not_of(' ', end);
-    if (end == std::string::npos || meaning == std::string::npos) {
-        return "| `" + words + "` | ";
-    }
-    return "| `" + words.substr(0, end) + "` | " + with_formulas(words.substr(meaning), names);
+    const bool is_named = end != std::string::npos && meaning != std::string::npos;
+    return "| `" + words.substr(0, end) + "` | " + (is_named ? markdown(words.substr(meaning)) : "") + " |\n";
 }
 
 /// The comment that a file begins with, as Markdown: the title left out, since the section has it. What stands two
 /// blanks in is a row of a table, what stands farther in is a formula.
-std::string task(const fs::path& file, const std::set<std::string>& names) {
+std::string task(const fs::path& file) {
     enum { words, rows, formulas } inside = words;
-    std::string markdown, pending;  // a row, or sentences: a formula may go over the end of a line
+    std::string text_so_far, pending;  // a row, or sentences: a formula may go over the end of a line
     const auto flush = [&] {
-        if (!pending.empty())
-            markdown += inside == rows ? row(pending, names) + " |\n" : with_formulas(pending, names) + "\n";
-        if (inside == formulas) markdown += "\\end{aligned}\\f]\n";
+        if (!pending.empty()) text_so_far += inside == rows ? row(pending) : markdown(pending) + "\n";
+        if (inside == formulas) text_so_far += "\\end{aligned}\\f]\n";
         pending.clear();
     };
     bool title = true;
@@ -55,19 +91,19 @@ std::string task(const fs::path& file, const std::set<std::string>& names) {
         if (now != before || in == 2 || text.empty()) flush();
         inside = now;
         if (inside == formulas) {
-            markdown += (before == formulas ? "\\\\" : "\\f[\\begin{aligned}") +
-                        ("&" + formula_tex(std::string{trim(text)})) + "\n";
+            text_so_far += (before == formulas ? "\\\\" : "\\f[\\begin{aligned}") +
+                           ("&" + task_tex(std::string{trim(text)})) + "\n";
         } else if (inside == rows) {
-            if (before != rows) markdown += "| name | what it is |\n|---|---|\n";
+            if (before != rows) text_so_far += "| name | what it is |\n|---|---|\n";
             pending += in == 2 ? text.substr(2) : " " + text.substr(in);
         } else if (text.empty()) {
-            markdown += "\n";
+            text_so_far += "\n";
         } else {
             pending += (pending.empty() ? "" : " ") + text;
         }
     }
     flush();
-    return markdown;
+    return text_so_far;
 }
 
 }  // namespace
@@ -101,10 +137,9 @@ std::vector<Exercise> load_exercises(const fs::path& root, const std::string& ch
         if (hints != json.end()) {
             exercise.hints = hints->second;
         }
-        const std::set<std::string> names = names_in(exercise.declaration);
-        for (std::string& hint : exercise.hints) hint = with_formulas(hint, names);
+        for (std::string& hint : exercise.hints) hint = markdown(hint);
         const fs::path solution = root / "solutions" / chapter / (exercise.name + ".cpp");
-        exercise.task = task(solution, names);
+        exercise.task = task(solution);
         inputs.push_back(about);
         inputs.push_back(solution);
         exercises.push_back(exercise);

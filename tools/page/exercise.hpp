@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -25,16 +24,5 @@ struct Exercise {
 /// for a faulty about.json.
 std::vector<Exercise> load_exercises(const std::filesystem::path& root, const std::string& chapter,
                                      std::vector<std::filesystem::path>& inputs);
-
-/// A formula of a task, `f(omega2) = I (omega2 - omega1) + h omega2 x (I omega2)`, as TeX: names of letters as they
-/// are written in mathematics, their digits as indices, a lone `x` between two things as the vector product.
-std::string formula_tex(const std::string& plain);
-
-/// The names of the parameters in a declaration.
-std::set<std::string> names_in(const std::string& declaration);
-
-/// A sentence as Markdown, in which what is a formula by the looks of it, made of `names`, letters, numbers and signs,
-/// is set as one, and what is C++ as code. What looks like half a formula stays as it is.
-std::string with_formulas(const std::string& sentence, const std::set<std::string>& names);
 
 }  // namespace page
