@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include <timestep/gyroscopic.h>
-#include <timestep/which_method.hpp>
+#include <timestep/body_throw.hpp>
 
 namespace {
 

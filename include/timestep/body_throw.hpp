@@ -14,7 +14,6 @@
 #include <timestep/inline.hpp>
 #include <timestep/rigid/exact_free_body.hpp>
 #include <timestep/rigid/ball_and_remainder.hpp>
-#include <timestep/which_method.hpp>
 
 namespace timestep {
 
@@ -41,6 +40,9 @@ private:
     std::mt19937_64 random_{1};
 };
 
+/// Two moments that differ by no more than this share: by passive a spin about the third axis fades
+/// within seconds.
+inline constexpr double nearly_equal = 0.05;
 /// From so many radians on an orientation is lost: nobody would call it right.
 inline constexpr double lost_orientation = 0.5;
 /// Up to so many radians in two seconds an orientation is right: nobody sees the error.

@@ -145,4 +145,37 @@ inline StabilityLimit stability_limit(const ImplicitMidpoint&, double) { return 
 /// the methods over several steps that have no limit none is of an order above two.)
 inline StabilityLimit stability_limit(const Bdf2&, double) { return detail::no_limit; }
 
+/// Will it blow up?
+enum class Verdict {
+    stable,             ///< bounded for ever
+    grows,              ///< sooner or later it leaves the screen
+    too_close_to_call,  ///< within a thousandth of the boundary: no stiffness is known better than
+                        ///< that; or the growth is lost in roundoff
+    refused,            ///< the method cannot step this scene at all
+    not_proven          ///< it may stay or grow: what is known of the scene does not decide it
+};
+
+/// The verdict in words.
+inline const char* words(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::stable:
+            return "stable";
+        case Verdict::grows:
+            return "grows";
+        case Verdict::too_close_to_call:
+            return "too close to call";
+        case Verdict::not_proven:
+            return "not proven";
+        default:
+            return "refused";
+    }
+}
+
+/// Is `value` on the stable side of `limit`?
+inline Verdict verdict(double value, double limit) {
+    return value < 0.999 * limit   ? Verdict::stable
+           : value > 1.001 * limit ? Verdict::grows
+                                   : Verdict::too_close_to_call;
+}
+
 }  // namespace timestep

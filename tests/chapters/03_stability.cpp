@@ -16,7 +16,7 @@
 #include <timestep/models/spring.hpp>
 #include <timestep/run.hpp>
 #include <timestep/stability.hpp>
-#include <timestep/which_method.hpp>
+#include "which_method.hpp"
 
 using namespace timestep;
 

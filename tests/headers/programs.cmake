@@ -20,7 +20,7 @@ foreach(about IN LISTS abouts)
   file(GLOB sources "${folder}/*.cpp" "${folder}/study/*.cpp")
   foreach(source IN LISTS sources)
     execute_process(  # -M only lists what is included
-      COMMAND "${COMPILER}" -std=c++20 "-I${ROOT}/include" "-I${ROOT}" "-I${ROOT}/tools/lab" "-I${ROOT}/tools/bench" ${path} -M "${source}"
+      COMMAND "${COMPILER}" -std=c++20 "-I${ROOT}/include" "-I${ROOT}" "-I${ROOT}/tools/advise" "-I${ROOT}/tools/lab" "-I${ROOT}/tools/bench" ${path} -M "${source}"
       RESULT_VARIABLE status OUTPUT_VARIABLE included ERROR_VARIABLE complaint)
     if(NOT status EQUAL 0)
       string(APPEND problems "${source}:\n${complaint}\n")

@@ -3,7 +3,7 @@
 
     absolutes.py ROOT [LIST]
 
-reads the pages (chapters, docs), the answers and reasons of `which_method.hpp` and `advise`, and the comments that
+reads the pages (chapters, docs), the answers and reasons of `tools/advise`, and the comments that
 document the library. A claim with such a word needs a proof: the list names an anchor (#ch5_passive), a study's check
 (05_gyroscopic/example), or a test (test: words of its name) where it stands, and several with "; " between. Definitions and instructions need none.
 Questions are no claims. A line of the list is: fragment of the sentence, tab, kind, tab, where the proof stands or "-".
@@ -78,8 +78,7 @@ def sources(root):
             yield file, page
     for file in sorted([*root.glob("include/timestep/**/*.h*")]):
         yield file, comments
-    for file in sorted([*root.glob("include/timestep/which_method*.hpp"), *root.glob("include/timestep/advise*.hpp"),
-                        *root.glob("tools/*/advise*.cpp")]):
+    for file in sorted([*root.glob("tools/advise/*.[ch]pp")]):
         yield file, strings
 
 

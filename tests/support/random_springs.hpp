@@ -9,7 +9,7 @@
 
 #include <Eigen/Dense>
 
-#include <timestep/advise.hpp>
+#include "advise.hpp"
 #include <timestep/run.hpp>
 
 namespace springs {
@@ -116,7 +116,7 @@ template <int N, class Method>
 bool grows(const Method& method, const Net<N>& net, double h) {
     if constexpr (std::is_same_v<Method, timestep::Verlet>)  // its velocity is only for show
         return grows(step_of<N>(timestep::velocity_verlet, Undamped<N>(net), h));
-    else if constexpr (timestep::detail::takes_damping<Method>)
+    else if constexpr (Method::takes_damping)
         return grows(step_of<N>(method, Damped<N>(net), h));
     else
         return grows(step_of<N>(method, Undamped<N>(net), h));

@@ -3,7 +3,7 @@
 #include "directives.hpp"
 #include "text.hpp"
 
-#include <timestep/which_method.hpp>
+#include "which_method.hpp"
 
 #include <cctype>
 #include <stdexcept>
@@ -33,7 +33,7 @@ std::string link(const Context& context, const std::string& where) {
 
 std::string which_markdown(const Context& context, const Directive& directive) {
     if (directive.arguments.empty()) {
-        throw std::invalid_argument{"{{which}} takes names of answers, of include/timestep/which_method.hpp"};
+        throw std::invalid_argument{"{{which}} takes names of answers, of tools/advise/which_method.hpp"};
     }
     const bool chapter = context.chapter() != nullptr, alone = chapter && directive.arguments.size() == 1;
     std::string text = chapter && !alone ? "| you have | take |\n|---|---|\n" : "";

@@ -72,7 +72,7 @@ std::vector<TestPlace> tagged_tests(std::string_view text, const std::string& fi
 
 std::vector<std::filesystem::path> test_sources(const std::filesystem::path& root) {
     std::vector<std::filesystem::path> sources;
-    for (const char* folder : {"tests/chapters", "tests/library"}) {
+    for (const char* folder : {"tests/advise", "tests/chapters", "tests/library"}) {
         if (!std::filesystem::is_directory(root / folder)) {
             continue;
         }

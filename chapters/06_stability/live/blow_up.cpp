@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <tuple>
 
-#include <timestep/advise_verdict.hpp>  // what ./course advise says
+#include <timestep/models/damped_spring.hpp>
 #include <timestep/stability.hpp>
 #include <timestep/stability_limit.hpp>
 #include "live.hpp"

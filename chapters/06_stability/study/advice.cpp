@@ -6,8 +6,8 @@
 #include <functional>
 #include <random>
 
-#include <timestep/advise_recommend.hpp>
-#include <timestep/advise_spin.hpp>
+#include "advise_recommend.hpp"
+#include "advise_spin.hpp"
 
 #include "sections.hpp"
 #include "simulate.hpp"

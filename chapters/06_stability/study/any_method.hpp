@@ -25,8 +25,7 @@ constexpr bool takes() {
     using namespace timestep;
     if constexpr (requires(S s) { s.x; }) {
         using X = std::decay_t<decltype(S::x)>;
-        if constexpr (std::is_same_v<Method, Verlet> || std::is_same_v<Method, VelocityVerlet> ||
-                      std::is_same_v<Method, Leapfrog>)
+        if constexpr (!Method::takes_damping)
             return PositionForce<Model, X>;
         else if constexpr (std::is_same_v<Method, SemiImplicitEulerNewDamping>)
             return LinearDamping<Model, X>;

@@ -23,6 +23,7 @@ namespace {
 
 struct Always42 {
     static constexpr const char* name = "always 42";
+    static constexpr bool takes_damping = true;
 
     template <class Model, class X>
     State<X> step(const Model&, const State<X>& state1, real_of<X> h) const {

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include <timestep/advise.hpp>
+#include <timestep/multipliers.hpp>
+#include <timestep/stability_limit.hpp>
 
 #include "any_method.hpp"
 

@@ -15,6 +15,9 @@ struct Bdf2 {
     static constexpr const char* name = "BDF2";                 ///< for tables and keys
     static constexpr int order = 2;                             ///< of the error after a whole run
     static constexpr Cost cost{.evaluations = 1, .solves = 1};  ///< of one step
+    static constexpr bool takes_damping = true;  ///< does it step forces of the velocity?
+    static constexpr bool steps_commute =
+        true;  ///< on a spring: of any two lengths, in either order
 
     /// The first step, from one state alone.
     template <class Model, class S>

@@ -13,6 +13,9 @@ struct ExplicitEuler {
     static constexpr const char* name = "explicit Euler";  ///< for tables and keys
     static constexpr int order = 1;                        ///< of the error after a whole run
     static constexpr Cost cost{.evaluations = 1};          ///< of one step
+    static constexpr bool takes_damping = true;            ///< does it step forces of the velocity?
+    static constexpr bool steps_commute =
+        true;  ///< on a spring: of any two lengths, in either order
 
     /// One step of length h.
     /// [step]

@@ -13,6 +13,9 @@ struct Heun {
     static constexpr const char* name = "Heun";    ///< for tables and keys
     static constexpr int order = 2;                ///< of the error after a whole run
     static constexpr Cost cost{.evaluations = 2};  ///< of one step
+    static constexpr bool takes_damping = true;    ///< does it step forces of the velocity?
+    static constexpr bool steps_commute =
+        true;  ///< on a spring: of any two lengths, in either order
 
     /// One step of length h, of a State or a FirstOrder.
     /// [step]

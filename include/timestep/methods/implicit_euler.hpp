@@ -15,6 +15,9 @@ struct ImplicitEuler {
     static constexpr const char* name = "implicit Euler";       ///< for tables and keys
     static constexpr int order = 1;                             ///< of the error after a whole run
     static constexpr Cost cost{.evaluations = 1, .solves = 1};  ///< of one step
+    static constexpr bool takes_damping = true;  ///< does it step forces of the velocity?
+    static constexpr bool steps_commute =
+        true;  ///< on a spring: of any two lengths, in either order
 
     // v₂ = v₁ + h a(x₁ + h v₂, v₂). Where the force is linear, the terms with v₂ go to the left:
     //     (1 − h ∂a/∂v − h² ∂a/∂x) v₂ = v₁ + h a(x₁, 0)

@@ -16,6 +16,9 @@ struct Leapfrog {
     static constexpr int order = 2;                  ///< of the error after a whole run
     /// Of one step. Who joins the half kicks of neighbouring steps pays one.
     static constexpr Cost cost{.evaluations = 2};
+    static constexpr bool takes_damping = false;  ///< does it step forces of the velocity?
+    static constexpr bool steps_commute =
+        false;  ///< on a spring: of any two lengths, in either order
 
     /// One step of length h.
     /// [step]

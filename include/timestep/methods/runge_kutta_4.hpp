@@ -14,6 +14,9 @@ struct RungeKutta4 {
     static constexpr const char* name = "Runge-Kutta 4";  ///< for tables and keys
     static constexpr int order = 4;                       ///< of the error after a whole run
     static constexpr Cost cost{.evaluations = 4};         ///< of one step
+    static constexpr bool takes_damping = true;           ///< does it step forces of the velocity?
+    static constexpr bool steps_commute =
+        true;  ///< on a spring: of any two lengths, in either order
 
     /// One step of length h, of a State or a FirstOrder.
     /// [step]

@@ -14,6 +14,9 @@ struct SemiImplicitEuler {
     static constexpr const char* name = "semi-implicit Euler";  ///< for tables and keys
     static constexpr int order = 1;                             ///< of the error after a whole run
     static constexpr Cost cost{.evaluations = 1};               ///< of one step
+    static constexpr bool takes_damping = true;  ///< does it step forces of the velocity?
+    static constexpr bool steps_commute =
+        false;  ///< on a spring: of any two lengths, in either order
 
     /// One step of length h.
     /// [step]

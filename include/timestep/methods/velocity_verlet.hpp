@@ -15,6 +15,9 @@ struct VelocityVerlet {
     /// Of one step. The force at the end is the next step's force at the start: who keeps it pays
     /// one.
     static constexpr Cost cost{.evaluations = 2};
+    static constexpr bool takes_damping = false;  ///< does it step forces of the velocity?
+    static constexpr bool steps_commute =
+        false;  ///< on a spring: of any two lengths, in either order
 
     /// One step of length h.
     /// [step]

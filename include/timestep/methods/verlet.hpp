@@ -19,6 +19,9 @@ struct Verlet {
     static constexpr const char* name = "Verlet";  ///< for tables and keys
     static constexpr int order = 2;                ///< of the error after a whole run
     static constexpr Cost cost{.evaluations = 1};  ///< of one step
+    static constexpr bool takes_damping = false;   ///< does it step forces of the velocity?
+    static constexpr bool steps_commute =
+        false;  ///< on a spring: of any two lengths, in either order
 
     /// The first step, from one state alone: the Taylor series as far as the force is known.
     /// Without its last term the whole run is of order one (I10).

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <regex>
 
-#include <timestep/which_method.hpp>
+#include "which_method.hpp"
 
 #include "context.hpp"
 #include "fill.hpp"

@@ -6,7 +6,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <algorithm>
-#include <timestep/which_method.hpp>
+#include "which_method.hpp"
 
 #include "context.hpp"
 #include "error.hpp"

@@ -1,0 +1,172 @@
+// I13: the advice on a spring, against what the methods really do.
+#include <catch2/catch_test_macros.hpp>
+
+#include <cmath>
+
+#include "advise.hpp"
+#include <timestep/run.hpp>
+
+using namespace timestep;
+
+namespace {
+
+constexpr double zetas[] = {0, 1e-6, 1e-3, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 1, 1.1, 2, 10, 1000};
+
+// What a step multiplies the amplitude by, from the method's own step.
+template <class Method>
+double growth(const Method& method, double zeta, double s) {
+    double largest = 0;
+    for (const auto& lambda : detail::multipliers(method, zeta, s))
+        largest = std::max(largest, static_cast<double>(std::abs(lambda)));
+    return largest;
+}
+
+Advice of(const std::vector<Advice>& all, const std::string& method) {
+    for (const Advice& advice : all)
+        if (advice.method == method) return advice;
+    FAIL("no advice on " << method);
+    return all.front();
+}
+
+}  // namespace
+
+// Just below the limit nothing grows, just above it something does; and the whole way below it is
+// stable, so that the limit is the first.
+TEST_CASE("the formulas for the longest stable step are those of the steps' eigenvalues",
+          "[library][N23][N25][N33][I13]") {
+    const auto holds = [](const auto& method) {
+        constexpr bool damped = std::remove_cvref_t<decltype(method)>::takes_damping;
+        for (const double zeta : zetas) {
+            if (!damped && zeta > 0) continue;
+            CAPTURE(method.name, zeta);
+            const double limit = stability_limit(method, zeta).value;
+            // 1e-14 for roundoff: λ comes from numbers of size one in long double.
+            if (std::isinf(limit)) {
+                for (double s = 1e-3; s < 1e9; s *= 3) CHECK(growth(method, zeta, s) <= 1 + 1e-14);
+            } else if (limit > 0) {
+                for (int i = 1; i <= 200; ++i) CHECK(growth(method, zeta, 0.9999 * limit * i / 200) <= 1 + 1e-14);
+                CHECK(growth(method, zeta, 1.0001 * limit) > 1);
+            } else {
+                for (double s = 0.01; s < 10; s *= 1.3) CHECK(growth(method, zeta, s) > 1);
+            }
+        }
+    };
+    for_each_method(holds);
+    holds(semi_implicit_euler_new_damping);
+    for_each_verlet_method(holds);
+}
+
+TEST_CASE("no method has an eigenvalue outside the unit disk where its limit is infinite, however stiff",
+          "[library][I13]") {
+    for (const double zeta : zetas)
+        for (double s = 1; s < 1e12; s *= 10) {
+            CHECK(growth(implicit_euler, zeta, s) <= 1 + 1e-14);
+            CHECK(growth(implicit_midpoint, zeta, s) <= 1 + 1e-14);
+            CHECK(growth(bdf2, zeta, s) <= 1 + 1e-14);
+        }
+}
+
+// The run's amplitude is read at two moments a whole number of swings apart as nearly as steps allow:
+// growth of a few swings' length, to a hundredth of its logarithm.
+TEST_CASE("the predicted growth a second is what a run of a second shows", "[library][I13]") {
+    const DampedSpring<double> spring(20.0, 0.05);
+    const double h = 1.0 / 240;
+    const auto all = advise(spring, h);
+    const auto measure = [&](const auto& method) {
+        if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(method)>, Verlet>) {
+            CAPTURE(method.name);
+            const Advice advice = of(all, method.name);
+            double first = 0, last = 0;
+            long n = 0;
+            const long steps = 240 * 4, swing = 76;  // 2π/20 s is 75.4 steps
+            run(method, spring, State<double>{0, 1, 0}, h, steps, [&](const State<double>& s) {
+                const double size = std::hypot(s.x, s.v / 20);
+                if (n < swing) first = std::max(first, size * std::pow(advice.growth_per_step, -double(n)));
+                if (n > steps - swing)
+                    last = std::max(last, size * std::pow(advice.growth_per_step, double(steps - n)));
+                ++n;
+            });
+            CHECK(std::abs(std::log(last / first) / 4 - std::log(advice.growth_per_second)) < 0.03);
+        }
+    };
+    for_each_method(measure);
+    measure(semi_implicit_euler_new_damping);
+    measure(constant_acceleration);
+}
+
+TEST_CASE("the predicted period is what a run's zeros show", "[library][I13]") {
+    const Spring<double> spring(30.0);
+    const auto all = advise(DampedSpring<double>(30.0, 0.0), 1.0 / 60);
+    const auto measure = [&](const auto& method) {
+        CAPTURE(method.name);
+        double before = 1, first = 0, last = 0;
+        int zeros = 0;
+        run(method, spring, State<double>{0, 1, 0}, 1.0 / 60, 4000, [&](const State<double>& s) {
+            if (before * s.x < 0) {
+                const double at = s.t - (1.0 / 60) * s.x / (s.x - before);
+                (zeros == 0 ? first : last) = at;
+                ++zeros;
+            }
+            before = s.x;
+        });
+        const double period = 2 * (last - first) / (zeros - 1);
+        const double exact = 2 * 3.141592653589793 / 30;
+        // Each end is within a step of a thousand half swings of two or three steps.
+        CHECK(std::abs(period / exact - 1 - of(all, method.name).period_error) < 2e-3);
+    };
+    measure(semi_implicit_euler);
+    measure(implicit_midpoint);
+    measure(velocity_verlet);
+    measure(verlet);
+    measure(constant_acceleration);
+    measure(explicit_euler);
+}
+
+TEST_CASE("near the boundary the advice says so, and on both sides it is sure", "[library][I13]") {
+    for (const double zeta : {0.01, 0.3, 2.0}) {
+        const double limit = stability_limit(semi_implicit_euler, zeta).value;
+        const auto verdict_at = [&](double s) {
+            return of(advise(DampedSpring<double>(10.0, zeta), s / 10), "semi-implicit Euler").verdict;
+        };
+        CHECK(verdict_at(limit) == Verdict::too_close_to_call);
+        CHECK(verdict_at(limit * 0.9995) == Verdict::too_close_to_call);
+        CHECK(verdict_at(limit * 0.998) == Verdict::stable);
+        CHECK(verdict_at(limit * 1.002) == Verdict::grows);
+    }
+}
+
+TEST_CASE("Verlet is refused where there is a damper, and advised on where there is none", "[library][I08][I13]") {
+    for (const char* name : {"Verlet", "velocity Verlet", "leapfrog"}) {
+        CHECK(of(advise(DampedSpring<double>(10.0, 0.1), 0.01), name).verdict == Verdict::refused);
+        CHECK(of(advise(DampedSpring<double>(10.0, 0.0), 0.01), name).verdict == Verdict::stable);
+    }
+}
+
+TEST_CASE("the reason tells a step from the limit, and the limit by one number", "[library][I13]") {
+    const auto why = [](double h) { return of(advise(DampedSpring<double>(10.0, 0.0), h), "Verlet").reason; };
+    CHECK(why(0.2) == "ωh = 2, the limit itself");
+    CHECK(why(0.1) == "ωh = 1 < 2");
+    CHECK(why(0.20000001) == "ωh = 2, the limit itself");
+    CHECK(why(0.19999) == "ωh = 1.9999 < 2");
+}
+
+// Half of the energy a step: far below what the ratio less one can say.
+TEST_CASE("the energy that is left is told however little it is", "[library][I13]") {
+    const Advice advice = of(advise(DampedSpring<double>(60.0, 0.0), 1.0 / 60), "implicit Euler");
+    CHECK(std::abs(advice.energy_ratio / std::pow(2.0, -60) - 1) < 1e-9);  // |λ|² = 1/(1 + (ωh)²)
+    CHECK(std::abs(advice.energy_drift - (advice.energy_ratio - 1)) < 1e-15);
+}
+
+TEST_CASE("advice on a spring refuses what is no spring and no step", "[library][I13]") {
+    const DampedSpring<double> spring(10.0, 0.1);
+    CHECK_THROWS_AS(advise(DampedSpring<double>(0.0, 0.1), 0.01), std::invalid_argument);
+    CHECK_THROWS_AS(advise(spring, 0.0), std::invalid_argument);
+    CHECK_THROWS_AS(advise(spring, -0.01), std::invalid_argument);
+    CHECK_THROWS_AS(advise(spring, NAN), std::invalid_argument);
+    CHECK_THROWS_AS(advise(DampedSpring<double>(1e100, 0.1), 1e300), std::invalid_argument);
+    CHECK_THROWS_AS(advise(DampedSpring<double>(1e-300, 0.1), 1e-300), std::invalid_argument);
+    CHECK_THROWS_AS(advise(spring, 0.9e-13), std::invalid_argument);
+    CHECK_NOTHROW(advise(spring, 1.1e-13));
+    CHECK_THROWS_AS(advise(spring, 0.01, 0.0), std::invalid_argument);
+    CHECK_THROWS_AS(advise(spring, 0.01, 1.0), std::invalid_argument);
+}

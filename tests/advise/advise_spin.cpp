@@ -1,0 +1,207 @@
+// N51, I13: the advice on a spinning body, against the steps themselves.
+#include <catch2/catch_test_macros.hpp>
+
+#include <cmath>
+#include <random>
+
+#include "advise_spin.hpp"
+
+#include "random_inertia.hpp"
+
+using namespace timestep;
+
+namespace {
+
+SpinAdvice of(const std::vector<SpinAdvice>& all, const std::string& method) {
+    for (const SpinAdvice& advice : all)
+        if (advice.method == method) return advice;
+    FAIL("no advice on " << method);
+    return all.front();
+}
+
+}  // namespace
+
+TEST_CASE("the search for a gain misses none that darts find", "[library][N51][I13]") {
+    RandomInertia random(7);
+    std::mt19937_64 numbers(8);
+    std::uniform_real_distribution<double> even;
+    for (int n = 0; n < 40; ++n) {
+        const auto inertia = random.inertia<double>(1000);
+        const double size = std::pow(10, -1.5 + 2 * even(numbers));
+        const double found = detail::worst_direction(implicit_gyroscopic, inertia, size, 1.0).gain;
+        double darts = 0;
+        for (int i = 0; i < 4000; ++i)
+            darts = std::max(darts, energy_gain(implicit_gyroscopic, inertia, random.direction<double>(), size));
+        CAPTURE(inertia.moments.transpose(), size, found - 1, darts - 1);
+        CHECK((found > 1 + 1e-12) >= (darts > 1 + 1e-12));
+    }
+}
+
+// The formula of the longest step came from a search, so it is held to another: darts close to the middle
+// axis, where the first gains are needles.
+TEST_CASE("one iteration gains from h|omega| = sqrt(I1 I3)/(I3 - I1) on", "[library][N51][I13]") {
+    RandomInertia random(9);
+    std::mt19937_64 numbers(10);
+    std::uniform_real_distribution<double> even(-1, 1);
+    for (int n = 0; n < 30; ++n) {
+        const auto body = random.inertia<double>(30);
+        int least, most;
+        body.moments.minCoeff(&least), body.moments.maxCoeff(&most);
+        const int middle = 3 - least - most;
+        // Where two moments are nearly equal, the gain is too small to be seen.
+        const double ratio = body.moments[middle] / body.moments[least];
+        if (ratio < 1.1 || body.moments[most] / body.moments[middle] < 1.1) continue;
+        const double limit = detail::longest_safe_step(body, 1);
+        const auto best_at = [&](double size) {
+            double best = 0;
+            for (int i = 0; i < 40000; ++i) {
+                Vector3<double> way = Vector3<double>::Unit(middle);
+                const double wobble = 0.3 * std::pow(even(numbers), 4);
+                way[least] = wobble * even(numbers), way[most] = wobble * even(numbers);
+                best = std::max(best, energy_gain(implicit_gyroscopic, body, Vector3<double>(way.normalized()), size));
+            }
+            return best;
+        };
+        CAPTURE(body.moments.transpose(), limit, best_at(0.998 * limit) - 1, best_at(1.01 * limit) - 1);
+        CHECK(best_at(0.998 * limit) <= 1 + 1e-14);
+        CHECK(best_at(1.01 * limit) > 1 + 1e-12);
+    }
+}
+
+TEST_CASE("a spin's advice is what its named direction does", "[library][N51][I13]") {
+    const PrincipalInertia<double> plank(0.758, 0.787, 0.0313);
+    const double h = 1.0 / 60;
+    for_each_gyroscopic([&](const auto& solver) {
+        CAPTURE(solver.name);
+        const auto advice = of(advise_spin(plank, 60, h), solver.name);
+        if (advice.verdict == Verdict::grows) {
+            const double gain = energy_gain(solver, plank, advice.worst_spin, h);
+            CHECK(gain > 1.01);
+            CHECK(std::abs(gain / advice.worst_gain - 1) < 1e-12);
+            CHECK(std::abs(advice.worst_spin.norm() - 60) < 1e-9);
+        } else {
+            CHECK(advice.worst_gain <= 1 + 1e-12);
+        }
+    });
+}
+
+TEST_CASE("equal moments can gain nothing but by what a torque of zero adds", "[library][N41][I13]") {
+    for (const auto& advice : advise_spin(PrincipalInertia<double>(2, 2, 2), 100, 0.1)) {
+        CAPTURE(advice.method);
+        CHECK(advice.verdict == Verdict::stable);
+    }
+    CHECK(of(advise_spin(PrincipalInertia<double>(1, 1, 0.1), 100, 0.1), "one Newton step").verdict == Verdict::stable);
+}
+
+TEST_CASE("what is said to gain energy does so by its own worst spin, visibly", "[library][N51][I13]") {
+    const auto nearly_round = advise_spin(PrincipalInertia<double>(1, 1.0000001, 1.9), 5, 1);
+    const SpinAdvice one = of(nearly_round, "one Newton step");  // no more than 1e-12 in any direction
+    CHECK(one.verdict == Verdict::too_close_to_call);
+    CHECK(one.longest_step < 0.5);
+    CHECK(one.reason.find("lost in roundoff") != std::string::npos);
+    CHECK(of(nearly_round, "explicit").verdict == Verdict::grows);
+
+    std::mt19937_64 numbers(13);
+    std::uniform_real_distribution<double> even;
+    for (int n = 0; n < 60; ++n) {
+        const double apart = std::pow(10, -9 * even(numbers));
+        const PrincipalInertia<double> body(1, 1 + 0.5 * apart, 1.9);
+        const double size = std::pow(10, -8 + 10 * even(numbers));
+        for_each_gyroscopic([&](const auto& solver) {
+            const SpinAdvice advice = detail::advise_spin(solver, body, size, 1.0);
+            CAPTURE(advice.method, apart, size, advice.worst_gain - 1, advice.reason);
+            if (advice.verdict == Verdict::stable) CHECK(advice.worst_gain <= 1 + 1e-12);
+            if (advice.verdict != Verdict::grows) return;
+            CHECK(advice.worst_gain > 1 + 1e-12);
+            CHECK(energy_gain(solver, body, advice.worst_spin, 1.0) > 1 + 1e-12);
+        });
+    }
+}
+
+// Beside the direction with u = w, v = 1 (see unbounded_step) the determinant is as small as one likes. The
+// order of the moments decides which of its mirror images that is.
+TEST_CASE("one iteration's gain has no bound from where its determinant can vanish", "[library][N51][I13]") {
+    RandomInertia random(14);
+    for (int n = 0; n < 40; ++n) {
+        const auto body = random.inertia<double>(30);
+        const Vector3<double>& a = body.ratio;
+        int least, most;
+        body.moments.minCoeff(&least), body.moments.maxCoeff(&most);
+        const int middle = 3 - least - most;
+        const double from = detail::unbounded_step(body, 1);
+        if (!(from < 100)) continue;
+        CAPTURE(body.moments.transpose(), from);
+        CHECK(from >= 2 * detail::longest_safe_step(body, 1) * (1 - 1e-12));
+        CHECK(std::isfinite(detail::advise_spin(implicit_gyroscopic, body, 1, 0.999 * from).worst_gain));
+        const auto above = detail::advise_spin(implicit_gyroscopic, body, 1, 1.001 * from);
+        CHECK(std::isinf(above.worst_gain));
+        CHECK(above.verdict == Verdict::grows);
+        CHECK(above.reason.find("on without bound") != std::string::npos);
+
+        const auto gain_beside = [&](double beside) {
+            Vector3<double> omega;
+            omega[middle] = 1 / std::sqrt(a[least] * a[most]);
+            omega[least] = 0.1 / std::sqrt(-a[middle] * a[most]);
+            omega[most] = (0.1 + beside) / std::sqrt(-a[middle] * a[least]);
+            if (a.prod() > 0) omega = -omega;
+            return energy_gain(implicit_gyroscopic, body, omega, 1.0);
+        };
+        CHECK(gain_beside(1e-3) > 50 * gain_beside(1e-2));
+        CHECK(gain_beside(1e-5) > 5000 * gain_beside(1e-3));
+        double darts = 0;  // below, the determinant is at least (1 − v)²
+        for (int i = 0; i < 4000; ++i)
+            darts = std::max(darts, energy_gain(implicit_gyroscopic, body, random.direction<double>(), 0.9 * from));
+        CHECK(darts < 1e9);
+    }
+}
+
+TEST_CASE("a spin's advice depends on the ratios of the moments only", "[library][I13]") {
+    const auto plain = advise_spin(PrincipalInertia<double>(1, 2, 2.5), 1e5, 1.0 / 60);
+    for (const double unit : {1e300, 1e-300}) {
+        const PrincipalInertia<double> body(unit, 2 * unit, 2.5 * unit);
+        const auto all = advise_spin(body, 1e5, 1.0 / 60);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            CAPTURE(unit, all[i].method, all[i].worst_gain, plain[i].worst_gain);
+            CHECK(all[i].verdict == plain[i].verdict);
+            CHECK((all[i].worst_gain == plain[i].worst_gain ||
+                   std::abs(all[i].worst_gain / plain[i].worst_gain - 1) < 1e-9));
+        }
+        const SpinAdvice grows = of(all, "explicit");
+        const double gain = energy_gain(explicit_gyroscopic, body, grows.worst_spin, 1.0 / 60);
+        CHECK(std::abs(gain / grows.worst_gain - 1) < 1e-9);
+    }
+}
+
+TEST_CASE("as fast as the advice goes, a step it calls stable is a number and gains nothing", "[library][I13]") {
+    RandomInertia random(15);
+    for (int n = 0; n < 200; ++n) {
+        const auto body = random.inertia<double>(1000);
+        const Vector3<double> way = random.direction<double>();
+        CAPTURE(body.moments.transpose(), way.transpose());
+        for (const double size : {1.0, 1e10, 1e50})
+            for (const double h : {1.0, 1 / size}) {
+                const Vector3<double> omega = size * way;
+                CHECK(energy_gain(converged_gyroscopic, body, omega, h) <= 1 + 1e-12);
+                CHECK(energy_gain(passive_gyroscopic, body, omega, h) <= 1 + 1e-12);
+            }
+    }
+    const PrincipalInertia<double> box(1, 2, 2.5);
+    CHECK(std::isnan(energy_gain(passive_gyroscopic, box, Vector3<double>(1e200, 1e200, 0), 1.0)));
+    CHECK_THROWS_AS(advise_spin(box, 1e200, 1), std::invalid_argument);
+    CHECK_THROWS_AS(advise_spin(box, 1e200, 1e-200), std::invalid_argument);
+    CHECK_THROWS_AS(advise_spin(box, 1e30, 1e30), std::invalid_argument);
+    CHECK_NOTHROW(advise_spin(box, 0.99e50, 1));
+    for (const SpinAdvice& advice : advise_spin(box, 0.99e50, 1)) {
+        CAPTURE(advice.method);
+        CHECK(advice.worst_gain >= 1);
+        CHECK(std::isfinite(advice.worst_gain) == (advice.method != "one Newton step"));
+    }
+}
+
+TEST_CASE("advice on a spin refuses what is no spin and no step", "[library][I13]") {
+    const PrincipalInertia<double> box(1, 2, 3);
+    CHECK_THROWS_AS(advise_spin(box, 0, 0.01), std::invalid_argument);
+    CHECK_THROWS_AS(advise_spin(box, INFINITY, 0.01), std::invalid_argument);
+    CHECK_THROWS_AS(advise_spin(box, 1, -0.01), std::invalid_argument);
+    CHECK_THROWS_AS(advise_spin(box, 1e300, 1e300), std::invalid_argument);
+}
