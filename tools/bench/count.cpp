@@ -1,11 +1,11 @@
 #include "count.hpp"
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
-#include "process.hpp"
-#include "stop.hpp"
+#include <sys/wait.h>
 
 namespace fs = std::filesystem;
 
@@ -17,68 +17,31 @@ extern "C" [[gnu::noinline]] void bench_counted_work(const std::function<void()>
 
 namespace bench {
 
-namespace {
-
-// A folder for what callgrind writes, gone with it.
-class Folder {
-public:
-    Folder() : path_((fs::temp_directory_path() / "timestep_count_XXXXXX").string()) {
-        if (mkdtemp(path_.data()) == nullptr) path_.clear();
-    }
-    ~Folder() {
-        std::error_code ignored;
-        if (!path_.empty()) fs::remove_all(path_, ignored);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    const std::string& path() const { return path_; }
-
-private:
-    std::string path_;
-};
-
-// The line "totals: 1234" of a dump.
-bool read_total(const fs::path& dump, double& total) {
-    std::ifstream file(dump);
-    for (std::string line; std::getline(file, line);)
-        if (line.starts_with("totals: ")) {
-            total = std::strtod(line.c_str() + 8, nullptr);
-            return true;
-        }
-    return false;
-}
-
-}  // namespace
-
 void counted(const std::function<void()>& work) { bench_counted_work(&work); }
 
-Counts count_instructions(const std::vector<std::string>& arguments, const std::function<void()>& tick) {
-    const Folder folder;
-    if (folder.path().empty()) return {{}, "there is no folder for temporary files"};
-    std::vector<std::string> command{"valgrind",
-                                     "--tool=callgrind",
-                                     "--toggle-collect=bench_counted_work",
-                                     "--dump-after=bench_counted_work",
-                                     "--callgrind-out-file=" + folder.path() + "/dump",
-                                     fs::read_symlink("/proc/self/exe").string()};
-    command.insert(command.end(), arguments.begin(), arguments.end());
+Counts count_instructions(const std::vector<std::string>& arguments) {
+    std::string folder = (fs::temp_directory_path() / "timestep_count_XXXXXX").string();
+    if (mkdtemp(folder.data()) == nullptr) return {{}, "there is no folder for temporary files"};
+    std::string command =
+        "valgrind --tool=callgrind --toggle-collect=bench_counted_work --dump-after=bench_counted_work"
+        " --combine-dumps=yes '--callgrind-out-file=" +
+        folder + "/counts' '" + fs::read_symlink("/proc/self/exe").string() + "'";
+    for (const auto& word : arguments) command += " " + word;
+    FILE* const said = popen((command + " 2>&1").c_str(), "r");
     std::string last;
-    course::Lines lines([&](const std::string& line) { last = line; });
-    int status = 0;
-    try {
-        status = course::listen(command, std::ref(lines), tick);
-    } catch (const course::Stop& stop) {
-        // An older valgrind does not know every instruction of a new processor.
-        if (stop.status() == course::Status::interrupted) throw;
-        return {{}, stop.what()};
-    }
-    if (status == 127) return {{}, "valgrind is not installed (package valgrind)"};
-    if (status != 0) return {{}, "valgrind failed: " + last};
-    // One dump a call, numbered from 1; a dump of the rest, at the end, has no number.
+    for (char line[1000]; said != nullptr && std::fgets(line, sizeof line, said) != nullptr;) last = line;
+    const int status = said == nullptr ? -1 : pclose(said);
     Counts counts;
-    double total = 0;
-    for (int i = 1; read_total(folder.path() + "/dump." + std::to_string(i), total); ++i)
-        counts.instructions.push_back(total);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
+        counts.failure = "valgrind is not installed (package valgrind)";
+    else if (status != 0)  // an older valgrind does not know every instruction of a new processor
+        counts.failure = "valgrind failed: " + last.substr(0, last.find('\n'));
+    std::ifstream file(folder + "/counts");
+    // One dump a call; the last one is of the rest.
+    for (std::string line; counts.failure.empty() && std::getline(file, line);)
+        if (line.starts_with("totals: ")) counts.instructions.push_back(std::strtod(line.c_str() + 8, nullptr));
+    if (!counts.instructions.empty()) counts.instructions.pop_back();
+    fs::remove_all(folder);
     return counts;
 }
 

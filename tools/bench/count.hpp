@@ -1,5 +1,5 @@
 #pragma once
-// Instructions, counted by callgrind: a program starts itself a second time under it.
+// Instructions, counted by callgrind: a program starts itself a second time below it.
 
 #include <functional>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace bench {
 
-// The work between the brackets is counted where the program runs under callgrind.
+// Where the program runs below callgrind, this work is counted.
 void counted(const std::function<void()>& work);
 
 struct Counts {
@@ -15,8 +15,7 @@ struct Counts {
     std::string failure;               // why there are none
 };
 
-// Starts this program again, with these arguments, under callgrind. `tick` is called every second.
-Counts count_instructions(
-    const std::vector<std::string>& arguments, const std::function<void()>& tick = [] {});
+// Starts this program again below callgrind, with these arguments: plain words, without blanks or quotes.
+Counts count_instructions(const std::vector<std::string>& arguments);
 
 }  // namespace bench

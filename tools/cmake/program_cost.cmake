@@ -1,57 +1,51 @@
-# What a chapter's program costs to make, as a line of a table:
-#   cmake -DCHAPTER=03_… -DPROGRAM=binary -DSOURCE=name.cpp -DABOUT=about.json -DCOMMANDS=compile_commands.json
-#         -DOUT=file -P program_cost.cmake
-# With -DLINES=a;b -DTABLE=file the lines are put together instead.
+# What each chapter's program costs to make, as a table:
+#   cmake -DCHAPTERS=03_…;… -DPROGRAMS=binary;… -DROOT=course -DCOMMANDS=compile_commands.json -DRUN=folder -P …
 cmake_minimum_required(VERSION 3.25)
 
-if(LINES)
-  set(table "chapter\tits study needs Eigen\tits program does\tbinary (KB)\tlines that the compiler reads\n")
-  foreach(line IN LISTS LINES)
-    file(READ "${line}" text)
-    string(APPEND table "${text}")
-  endforeach()
-  file(WRITE "${TABLE}" "${table}")
-  cmake_path(GET TABLE PARENT_PATH run)
-  file(WRITE "${run}/places.tsv"  # for ./course where
-    "name\tkind\tplace\nprograms.tsv\tdata\ttools/cmake/program_cost.cmake:${CMAKE_CURRENT_LIST_LINE}\n")
-  return()
-endif()
-
-file(READ "${ABOUT}" about)
-string(JSON needs GET "${about}" needs)
-set(eigen "no")
-if(needs MATCHES "eigen")
-  set(eigen "yes")
-endif()
-file(SIZE "${PROGRAM}" bytes)
-math(EXPR kilobytes "(${bytes} + 500) / 1000")
-
-# The build's own command for that source, where the build has left it.
-set(command "")
-if(EXISTS "${COMMANDS}")
+set(commands "[]")
+if(EXISTS "${COMMANDS}")  # the build's own commands, where it has left them
   file(READ "${COMMANDS}" commands)
-  string(JSON count LENGTH "${commands}")
-  math(EXPR last "${count} - 1")
-  foreach(i RANGE ${last})
-    string(JSON file GET "${commands}" ${i} file)
-    if(file STREQUAL SOURCE)
+endif()
+string(JSON count LENGTH "${commands}")
+find_program(SHELL sh)
+
+# Sets `lines` that the compiler reads of the source, and whether Eigen `includes` are among them.
+function(preprocess source)
+  set(lines "–" PARENT_SCOPE)
+  set(includes "–" PARENT_SCOPE)
+  foreach(i RANGE ${count})
+    string(JSON file ERROR_VARIABLE none GET "${commands}" ${i} file)
+    if(file STREQUAL source AND SHELL)
       string(JSON command GET "${commands}" ${i} command)
       string(JSON directory GET "${commands}" ${i} directory)
-      break()
+      string(REGEX REPLACE " -o .* -c " " -E " command "${command}")
+      execute_process(
+        COMMAND "${SHELL}" -c "${command} | awk '/^#/ { if (/[/]Eigen[/]/) eigen = 1; next } NF { ++n } END { print n \";\" (eigen ? \"yes\" : \"no\") }'"
+        WORKING_DIRECTORY "${directory}" OUTPUT_VARIABLE words OUTPUT_STRIP_TRAILING_WHITESPACE)
+      list(GET words 0 read)
+      list(GET words 1 eigen)
+      set(lines ${read} PARENT_SCOPE)
+      set(includes ${eigen} PARENT_SCOPE)
+      return()
     endif()
   endforeach()
-endif()
-set(lines "–")
-set(includes "–")
-find_program(SHELL sh)
-if(command AND SHELL)
-  string(REGEX REPLACE " -o .* -c " " -E " preprocess "${command}")
-  execute_process(
-    COMMAND "${SHELL}" -c "${preprocess} | awk '/^#/ { if (/[/]Eigen[/]/) eigen = 1; next } NF { ++n } END { print n \" \" (eigen ? \"yes\" : \"no\") }'"
-    WORKING_DIRECTORY "${directory}" OUTPUT_VARIABLE words OUTPUT_STRIP_TRAILING_WHITESPACE)
-  separate_arguments(words)
-  list(GET words 0 lines)
-  list(GET words 1 includes)
-endif()
+endfunction()
 
-file(WRITE "${OUT}" "${CHAPTER}\t${eigen}\t${includes}\t${kilobytes}\t${lines}\n")
+set(table "chapter\tits study needs Eigen\tits program does\tbinary (KB)\tlines that the compiler reads\n")
+foreach(chapter program IN ZIP_LISTS CHAPTERS PROGRAMS)
+  string(REGEX REPLACE "^[0-9]+_" "" name "${chapter}")
+  file(READ "${ROOT}/chapters/${chapter}/about.json" about)
+  string(JSON needs GET "${about}" needs)
+  set(eigen "no")
+  if(needs MATCHES "eigen")
+    set(eigen "yes")
+  endif()
+  file(SIZE "${program}" bytes)
+  math(EXPR kilobytes "(${bytes} + 500) / 1000")
+  preprocess("${ROOT}/chapters/${chapter}/${name}.cpp")
+  string(APPEND table "${chapter}\t${eigen}\t${includes}\t${kilobytes}\t${lines}\n")
+endforeach()
+file(WRITE "${RUN}/programs.tsv" "${table}")
+file(WRITE "${RUN}/places.tsv"  # for ./course where
+  "name\tkind\tplace\nprograms.tsv\tdata\ttools/cmake/program_cost.cmake:${CMAKE_CURRENT_LIST_LINE}\n")
+file(TOUCH "${RUN}/done")

@@ -106,7 +106,7 @@ std::vector<Run> runs_meant(const std::string& folder) {
     const fs::path all = paths().build / "chapters";
     for (const char* beside : {"instructions", "programs"})
         if (folder.empty() || folder == beside)
-            runs.push_back({beside, paths().source / "tools/instructions", all / beside / "run", {}});
+            runs.push_back({beside, paths().source / "tools/instruction_counts", all / beside / "run", {}});
     if (!folder.empty() && runs.empty()) {
         const Chapter chapter = find_chapter(folder);
         return {{chapter.folder, chapter.sources(), chapter.run(), {}}};
