@@ -127,7 +127,7 @@ Measured measure(const std::string& id, const Asked& asked, const std::string& w
     measured.instructions.assign(measured.points.size(), std::numeric_limits<double>::quiet_NaN());
     if (asked.quick || !can_count) return measured;
     progress.now(which + ": counting instructions");
-    const Counts counts = count_instructions({"--count", id}, [&] { progress.tick(); });
+    const Counts counts = count_instructions({"--count", id});
     can_count = counts.failure.empty();
     if (!can_count) progress.say("bench: instructions are not counted: " + counts.failure);
     take_over(counts.instructions, measured);

@@ -12,10 +12,10 @@ struct Case {
 };
 
 std::vector<Case> methods_and_scenes();  // steps.cpp
-std::vector<Case> gyroscopic_solvers();  // spins.cpp
+std::vector<Case> gyroscopic_solvers();  // gyroscopic.cpp
 std::vector<Case> bodies_and_rope();     // bodies.cpp
-std::vector<Case> crowds();              // kinds.cpp
-std::vector<Case> functions_for_c();     // plain.cpp
+std::vector<Case> crowds();              // bodies.cpp
+std::vector<Case> functions_for_c();     // gyroscopic.cpp
 
 // A number that the compiler does not know: 1. And where results go, or the compiler would leave out the steps.
 inline volatile double unknown_one = 1, kept;

@@ -7,8 +7,11 @@
 
 #include <timestep/gyroscopic.h>
 #include <timestep/gyroscopic/calm_half_step.hpp>
+#include <timestep/gyroscopic/explicit_gyroscopic.hpp>
+#include <timestep/gyroscopic/implicit_gyroscopic.hpp>
 #include <timestep/rigid/any_inertia.hpp>
 #include <timestep/rigid/body.hpp>
+#include <timestep/rigid/shapes.hpp>
 
 #include "cases.hpp"
 
@@ -123,6 +126,30 @@ void bullet(long n) {
 }
 #endif
 
+// The library's solvers in double. The orientation stays, as only the solver is counted.
+template <class Solver, class Inertia>
+[[gnu::noinline]] Vector3<double> spin(const Solver& solver, const Inertia& inertia, const Matrix3<double>& R,
+                                       Vector3<double> omega, long n) {
+    for (long i = 0; i < n; ++i) omega = after_gyroscopic_torque(solver, inertia, R, omega, 0.001);
+    return omega;
+}
+
+template <class Solver>
+void add_solver(std::vector<Case>& all, const std::string& name, const Solver& solver) {
+    const double size = unknown_one;
+    const Matrix3<double> R = Quaternion<double>(size, 2, 3, 4).normalized().toRotationMatrix();
+    const auto add_body = [&](const std::string& body, const auto& inertia) {
+        all.push_back({name + "_" + body, 1000,
+                       [=](long n) { kept = spin(solver, inertia, R, Vector3<double>(size, 2, 3), n).sum(); }});
+    };
+    const auto sides = box(10.0, size, 2.0, 3.0);
+    const Matrix3<double> turned = R * sides.moments.asDiagonal() * R.transpose();
+    add_body("ball", sphere(10.0, size));
+    add_body("capsule", capsule(10.0, size, 2.0));
+    add_body("box", sides);
+    add_body("any", FullInertia<double>((turned + turned.transpose()) / 2));
+}
+
 }  // namespace
 
 std::vector<Case> functions_for_c() {
@@ -132,5 +159,13 @@ std::vector<Case> functions_for_c() {
 #ifdef TIMESTEP_WITH_BULLET
     all.push_back({"bullet_own", 1000, bullet});
 #endif
+    return all;
+}
+
+std::vector<Case> gyroscopic_solvers() {
+    std::vector<Case> all;
+    add_solver(all, "explicit", explicit_gyroscopic);
+    add_solver(all, "iteration", implicit_gyroscopic);
+    add_solver(all, "passive", passive_gyroscopic);
     return all;
 }
