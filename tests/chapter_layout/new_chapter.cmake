@@ -40,15 +40,11 @@ endif()
 step("the commands in README.md" sh -e -c "${CMAKE_MATCH_1}")
 
 set(chapter 02_my_topic)  # here it is the second
-set(study "${WORK}/build/chapters/my_topic_study")
 step("build and run" "${CMAKE_COMMAND}" --build "${WORK}/build" --parallel 2
   --target run_my_topic live_of_${chapter} timestep_tests self_test)
 step("the chapter's tests" "${WORK}/build/tests/timestep_tests" "my_topic: *")
-foreach(script one_line bad_options full_disk extremes)
-  step("${script}" "${CMAKE_COMMAND}" "-DROOT=${fixture}" -DCHAPTER=${chapter} -DNAME=my_topic "-DCOMPILER=${COMPILER}"
-    "-DPROGRAM=${study}" "-DROOM=${fixture}/chapters/${chapter}/study" -DEVERY_WAY=ON "-DWORK=${WORK}/${script}"
-    -P "${ROOT}/tests/programs/${script}.cmake")
-endforeach()
+step("the program by its one line" "${CMAKE_COMMAND}" "-DROOT=${fixture}" -DCHAPTER=${chapter} -DNAME=my_topic
+  "-DCOMPILER=${COMPILER}" "-DWORK=${WORK}/one_line" -P "${ROOT}/tests/programs/one_line.cmake")
 step("the panel" sh "${ROOT}/tests/live/extremes.sh" "${WORK}/build/chapters/live_my_topic")
 file(READ "${fixture}/chapters/${chapter}/live/my_topic.cpp" panel)
 string(REPLACE "// still: steps=20" "// still: steps=7" panel "${panel}")

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -17,6 +18,13 @@ namespace lab {
 namespace fs = std::filesystem;
 
 namespace {
+
+bool has_no_number(const std::string& rows) {
+    for (const char* word : {"\tnan", "\t-nan", "\tinf", "\t-inf"})
+        for (auto at = rows.find(word); at != std::string::npos; at = rows.find(word, at + 1))
+            if (const auto end = rows.find_first_of("\t\n", at + 1); end - at == std::strlen(word)) return true;
+    return false;
+}
 
 std::string join(const std::vector<std::string>& cells) {
     std::string line = cells.front();
@@ -76,13 +84,15 @@ void Findings::add_number(const std::string& name, const std::string& value, con
     add_place("number", name, from);
 }
 
-// Seen from the course's folder: where that is on this machine is nobody's business.
+// The place is seen from the course's folder: where that is on this machine is nobody's business.
 void Findings::add_place(const char* kind, const std::string& name, Place from) {
     const std::string file = fs::path(from.file).generic_string();
-    const auto chapters = file.rfind("chapters/");
-    const std::string shown =
-        chapters == std::string::npos ? fs::path(file).filename().string() : file.substr(chapters);
-    places_ += join({name, kind, shown + ":" + std::to_string(from.line)});
+    for (const char* room : {"chapters/", "tools/"})
+        if (const auto at = file.rfind(room); at != std::string::npos) {
+            places_ += join({name, kind, file.substr(at) + ":" + std::to_string(from.line)});
+            return;
+        }
+    places_ += join({name, kind, fs::path(file).filename().string() + ":" + std::to_string(from.line)});
 }
 
 void Findings::number(const std::string& name, double value, const std::string& unit, const std::string& meaning,
@@ -105,78 +115,34 @@ Table& Findings::table(const std::string& file, std::vector<std::string> columns
     return tables_.emplace_back(file, std::move(columns));
 }
 
-namespace {
-
-// Makes the folder, and returns what had to be made for it, the innermost first.
-std::vector<fs::path> make_folder(const fs::path& folder) {
-    std::vector<fs::path> made;
-    std::error_code error;
-    for (fs::path path = folder; !path.empty() && !fs::exists(path, error); path = path.parent_path())
-        made.push_back(path);
-    fs::create_directories(folder, error);
-    if (!error) return made;
-    for (const auto& path : made) fs::remove(path, error);
-    throw std::runtime_error(folder.string() + ": the folder cannot be made");
+bool Findings::holds_no_number() const {
+    return has_no_number(numbers_) ||
+           std::any_of(tables_.begin(), tables_.end(), [](const Table& table) { return has_no_number(table.text()); });
 }
 
-// A new folder in `target`, with a name of its own: other runs may be writing beside this one, and
-// what is there already is not ours to touch.
-fs::path make_staging(const fs::path& target) {
-    std::random_device random;
-    std::error_code error;
-    for (int tries = 0; tries < 100; ++tries) {
-        const fs::path staging = target / (".unfinished_" + std::to_string(random()));
-        if (fs::create_directory(staging, error)) return staging;
-        if (error) break;
-    }
-    throw std::runtime_error(target.string() + ": the folder cannot be written to");
-}
-
-}  // namespace
-
-// The files are written into a folder of their own inside the target. When all of them are whole
-// they are moved in, one by one. Moving takes no space, so a full disk changes nothing; a kill
-// between two moves can leave old files beside new ones, each of them whole.
+// The files are written into a folder of their own inside the target, whose name no other run has. When all of them are
+// whole they are moved in, one by one. Moving takes no space, so a full disk changes nothing; a kill between two moves
+// can leave old files beside new ones, each of them whole.
 void Findings::save(const std::string& folder) const {
-    const fs::path target(folder);
+    const fs::path target(folder), staging = target / (".unfinished_" + std::to_string(std::random_device()()));
+    std::error_code error;
+    if (!fs::create_directories(staging, error)) throw std::runtime_error(folder + ": the folder cannot be written to");
     std::vector<std::pair<std::string, const std::string*>> files{
         {"numbers.tsv", &numbers_}, {"checks.tsv", &checks_}, {"places.tsv", &places_}};
     for (const auto& table : tables_) files.emplace_back(table.file(), &table.text());
-
-    const std::vector<fs::path> made = make_folder(target);
-    std::error_code error;
-    fs::path staging;
     try {
-        staging = make_staging(target);
         for (const auto& [name, text] : files) {
-            if (fs::is_directory(target / name, error))
-                throw std::runtime_error((target / name).string() + ": must be a file, not a folder");
             std::ofstream file(staging / name, std::ios::binary);
             file << *text;
             file.close();
             if (!file) throw std::runtime_error((target / name).string() + ": cannot be written (is the disk full?)");
         }
         for (const auto& [name, text] : files) fs::rename(staging / name, target / name);
-        fs::remove(staging);
     } catch (...) {
-        if (!staging.empty()) fs::remove_all(staging, error);
-        for (const auto& path : made) fs::remove(path, error);
+        fs::remove_all(staging, error);
         throw;
     }
-}
-
-// Refuses, as save() would, a folder that cannot be made or written to: tries it in the innermost
-// one that is there, with a name that no other run has, and leaves all as it was.
-void try_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::path there = folder;
-    while (!there.empty() && !fs::exists(there, error)) there = there.parent_path();
-    try {
-        fs::remove(make_staging(there.empty() ? "." : there));
-    } catch (const std::runtime_error&) {
-        if (there == folder) throw;
-        throw std::runtime_error(folder.string() + ": the folder cannot be made");
-    }
+    fs::remove(staging, error);
 }
 
 }  // namespace lab

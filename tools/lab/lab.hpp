@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// What every chapter's program needs besides physics: options to play with, data for the figures,
-/// numbers for the page, and manners towards bad input. Standard C++ only.
+/// What a study hands to a page: data for the figures, numbers, and checks; and its options. Standard C++ only.
 
 #include <deque>
 #include <functional>
@@ -17,13 +16,10 @@ std::string id(const std::string& name);
 
 /// The processor's name, where the system tells it.
 std::string processor();
-/// How much its cache of this level, 1 to 3, holds, in bytes; 0 or less where that is not known.
-double cache_bytes(int level);
 /// The compiler that made this program.
 std::string compiler();
 
-/// A line of a source. As the default of an argument it is the caller's. (It does what
-/// std::source_location does, which clang 14 has not got.)
+/// A line of a source. As the default of an argument it is the caller's (clang 14 has no std::source_location).
 struct Place {
     const char* file;
     int line;
@@ -39,7 +35,7 @@ using Cell = std::variant<double, std::string>;
 class Table {
 public:
     Table(std::string file, std::vector<std::string> columns);
-    /// Adds a row; throws `std::logic_error` when it has not one cell a column.
+    /// Adds a row; throws `std::logic_error` when it has not one cell per column.
     void row(std::vector<Cell> cells);
     /// A blank line: gnuplot lifts its pen.
     void gap() { text_ += "\n"; }
@@ -53,10 +49,9 @@ private:
     std::string text_;
 };
 
-/// What a run found: its data files, the numbers that the page names, and the checks that the
-/// page's sentences rest on. All of it stays in memory until the run is over. Of each the run
-/// keeps, in places.tsv, which line wrote it: that of the call, or where a function calls for
-/// others and passes their `from` on, theirs.
+/// What a run found: its data files, the numbers that the page names, and the checks that the page's sentences rest on.
+/// All of it stays in memory until the run is over. places.tsv says which line wrote each: the line of the call, or the
+/// one that a function has been given as `from` and passes on.
 class Findings {
 public:
     /// Prints a heading; `{{run: title}}` on a page quotes what is printed below it.
@@ -73,8 +68,10 @@ public:
     Table& table(const std::string& file, std::vector<std::string> columns, Place from = Place::here());
 
     const std::vector<std::string>& failed() const { return failed_; }
-    /// Writes every file into `folder`, each of them whole. A disk that is full changes nothing
-    /// there. Throws `std::runtime_error`.
+    /// Is a number or a cell a NaN or infinite? The page's own run must have none.
+    bool holds_no_number() const;
+    /// Writes every file into `folder`, each of them whole. A full disk changes no file there. Throws
+    /// `std::runtime_error`.
     void save(const std::string& folder) const;
 
 private:
@@ -104,8 +101,8 @@ extern const Rule any_number, above_zero, zero_or_more;
 ///         return program.run(argc, argv, [&](lab::Findings& out) { … });
 ///     }
 ///
-/// Exit status: 0 all is well; 1 a check failed with the options the page uses; 2 bad input, or the
-/// files could not be written, with one line on standard error and nothing half-written.
+/// Exit status: 0 all is well; 1 a check failed with the page's options; 2 bad input, or the files could not be
+/// written, with one line on standard error and no file half-written.
 class Program {
 public:
     Program(std::string name, std::string summary);

@@ -2,10 +2,6 @@
 
 #include <fstream>
 
-#ifdef __linux__
-#include <unistd.h>
-#endif
-
 #include "lab.hpp"
 
 namespace lab {
@@ -24,15 +20,6 @@ std::string compiler() {
     return "g++ " + std::to_string(__GNUC__);
 #else
     return "an unknown compiler";
-#endif
-}
-
-double cache_bytes([[maybe_unused]] int level) {
-#ifdef _SC_LEVEL3_CACHE_SIZE
-    const int names[] = {_SC_LEVEL1_DCACHE_SIZE, _SC_LEVEL2_CACHE_SIZE, _SC_LEVEL3_CACHE_SIZE};
-    return double(sysconf(names[level - 1]));
-#else
-    return 0;
 #endif
 }
 

@@ -12,8 +12,6 @@
 
 namespace lab {
 
-void try_folder(const std::filesystem::path& folder);  // findings.cpp
-
 const Rule any_number{[](double) { return true; }, "a finite number"};
 const Rule above_zero{[](double v) { return v > 0; }, "finite and greater than zero"};
 const Rule zero_or_more{[](double v) { return v >= 0; }, "finite and zero or more"};
@@ -121,7 +119,6 @@ int Program::run(int argc, char** argv, const std::function<void(Findings&)>& bo
     try {
         Findings findings;
         if (parse(argc, argv)) {
-            if (!folder_.empty()) try_folder(folder_);  // before anything is computed
             body(findings);
         } else {
             print_help();
@@ -129,22 +126,13 @@ int Program::run(int argc, char** argv, const std::function<void(Findings&)>& bo
         // A full disk shows when the buffer is written out.
         if (std::fflush(stdout) != 0 || std::ferror(stdout))
             throw std::runtime_error("standard output: cannot be written");
+        // Other options are there to be played with: what no longer holds then is no error.
+        if (!changed_ && findings.holds_no_number()) throw std::logic_error("a NaN or an infinity was written");
         const bool failed = !findings.failed().empty() && !changed_;
         if (!failed && !folder_.empty()) findings.save(folder_);
-        for (std::size_t i = 0; i < findings.failed().size(); ++i) {
-            const char* statement = findings.failed()[i].c_str();
-            if (!changed_) {
-                std::fprintf(stderr, "%s: does not hold: %s\n", name_.c_str(), statement);
-                continue;
-            }
-            // Other options are there to be played with: what no longer holds is told, as no error.
-            if (i == 0)
-                std::fprintf(stderr,
-                             "%s: with these options the following, true with the page's options, "
-                             "does not hold:\n",
-                             name_.c_str());
-            std::fprintf(stderr, "  %s\n", statement);
-        }
+        for (const auto& statement : findings.failed())
+            std::fprintf(stderr, "%s: does not hold%s: %s\n", name_.c_str(), changed_ ? " with these options" : "",
+                         statement.c_str());
         return failed ? 1 : 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s: %s\n", name_.c_str(), one_line(error.what()).c_str());

@@ -10,6 +10,10 @@
 #include <thread>
 #include <vector>
 
+#ifdef __linux__
+#include <unistd.h>
+#endif
+
 #include <timestep/gyroscopic/cayley_gyroscopic.hpp>
 #include <timestep/gyroscopic/half_step_jacobian.hpp>
 #include <timestep/gyroscopic/passive_gyroscopic.hpp>
@@ -109,12 +113,22 @@ std::string error_in_a_pack(const Turn& turn, const Body& inertia) {
     return text;
 }
 
+// How many bytes the cache of this level, 1 to 3, holds; 0 or less where that is not known.
+double cache_bytes([[maybe_unused]] int level) {
+#ifdef _SC_LEVEL3_CACHE_SIZE
+    const int names[] = {_SC_LEVEL1_DCACHE_SIZE, _SC_LEVEL2_CACHE_SIZE, _SC_LEVEL3_CACHE_SIZE};
+    return double(sysconf(names[level - 1]));
+#else
+    return 0;
+#endif
+}
+
 // The caches, and how many springs and bodies each of them holds.
 void caches(double spring_bytes, double body_bytes, lab::Findings& out) {
     auto& table = out.table("many_caches.tsv", {"name", "springs", "bodies"});
     const char* const names[] = {"level-1 cache", "level-2", "level-3"};
     for (int level = 1; level <= 3; ++level)
-        if (const double bytes = lab::cache_bytes(level); bytes > 0)
+        if (const double bytes = cache_bytes(level); bytes > 0)
             table.row({std::string(names[level - 1]), bytes / spring_bytes, bytes / body_bytes});
     table.row({std::string(" "), 1.0, 1.0});  // where nothing is known: left of the picture
 }
