@@ -32,29 +32,13 @@ if(NOT words MATCHES "gnuplot is gone; looking for another" OR NOT found STREQUA
   message(FATAL_ERROR "What was gone was not looked for again: ${found}\n${words}")
 endif()
 
-# Nor is what modules of WebAssembly are made with found by find_program alone: here one file more, which goes.
-load_cache("${WORK}/build" READ_WITH_PREFIX was_ TIMESTEP_WASM)
-if(was_TIMESTEP_WASM)
-  file(TOUCH "${WORK}/libc.a")
-  file(WRITE "${WORK}/more.cmake" "set(TIMESTEP_WASM \"${was_TIMESTEP_WASM};${WORK}/libc.a\" CACHE INTERNAL \"\")\n")
-  run("configuring" "${CMAKE_COMMAND}" -C "${WORK}/more.cmake" "${WORK}/build")
-  file(REMOVE "${WORK}/libc.a")
-  run("a build without a library" "${CMAKE_COMMAND}" --build "${WORK}/build" --target ${nothing})
-  load_cache("${WORK}/build" READ_WITH_PREFIX is_ TIMESTEP_WASM)
-  if(NOT words MATCHES "libc.a is gone; looking for another" OR NOT is_TIMESTEP_WASM STREQUAL was_TIMESTEP_WASM)
-    message(FATAL_ERROR "A library that was gone was not looked for again: ${is_TIMESTEP_WASM}\n${words}")
-  endif()
-endif()
-
 # What has to be there is named with its package.
 foreach(needed "CLI11;libcli11-dev" "nlohmann_json;nlohmann-json3-dev")
   list(GET needed 0 package)
   list(GET needed 1 debian)
-  execute_process(COMMAND "${CMAKE_COMMAND}" -B "${WORK}/build" -S "${ROOT}" -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON
-    RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE words)
+  execute_process(COMMAND "${CMAKE_COMMAND}" -B "${WORK}/build" -S "${ROOT}" -UCMAKE_DISABLE_FIND_PACKAGE_*
+    -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON     RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE words)
   if(status EQUAL 0 OR NOT words MATCHES "\n  ${package} is not installed \\(Debian's package ${debian}\\)\n")
     message(FATAL_ERROR "without ${package} the configuration exits with ${status}:\n${words}")
   endif()
-  execute_process(COMMAND "${CMAKE_COMMAND}" -B "${WORK}/build" -S "${ROOT}" -UCMAKE_DISABLE_FIND_PACKAGE_${package}
-    OUTPUT_QUIET ERROR_QUIET)
 endforeach()

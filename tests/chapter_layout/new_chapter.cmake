@@ -1,9 +1,11 @@
-# A newcomer adds a chapter and an exercise by the commands in README.md, word for word. What they write is whole: it
-# is configured, built and run, it draws its figure, its tests pass, its page is filled, and the tests of the exercise
-# tell right from wrong. Called as incomplete.cmake is, and with COURSE (the course program on a fixture), GNUPLOT, PAGE
-# (the page tool), CATCH2 or CATCH2_SOURCE.
-include("${CMAKE_CURRENT_LIST_DIR}/fixture.cmake")
+# A newcomer adds a chapter and an exercise by the commands in README.md, word for word, and a chapter with all optional
+# parts. Each is whole: it is configured, built and run, its tests pass, its page is filled, and the tests of the exercise
+# tell right from wrong. Expects ROOT, WORK, COMPILER, GENERATOR, MAKE, EIGEN, COURSE (the course program on a fixture),
+# PAGE (the page tool), and CATCH2 or CATCH2_SOURCE.
+cmake_minimum_required(VERSION 3.25)
 
+set(fixture "${WORK}/course")
+set(build "${WORK}/build")
 function(step what)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${fixture}" RESULT_VARIABLE status
     OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -13,62 +15,41 @@ function(step what)
 endfunction()
 
 # The course with its smallest chapter alone, to be quick.
-set_fixture()
-file(COPY "${ROOT}/docs" "${ROOT}/README.md" "${ROOT}/LICENSE" DESTINATION "${fixture}")
-file(COPY "${ROOT}/chapters/01_derivatives" DESTINATION "${fixture}/chapters")
-file(COPY "${ROOT}/tests/CMakeLists.txt" "${ROOT}/tests/support" DESTINATION "${fixture}/tests")
-file(COPY "${ROOT}/tests/chapters/01_derivatives.cpp" DESTINATION "${fixture}/tests/chapters")
+file(REMOVE_RECURSE "${WORK}")
+foreach(part CMakeLists.txt include tools engines docs README.md LICENSE chapters/CMakeLists.txt chapters/01_derivatives
+    tests/CMakeLists.txt tests/support tests/chapters/01_derivatives.cpp)
+  cmake_path(GET part PARENT_PATH folder)
+  file(COPY "${ROOT}/${part}" DESTINATION "${fixture}/${folder}")
+endforeach()
 file(COPY "${ROOT}/tests/exercises" DESTINATION "${fixture}/tests" FILES_MATCHING PATTERN "*.txt" PATTERN "*.cmake")
-file(WRITE "${fixture}/course" "#!/bin/sh\nexport 'FIXTURE_SOURCE=${fixture}' 'FIXTURE_BUILD=${WORK}/build' \
+file(WRITE "${fixture}/course" "#!/bin/sh\nexport 'FIXTURE_SOURCE=${fixture}' 'FIXTURE_BUILD=${build}' \
 'FIXTURE_CMAKE=${CMAKE_COMMAND}' FIXTURE_CTEST=false\nexec '${COURSE}' \"$@\"\n")
 file(CHMOD "${fixture}/course" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
-
+set(catch2 "-DFETCHCONTENT_SOURCE_DIR_CATCH2=${CATCH2_SOURCE}")
 if(CATCH2)
   set(catch2 "-DCatch2_DIR=${CATCH2}")
-else()
-  set(catch2 "-DFETCHCONTENT_SOURCE_DIR_CATCH2=${CATCH2_SOURCE}")
 endif()
-configure(${catch2} -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DTIMESTEP_STRICT=ON)
-if(NOT status EQUAL 0)
-  message(FATAL_ERROR "configure: ${output}")
-endif()
+step("configure" "${CMAKE_COMMAND}" -G "${GENERATOR}" -S . -B "${build}" "-DCMAKE_CXX_COMPILER=${COMPILER}"
+  "-DCMAKE_MAKE_PROGRAM=${MAKE}" "-DEigen3_DIR=${EIGEN}" -DTIMESTEP_COURSE=OFF ${catch2}
+  -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DTIMESTEP_STRICT=ON)
 
 file(READ "${ROOT}/README.md" readme)
 if(NOT readme MATCHES "## Adding a chapter[^#]*```sh\n([^`]*)```")
   message(FATAL_ERROR "README.md: no commands under \"Adding a chapter\"")
 endif()
 step("the commands in README.md" sh -e -c "${CMAKE_MATCH_1}")
+step("a chapter with all" ./course new chapter all_of_it --all)
+step("the table of README.md" "${CMAKE_COMMAND}" "-DROOT=${fixture}" -DCHECK=ON -P tools/cmake/readme_table.cmake)
 
-set(chapter 02_my_topic)  # here it is the second
-step("build and run" "${CMAKE_COMMAND}" --build "${WORK}/build" --parallel 2
-  --target run_my_topic live_of_${chapter} timestep_tests self_test)
-step("the chapter's tests" "${WORK}/build/tests/timestep_tests" "my_topic: *")
-step("the program by its one line" "${CMAKE_COMMAND}" "-DROOT=${fixture}" -DCHAPTER=${chapter} -DNAME=my_topic
-  "-DCOMPILER=${COMPILER}" "-DWORK=${WORK}/one_line" -P "${ROOT}/tests/programs/one_line.cmake")
-step("the panel" sh "${ROOT}/tests/live/extremes.sh" "${WORK}/build/chapters/live_my_topic")
-file(READ "${fixture}/chapters/${chapter}/live/my_topic.cpp" panel)
-string(REPLACE "// still: steps=20" "// still: steps=7" panel "${panel}")
-file(WRITE "${fixture}/chapters/${chapter}/live/my_topic.cpp" "${panel}")
-step("another still" "${CMAKE_COMMAND}" --build "${WORK}/build" --target live_of_${chapter})
-file(STRINGS "${WORK}/build/chapters/${chapter}/live/my_topic.txt" steps REGEX " steps$")
-if(NOT steps STREQUAL "7 steps")
-  message(FATAL_ERROR "the panel's still is drawn after ${steps}, its line says 7")
-endif()
-step("page" "${PAGE}" --source "${fixture}" --runs "${WORK}/build/chapters" --chapter ${chapter}
-  --figures "${WORK}/figures" --input chapters/${chapter}/chapter.md --output "${WORK}/page.md"
-  --index "${WORK}/index.tsv")
-foreach(result page.md index.tsv build/chapters/${chapter}/run/done build/chapters/${chapter}/run/fall.svg)
-  if(NOT EXISTS "${WORK}/${result}")
-    message(FATAL_ERROR "${result} was not made")
+step("build and run" "${CMAKE_COMMAND}" --build "${build}" --parallel 2
+  --target run_my_topic run_all_of_it live_of_03_all_of_it timestep_tests self_test)
+step("the chapter's tests" "${build}/tests/timestep_tests" "all_of_it: *")
+foreach(chapter 02_my_topic 03_all_of_it)
+  step("page of ${chapter}" "${PAGE}" --source "${fixture}" --runs "${build}/chapters" --chapter ${chapter}
+    --figures "${WORK}/figures" --input chapters/${chapter}/chapter.md --output "${WORK}/${chapter}.md"
+    --index "${WORK}/${chapter}.tsv")
+  if(NOT EXISTS "${build}/chapters/${chapter}/run/fall.svg")
+    message(FATAL_ERROR "${chapter}: no picture")
   endif()
 endforeach()
-file(READ "${WORK}/page.md" page)
-if(NOT page MATCHES "My function")
-  message(FATAL_ERROR "the chapter's page does not show its exercise")
-endif()
-
-step("the tests of the exercise's tests" "${WORK}/build/exercises/self_test" my_function 200)
-foreach(script files handed_out)
-  step("${script}" "${CMAKE_COMMAND}" "-DROOT=${fixture}" "-DGENERATED=${WORK}/build/exercises/generated"
-    -P "${ROOT}/tests/exercises/${script}.cmake")
-endforeach()
+step("the tests of the exercise's tests" "${build}/exercises/self_test" my_function 200)

@@ -30,47 +30,50 @@ policy) case \$2 in
 madison) echo ' catch2 | 2.13.10-1 | http://mirror.example/debian bookworm/main amd64 Packages' ;;
 esac"
     echo 3.7.1-1 >catch2_version
-    offer_tool g++ g++
-    offer_tool ninja-build ninja
-    offer_tool gnuplot-nox gnuplot
-    offer_tool doxygen doxygen
-    offer_tool valgrind valgrind
-    offer_tool bubblewrap bwrap
-    offer_tool clang clang++
+    while read -r package what; do
+        case $what in
+        */*) echo "mkdir -p '$folder/usr/${what%/*}'; : >'$folder/usr/$what'" ;;
+        *) echo ": >'$folder/bin/$what'; chmod +x '$folder/bin/$what'" ;;
+        esac >"apt/$package"
+    done <<'END'
+g++ g++
+ninja-build ninja
+gnuplot-nox gnuplot
+doxygen doxygen
+valgrind valgrind
+bubblewrap bwrap
+clang clang++
+chromium chromium
+chromium-driver chromedriver
+poppler-utils pdftotext
+libeigen3-dev include/eigen3/Eigen/Core
+catch2 include/catch2/catch_all.hpp
+doxygen-awesome-css share/doxygen-awesome-css/doxygen-awesome.css
+libjs-katex share/javascript/katex/katex.min.js
+libjs-lunr share/javascript/lunr/lunr.min.js
+libcli11-dev include/CLI/CLI.hpp
+nlohmann-json3-dev include/nlohmann/json.hpp
+python3-selenium lib/python3/dist-packages/selenium/__init__.py
+libboost-dev include/boost/numeric/odeint.hpp
+libgsl-dev include/gsl/gsl_odeiv2.h
+libsundials-dev include/arkode/arkode_erkstep.h
+libbullet-dev include/bullet/BulletDynamics/Dynamics/btRigidBody.h
+libode-dev include/ode/ode.h
+libc++-dev lib/llvm-14/include/c++/v1
+libc++abi-dev lib/llvm-14/include/c++/v1
+nodejs node
+g++-aarch64-linux-gnu aarch64-linux-gnu-g++
+qemu-user qemu-aarch64
+g++-i686-linux-gnu i686-linux-gnu-g++
+g++-mingw-w64-x86-64-posix x86_64-w64-mingw32-g++-posix
+wine wine
+libc++-dev-wasm32 lib/llvm-14/include/wasm32-wasi/c++/v1
+END
     echo "printf '#!/bin/sh\necho $folder/usr/clang\n' >'$folder/bin/clang++'
-mkdir -p '$folder/usr/clang/lib/linux'; : >'$folder/usr/clang/lib/linux/libclang_rt.asan-x86_64.a'" \
-        >apt/libclang-rt-dev
-    offer_tool chromium chromium
-    offer_tool chromium-driver chromedriver
-    offer_tool poppler-utils pdftotext
-    offer_file libeigen3-dev include/eigen3/Eigen/Core
-    offer_file catch2 include/catch2/catch_all.hpp
-    offer_file doxygen-awesome-css share/doxygen-awesome-css/doxygen-awesome.css
-    offer_file libjs-katex share/javascript/katex/katex.min.js
-    offer_file libjs-lunr share/javascript/lunr/lunr.min.js
-    offer_file libcli11-dev include/CLI/CLI.hpp
-    offer_file nlohmann-json3-dev include/nlohmann/json.hpp
-    offer_file python3-selenium lib/python3/dist-packages/selenium/__init__.py
-    offer_file libboost-dev include/boost/numeric/odeint.hpp
-    offer_file libgsl-dev include/gsl/gsl_odeiv2.h
-    offer_file libsundials-dev include/arkode/arkode_erkstep.h
-    offer_file libbullet-dev include/bullet/BulletDynamics/Dynamics/btRigidBody.h
-    offer_file libode-dev include/ode/ode.h
-    offer_file libc++-dev lib/llvm-14/include/c++/v1
-    offer_file libc++abi-dev lib/llvm-14/include/c++/v1
-    offer_tool nodejs node
-    offer_tool g++-aarch64-linux-gnu aarch64-linux-gnu-g++
-    offer_tool qemu-user qemu-aarch64
-    offer_tool g++-i686-linux-gnu i686-linux-gnu-g++
-    offer_tool g++-mingw-w64-x86-64-posix x86_64-w64-mingw32-g++-posix
-    offer_tool wine wine
-    offer_file libc++-dev-wasm32 lib/llvm-14/include/wasm32-wasi/c++/v1
+mkdir -p '$folder/usr/clang/lib/linux'; : >'$folder/usr/clang/lib/linux/libclang_rt.asan-x86_64.a'" >apt/libclang-rt-dev
     echo "cp '$folder/cmake_3.25.1' '$folder/bin/cmake'" >apt/cmake
     make_cmake 3.25.1
 }
-
-offer_tool() { echo ": >'$folder/bin/$2'; chmod +x '$folder/bin/$2'" >"apt/$1"; }
-offer_file() { echo "mkdir -p '$folder/usr/${2%/*}'; : >'$folder/usr/$2'" >"apt/$1"; }
 
 # have PACKAGE…: it is there from the beginning.
 have() { for package; do sh "$folder/apt/$package"; done; }
@@ -91,7 +94,7 @@ case \$1 in
     echo 'build course' >"\$4/build.ninja" ;;
 --build) [ ! -e '$folder/build_fails' ] || { echo 'error: no'; exit 1; }
     mkdir -p "\$2/tools/course"
-    printf '#!/bin/sh\necho "handed over: \$*"\necho "\$COURSE_BUILT" >$folder/built\nexit 7\n' >"\$2/tools/course/course"
+    printf '#!/bin/sh\necho "handed over: \$*"\nexit 7\n' >"\$2/tools/course/course"
     chmod +x "\$2/tools/course/course" ;;
 esac
 END

@@ -32,7 +32,7 @@ END
 
 test_a_number_leads_to_its_line() {
     new_run
-    for name in 03/hard 3/hard swing/hard 03_swing/hard hard '{{hard}}' hard.value; do
+    for name in 3/hard swing/hard hard '{{hard}}' hard.value; do
         expect 0 course where "$name"
         is "$(cat out)" 'chapters/03_swing/study/swing.cpp:3
   03_swing/hard = not measured here: instructions
@@ -82,17 +82,17 @@ test_a_source_that_has_changed_since_is_told() {
 
 test_an_unknown_name_is_one_line_with_near_ones() {
     new_run
-    for name in 3/maen maen '{{maen}}'; do
-        expect 2 course where "$name"
-        is "$(cat err)" "course: '$name': no run has a number, check, data file or figure of that name; \
-near to it: 03_swing/mean"
+    for other in 01_fall instructions programs; do
+        mkdir -p build/chapters/$other/run
+        : >build/chapters/$other/run/done
     done
+    expect 2 course where maen
+    is "$(cat err)" "course: 'maen': no run has a number, check, data file or figure of that name; near to it: 03_swing/mean"
     expect 2 course where 3/swing
     says err 'near to it: 03_swing/swing.svg, 03_swing/swing.tsv'
-    for name in '' / 3/ 7/mean 3/nothing_like_it ../mean; do
+    for name in '' 3/ 7/mean 3/nothing_like_it; do
         expect 2 course where "$name"
         is "$(lines err)" 1
-        is "$(lines out)" 0
         silent_on err near
     done
 }
@@ -100,21 +100,8 @@ near to it: 03_swing/mean"
 test_without_a_run_the_command_that_makes_it_is_told() {
     new_run
     rm $run/done
-    for name in 3/mean mean 3/hard swing.svg swing.tsv motion.dat; do
-        expect 3 course where $name
-        is "$(cat err)" 'course: the run of 03_swing has not been made here: ./course tour makes it'
-    done
-    # What nothing speaks of, no run would have.
-    for name in x 3/x 1/mean; do
-        expect 2 course where $name
-        is "$(cat err)" "course: '$name': no run has a number, check, data file or figure of that name"
-    done
-    : >build/chapters/01_fall/run/done
-    expect 3 course where mean  # where other runs have been made, too
-    : >$run/done
-    rm "$run/places.tsv"  # left by an earlier version of the course
-    expect 2 course where 3/mean
-    is "$(lines err)" 1
+    expect 3 course where 3/mean
+    is "$(cat err)" "course: '3/mean': no run that was made here has that name; ./course tour makes those of 03_swing"
 }
 
 ctest=$6

@@ -1,17 +1,17 @@
-# Are the figures in `folder` exactly those that about.json names, or the program's picture where its `study` was
-# not asked for, and is each of them whole? Sets `problem` to a sentence, or to nothing.
-function(check_figures folder about study problem)
+# Are the figures in `folder` exactly those that about.json names (`all`), or the program's picture alone, and is each of
+# them whole? Sets `problem` to a sentence, or to nothing.
+function(check_figures folder about all problem)
   set(${problem} "" PARENT_SCOPE)
   file(READ "${about}" json)
-  string(JSON count LENGTH "${json}" figures)
-  set(named "")
-  math(EXPR last "${count} - 1")
-  foreach(i RANGE ${last})
-    string(JSON figure GET "${json}" figures ${i})
-    list(APPEND named "${figure}")
-  endforeach()
-  if(NOT study)
-    string(JSON named GET "${json}" picture)
+  string(JSON named GET "${json}" picture)
+  string(JSON count ERROR_VARIABLE none LENGTH "${json}" figures)
+  if(all AND count GREATER 0)
+    set(named "")
+    math(EXPR last "${count} - 1")
+    foreach(i RANGE ${last})
+      string(JSON figure GET "${json}" figures ${i})
+      list(APPEND named "${figure}")
+    endforeach()
   endif()
   file(GLOB drawn RELATIVE "${folder}" "${folder}/*.svg" "${folder}/*.gif")
 

@@ -52,9 +52,9 @@ function(timestep_check_learners told)
     if(NOT TIMESTEP_KIT)
       add_dependencies(ready_${name} worker_${name})
     endif()
-    if(course)  # COURSE_BUILT: what it need not build
+    if(course)  # which need not build anything
       add_custom_target(check_${name}
-        COMMAND "${CMAKE_COMMAND}" -E env COURSE_BUILT=ready_${name} "${course}" check ${name}
+        COMMAND "${CMAKE_COMMAND}" -E env COURSE_IS_BUILT=ON "${course}" check ${name}
         WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}" USES_TERMINAL VERBATIM)
       add_dependencies(check_${name} ready_${name})
       if(NOT TIMESTEP_KIT)

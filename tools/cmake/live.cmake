@@ -58,7 +58,6 @@ function(timestep_live chapter needs)
       list(APPEND includes -isystem "$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>")
     endif()
     target_link_libraries(${native} PRIVATE ${library} timestep_warnings)
-    timestep_compiles_what_changed(${native})
     # The same bits as in the page: no sum in another order, and nothing contracted.
     set(same_bits -DEIGEN_DONT_VECTORIZE)
     if(NOT MSVC)

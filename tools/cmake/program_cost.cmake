@@ -35,7 +35,7 @@ set(table "chapter\tits study needs Eigen\tits program does\tbinary (KB)\tlines 
 foreach(chapter program IN ZIP_LISTS CHAPTERS PROGRAMS)
   string(REGEX REPLACE "^[0-9]+_" "" name "${chapter}")
   file(READ "${ROOT}/chapters/${chapter}/about.json" about)
-  string(JSON needs GET "${about}" needs)
+  string(JSON needs ERROR_VARIABLE none GET "${about}" needs)
   set(eigen "no")
   if(needs MATCHES "eigen")
     set(eigen "yes")

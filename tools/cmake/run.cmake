@@ -1,4 +1,4 @@
-# Runs one chapter: its program, its study if asked for, then gnuplot on what they left. Called as
+# Runs one chapter: its program, its study if there is one and it is asked for, then gnuplot on what they left. Called as
 #   cmake -DPROGRAM=… [-DSTUDY=…] -DOUT=… -DROOM=chapters/NN_name -DSTYLE=style.gp -DGNUPLOT=…
 #         [-DQUIET=ON] [-DARGUMENTS=--omega;2] [-DCOMPLAINT=file]
 #         [-DMISUSES=chapters/…/x.cpp;… -DROOT=… -DCOMPILER=c++] -P run.cmake
@@ -117,7 +117,11 @@ if(STUDY)
   file(WRITE "${work}/run.txt" "${printed}")
   draw("${ROOM}/study/figures.gp")
 endif()
-check_figures("${work}" "${ROOM}/about.json" "${STUDY}" problem)
+set(all ON)
+if(NOT STUDY AND EXISTS "${ROOM}/study")  # it was not asked for
+  set(all OFF)
+endif()
+check_figures("${work}" "${ROOM}/about.json" ${all} problem)
 if(problem)
   fail(2 "${problem}")
 endif()

@@ -7,16 +7,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <optional>
-#include <sstream>
 #include <thread>
 
 #include <unistd.h>
 
 #include "exercises.hpp"
 #include "files.hpp"
-#include "grades.hpp"
 #include "process.hpp"
 #include "paths.hpp"
 #include "stop.hpp"
@@ -118,33 +115,22 @@ void configure_kit(ProgressLine& progress) {
     throw Stop(Status::missing, unfit.empty() ? "CMake could not configure the build" : unfit);
 }
 
-// What says that an exercise was found ready, at the time when it was written; by this course and this
-// CMake, for the tests' fixtures build in the same folder.
-fs::path ready_mark(const Exercise& exercise) {
-    return paths().build / "exercises/found_ready" /
-           (exercise.name + "_" + mark_of(paths().source.string() + "\n" + paths().cmake));
-}
+// Its time is when the exercise was last found ready.
+fs::path ready_mark(const Exercise& exercise) { return paths().build / "exercises/found_ready" / exercise.name; }
 
-// Is everything there that CMake writes for the exercise when it configures?
-bool is_configured(const Exercise& exercise) {
-    const fs::path hidden = exercise.declared().parent_path() / (exercise.name + "_hidden.cpp");
-    return fs::exists(exercise.declared()) && fs::exists(exercise.stub()) && (is_kit() || fs::exists(hidden)) &&
-           commands_are_whole(exercise);
-}
-
-// Is everything there that the build has made for a check of the exercise?
+// Is everything there that CMake and the build have made for a check of the exercise?
 bool all_there(const Exercise& exercise) {
-    if (!is_configured(exercise)) return false;
+    if (!fs::exists(exercise.declared()) || !fs::exists(exercise.stub()) || !commands_are_whole(exercise)) return false;
     const auto parts = parts_of_check(exercise);
     return std::all_of(parts.begin(), parts.end(),
                        [](const fs::path& part) { return fs::exists(part) && !fs::is_empty(part); });
 }
 
-// Has nothing been touched that a check of the exercise is made of, since it was found ready?
+// Has nothing that a check of the exercise is made of been touched since it was found ready? A check then needs no
+// build, not even one that finds nothing to do, and works while a tour builds.
 bool is_ready(const Exercise& exercise) {
     const auto since = written_at(ready_mark(exercise));
-    const auto now = std::chrono::system_clock::now().time_since_epoch();
-    if (!since || *since > std::chrono::duration<double>(now).count()) return false;  // a clock set back
+    if (!since) return false;
     const fs::path &source = paths().source, &build = paths().build;
     const std::string room = exercise.chapter + "/" + exercise.name;
     std::vector<fs::path> parts{source / "CMakeLists.txt", source / "include",         source / "tools/cmake",
@@ -154,7 +140,7 @@ bool is_ready(const Exercise& exercise) {
     else
         parts.insert(parts.end(), {source / "tests/CMakeLists.txt", source / "tests/exercises/CMakeLists.txt",
                                    source / "tests/exercises" / room, source / "solutions" / (room + ".cpp")});
-    if (fs::exists(packages)) parts.push_back(packages);  // a compiler may be a new one
+    if (fs::exists(packages)) parts.push_back(packages);  // the compiler may be a new one
     return std::none_of(parts.begin(), parts.end(),
                         [&](const fs::path& part) { return touched_since(part, *since); }) &&
            all_there(exercise);
@@ -175,13 +161,6 @@ private:
     std::string what_;
     std::chrono::steady_clock::time_point end_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
 };
-
-// Has the front door, or the build that asks, just built this target?
-bool is_built(const std::string& target) {
-    const char* const built = std::getenv("COURSE_BUILT");
-    std::istringstream targets(built == nullptr ? "" : built);
-    return std::find(std::istream_iterator<std::string>(targets), {}, target) != std::istream_iterator<std::string>();
-}
 
 // CMake's first error. Its words are broken into lines, indented by two, and end with an empty one or with where
 // it was.
@@ -207,11 +186,7 @@ private:
     std::string text_;
 };
 
-fs::path place_of_lock() {
-    const auto lock = paths().build / "course.lock";
-    if (Lock::is_held(lock)) std::fprintf(stderr, "Another ./course is building here; this goes on when it has done\n");
-    return lock;
-}
+const char* const other_builds = "Another ./course is building here; this goes on when it has done";
 
 }  // namespace
 
@@ -222,19 +197,7 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress, cons
     std::optional<Lock> one_at_a_time;
     const char* const builder = std::getenv("TIMESTEP_BUILDS_IN");
     if (builder == nullptr || builder != paths().build.string()) {
-        const fs::path lock = paths().build / "course.lock";
-        const std::string words = "Another ./course is building here; this goes on when it makes a pause";
-        for (int looks = 0; Lock::is_held(lock); ++looks) {
-            stop_if_interrupted();
-            if (looks == 0) {
-                progress.say(words);
-                progress.now("waiting for another ./course");
-            }
-            usleep(20'000);
-            if (looks % 50 == 49) progress.tick();
-        }
-        progress.clear();
-        one_at_a_time.emplace(lock, words);  // a third may have been faster
+        one_at_a_time.emplace(paths().build / "course.lock", other_builds);
         setenv("TIMESTEP_BUILDS_IN", paths().build.c_str(), 1);
     }
     if (is_kit()) configure_kit(progress);
@@ -275,39 +238,19 @@ void build(const std::vector<std::string>& targets, ProgressLine& progress, cons
 }
 
 void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) {
+    if (std::getenv("COURSE_IS_BUILT") != nullptr) return;  // by the build that runs this check
     std::vector<std::string> targets;
     std::vector<fs::path> marks;
-    std::error_code ignored;
     for (const auto& exercise : exercises) {
         if (is_ready(exercise)) continue;
-        const std::string target = "ready_" + exercise.name;
-        if (is_built(target) && all_there(exercise)) {
-            // The front door's mark is as old as its build.
-            const auto begin = fs::last_write_time(paths().build / "up_to_date", ignored);
-            if (!ignored) mark_ready({ready_mark(exercise)}, begin);
-            continue;
-        }
-        if (is_configured(exercise))
-            for (const fs::path& part : parts_of_check(exercise))  // an empty one, the build takes for made
-                if (fs::exists(part) && fs::is_empty(part)) fs::remove(part, ignored);
-        targets.push_back(target);
+        targets.push_back("ready_" + exercise.name);
         marks.push_back(ready_mark(exercise));
     }
-    unsetenv("COURSE_BUILT");  // what changes from now on is new
     if (targets.empty()) return;
     const auto begin = fs::file_time_type::clock::now();
     const std::string whose =
         targets.size() == 1 ? targets.front().substr(6) : std::to_string(targets.size()) + " exercises";
-    const std::string what = "Building what a check of " + whose + " needs; at first that takes half a minute";
-    // What CMake writes when it configures, the build does not bring back.
-    if (std::any_of(exercises.begin(), exercises.end(),
-                    [](const auto& exercise) { return !is_configured(exercise); }) &&
-        fs::exists(paths().build / "CMakeCache.txt")) {
-        Late late(progress, what);
-        listen(
-            {paths().cmake, paths().build.string()}, [&](std::string_view) { late.look(); }, [&] { late.look(); });
-    }
-    build(targets, progress, what);
+    build(targets, progress, "Building what a check of " + whose + " needs; at first that takes half a minute");
     mark_ready(marks, begin);
 }
 
@@ -342,22 +285,11 @@ std::string site_address() {
 }
 
 void configure() {
-    const Lock one_at_a_time(place_of_lock());
+    const Lock one_at_a_time(paths().build / "course.lock", other_builds);
     FirstError error;
     Lines lines([&](const std::string& line) { error.hear(line); });
     if (listen({paths().cmake, "-S", paths().source.string(), "-B", paths().build.string()}, std::ref(lines)) != 0)
         throw Stop(Status::bad_use, error.text());
-}
-
-// To list what there is to build, Ninja or Make must have read all of it.
-std::string why_unbuildable() {
-    const Lock one_at_a_time(place_of_lock());
-    std::string why;
-    Lines lines([&](const std::string& line) {
-        if (why.empty() && (line.starts_with("ninja: error: ") || line.find("***") != std::string::npos)) why = line;
-    });
-    if (listen({paths().cmake, "--build", paths().build.string(), "--target", "help"}, std::ref(lines)) == 0) return "";
-    return why.empty() ? "what CMake has written of it cannot be built" : why;
 }
 
 }  // namespace course

@@ -31,7 +31,4 @@ std::string address_of(const std::filesystem::path& page);
 /// Lets CMake read again what there is. Throws Stop(bad_use) with its first error, in one line.
 void configure();
 
-/// Why what CMake has written cannot be built at all, in one line; nothing where it can.
-std::string why_unbuildable();
-
 }  // namespace course

@@ -1,10 +1,10 @@
 #include "chapters.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 #include "read_json.hpp"
 
+#include "files.hpp"
 #include "paths.hpp"
 #include "stop.hpp"
 
@@ -14,27 +14,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_number_sign(char c) { return c >= '0' && c <= '9'; }
 
 // A chapter's folder is two digits, an underscore and the name of its program.
 bool is_chapter(const std::string& folder) {
-    return folder.size() > 3 && is_digit(folder[0]) && is_digit(folder[1]) && folder[2] == '_';
+    return folder.size() > 3 && is_number_sign(folder[0]) && is_number_sign(folder[1]) && folder[2] == '_';
 }
 
 Chapter read_chapter(const fs::path& folder) {
     const fs::path about = folder / "about.json";
     const std::string name = folder.filename().string();
     try {
-        std::ifstream file(about);
-        if (!file) throw Stop(Status::bad_use, about.string() + ": cannot be read");
-        const auto json = read_json(std::string(std::istreambuf_iterator<char>(file), {}));
+        const auto json = read_json(contents(about));
+        const std::string picture = json.at("picture");
         return {name,
                 name.substr(3),
                 json.at("title"),
                 json.at("question"),
-                json.at("picture"),
-                json.at("figures"),
-                json.at("claims")};
+                picture,
+                json.value("figures", std::vector{picture}),
+                json.value("claims", std::vector<std::string>())};
     } catch (const nlohmann::json::exception& error) {
         throw Stop(Status::bad_use, about.string() + ": " + error.what());
     }
@@ -44,6 +43,7 @@ Chapter read_chapter(const fs::path& folder) {
 
 int Chapter::number() const { return std::stoi(folder.substr(0, 2)); }
 fs::path Chapter::sources() const { return paths().source / "chapters" / folder; }
+bool Chapter::has_study() const { return fs::exists(sources() / "study/figures.gp"); }
 fs::path Chapter::run() const { return paths().build / "chapters" / folder / "run"; }
 
 std::vector<Chapter> read_chapters() {

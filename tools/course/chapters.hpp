@@ -20,7 +20,9 @@ struct Chapter {
 
     /// 3
     int number() const;
-    /// The program that measures the rest: `euler_variants_study`.
+    /// Has it a program that measures its page's numbers and checks?
+    bool has_study() const;
+    /// That program: `euler_variants_study`.
     std::string study() const { return program + "_study"; }
     /// Its short program, below the course's folder: `chapters/03_euler_variants/euler_variants.cpp`.
     std::string source() const { return "chapters/" + folder + "/" + program + ".cpp"; }

@@ -1,21 +1,18 @@
 #include "command_line.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "commands.hpp"
+#include "option_errors.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
 
@@ -28,34 +25,12 @@ struct Asked {
     bool yes = false, all = false, study = false, json = false, open = false, pdf = false, sanitize = false;
     bool with_solutions = false, release = false;
     std::string chapter, exercise, kit, name;
-    int rounds = 11;
     std::string seed, file, out;  // empty is a value, too: whether they were given, CLI11 knows
     std::vector<std::string> chapter_options;
     Question question;
     Contest contest;
     Grading grading;
 };
-
-// What is wrong with a word where a double is wanted: CLI11's own optional takes '' for no word, and what no double
-// can hold becomes infinity or zero, which nobody has typed.
-std::string no_double(const std::string& word) {
-    if (word.empty()) return "'' is no number";
-    if (const std::size_t comma = word.find(',');
-        comma != std::string::npos && word.find_first_not_of("0123456789,-+eE") == std::string::npos) {
-        std::string point = word;
-        point[comma] = '.';
-        return sanitized_line(word) + " is not a number; write " + sanitized_line(point);
-    }
-    const double value = std::strtod(word.c_str(), nullptr);
-    const auto shown = [&] { return "'" + sanitized_line(word) + "' is "; };
-    if (std::isinf(value) && word.find_first_of("iI") == std::string::npos)
-        return shown() + "beyond what a double can hold, 1.8e308";
-    const std::string digits = word.substr(0, word.find_first_of("eE"));
-    if (value == 0 && std::isdigit(static_cast<unsigned char>(word.back())) &&
-        digits.find_first_of("123456789") != std::string::npos)
-        return shown() + "nearer to zero than a double can be";
-    return "";
-}
 
 // What `advise` may be told of springs besides.
 template <class Number>
@@ -137,12 +112,6 @@ void declare_bench(CLI::App& app, Asked& asked) {
         ->allow_extra_args(false);
     engines->add_option("--engine", asked.engine, "engines only whose name begins so")->type_name("NAME");
     engines->add_option("--out", asked.out, "leave the numbers (TSV) in this folder")->type_name("DIR");
-    table("front-door", "how long a reader waits, in a copy of the course: ten minutes")
-        ->add_flag("--tests", asked.all, "and how long the tests take: half an hour");
-    table("latency", "from a saved file to its verdict")
-        ->add_option("--rounds", asked.rounds, "checks of each exercise (11)")
-        ->type_name("NUMBER")
-        ->check(CLI::Range(1, 1000));
 }
 
 void declare_grade(CLI::App& app, Asked& asked) {
@@ -167,7 +136,8 @@ void declare_new(CLI::App& app, Asked& asked) {
     const auto make =
         app.add_subcommand("new", "add a chapter or an exercise to the course: a small example, to fill in");
     make->require_subcommand(1);
-    const auto chapter = make->add_subcommand("chapter", "page, program, figures, study and test");
+    const auto chapter = make->add_subcommand("chapter", "page, program and picture");
+    chapter->add_flag("--all", asked.all, "and what is optional: a study, a panel and tests");
     chapter->add_option("NAME", asked.name, "small letters, digits and _")->required();
     const auto exercise = make->add_subcommand("exercise", "task, answer and hidden tests");
     exercise->add_option("CHAPTER", asked.chapter, "number or name, as ./course list shows them")->required();
@@ -235,88 +205,9 @@ void declare(CLI::App& app, Asked& asked) {
     site->add_flag("--pdf", asked.pdf, "print all of it as a book: build/site/timestep.pdf")->excludes(open);
 }
 
-// Where more is said of what was asked for.
-std::string see_help(const CLI::App& app) {
-    std::string command = "./course";
-    for (auto named = app.get_subcommands(); !named.empty(); named = named.front()->get_subcommands())
-        command += " " + named.front()->get_name();
-    return " (" + command + " --help)";
-}
-
-// CLI11's words between these.
-std::string between(const std::string& text, const std::string& before, const std::string& after) {
-    const auto begin = text.find(before);
-    if (begin == std::string::npos) return {};
-    const auto from = begin + before.size();
-    return text.substr(from, text.find(after, from) - from);
-}
-
-// What is wrong with the words given, in words of our own.
-std::string in_our_words(const CLI::ParseError& error, const CLI::App& app) {
-    const std::string said = error.what(), kind = error.get_name(), option = said.substr(0, said.find(':'));
-    const bool extras =
-        error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);  // which names the command
-    auto words = app.remaining(true);
-    if (extras && words.empty()) words.push_back(between(said, " expected: ", "\n"));
-    if ((extras || kind == "RequiredError") && !words.empty()) {
-        std::string command = "./course";
-        const CLI::App* inner = &app;
-        for (auto named = app.get_subcommands(); !named.empty(); named = inner->get_subcommands()) {
-            inner = named.front();
-            command = (command == "./course" ? "" : command + " ") + inner->get_name();
-        }
-        const auto odd =
-            std::find_if(words.begin(), words.end(), [](const auto& word) { return word.starts_with("-"); });
-        return odd != words.end() ? command + " has no option " + sanitized_line(*odd)
-                                  : command + " does not take '" + sanitized_line(words.front()) + "'";
-    }
-    if (said == "A subcommand is required")
-        return app.got_subcommand("new") ? "new takes chapter or exercise" : "a command is required";
-    if (kind == "ArgumentMismatch") {
-        if (said.find(" required ") == std::string::npos) return said;
-        const std::string most = between(said, "At least ", " required");
-        return most.empty() ? option + " needs a value, " + between(said, " required ", " missing")
-                            : option + " needs " + most + " values, with commas between";
-    }
-    if (kind == "ConversionError") {
-        const std::string given = between(said, "Could not convert: ", "\n");
-        for (const char* flag : {"--json", "--yes", "--all", "--quick", "--study", "--open", "--pdf", "--one",
-                                 "--trust", "--again", "--sanitize", "--release", "--tests", "--with-solutions",
-                                 "--contacts", "--callback", "--kicks", "--keep-size"})
-            if (given.starts_with(std::string(flag) + " ")) return std::string(flag) + " takes no value";
-        return given + ": it takes numbers";
-    }
-    if (const std::string value = between(said, ": Value ", " not in range "); !value.empty())
-        return option + " " + value + ": must be a whole number from " + between(said, " not in range ", "\n");
-    if (kind == "ExcludesError")
-        return option.substr(0, option.find(' ')) + " and " + between(said, " excludes ", "\n") + " do not go together";
-    return said;
-}
-
 // The word after an option; CLI11's own optional takes '' for no word.
 std::optional<std::string> given(const CLI::App& app, const char* option, const std::string& word) {
     return app.get_option(option)->count() > 0 ? std::optional(word) : std::nullopt;
-}
-
-// What to type instead of `./course run 3 --omega 20`; nothing when it is something else.
-std::string forgotten_dashes(const CLI::App& app, const Asked& asked) {
-    const std::vector<std::string> words = app.remaining(true);
-    if (asked.chapter.empty() || words.empty() || !words.front().starts_with("--")) return {};
-    std::string line = "./course run " + asked.chapter + " --study --";
-    for (const auto& word : words) line += " " + word;
-    return "run has no option " + words.front() + "; those of the chapter's study go after --: " + line;
-}
-
-// What to type instead of `./course bench lops`; nothing when it is something else.
-std::string unknown_bench(CLI::App& app) {
-    const std::vector<std::string> words = app.remaining(true);
-    if (words.empty() || words.front().starts_with("-")) return {};
-    std::string known;
-    for (const auto command : app.get_subcommand("bench")->get_subcommands({}))
-        known += (known.empty() ? "" : ", ") + command->get_name();
-    if (!app.get_subcommand("bench")->get_subcommands().empty())
-        return "'" + words.front() + "': bench takes one word at a time";
-    return "bench has no '" + words.front() + "'; there are " + known + ", and bench alone";
 }
 
 std::optional<std::uint64_t> seed_from(const std::optional<std::string>& given) {
@@ -373,8 +264,6 @@ void bench_or_table(const CLI::App& bench, Asked& asked) {
         asked.contest.out = given(*others.front(), "--out", asked.out);
         bench_engines(asked.contest, given(*others.front(), "--engine", asked.engine));
     }
-    if (name == "latency") bench_latency(asked.rounds);
-    if (name == "front-door") bench_front_door(asked.all);
 }
 
 }  // namespace
@@ -392,8 +281,7 @@ Status obey(int argc, char** argv) {
         app.parse(static_cast<int>(end - argv), argv);
     } catch (const CLI::ExtrasError& error) {
         std::string hint;
-        if (app.got_subcommand("run")) hint = forgotten_dashes(app, asked);
-        if (app.got_subcommand("bench")) hint = unknown_bench(app);
+        if (app.got_subcommand("run")) hint = forgotten_dashes(app, asked.chapter);
         throw Stop(Status::bad_use, hint.empty() ? in_our_words(error, app) + see_help(app) : hint);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {  // --help
@@ -425,7 +313,7 @@ Status obey(int argc, char** argv) {
     if (app.got_subcommand("solution")) solution(asked.exercise);
     if (app.got_subcommand("reset")) reset(asked.exercise, asked.all);
     if (const auto command = app.get_subcommand("new"); *command) {
-        if (command->got_subcommand("chapter")) new_chapter(asked.name);
+        if (command->got_subcommand("chapter")) new_chapter(asked.name, asked.all);
         if (command->got_subcommand("exercise")) new_exercise(asked.chapter, asked.name);
     }
     if (const auto command = app.get_subcommand("bench"); *command) bench_or_table(*command, asked);

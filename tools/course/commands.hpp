@@ -65,9 +65,9 @@ void solution(const std::string& exercise);
 /// Makes the learner's file, or `all` of them, what it was at the beginning; the answer is kept.
 void reset(const std::string& exercise, bool all);
 
-/// Adds a chapter, or an exercise to a chapter, that builds and passes: an example, to be filled in. Where it
-/// cannot, nothing is made.
-void new_chapter(const std::string& name);
+/// Adds a chapter, or an exercise to a chapter: an example that builds, to be filled in. With `all` the chapter also
+/// has a study, a panel and tests. Makes nothing if it cannot make all of it.
+void new_chapter(const std::string& name, bool all);
 void new_exercise(const std::string& chapter, const std::string& name);
 
 /// What is asked of `bench`: which scenes, how hard to try, where the results go.
@@ -91,13 +91,6 @@ void bench_many();
 
 /// Gyroscopic rules inside physics engines; of those only whose name begins with `engine`.
 void bench_engines(const Contest& contest, const std::optional<std::string>& engine);
-
-/// How long it takes from a saved file to its verdict.
-void bench_latency(int rounds);
-
-/// How long a reader waits, from a clone to the site and from a change to the verdict, measured in a
-/// copy of the course; with the tests, it takes half an hour.
-void bench_front_door(bool with_tests);
 
 /// What is asked of `advise`: a spring or a spinning body, and a step. What was not given is empty.
 struct Question {

@@ -4,12 +4,15 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <random>
 
 #include <unistd.h>
 #ifndef _WIN32
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+
+#include "process.hpp"
 #endif
 
 #include "stop.hpp"
@@ -55,6 +58,17 @@ void write_whole(const fs::path& file, const std::string& text) {
     throw Stop(Status::bad_use, file.string() + ": cannot be written");
 }
 
+UnfinishedFolder::UnfinishedFolder(const fs::path& parent) {
+    std::random_device random;
+    do path_ = parent / (".unfinished_" + std::to_string(random()));
+    while (!fs::create_directory(path_));
+}
+
+UnfinishedFolder::~UnfinishedFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
 std::string shown(const fs::path& file) {
     std::error_code ignored;
     const std::string whole = file.string();
@@ -91,14 +105,12 @@ std::optional<double> written_at(const fs::path& file) {
 Lock::Lock(const fs::path& file, const std::string& waiting)
     : file_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
     if (file_ < 0) throw Stop(Status::bad_use, file.string() + ": cannot be written (" + std::strerror(errno) + ")");
-    const auto is_others = [&] { return flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; };
-    int looks = 0;
-    while (!waiting.empty() && looks < 50 && is_others()) {
+    for (int looks = 0; flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++looks) {
+        if (looks == 50 && !waiting.empty()) std::fprintf(stderr, "%s\n", waiting.c_str());
         usleep(20'000);
-        ++looks;
-    }
-    if (looks == 50) std::fprintf(stderr, "%s\n", waiting.c_str());
-    while (flock(file_, LOCK_EX) != 0 && errno == EINTR) {
+        if (!interrupted()) continue;
+        close(file_);
+        stop_if_interrupted();
     }
 }
 

@@ -26,6 +26,21 @@ bool touched_since(const std::filesystem::path& place, double since);
 /// When this file was last written, in seconds; nothing where it is not there.
 std::optional<double> written_at(const std::filesystem::path& file);
 
+/// A folder of a new name in `parent`, for what is not whole yet. It goes, with all that is in it, unless it is moved.
+class UnfinishedFolder {
+public:
+    /// Throws std::filesystem::filesystem_error.
+    explicit UnfinishedFolder(const std::filesystem::path& parent);
+    ~UnfinishedFolder();
+    UnfinishedFolder(const UnfinishedFolder&) = delete;
+    UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
 /// While it lives, nobody else has a lock on this file, which is made where there is none. Who waits for it for a
 /// second is told `waiting`. Throws Stop(bad_use) where it cannot be opened.
 class Lock {

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_gap(char c) { return c == ' ' || c == '\t'; }
 
 // A name as it is, which make's lists quote: a backslash before a blank or a tab, and the
 // backslashes before it twice; before # one backslash; $ twice.
@@ -22,7 +22,7 @@ std::string unquoted(std::string_view raw) {
         std::size_t slashes = 0;
         while (i < raw.size() && raw[i] == '\\') ++slashes, ++i;
         const char c = i < raw.size() ? raw[i] : '\0';
-        if (is_blank(c))
+        if (is_gap(c))
             slashes /= 2;
         else if (c == '#' && slashes > 0)
             --slashes;
@@ -44,11 +44,11 @@ std::vector<std::string> names_in(std::string_view list) {
     std::size_t begin = 0;
     for (std::size_t i = 0; i <= list.size(); ++i) {
         const char c = i < list.size() ? list[i] : '\n';
-        if (!is_blank(c) && c != '\n') continue;
+        if (!is_gap(c) && c != '\n') continue;
         begins.push_back(begin);
         for (const std::size_t from : begins)
             if (from < i && i - from < longest) names.push_back(unquoted(list.substr(from, i - from)));
-        if (is_blank(c) && (i == 0 || list[i - 1] != '\\')) begins.clear();
+        if (is_gap(c) && (i == 0 || list[i - 1] != '\\')) begins.clear();
         begin = i + 1;
     }
     return names;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <random>
 
 #include "read_json.hpp"
 
@@ -20,8 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// All that is handed out as it stands here: in which folders, and files of which names. What no
-// line names is not handed out.
+// What is handed out unchanged: folders, and how the names of their files end. Nothing else is handed out.
 struct Part {
     const char* folder;
     std::vector<std::string> endings;
@@ -45,37 +43,28 @@ const std::vector<std::string> single_files{".gitignore", "CMakeLists.txt",     
                                             "LICENSE",    "tools/CMakeLists.txt", "tools/set_up.sh",
                                             "course"};
 
-// The folder in the making, beside the one that is wanted; gone unless it comes to that.
-class Unfinished {
+// The kit in the making, beside the folder that is wanted.
+class Kit {
 public:
-    explicit Unfinished(const fs::path& wanted) : wanted_(wanted) {
-        folder_ = wanted.parent_path() / (".unfinished_kit_" + std::to_string(std::random_device{}()));
-        fs::create_directory(folder_);
-    }
-    ~Unfinished() {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
-    Unfinished(const Unfinished&) = delete;
-    Unfinished& operator=(const Unfinished&) = delete;
+    explicit Kit(const fs::path& wanted) : wanted_(wanted), folder_(wanted.parent_path()) {}
 
     /// Where `place` is to be; its folder is made.
     fs::path at(const fs::path& place) const {
         stop_if_interrupted();
-        fs::create_directories((folder_ / place).parent_path());
-        return folder_ / place;
+        fs::create_directories((folder_.path() / place).parent_path());
+        return folder_.path() / place;
     }
     void copy(const fs::path& from, const fs::path& place) const { fs::copy_file(from, at(place)); }
     void write(const fs::path& place, const std::string& text) const { write_whole(at(place), text); }
-    void keep() const { fs::rename(folder_, wanted_); }
+    void keep() const { fs::rename(folder_.path(), wanted_); }
 
 private:
     TidyEnd tidy_end_;  // over when all else is
-    fs::path wanted_, folder_;
+    fs::path wanted_;
+    UnfinishedFolder folder_;
 };
 
-// Every file below `folder`, seen from there. A hidden file is an editor's, and a link leads
-// elsewhere.
+// Every file below `folder`, relative to it, without hidden files (an editor's) and links (which lead elsewhere).
 std::vector<fs::path> files_in(const fs::path& folder) {
     std::vector<fs::path> files;
     for (fs::recursive_directory_iterator entry(folder), end; entry != end; ++entry) {
@@ -109,7 +98,7 @@ void copy_stripped(const fs::path& from, const fs::path& to, const std::string& 
                    to.string() + ": cannot be written (" + outcome.said.substr(0, outcome.said.find('\n')) + ")");
 }
 
-void write_exercises(const Unfinished& kit, bool with_solutions) {
+void write_exercises(const Kit& kit, bool with_solutions) {
     const fs::path built = paths().build / "exercises";
     for (const auto& exercise : read_exercises()) {
         const fs::path room = fs::path(exercise.chapter) / exercise.name;
@@ -129,7 +118,7 @@ void write_exercises(const Unfinished& kit, bool with_solutions) {
     kit.copy(built / "machine.json", "kit/kit.json");
 }
 
-void write_kit(const Unfinished& kit, bool with_solutions) {
+void write_kit(const Kit& kit, bool with_solutions) {
     const fs::path& source = paths().source;
     for (const auto& part : parts)
         for (const fs::path& file : files_in(source / part.folder))
@@ -146,10 +135,7 @@ void write_kit(const Unfinished& kit, bool with_solutions) {
 // The folder that is meant, from the root and without links. Throws where it cannot become a kit.
 fs::path wanted(const std::string& name) {
     const auto refuse = [&](const std::string& why) {
-        std::string shown = sanitized(name);
-        std::replace(shown.begin(), shown.end(), '\n', '?');
-        std::replace(shown.begin(), shown.end(), '\t', '?');
-        throw Stop(Status::bad_use, "kit: '" + shown + "' " + why);
+        throw Stop(Status::bad_use, "kit: '" + sanitized_line(name) + "' " + why);
     };
     if (name.empty()) refuse("is no name of a folder");
     if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 127; }))
@@ -195,7 +181,7 @@ void kit(const std::string& name, bool with_solutions) {
         build({"kit"}, progress);
     }
     try {
-        const Unfinished unfinished(folder);
+        const Kit unfinished(folder);
         write_kit(unfinished, with_solutions);
         unfinished.keep();
     } catch (const fs::filesystem_error& error) {

@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 #include <utility>
 
-#include "read_json.hpp"
+#include <dlfcn.h>
 
+#include "build.hpp"
 #include "chapters.hpp"
 #include "commands.hpp"
-#include "build.hpp"
 #include "exercises.hpp"
-#include "process.hpp"
-#include "new_name.hpp"
 #include "paths.hpp"
+#include "process.hpp"
 #include "stop.hpp"
 #include "terminal.hpp"
 
@@ -24,23 +24,17 @@ namespace {
 
 [[noreturn]] void give_up(const std::string& line) { throw Stop(Status::bad_use, line); }
 
-// What stands in the files of tools/new, and what takes its place.
-using Replacements = std::vector<std::pair<std::string, std::string>>;
-
-// A file that is made from one of tools/new, and what is to be filled in there.
+// A file to be made from a template in tools/new, and what its author is to fill in.
 struct Skeleton {
     std::string sample, place, fill_in;
 };
 
+// What stands in a template, and what takes its place.
+using Replacements = std::vector<std::pair<std::string, std::string>>;
+
 std::string filled(const std::string& sample, const Replacements& words) {
-    const fs::path file = paths().source / "tools/new" / sample;
-    std::string text = contents(file);
+    std::string text = contents(paths().source / "tools/new" / sample);
     for (const auto& [word, by] : words) replace_all(text, word, by);
-    const auto left = text.find("NEW_");
-    if (left != std::string::npos) {
-        const auto end = text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_", left);
-        give_up(shown(file) + ": nothing stands for " + text.substr(left, end - left));
-    }
     return text;
 }
 
@@ -58,45 +52,29 @@ public:
         if (fs::exists(fs::symlink_status(file, error))) give_up(place + " is there already; nothing was made");
         make_folder(file.parent_path());
         write_whole(file, text);
-        undo_.emplace_back(file, std::nullopt);
-    }
-    void change(const std::string& place, const std::string& text) {
-        const fs::path file = paths().source / place;
-        std::string before = contents(file);
-        write_whole(file, text);
-        undo_.emplace_back(file, std::move(before));
+        made_.push_back(file);
     }
     void keep() {
         stop_if_interrupted();
-        undo_.clear();
+        made_.clear();
     }
     void undo() {
-        for (auto step = undo_.rbegin(); step != undo_.rend(); ++step) step->second ? restore(*step) : remove(*step);
-        undo_.clear();
+        std::error_code ignored;  // a folder goes if it is empty
+        for (auto path = made_.rbegin(); path != made_.rend(); ++path) fs::remove(*path, ignored);
+        made_.clear();
     }
 
 private:
-    using Step = std::pair<fs::path, std::optional<std::string>>;  // what to bring back; nothing: was not there
-    static void remove(const Step& step) {
-        std::error_code ignored;
-        fs::remove(step.first, ignored);  // a folder, where it is empty
-    }
-    static void restore(const Step& step) {
-        try {
-            write_whole(step.first, *step.second);
-        } catch (const Stop&) {  // it is not to be written to any more
-        }
-    }
     void make_folder(const fs::path& folder) {
         std::error_code error;
         if (fs::is_directory(folder, error)) return;
         make_folder(folder.parent_path());
         if (!fs::create_directory(folder, error)) give_up(folder.string() + ": cannot be made");
-        undo_.emplace_back(folder, std::nullopt);
+        made_.push_back(folder);
     }
 
     TidyEnd tidy_end_;  // over when all else is
-    std::vector<Step> undo_;
+    std::vector<fs::path> made_;
 };
 
 // velocity_now: Velocity now
@@ -106,57 +84,149 @@ std::string title_from(std::string name) {
     return name;
 }
 
-// README.md with this line at the end of its table of chapters.
-std::string readme_with(const std::string& line) {
-    std::string text = contents(paths().source / "README.md");
-    const auto last = text.rfind("](chapters/");
-    const auto end = last == std::string::npos ? last : text.find('\n', last);
-    if (end == std::string::npos) give_up("README.md has no table of chapters, where the new one belongs");
-    return text.insert(end + 1, line + "\n");
+// A name that a file, a target of CMake and a function of C++ can have. Whether the build has it already, the build
+// says.
+void check_name(const std::string& name) {
+    static const std::set<std::string> words_of_cpp{"alignas",
+                                                    "alignof",
+                                                    "and",
+                                                    "and_eq",
+                                                    "asm",
+                                                    "auto",
+                                                    "bitand",
+                                                    "bitor",
+                                                    "bool",
+                                                    "break",
+                                                    "case",
+                                                    "catch",
+                                                    "char",
+                                                    "class",
+                                                    "co_await",
+                                                    "co_return",
+                                                    "co_yield",
+                                                    "compl",
+                                                    "concept",
+                                                    "const",
+                                                    "const_cast",
+                                                    "consteval",
+                                                    "constexpr",
+                                                    "constinit",
+                                                    "continue",
+                                                    "decltype",
+                                                    "default",
+                                                    "delete",
+                                                    "do",
+                                                    "double",
+                                                    "dynamic_cast",
+                                                    "else",
+                                                    "enum",
+                                                    "explicit",
+                                                    "export",
+                                                    "extern",
+                                                    "false",
+                                                    "float",
+                                                    "for",
+                                                    "friend",
+                                                    "goto",
+                                                    "if",
+                                                    "inline",
+                                                    "int",
+                                                    "long",
+                                                    "main",
+                                                    "mutable",
+                                                    "namespace",
+                                                    "new",
+                                                    "noexcept",
+                                                    "not",
+                                                    "not_eq",
+                                                    "nullptr",
+                                                    "operator",
+                                                    "or",
+                                                    "or_eq",
+                                                    "private",
+                                                    "protected",
+                                                    "public",
+                                                    "register",
+                                                    "reinterpret_cast",
+                                                    "requires",
+                                                    "return",
+                                                    "short",
+                                                    "signed",
+                                                    "sizeof",
+                                                    "static",
+                                                    "static_assert",
+                                                    "static_cast",
+                                                    "std",
+                                                    "struct",
+                                                    "switch",
+                                                    "template",
+                                                    "this",
+                                                    "thread_local",
+                                                    "throw",
+                                                    "timestep",
+                                                    "true",
+                                                    "try",
+                                                    "typedef",
+                                                    "typeid",
+                                                    "typename",
+                                                    "union",
+                                                    "unsigned",
+                                                    "using",
+                                                    "virtual",
+                                                    "void",
+                                                    "volatile",
+                                                    "wchar_t",
+                                                    "while",
+                                                    "xor",
+                                                    "xor_eq"};
+    const auto refuse = [&](const std::string& rule) {
+        give_up("'" + shortened(sanitized_line(name), 60) + "': " + rule);
+    };
+    const bool plain = std::all_of(name.begin(), name.end(),
+                                   [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
+    if (!plain || name.empty() || name.front() < 'a' || name.back() == '_' || name.find("__") != std::string::npos)
+        refuse("a name is small letters, digits and single _ between them, and begins with a letter");
+    if (name.size() > 40) refuse("a name has at most 40 letters");
+    if (words_of_cpp.contains(name)) refuse("is a word of C++ or of the course");
 }
 
-// The build must take it; else it is not made, and the build is what it was. CMake may have written what Ninja cannot
-// read, and who cannot read it does not ask CMake again: so we do.
-void try_out(const std::string& name, InTheMaking& unfinished) {
+// Takes it back, and CMake's own files with it, unless it can be built.
+void try_out(InTheMaking& unfinished, const std::string& name, const std::vector<std::string>& targets) {
     std::string why;
     try {
         configure();
-        why = why_unbuildable();
-        if (why.empty()) return;
+        ProgressLine progress;
+        build(targets, progress, "Building " + name + " once, to see that it can be built");
+        return;
     } catch (const Stop& stop) {
-        if (stop.status() != Status::bad_use) throw;
+        if (stop.status() == Status::interrupted) throw;
         why = stop.what();
     }
     unfinished.undo();
     try {
         configure();
-    } catch (const Stop& stop) {  // as before
-        if (stop.status() != Status::bad_use) throw;
+    } catch (const Stop&) {  // nor could it be before
     }
     give_up("'" + name + "' was not made: " + why);
 }
 
-void tell(const std::vector<Skeleton>& parts, const std::string& next) {
+void print_parts(const std::vector<Skeleton>& parts) {
     std::size_t width = 0;
     for (const auto& part : parts) width = std::max(width, part.place.size());
     for (const auto& part : parts) std::printf("  %s  %s\n", padded(part.place, width).c_str(), part.fill_in.c_str());
-    std::printf("\n%s", next.c_str());
 }
 
 }  // namespace
 
-void new_chapter(const std::string& name) {
+void new_chapter(const std::string& name, bool all) {
     if (is_kit()) give_up("this is the learner's edition: chapters are added to the whole course");
     check_name(name);
-    const auto chapters = read_chapters();
     int number = 1;
-    for (const auto& chapter : chapters) {
-        if (chapter.program == name || chapter.study() == name || chapter.program == name + "_study")
-            give_up("'" + name + "': chapters/" + chapter.folder + " has a program of that name");
+    for (const auto& chapter : read_chapters()) {
+        if (chapter.program == name) give_up("'" + name + "': chapters/" + chapter.folder + " has that name");
         number = chapter.number() + 1;
     }
     if (number > 99) give_up("there are chapters up to 99, and a chapter's number has two digits");
-    check_chapter_is_new(name);
 
     const std::string digits = (number < 10 ? "0" : "") + std::to_string(number), folder = digits + "_" + name;
     const Replacements words{{"NEW_NAME", name},
@@ -165,46 +235,51 @@ void new_chapter(const std::string& name) {
                              {"NEW_DIGITS", digits},
                              {"NEW_CHAPTER", folder}};
     const std::string room = "chapters/" + folder + "/";
-    const std::vector<Skeleton> parts{
-        {"chapter/about.json", room + "about.json", "title, question, claims of the talks, figures"},
-        {"chapter/chapter.md", room + "chapter.md", "the page"},
-        {"chapter/program.cpp", room + name + ".cpp",
-         "the program: one short file, its numbers to play with at the top"},
-        {"chapter/figures.gp", room + "figures.gp", "its picture"},
-        {"chapter/live.cpp", room + "live/" + name + ".cpp",
-         "a live panel: the same, in the reader's hand (or no folder live)"},
-        {"chapter/study/study.cpp", room + "study/study.cpp", "what finds the page's numbers and checks"},
-        {"chapter/study/figures.gp", room + "study/figures.gp", "more figures, from what the study finds"},
-        {"chapter/test.cpp", "tests/chapters/" + folder + ".cpp", "what the chapter claims, as tests"}};
+    std::vector<Skeleton> parts{
+        {"about.json", room + "about.json", "title, question and picture"},
+        {"chapter.md", room + "chapter.md", "the page"},
+        {"program.cpp", room + name + ".cpp", "the program, with the numbers to change at its top"},
+        {"figures.gp", room + "figures.gp", "its picture"}};
+    std::vector<std::string> targets{name};
+    if (all) {
+        parts.push_back({"all/study.cpp", room + "study/study.cpp", "measures the page's numbers and checks"});
+        parts.push_back({"all/figures.gp", room + "study/figures.gp", "figures of what the study measures"});
+        parts.push_back({"all/live.cpp", room + "live/" + name + ".cpp", "a panel that moves on the page"});
+        parts.push_back({"all/test.cpp", "tests/chapters/" + folder + ".cpp", "tests of claims that no study checks"});
+        targets.push_back(name + "_study");
+    }
     InTheMaking unfinished;
-    for (const auto& part : parts) unfinished.write(part.place, filled(part.sample, words));
-    const auto about = read_json(filled("chapter/about.json", words));
-    unfinished.change(
-        "README.md", readme_with("| [" + std::to_string(number) + " " + std::string(about.at("title")) + "](chapters/" +
-                                 folder + ") | " + std::string(about.at("question")) + " |"));
-    try_out(name, unfinished);
+    for (const auto& part : parts) {
+        std::string text = filled("chapter/" + part.sample, words);
+        if (all && part.sample == "chapter.md") text += filled("chapter/all/sections.md", words);
+        unfinished.write(part.place, text);
+    }
+    try_out(unfinished, name, targets);
     unfinished.keep();
-    std::printf("Chapter %d, %s: a small example, whole. Put your own in its place, where FILL IN stands:\n\n", number,
-                name.c_str());
-    tell(parts,
-         "Its title and question stand in README.md, too, in the table of chapters.\n"
-         "Next: ./course run " +
-             std::to_string(number) +
-             ", ./course tour and ./course test; an exercise to it:\n"
-             "./course new exercise " +
-             std::to_string(number) + " NAME\n");
+    listen({paths().cmake, "-DROOT=" + paths().source.string(), "-P",
+            (paths().source / "tools/cmake/readme_table.cmake").string()},
+           [](std::string_view words_of_cmake) { std::fprintf(stderr, "%s", std::string(words_of_cmake).c_str()); });
+    std::printf("Chapter %d, %s, is a small example that works. Put your own in its place, where FILL IN stands:\n\n",
+                number, name.c_str());
+    print_parts(parts);
+    std::printf(
+        "\nThe table of chapters in README.md lists it; cmake --build build --target readme\nwrites that table again "
+        "when you have changed title or question.\n%s"
+        "Next: ./course run %d, then ./course site; ./course new exercise %d NAME adds an exercise.\n",
+        all ? "" : "A study, a panel and tests are optional: ./course new chapter NAME --all shows them.\n", number,
+        number);
 }
 
 void new_exercise(const std::string& chapter_meant, const std::string& name) {
     if (is_kit()) give_up("this is the learner's edition: exercises are added to the whole course");
     check_name(name);
+    if (dlsym(RTLD_DEFAULT, name.c_str()) != nullptr) give_up("'" + name + "': is a function of C");
     const Chapter chapter = find_chapter(chapter_meant);
     int number = 1;
     for (const auto& exercise : read_exercises()) {
         if (exercise.name == name) give_up("'" + name + "': exercise " + exercise.place() + " has that name");
         if (exercise.chapter == chapter.folder) number = std::max(number, exercise.number + 1);
     }
-    check_exercise_is_new(name);
 
     const Replacements words{{"NEW_NAME", name},
                              {"NEW_TITLE", title_from(name)},
@@ -213,27 +288,27 @@ void new_exercise(const std::string& chapter_meant, const std::string& name) {
     const std::string room = "tests/exercises/" + chapter.folder + "/" + name + "/",
                       file = chapter.folder + "/" + name + ".cpp";
     const std::vector<Skeleton> parts{
-        {"exercise/solution.cpp", "solutions/" + file,
-         "the task, and the course's answer between two lines // [answer]"},
-        {"exercise/about.json", room + "about.json", "title, declaration, hints"},
-        {"exercise/properties.cpp", room + "properties.cpp", "the hidden tests"},
-        {"exercise/correct.cpp", room + "correct.cpp", "two answers or more that are right"},
-        {"exercise/mistakes.diff", room + "mistakes.diff", "four or more that are wrong, and what is said of each"}};
+        {"solution.cpp", "solutions/" + file, "the task, and the course's answer between two lines // [answer]"},
+        {"about.json", room + "about.json", "title, declaration, hints"},
+        {"properties.cpp", room + "properties.cpp", "the hidden tests"},
+        {"correct.cpp", room + "correct.cpp", "two or more right answers"},
+        {"mistakes.diff", room + "mistakes.diff", "four or more wrong answers, and what is said of each"}};
     InTheMaking unfinished;
-    for (const auto& part : parts) unfinished.write(part.place, filled(part.sample, words));
-    try_out(name, unfinished);  // makes the learner's file from the solution
+    for (const auto& part : parts) unfinished.write(part.place, filled("exercise/" + part.sample, words));
+    try_out(unfinished, name, {"ready_" + name});  // which makes the learner's file from the solution
     Exercise exercise;
     exercise.name = name;
     unfinished.write("exercises/" + file, contents(exercise.stub()));
     unfinished.keep();
     std::printf(
-        "Exercise %d.%d, %s: a small example, whole. Put your own in its place, where FILL IN stands:\n"
+        "Exercise %d.%d, %s, is a small example that works. Put your own in its place, where FILL IN stands:\n"
         "  grep -rn 'FILL IN' %s solutions/%s\n\n",
         chapter.number(), number, name.c_str(), room.c_str(), file.c_str());
-    tell(parts, "The learner's file is exercises/" + file + ";\n./course reset " + name +
-                    " makes it again from the solution.\n"
-                    "Next: ./course check " +
-                    name + " --file solutions/" + file + ", and ./course test.\n");
+    print_parts(parts);
+    std::printf(
+        "\nThe learner's file is exercises/%s;\n./course reset %s makes it again from the solution.\n"
+        "Next: ./course check %s --file solutions/%s, and ./course test.\n",
+        file.c_str(), name.c_str(), name.c_str(), file.c_str());
 }
 
 }  // namespace course

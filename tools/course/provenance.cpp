@@ -192,14 +192,6 @@ void print(const Thing& thing, const Run& run) {
         std::printf("  (that file has changed since the run: ./course tour brings the run up to date)\n");
 }
 
-// Of a run that has not been made: does a page show a thing of this name, or does a source write one?
-bool speaks_of(Run& run, const std::string& name) {
-    for (const char* kind : {"number", "check"})
-        if (!uses_of({kind, run.folder, name, "", ""}).empty()) return true;
-    for (const char* ending : {".cpp", ".gp"}) find_named(run, "", name, ending);
-    return !run.things.empty();
-}
-
 }  // namespace
 
 void where(const std::string& asked) {
@@ -225,9 +217,12 @@ void where(const std::string& asked) {
         }
     }
     if (found) return;
-    for (auto& run : missing)  // which may have it
-        if (speaks_of(run, name))
-            throw Stop(Status::missing, "the run of " + run.folder + " has not been made here: ./course tour makes it");
+    std::string not_made;
+    for (const auto& run : missing) not_made += (not_made.empty() ? "" : ", ") + run.folder;
+    if (!not_made.empty())
+        throw Stop(
+            Status::missing,
+            "'" + asked + "': no run that was made here has that name; ./course tour makes those of " + not_made);
     throw Stop(Status::bad_use, "'" + asked + "': no run has a number, check, data file or figure of that name" +
                                     near_names(runs, name));
 }

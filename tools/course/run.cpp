@@ -6,7 +6,6 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <random>
 #include <sstream>
 #include <system_error>
 
@@ -15,6 +14,7 @@
 #include "build.hpp"
 #include "chapters.hpp"
 #include "commands.hpp"
+#include "files.hpp"
 #include "paths.hpp"
 #include "process.hpp"
 #include "stop.hpp"
@@ -25,41 +25,39 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The folder that the reader wants the run in. The run is made in a folder inside it and moved up
-// when it is whole; unless it comes to that, nothing of it stays.
+// The folder that the reader wants the run in. The run is made in a folder inside it and moved up when it is whole;
+// otherwise nothing of it stays.
 class Destination {
 public:
     explicit Destination(const fs::path& folder) : folder_(fs::absolute(folder).lexically_normal()) {
         std::error_code error;
         for (fs::path path = folder_; !fs::exists(path, error) && path.has_relative_path(); path = path.parent_path())
             made_.push_back(path);
-        fs::create_directories(folder_, error);
-        std::random_device random;
-        while (!error && work_.empty()) {
-            const fs::path work = folder_ / (".unfinished_" + std::to_string(random()));
-            if (fs::create_directory(work, error)) work_ = work;  // else there is one of that name
-        }
-        if (error) {
+        try {
+            fs::create_directories(folder_);
+            unfinished_.emplace(folder_);
+        } catch (const fs::filesystem_error& refused) {
             tidy();
-            throw Stop(Status::bad_use, "--out " + folder.string() + ": cannot write there (" + error.message() + ")");
+            throw Stop(Status::bad_use,
+                       "--out " + folder.string() + ": cannot write there (" + refused.code().message() + ")");
         }
     }
     ~Destination() { tidy(); }
     Destination(const Destination&) = delete;
     Destination& operator=(const Destination&) = delete;
 
-    const fs::path& work() const { return work_; }
+    const fs::path& work() const { return unfinished_->path(); }
 
     // File by file. Moving within one file system takes no space: a full disk cannot stop it.
     void keep() {
-        fs::remove(work_ / "done");  // the build's mark
-        for (const auto& file : fs::directory_iterator(work_))
+        fs::remove(work() / "done");  // the build's mark
+        for (const auto& file : fs::directory_iterator(work()))
             fs::rename(file.path(), folder_ / file.path().filename());
     }
 
     // Names the files as the reader knows them, not where they were being made.
     std::string in_readers_words(std::string text) const {
-        const std::string inner = (work_ / ".unfinished_run_").string();
+        const std::string inner = (work() / ".unfinished_run_").string();
         for (auto at = text.find(inner); at != std::string::npos; at = text.find(inner)) {
             auto end = at + inner.size();  // a random word follows
             while (end < text.size() && std::isalnum(static_cast<unsigned char>(text[end]))) ++end;
@@ -70,13 +68,14 @@ public:
 
 private:
     void tidy() {
+        unfinished_.reset();
         std::error_code ignored;
-        if (!work_.empty()) fs::remove_all(work_, ignored);
         for (const auto& path : made_) fs::remove(path, ignored);
     }
 
-    fs::path folder_, work_;
+    fs::path folder_;
     std::vector<fs::path> made_;  // folders that were not there before, innermost first
+    std::optional<UnfinishedFolder> unfinished_;
 };
 
 std::string read(const fs::path& path) {
@@ -158,9 +157,10 @@ void run(const std::string& name, bool study, const std::optional<std::string>& 
          const std::vector<std::string>& options) {
     const Chapter chapter = find_chapter(name);
     if (!study && !options.empty())
-        throw Stop(Status::bad_use, "'" + options.front() + "': the numbers to play with stand at the top of " +
+        throw Stop(Status::bad_use, "'" + options.front() + "': the numbers to change stand at the top of " +
                                         chapter.source() + "; the study takes options: ./course run " + name +
                                         " --study -- " + options.front());
+    if (study && !chapter.has_study()) throw Stop(Status::bad_use, "--study: " + chapter.folder + " has no study");
     ProgressLine progress;
     std::vector<std::string> programs{chapter.program};
     if (study) programs.push_back(chapter.study());

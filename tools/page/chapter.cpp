@@ -68,6 +68,9 @@ std::vector<Chapter> load_chapters(const std::filesystem::path& root) {
         chapter.builds_on = list(about, "builds_on");
         chapter.claims = list(about, "claims");
         chapter.figures = list(about, "figures");
+        if (chapter.figures.empty()) {
+            chapter.figures = {chapter.picture};
+        }
         chapter.has_more = std::filesystem::exists(root / chapter.source(true));
         for (const std::string& row : chapter.claims) {
             if (!is_row(row)) {

@@ -8,8 +8,7 @@
 
 namespace page {
 
-/// Every chapter's page has the same nine sections in the same order. Throws Error at the heading
-/// (or at the page's last line) where this one departs from them.
+/// A chapter's page has the title of its about.json, and its sections have ids that tell whose they are. Throws Error.
 void check_skeleton(const std::vector<Piece>& pieces, const Chapter& chapter, const std::string& file);
 
 /// A chapter's second page has sections of its own, and ids that tell whose they are. Throws Error.

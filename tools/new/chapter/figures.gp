@@ -1,7 +1,7 @@
 load style
 set datafile separator whitespace
 
-# FILL IN: the picture of what the program writes. about.json lists it.
+# FILL IN: the picture of what the program writes. about.json names it.
 call figure "fall.svg" 560 400
 set xlabel "time t (s)"
 set ylabel "height x (m)"

@@ -1,4 +1,4 @@
-// Chapter NEW_NUMBER: a ball falls for a second. How far off is it at the end?
+// Chapter NEW_NUMBER: a ball falls for a second. How large is the error at the end?
 //
 //   c++ -std=c++20 -O2 -Iinclude chapters/NEW_CHAPTER/NEW_NAME.cpp -o fall && ./fall
 
@@ -10,8 +10,8 @@
 
 using namespace timestep;
 
-// Play with these. FILL IN: your own numbers, and below them your program. It prints what it finds and
-// writes one file of data, from which figures.gp draws.
+// Change these. FILL IN: your own numbers, and below them your program. It prints what it finds and writes one file of
+// data, from which figures.gp draws.
 const double gravity = -9.81;  // m/s²
 const double h = 1.0 / 10;     // s: the step
 const int steps = 10;          // one second

@@ -1,4 +1,4 @@
-// The ball that falls, step by step, beside the exact one. FILL IN: your own scene; tools/live/README.md says how.
+// A falling ball, step by step, beside the exact one. FILL IN: your own scene; tools/live/README.md says how.
 // still: steps=20
 
 #include <timestep/methods/explicit_euler.hpp>
@@ -16,7 +16,7 @@ public:
     double seconds() const override { return h; }
 
     void step() override {
-        if (state.t > 1.5) restart();  // and once more
+        if (state.t > 1.5) restart();
         state = explicit_euler.step(ball, state, h);
         stepped = state.x, exact = ball.exact(State{0, 0.0, 0.0}, state.t).x;
     }

@@ -9,9 +9,9 @@
 
 using namespace timestep;
 
-// FILL IN: what your chapter claims, with other numbers than its program's. A test of a row of the
-// talks has that row as a tag, as in [N12].
-TEST_CASE("NEW_NAME: explicit Euler is off by half a step of the speed that is gained", "[chNEW_NUMBER]") {
+// FILL IN: what your chapter claims and no study checks. A test of a claim of the talks has that claim as a tag, as in
+// [N12].
+TEST_CASE("NEW_NAME: explicit Euler's error is half a step times the velocity gained", "[chNEW_NUMBER]") {
     for (const double gravity : {-9.81, -1.62, 3.0})
         for (const int steps : {1, 7, 100}) {
             const double h = 2.0 / steps;  // two seconds

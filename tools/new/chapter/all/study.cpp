@@ -1,4 +1,4 @@
-// Chapter NEW_NUMBER: the numbers that its page names, and the checks that its sentences rest on.
+// Chapter NEW_NUMBER: the numbers that its page names, and the checks of its sentences.
 
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace {
 
 const double gravity = -9.81;  // m/s²
 
-// How far explicit Euler is off after a second of so many steps, m.
+// The error of explicit Euler after one second of `steps` steps, m.
 double error_of(long steps) {
     const Projectile ball(gravity);
     const State start{0, 0.0, 0.0};
@@ -24,18 +24,18 @@ double error_of(long steps) {
 
 }  // namespace
 
-// FILL IN: what you measure. `out.table` writes data for study/figures.gp.
+// FILL IN: what you measure. `out.table` writes data for study/figures.gp; about.json then lists all "figures".
 int main(int argc, char** argv) {
     long steps = 10;
-    lab::Program program("NEW_NAME", "how far explicit Euler is off on a ball that falls");
-    program.option("--steps", steps, 1, 1000, "so many in a second");
+    lab::Program program("NEW_NAME", "the error of explicit Euler on a falling ball");
+    program.option("--steps", steps, 1, 1000, "steps per second");
     return program.run(argc, argv, [&](lab::Findings& out) {
         const double error = error_of(steps);
-        out.section("A second of falling");
+        out.section("One second of falling");
         out.number("steps", static_cast<double>(steps), "", "steps in the second");
-        out.number("error", error, "m", "how much too high explicit Euler is after a second");
+        out.number("error", error, "m", "explicit Euler is too high by this after one second");
         // The positions are below 5 m: 2000 roundings of 5e-16 m each.
         out.check("half_the_error", std::fabs(error_of(2 * steps) - error / 2) < 1e-12,
-                  "with half the step the error is half");
+                  "halving the step halves the error");
     });
 }

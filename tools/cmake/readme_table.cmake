@@ -1,0 +1,32 @@
+# Writes the table of chapters in README.md from the chapters' about.json:
+#   cmake -DROOT=… [-DCHECK=ON] -P readme_table.cmake
+# CHECK writes nothing and fails if the table is not current.
+cmake_minimum_required(VERSION 3.25)
+file(READ "${ROOT}/README.md" readme)
+set(table "")
+file(GLOB abouts "${ROOT}/chapters/[0-9][0-9]_*/about.json")
+foreach(about IN LISTS abouts)
+  file(READ "${about}" json)
+  string(JSON title GET "${json}" title)
+  string(JSON question GET "${json}" question)
+  string(REGEX MATCH "/chapters/(0*([0-9]+)_[a-z0-9_]+)/" folder "${about}")
+  string(APPEND table "| [${CMAKE_MATCH_2} ${title}](chapters/${CMAKE_MATCH_1}) | ${question} |\n")
+endforeach()
+set(head "| chapter | the question |\n|---|---|\n")
+string(FIND "${readme}" "${head}" begin)
+if(begin EQUAL -1)
+  message(FATAL_ERROR "README.md: has no table of chapters, which begins\n${head}")
+endif()
+string(SUBSTRING "${readme}" 0 ${begin} before)
+string(SUBSTRING "${readme}" ${begin} -1 after)
+string(FIND "${after}" "\n\n" end)  # a blank line ends the table
+math(EXPR end "${end} + 1")
+string(SUBSTRING "${after}" ${end} -1 after)
+set(fresh "${before}${head}${table}${after}")
+if(fresh STREQUAL readme)
+  return()
+elseif(CHECK)
+  message(FATAL_ERROR "README.md: its table of chapters is not that of the chapters' about.json. To renew it:\n"
+                      "  cmake --build build --target readme")
+endif()
+file(WRITE "${ROOT}/README.md" "${fresh}")

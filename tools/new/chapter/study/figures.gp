@@ -1,3 +1,0 @@
-load style
-
-# FILL IN: more figures, drawn from what the study writes. about.json lists them all.
