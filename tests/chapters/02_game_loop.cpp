@@ -15,9 +15,7 @@
 #include <timestep/methods/semi_implicit_euler.hpp>
 #include <timestep/models/damped_spring.hpp>
 #include <timestep/models/projectile.hpp>
-#include <timestep/models/spring.hpp>
 #include <timestep/scene.hpp>
-#include <timestep/stability.hpp>
 
 using namespace timestep;
 
@@ -89,44 +87,6 @@ TEMPLATE_TEST_CASE("a fixed step finds the same states at any frame rate, bit fo
     compare(runge_kutta_4);
 }
 
-TEST_CASE("with the frame's time as the step, the frame rate decides the motion", "[I02][ch2]") {
-    const Scene character{DampedSpring(8.0, 0.1), Projectile(-9.81)};
-    const auto swing_after = [&](int rate, int seconds) {
-        State<double> state{0, 0, -3};
-        for (int i = 0; i < seconds * rate; ++i) state = explicit_euler.step(character, state, 1.0 / rate);
-        return std::hypot(state.x + 9.81 / 64, state.v / 8);
-    };
-    // A step multiplies the swing by √(1 − 2ζωh + (ωh)²): below one for h < 2ζ/ω = 1/40 s only.
-    CHECK(swing_after(144, 3) < 0.5 * swing_after(144, 1));
-    CHECK(swing_after(60, 3) < swing_after(60, 1));
-    CHECK(swing_after(30, 3) > swing_after(30, 1));
-    CHECK(swing_after(24, 3) > 3 * swing_after(60, 3));
-}
-
-TEST_CASE("frames that take turns blow up what each frame rate alone keeps", "[I02][ch2]") {
-    const double h = 1.0 / 60;
-    // Two steps: determinant 1, trace 2 − (a + b)² + a²b² with a = ωh, b = 2ωh.
-    const auto radius = [&](double omega, double h1, double h2) {
-        const auto one = step_matrix(semi_implicit_euler, Spring(omega), h1);
-        const auto two = step_matrix(semi_implicit_euler, Spring(omega), h2);
-        const StepMatrix<double> both{two.xx * one.xx + two.xv * one.vx, two.xx * one.xv + two.xv * one.vv,
-                                      two.vx * one.xx + two.vv * one.vx, two.vx * one.xv + two.vv * one.vv};
-        const double a = omega * h1, b = omega * h2;
-        CHECK(std::fabs(both.trace() - (2 - (a + b) * (a + b) + a * a * b * b)) < 100 * eps<double>);
-        return spectral_radius(both);
-    };
-    // |λ| = 1 up to the root of roundoff, as the two eigenvalues are conjugate.
-    CHECK(std::fabs(radius(50, h, h) - 1) < 1e-7);
-    CHECK(std::fabs(radius(50, 2 * h, 2 * h) - 1) < 1e-7);
-    CHECK(radius(50, h, 2 * h) > 1.5);
-    // The band of ωh in which taking turns is fatal: 4u² − 9u + 4 < 0 for u = (ωh)².
-    const double low = std::sqrt((9 - std::sqrt(17.0)) / 8), high = std::sqrt((9 + std::sqrt(17.0)) / 8);
-    CHECK(std::fabs(radius(0.999 * low / h, h, 2 * h) - 1) < 1e-7);
-    CHECK(radius(1.001 * low / h, h, 2 * h) > 1.01);
-    CHECK(low * 60 < 50);
-    CHECK(high > 1);  // so it lasts up to the limit of the longer frame, ω · 2h = 2
-}
-
 TEMPLATE_TEST_CASE("the cap drops what cannot be paid, and nothing else", "[I02][ch2]", float, double, long double) {
     const TestType h = TestType(1) / 60;
     GameLoop<TestType> loop(h, 5);
@@ -152,27 +112,6 @@ TEMPLATE_TEST_CASE("the cap drops what cannot be paid, and nothing else", "[I02]
     CHECK(exact.dropped() == 0);
 }
 
-TEST_CASE("steps dearer than the time they simulate kill a loop without a cap", "[I02][ch2]") {
-    const double h = 1.0 / 60, cost = 1.2 * h;
-    GameLoop free(h, 1000000), capped(h, 5);
-    double a = 3 * h, b = a;
-    for (int i = 0; i < 40; ++i) {
-        a = cost * static_cast<double>(free.frame(a, [](double) {}));
-        b = cost * static_cast<double>(capped.frame(b, [](double) {}));
-        CHECK(b <= 5 * cost * (1 + eps<double>));
-    }
-    CHECK(a > 100 * b);
-    CHECK(free.dropped() == 0);
-    CHECK(capped.dropped() > 0);
-
-    // Once frames are steady the game's speed is five steps in the time of a frame: 1/1.2. What all
-    // frames together have simulated says another thing, as the first ones were shorter.
-    const double before = capped.time(), passed = b;
-    CHECK(capped.frame(b, [](double) {}) == 5);
-    // Two clocks below 4 s, each rounded by half an ε of that: 4 ε over a frame of 0.1 s.
-    CHECK(std::fabs((capped.time() - before) / passed - 1 / 1.2) < 40 * eps<double>);
-}
-
 TEMPLATE_TEST_CASE("what is drawn lies between the last two states, one step behind the clock", "[I02][ch2]", float,
                    double, long double) {
     const State<TestType> before{1, 2, -3}, now{2, 6, 5};
@@ -196,17 +135,6 @@ TEMPLATE_TEST_CASE("what is drawn lies between the last two states, one step beh
         CHECK(loop.alpha() < 1);
         CHECK(interpolate(last, state, loop.alpha()).t == clock - h);
     }
-}
-
-TEST_CASE("steps are counted, so the clock does not drift", "[I02][ch2]") {
-    const float h = 1.0f / 60;
-    GameLoop loop(h, 1000);
-    float added = 0;
-    for (int i = 0; i < 60 * 60 * 60; ++i) loop.frame(h, [&](float step) { added += step; });
-    CHECK(loop.steps() == 60 * 60 * 60);
-    // h is rounded by ε/2 of itself, and so is the product: an hour is off by ε of itself.
-    CHECK(std::fabs(loop.time() - 3600) <= 3600 * eps<float>);
-    CHECK(std::fabs(added - 3600) > 1);
 }
 
 TEST_CASE("a game loop refuses what cannot be", "[I02][ch2]") {

@@ -1,16 +1,16 @@
-// The claims of chapter 6 about convergence, and about what stays bounded.
+// Chapter 6: what stays bounded, the rule for scenes of many springs, and what a scene leaves out.
 
 #include <catch2/catch_test_macros.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <random>
 
-#include <timestep/measured_order.hpp>
+#include <Eigen/Dense>
+
 #include <timestep/methods.hpp>
 #include <timestep/methods/semi_implicit_euler_new_damping.hpp>
 #include <timestep/models/damped_spring.hpp>
-#include <timestep/models/decay.hpp>
 #include <timestep/models/drag.hpp>
 #include <timestep/models/projectile.hpp>
 #include <timestep/models/spring.hpp>
@@ -19,28 +19,11 @@
 #include <timestep/stability.hpp>
 #include <timestep/stability_function.hpp>
 
+#include "chapters/06_stability/study/mixed.hpp"
+
 using namespace timestep;
 
 namespace {
-
-struct Always42 {
-    template <class Model, class X>
-    State<X> step(const Model&, const State<X>& state1, real_of<X> h) const {
-        return {state1.t + h, 42, 0};
-    }
-};
-
-template <class Method, class Model>
-double order(const Method& method, const Model& model, const State<double>& start, const State<double>& exact,
-             double seconds) {
-    std::vector<double> h, error;
-    for (const int steps : {64, 128, 256, 512}) {
-        h.push_back(seconds / steps);
-        const State end = run(method, model, start, h.back(), steps);
-        error.push_back(std::hypot(end.x - exact.x, end.v - exact.v));
-    }
-    return measured_order(h, error);
-}
 
 // The farthest that a run of 20,000 steps goes.
 template <class Method, class Model>
@@ -54,40 +37,6 @@ double reach(const Method& method, const Model& model, double h) {
 }
 
 }  // namespace
-
-// The error is C hᵖ (1 + c h) with c of a few 1/s, and h is 0.01 s: slopes are off by a few
-// hundredths.
-TEST_CASE("every method converges with its order on smooth scenes", "[N60][ch6]") {
-    const State<double> start{0, 1.0, 0.3}, rest{0, 0.0, 0.0};
-    const Spring spring(1.0);
-    const DampedSpring damped(1.0, 0.3);
-    const double speed = 4, g = 9.81, t = 2;
-    const Scene fall{Projectile(-g), Drag<double>::from_terminal_speed(speed, g)};
-    const State<double> fallen{t, -speed * speed / g * std::log(std::cosh(g * t / speed)),
-                               -speed * std::tanh(g * t / speed)};
-    const auto on_springs = [&](const auto& method) {
-        INFO(method.name);
-        CHECK(std::fabs(order(method, spring, start, spring.exact(start, t), t) - method.order) < 0.1);
-        CHECK(std::fabs(order(method, damped, start, damped.exact(start, t), t) - method.order) < 0.1);
-    };
-    for_each_method(on_springs);
-    on_springs(constant_acceleration), on_springs(semi_implicit_euler_new_damping);
-    for_each_verlet_method([&](const auto& method) {  // those take no damper
-        INFO(method.name);
-        CHECK(std::fabs(order(method, spring, start, spring.exact(start, t), t) - method.order) < 0.1);
-    });
-    for_each_method([&](const auto& method) {
-        INFO(method.name);
-        CHECK(std::fabs(order(method, fall, rest, fallen, t) - method.order) < 0.1);
-    });
-}
-
-TEST_CASE("the answer 42 is bounded and does not converge", "[N60][N62][ch6]") {
-    const State<double> start{0, 1.0, 0.3};
-    const Spring spring(1.0);
-    CHECK(std::fabs(order(Always42{}, spring, start, spring.exact(start, 2.0), 2)) < 1e-9);
-    CHECK(reach(Always42{}, spring, 100) == 42);
-}
 
 // Bounded where every factor is one at most: a step matrix's, or R(z) of the spring's two decays.
 TEST_CASE("a run stays bounded where its step's factors say so, and grows elsewhere", "[N62][ch6]") {
@@ -121,4 +70,62 @@ TEST_CASE("a run stays bounded where its step's factors say so, and grows elsewh
         CHECK((reach(velocity_verlet, model, wh) > 1e5) == (wh > 2));
         CHECK((reach(leapfrog, model, wh) > 1e5) == (wh > 2));
     }
+}
+
+// The chapter's rule for scenes of many springs: at each body the sum of k (1/m + r²/I), twice the largest
+// of them. A spring's energy is at most twice what its ends would store one by one, and an end of a body
+// moves by no more than its energy lets it: u² ≤ (1/m + r²/I) (m|v|² + I w²).
+TEST_CASE("twice the largest sum of k (1/m + r^2/I) is never below the fastest oscillation", "[ch6]") {
+    std::mt19937 random(6);
+    const auto between = [&](double low, double high) { return low * std::pow(high / low, random() / 4294967296.0); };
+    double nearest = 0;
+    for (int scene = 0; scene < 300; ++scene) {
+        const int bodies = 1 + int(random() % 5), springs = 1 + int(random() % 12);
+        Eigen::VectorXd mass(3 * bodies), sum = Eigen::VectorXd::Zero(bodies);  // x, y, turn of each
+        for (int b = 0; b < bodies; ++b) {
+            mass.segment(3 * b, 2).setConstant(between(0.1, 10));
+            mass[3 * b + 2] = between(0.01, 10);
+        }
+        Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(3 * bodies, 3 * bodies);
+        for (int n = 0; n < springs; ++n) {
+            const double k = between(1, 1e4), way = between(1, 600) / 100;
+            Eigen::VectorXd stretch = Eigen::VectorXd::Zero(3 * bodies);
+            const auto holds = [&](int b, double sign) {
+                const double r = between(0.01, 2), place = between(1, 600) / 100;
+                stretch[3 * b] = sign * std::cos(way), stretch[3 * b + 1] = sign * std::sin(way);
+                stretch[3 * b + 2] = sign * r * std::sin(way - place);  // the arm's part across the spring
+                sum[b] += k * (1 / mass[3 * b] + r * r / mass[3 * b + 2]);
+            };
+            const int one = int(random() % unsigned(bodies)), other = int(random() % unsigned(bodies));
+            holds(one, 1);
+            if (other != one) holds(other, -1);  // else the other end is the world's
+            stiffness += k * stretch * stretch.transpose();
+        }
+        const Eigen::VectorXd root = mass.cwiseSqrt().cwiseInverse();
+        const Eigen::MatrixXd scaled = root.asDiagonal() * stiffness * root.asDiagonal();
+        const double fastest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues().maxCoeff();
+        CHECK(fastest <= 2 * sum.maxCoeff() * (1 + 1e-12));
+        if (bodies == 1) CHECK(fastest <= sum.maxCoeff() * (1 + 1e-12));  // nothing but the world to swing against
+        nearest = std::max(nearest, fastest / (2 * sum.maxCoeff()));
+    }
+    CHECK(nearest > 0.7);  // so the factor two is needed
+}
+
+// The scene with a drag of zero computes the term, adds −0 · |v| v = ∓0 to the sum, and ends at the
+// same place; the scene without it does not compute it, and is of another type.
+TEST_CASE("a term left out is a term of zero, but for its instructions", "[ch6]") {
+    const DampedSpring legs(10.0, 0.1);
+    const Projectile gravity(-9.81);
+    const Scene named(legs, gravity, Drag(0.0));
+    const Scene left_out(legs, gravity);
+    STATIC_REQUIRE(sizeof(left_out) < sizeof(named));
+    const State start{0, 1.0, 0.0};
+    CHECK(run(semi_implicit_euler, named, start, 0.01, 500).x ==
+          run(semi_implicit_euler, left_out, start, 0.01, 500).x);
+}
+
+TEST_CASE("a body's scene holds the terms it names, and nothing else", "[ch6]") {
+    STATIC_REQUIRE(sizeof(BodyScene{Weight(9.81)}) == sizeof(double));
+    STATIC_REQUIRE(sizeof(BodyScene{Weight(9.81), Ground(0.5)}) == 2 * sizeof(double));
+    STATIC_REQUIRE(!decltype(mixed::Ball::inertia)::gyroscopic);
 }

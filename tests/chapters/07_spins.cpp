@@ -78,56 +78,6 @@ TEST_CASE("the free bodies' references agree with an independent integration", "
     CHECK(largest_distance(top, top.reference, turned) < roundoff);
 }
 
-TEST_CASE("the box turns over again and again", "[N41][ch7]") {
-    const RigidState<double> start{0, Quaternion<double>::Identity(), {0.25, 10, 0.25}};
-    const ExactFreeBody<double> exact(box(12.0, 1.0, 2.0, 3.0), start);
-    int flips = 0;
-    double before = 10;
-    for (double t = 0; t < duration; t += 0.01) {
-        const RigidState<double> s = exact(t);
-        const double y = (s.q.conjugate() * s.omega).y();
-        flips += before * y < 0;
-        before = y;
-    }
-    CHECK(flips == 2);
-}
-
-TEST_CASE("Runge-Kutta 4 on a free body is of order four", "[N35][ch7]") {
-    for (const Scene& scene : {dzhanibekov(), symmetric_top()}) {
-        const Entry& rk4 = ours(scene, "Runge-Kutta 4");
-        std::vector<double> steps, errors;
-        for (const long n : {960, 1920, 3840}) {
-            steps.push_back(duration / double(n));
-            errors.push_back(largest_distance(scene, rk4.track(n), scene.reference));
-        }
-        // error = C h⁴ + D h⁵ with D/C some 10 rad/s: the slope is off by 10/240 at most.
-        CHECK(std::fabs(measured_order(steps, errors) - 4) < 0.05);
-        CHECK(rk4.work(60).evaluations == 240);
-        CHECK(rk4.work(60).steps == 60);
-    }
-}
-
-TEST_CASE("more Newton iterations gain nothing", "[N48][ch7]") {
-    const Scene scene = dzhanibekov();
-    const Entry &one = ours(scene, "one Newton step"), &all = ours(scene, "implicit, converged");
-    const Work work = all.work(960);
-    CHECK(work.solves > 2 * work.steps);
-    CHECK(work.solves < 12 * work.steps);
-    CHECK(one.work(960).solves == 960);
-    for (const long n : {960, 1920, 3840}) {
-        const double error_of_one = largest_distance(scene, one.track(n), scene.reference);
-        const double error_of_all = largest_distance(scene, all.track(n), scene.reference);
-        CHECK(error_of_all > 0.99 * error_of_one);
-    }
-}
-
-TEST_CASE("Runge-Kutta 4 at 15 Hz is nearer to the free body than the talk's solver at 960 Hz", "[N35][N61][ch7]") {
-    const Scene scene = dzhanibekov();
-    const Track rare = ours(scene, "Runge-Kutta 4").track(60);
-    const Track often = ours(scene, "one Newton step").track(3840);
-    CHECK(largest_distance(scene, rare, scene.reference) < largest_distance(scene, often, scene.reference) / 10);
-}
-
 TEST_CASE("the capsule on ice: the reference is where short steps of any method lead", "[N36][ch7]") {
     const Scene scene = capsule_on_plane();
     const SlidingCapsule::Body body{capsule(1.0, 0.15, 0.6), 1.0, 0.15, 0.3};
