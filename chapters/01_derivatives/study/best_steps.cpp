@@ -96,10 +96,8 @@ Best measure(const Formula& formula, const Function& f, double x, const std::str
     };
     std::printf("  %-11s %-7s %12.2g %12s %12.2g\n", formula.name, type.c_str(), best.step,
                 cell(predicted).c_str(), best.error);
-    out.number("best_" + name, best.step, "", "step with the smallest error", 2);
     out.number("best_error_" + name, best.error, "", "error at that step", 2);
     if (!std::isfinite(predicted)) return best;  // nothing is left out, so no step is too large
-    out.number("predicted_" + name, predicted, "", "the optimal step size by the formula", 2);
     costs.row({formula.name + (", " + type), double(formula.evaluations), cell(best.step),
                cell(predicted), cell(best.error)});
     as_predicted = as_predicted && best.step < 2 * predicted && predicted < 2 * best.step &&

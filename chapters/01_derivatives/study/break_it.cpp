@@ -82,7 +82,6 @@ void long_game(double rate, lab::Findings& out) {
     out.number("clock_late", late.over_h, "m/s", "error after 10 hours, divided by h", 2);
     out.number("clock_late_step", late.over_step, "m/s",
                "error after 10 hours, over the step taken", 2);
-    out.number("clock_late_double", late.in_double, "m/s", "error after 10 hours, t a double", 2);
     out.number("clock_spacing", 1000 * (std::nextafter(36000.0f, 1e9f) - 36000.0f), "ms",
                "from one float to the next after 10 hours", 2);
     out.number("clock_stops", stop / 3600.0, "hours", "from here on t + h = t in float", 4);

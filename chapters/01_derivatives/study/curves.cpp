@@ -52,7 +52,6 @@ void line(lab::Findings& out) {
         worst = std::max(worst, error * h / (epsilon * std::fabs(rising(x))));
         level_is_zero = level_is_zero && forward_difference(level, x, h) == 0;
     }
-    out.number("line_error", worst, "", "largest slope error of a line, in units of eps |f|/h", 2);
     out.check("line_exact", worst <= 4,
               "on a line the error is at most 4 eps |f|/h, that is, rounding");
     out.check("level_zero", level_is_zero, "on a horizontal line the difference is exactly zero");

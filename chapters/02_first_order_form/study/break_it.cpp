@@ -67,8 +67,6 @@ void taking_turns(lab::Findings& out) {
                2);
     out.number("turns_grown", grown, "", "amplitude after the run, of one at the start", 2);
     out.number("turns_seconds", turns.t, "s", "length of the run");
-    out.number("steady_60", most_60, "", "largest amplitude at a steady 60 frames/s", 2);
-    out.number("steady_30", most_30, "", "largest amplitude at a steady 30 frames/s", 2);
     out.number("turns_lean", grown / std::pow(predicted, 2 * rounds), "",
                "one over the other: what the first pairs add", 2);
     out.check("steady_holds", most_60 < 3 && most_30 < 3,

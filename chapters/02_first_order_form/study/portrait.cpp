@@ -84,9 +84,7 @@ void circle(const Spring<double>& spring, const State<double>& start, double per
     std::printf("  the portrait is a circle of area %.4f m^2, walked %s\n", std::fabs(area),
                 area < 0 ? "clockwise" : "COUNTER-CLOCKWISE");
     std::printf("  after one period it misses its start by %.1e m\n", missed);
-    out.number("portrait_area", area, "m²", "signed area inside the portrait");
     out.number("portrait_missed", missed, "m", "distance from the start after one period", 2);
-    out.number("dip", start.x, "m", "where the spring is let go");
     out.check("clockwise", area < 0, "the state goes clockwise");
     // ωt = 2π is rounded by 2π ε/2 and sine and cosine by ε, all times the amplitude.
     out.check("closed", missed < 8 * 2.3e-16 * start.x,

@@ -80,7 +80,6 @@ void projectile(lab::Findings& out) {
         "  y'' = -g          a throw at %g m/s and 45 degrees rises %.2f m\n"
         "                    and lands after %.2f s and %.2f m\n",
         throw_speed, top.x.y(), flight, landing.x.x());
-    out.number("flight_time", flight, "s", "the throw's time in the air without drag");
     out.number("flight_height", top.x.y(), "m", "its highest point");
     out.number("flight_range", landing.x.x(), "m", "where it lands", 4);
     out.number("throw_speed", throw_speed, "m/s", "speed of the throw");

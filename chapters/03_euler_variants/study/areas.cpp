@@ -51,7 +51,6 @@ void follow(const Method& method, const Settings& settings, lab::Findings& out) 
     std::printf("  %-20s det A = %.6g: after %d steps the area is x %.5g\n", Method::name,
                 determinant, steps, ratio);
     const std::string id = lab::id(Method::name);
-    out.number(id + "_determinant", determinant, "", "determinant of the step matrix", 4);
     out.number(id + "_area", ratio, "", "area of the cloud after the steps, over the area before");
     out.number(id + "_area_steps", steps, "", "steps of the cloud");
     // Sums of 90 products, each rounded by a few ε of its size. When the cloud has grown long and

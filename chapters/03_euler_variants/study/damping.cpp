@@ -58,10 +58,6 @@ void damping(const Settings&, lab::Findings& out) {
         if (i % 50 == 0)
             std::printf("  %5.2f %20.6f %25.6f %25.6f\n", zeta, found[0], found[1], found[2]);
     }
-    out.number("damping_worst", worst, "", "longest stable omega h, found against formula, worst",
-               1);
-    out.number("critical_explicit", limit(explicit_euler, 1), "",
-               "longest stable omega h at zeta = 1");
     out.number("critical_old", limit(semi_implicit_euler, 1), "",
                "longest stable omega h at zeta = 1");
     out.number("critical_new", limit(semi_implicit_euler_new_damping, 1), "",

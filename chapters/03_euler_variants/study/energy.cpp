@@ -88,8 +88,6 @@ void pendulums(lab::Findings& out) {
     out.number("pendulum_near_top", near_top, "rad", "the last of them, from hanging");
     out.number("pendulum_calm", calm, "", "omega h at which they keep their energy in the band");
     out.number("pendulum_calm_steps", double(calm_steps), "", "steps of each");
-    out.number("pendulum_least", 100 * least, "%", "least energy of all, over its own first", 2);
-    out.number("pendulum_most", 100 * most, "%", "greatest", 3);
     out.number("pendulum_wild", wild, "", "omega h at which some go over the top");
     out.number("pendulum_wild_steps", double(wild_steps), "", "steps of it");
     out.number("pendulum_wild_count", double(counts.front()), "",

@@ -143,7 +143,6 @@ void portraits(const Settings& settings, lab::Findings& out) {
     out.number("wh", settings.wh(), "", "angular frequency times step");
     out.number("steps", double(settings.steps), "", "steps in the portraits");
     out.number("seconds", settings.steps * settings.step, "s", "length of the portraits");
-    out.number("predicted_growth", factor, "", "sqrt(1 + (omega h)^2)", 5);
     // The root of the last amplitude takes the roundoff of the run down to that of one step.
     const double roundoff = 20 * 2.2e-16;
     out.check("explicit_grows", std::fabs(explicit_growth / factor - 1) < roundoff,

@@ -67,7 +67,6 @@ void costs(const Settings&, lab::Findings& out) {
     });
     out.number("work_euler", double(of_euler), "", "semi-implicit Euler's evaluations for 0.1 %");
     out.number("work_verlet", double(fewest), "", "Verlet's evaluations for 0.1 %");
-    out.number("work_ratio", double(of_euler) / double(fewest), "", "one over the other", 2);
     out.check("counted", counted_right, "every method asks for the force as often as it says");
     out.check(
         "verlet_cheaper", fewest > 0 && fewest < of_euler && of_velocity < of_euler,

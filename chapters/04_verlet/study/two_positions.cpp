@@ -67,7 +67,6 @@ void rounding_in_float(lab::Findings& out) {
         "  in float, %ld steps of %.1e s: Verlet is %.1e m off,\n  velocity Verlet %.1e m\n", steps,
         2.0 / steps, plain, with_velocity);
     out.number("float_steps", double(steps), "", "steps of the shortest length in float");
-    out.number("float_step", 2.0 / steps, "s", "the shortest step in float", 2);
     out.number("float_plain", plain, "m", "Verlet's error in float with the shortest step", 2);
     out.number("float_velocity", with_velocity, "m", "velocity Verlet's error there", 2);
     out.number("float_best_step", best_step, "s", "step with Verlet's least error in float", 2);
@@ -151,7 +150,6 @@ void two_positions(const Settings& settings, lab::Findings& out) {
     out.number("steps", double(settings.steps), "", "steps in the first picture");
     out.number("identity_steps", double(steps), "", "steps compared");
     out.number("identity_worst", worst, "m", "Verlet against semi-implicit Euler, worst", 2);
-    out.number("identity_bound", a_step * steps, "m", "what rounding may make of it", 2);
     out.check("identity", worst < a_step * steps,
               "plain Verlet steps through the positions of semi-implicit Euler, to the growth of "
               "roundoff");

@@ -92,12 +92,8 @@ void between_steps(const Settings& settings, lab::Findings& out) {
     out.number("between_30", turn_30, "°", "nlerp off, 30 degrees a step", 2);
     out.number("between_90", turn_90, "°", "nlerp off, a quarter turn a step", 2);
     out.number("between_180", turn_180, "°", "nlerp off, half a turn a step", 2);
-    out.number("between_order", order, "", "the power of the turn with which that falls", 2);
     out.number("between_box", box_60, "°",
                "slerp off a quarter of the way on a tumbling box that turns 10 degrees a step", 2);
-    out.number("between_box_nlerp", box_nlerp, "°", "nlerp there", 2);
-    out.number("between_long_way", long_way, "°",
-               "off half-way with the other sign, 30 degrees a step", 3);
     out.check("nlerp_right_axis", axis < 1e-14 && ends < 1e-5,
               "nlerp turns about the right axis and is right at both ends, and slerp is right all "
               "the way at a constant spin");

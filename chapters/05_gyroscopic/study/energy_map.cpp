@@ -128,15 +128,10 @@ void energy_map(const Settings& settings, lab::Findings& out) {
             gains.row({words("%.2g", size), words("%.2g %%", 100 * gained / many),
                        added(implicit_worst), added(converged_worst), added(passive_worst)});
         if (i == 0) {
-            out.number("share_at_1", 100 * gained / many, "%",
-                       "random bodies that gain in a step with h|omega| = 1", 2);
-            out.number("worst_at_1", implicit_worst, "", "the worst gain among them");
             std::printf("  at h|omega| = 1, of %d random bodies %.1f %% gain, up to x %.3g\n", many,
                         100 * gained / many, implicit_worst);
         }
         if (i == 8) {
-            out.number("worst_at_10", implicit_worst, "",
-                       "the worst gain among random bodies at h|omega| = 10", 2);
             std::printf("  at h|omega| = 10 up to x %.2g\n", implicit_worst);
             out.check("worst_at_10", implicit_worst > 100,
                       "at h|ω| = 10 one step multiplies the energy by more than a hundred");
@@ -169,13 +164,10 @@ void energy_map(const Settings& settings, lab::Findings& out) {
                "the worst gain found up to h|omega| = 1 and a ratio of some thousand");
     out.check("map_worse_than_random", top_1000 > 2,
               "the search finds worse than random bodies do: more than twice the energy");
-    out.number("map_worst", top, "", "the worst gain found up to h|omega| = 1");
-    out.number("map_worst_ratio", top_ratio, "", "the ratio of its moments");
     out.number("map_first", first, "", "least h|omega| on the map with a gain of a hundredth", 2);
     out.number("map_first_spin", first / settings.step, "rad/s", "the spin that this is", 2);
     out.number("map_first_turns", first / settings.step / (2 * pi), "turns/s",
                "the same in turns a second", 2);
-    out.number("map_first_ratio", first_ratio, "", "ratio of the moments there", 2);
     auto& edge = out.table("map_edge.tsv", {"size", "ratio"});
     edge.row({first, 1.0}), edge.row({first, 1.3e6});
     out.check("map_begins_below_one", first < 1, "a gain of a hundredth is met below h|ω| = 1");

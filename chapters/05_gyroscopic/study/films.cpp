@@ -66,24 +66,14 @@ void tumbling(lab::Findings& out) {
             }
         }
     }
-    out.number("tumbling_seconds", frames * steps / rate, "s", "length of the tumbling film", 2);
     out.number("tumbling_spin", 7, "rad/s", "spin of the box in the tumbling film");
-    out.number("tumbling_tilt", 0.05, "rad/s", "spin about each of its other axes at the start");
     const char* names[] = {"exact", "dropped", "implicit", "passive"};
     for (int i = 0; i < 4; ++i) {
         const std::string name = names[i];
-        out.number("tumbling_" + name + "_flips", double(flips[i].size()), "",
-                   name + ": flips in the film");
-        if (flips[i].size() > 2)
-            out.number("tumbling_" + name + "_third", flips[i][2], "s",
-                       name + ": time of the third flip");
         out.number("tumbling_" + name + "_energy",
                    kinetic_energy(inertia, now[i]) / kinetic_energy(inertia, start), "",
                    name + ": energy at the end of the film over that at its start", 2);
     }
-    out.number("tumbling_passive_momentum",
-               angular_momentum(inertia, now[3]).norm() / angular_momentum(inertia, start).norm(),
-               "", "passive: |L| at the end of the film over that at its start", 3);
     const V last = now[3].q.conjugate() * now[3].omega;
     out.check(
         "tumbling_film",
@@ -141,8 +131,6 @@ void on_plane(lab::Findings& out) {
         advance("dropped", 1);
         advance("passive", 2);
     }
-    out.number("capsule_film_seconds", frames * steps / rate, "s",
-               "time that the capsule's film covers", 2);
     out.check("capsule_film",
               lost[0] && now[1].turning.omega.norm() > 10 && now[2].turning.omega.norm() < 0.01,
               "in the film the explicit capsule is lost, the dropped one spins, the passive one "

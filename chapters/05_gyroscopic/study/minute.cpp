@@ -33,11 +33,6 @@ void minute(const Settings& settings, lab::Findings& out) {
             std::snprintf(momentum, sizeof momentum, burst ? "–" : "%.3f", L);
             cells.push_back(std::string(energy)), cells.push_back(std::string(momentum));
             const std::string id = (inertia == &brick ? "minute_" : "minute_other_") + solver.key;
-            if (!burst) {
-                out.number(id + "_energy", E, "", "energy after a minute over that at the start");
-                out.number(id + "_momentum", L, "",
-                           "angular momentum after a minute over that at the start");
-            }
             std::printf("  %-25s %-14s energy %s, momentum %s\n", solver.name.c_str(),
                         inertia == &brick ? "sides 1:2:3" : "moments 1:2:3", energy, momentum);
             const std::string& k = solver.key;

@@ -91,11 +91,8 @@ void one_throw(const Settings& settings, lab::Findings& out) {
     const plane::BodyState start = scene::thrown(body);
     out.number("plane_spin", scene::spin, "rad/s", "spin of the capsule on the plane at the start");
     out.number("plane_seconds", long_enough, "s", "for which the capsule on the plane is watched");
-    out.number("plane_friction", scene::ground(0.1).friction, "", "Coulomb's coefficient");
     out.number("plane_rolling", scene::ground(0.1).rolling, "",
                "coefficient of rolling resistance, in radii");
-    out.number("plane_hw", scene::spin * settings.step, "",
-               "h |omega| of that capsule at the start");
     auto& table = out.table("plane.tsv", {"gyroscopic torque", "no rolling resistance",
                                           "with rolling resistance", "most energy"});
     std::printf("%-24s %-26s %-26s\n", "gyroscopic torque", "no rolling resistance", "with it");
@@ -137,16 +134,12 @@ void one_throw(const Settings& settings, lab::Findings& out) {
                2);
     out.number("plane_explicit_peak", without[0].most_spin, "rad/s",
                "explicit: largest spin, without rolling resistance");
-    out.number("plane_explicit_left", without[0].spin, "rad/s",
-               "explicit: spin at the end, without rolling resistance", 2);
     // What is left of it at the end hangs on the last digits, as long as it has tumbled by then.
     out.check("plane_explicit_lies",
               without[0].most_spin > 2 * scene::spin &&
                   without[0].spin < without[0].most_spin / 10 && without[0].upright < 5,
               "explicit without rolling resistance: the spin more than doubles, and in the end the "
               "capsule lies flat with less than a tenth of that");
-    out.number("plane_old_energy", old.energy, "",
-               "lagged inertia: energy at the end over that at the start", 2);
     out.check("plane_explicit", expl.blown_up > 0, "explicit: the capsule on the plane blows up");
     out.check("plane_dropped",
               dropped.spin > 10 && dropped.most_energy <= 1 && dropped.upright > 80,
@@ -198,8 +191,6 @@ void ball(const Settings& settings, lab::Findings& out) {
     for (const Outcome& o : outcomes)
         same = same && o.spin == outcomes[0].spin && o.energy == outcomes[0].energy;
     std::printf("%-24s %-26s %-26s\n", "a ball, any of them", "", said(outcomes[0]).c_str());
-    out.number("plane_ball_spin", outcomes[0].spin, "rad/s",
-               "the ball: what is left, about the vertical");
     out.check("plane_ball", same,
               "a ball moves alike, to the last digit, whatever is done to its torque");
 }
@@ -244,12 +235,7 @@ void many_throws(const Settings& settings, lab::Findings& out) {
         std::printf("%-24s %-9s %8d %8d %8d %8d\n", name.c_str(), word.c_str(), rested, lost_ones,
                     gained, upright);
         const std::string prefix = "throws_" + word + "_" + key + "_";
-        out.number(prefix + "rested", rested, "",
-                   name + ", arms at the " + word + ": throws at rest in the end");
         out.number(prefix + "gained", gained, "", "throws that gained energy");
-        out.number(prefix + "lost", lost_ones, "", "throws that blew up");
-        out.number(prefix + "upright", upright, "", "throws that end standing and spinning");
-        out.number(prefix + "most", most, "", "most energy, over that at the start", 2);
         if (key == "passive" && arms == plane::Arms::start)
             out.check("throws_arms", gained > 0,
                       "with the arms of engines, contacts add energy even to throws with the "

@@ -43,7 +43,6 @@ void torque(const Settings&, lab::Findings& out) {
     out.number("box_angle", degrees_between(omega, L), "°",
                "between angular velocity and momentum of the box");
     out.text("box_omega", "(1, 2, 2) rad/s", "the spin with that angle");
-    out.number("box_torque", omega.cross(L).norm(), "N m", "gyroscopic torque on the box");
     out.check("cube_no_torque", omega.cross(cube_L).norm() == 0, "a cube has no gyroscopic torque");
 
     // A ball passes through a solver that has no step at all: nothing gyroscopic is compiled for

@@ -91,9 +91,6 @@ void tumble(const Settings& settings, lab::Findings& out) {
     std::snprintf(moments, sizeof moments, "(%.3g, %.3g, %.3g) kg m²", I.x(), I.y(), I.z());
     out.text("tumble_moments", moments, "its moments about x, y and z");
     out.number("tumble_moment", L0 * L0 / E0 / 2, "kg m²", "L²/2E, exactly");
-    out.number("tumble_middle", brick.moments.y(), "kg m²", "the intermediate moment");
-    out.number("tumble_largest", brick.moments.x(), "kg m²", "the largest moment");
-    out.number("tumble_h_omega", h * settings.spin, "", "the step times the spin");
 
     for (const Solver& solver : solvers()) {
         const std::string id = "tumble_" + solver.key;
@@ -121,15 +118,8 @@ void tumble(const Settings& settings, lab::Findings& out) {
         flips.row({solver.name, words(seen.at),
                    burst ? words("blown up after %.2f s", last + h) : words("%.3g", energy),
                    burst ? std::string("–") : words("%.3g", momentum)});
-        if (!burst) {
-            out.number(id + "_energy", energy, "", "energy left over that at the start");
-            out.number(id + "_momentum", momentum, "",
-                       "angular momentum left over that at the start");
-        }
         out.number(id + "_moment", about, "kg m²",
                    "L²/2E at the end: the moment about which it turns");
-        if (!seen.at.empty())
-            out.number(id + "_first", seen.at[0], "s", "when the box first turns over");
         const std::string& k = solver.key;
         if (k == "explicit") {
             double burst_at = -1;

@@ -242,7 +242,6 @@ void advice(const Settings&, lab::Findings& out) {
     out.number("near_share", 100 * total.near / all, "%", "scenes within 10 % of a boundary", 2);
     std::printf("  %ld of them within 10 %% of a boundary\n", total.near);
     out.number("close_share", 100 * total.close / all, "%", "scenes too close to call", 2);
-    out.number("wrong", double(total.wrong), "", "verdicts that the simulation contradicts");
     out.check(
         "advice_right",
         total.right >= 0.999 * decided && total.close <= 0.01 * all && total.near >= 0.5 * all,

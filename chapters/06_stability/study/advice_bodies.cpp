@@ -17,13 +17,6 @@ void advice_bodies(const Settings&, lab::Findings& out) {
                 said.never, said.bounded, said.can, said.close, said.wrong);
     const double decided = double(said.asked - said.close);
     out.number("body_questions", double(said.asked), "", "random questions about a spinning body");
-    out.number("body_right_share", 100 * (1 - double(said.wrong) / decided), "%",
-               "verdicts that the steps confirm", 5);
-    out.number("body_wrong", double(said.wrong), "", "verdicts that the steps contradict");
-    out.number("body_close_share", 100 * double(said.close) / double(said.asked), "%",
-               "too close to call", 2);
-    out.number("body_near_share", 100 * double(said.near) / double(said.asked), "%",
-               "within a tenth of a limit", 2);
     out.check(
         "body_advice_right",
         double(said.wrong) <= 0.001 * decided && double(said.close) <= 0.03 * double(said.asked),
@@ -37,7 +30,7 @@ void advice_bodies(const Settings&, lab::Findings& out) {
     auto& table = out.table("advice_bodies.tsv", {"line", "questions", "off by 1 %", "lost",
                                                   "worst, %", "another was nearer"});
     double worst = 0;
-    long asked = 0, beaten = 0, wrong = 0, many = 0, many_wrong = 0, many_lost = 0;
+    long asked = 0, beaten = 0, wrong = 0;
     for (const auto& line : questions::recommended(300, 7, fastest)) {
         table.row({line.name, double(line.asked), double(line.wrong), double(line.lost),
                    100 * line.worst, double(line.beaten)});
@@ -46,10 +39,6 @@ void advice_bodies(const Settings&, lab::Findings& out) {
             "was nearer in "
             "%ld\n",
             line.name.c_str(), line.asked, line.wrong, line.lost, 100 * line.worst, line.beaten);
-        if (line.name == "many") {
-            many = line.asked, many_wrong = line.wrong, many_lost = line.lost;
-            continue;
-        }
         if (line.name.starts_with("many"))
             continue;  // must be cheap, or keep the energy, and is not near
         asked += line.asked, beaten += line.beaten, wrong += line.wrong;
@@ -60,10 +49,6 @@ void advice_bodies(const Settings&, lab::Findings& out) {
     out.number("take_worst", 100 * worst, "%",
                "how far the recommended line was off at most in two seconds", 2);
     out.number("take_seen", 100 * right_orientation, "%", "up to which an orientation is right", 2);
-    out.number("take_many_wrong", 100 * double(many_wrong) / double(many), "%",
-               "of the throws by the thousand that the half-step Jacobian has off by more than 1 %",
-               2);
-    out.number("take_many_lost", 100 * double(many_lost) / double(many), "%", "and lost", 2);
     out.check("take_right", wrong == 0 && worst < 1e-3 && beaten == 0,
               "one body in free flight, up to ten radians a frame: the recommended line is off by "
               "less than 0.1 % in "
@@ -81,8 +66,6 @@ void advice_bodies(const Settings&, lab::Findings& out) {
                "of the throws near the intermediate axis that ball and remainder 4 loses by uneven "
                "frames, a quarter of a radian",
                2);
-    out.number("uneven_rk4_worst", 100 * kutta.worst, "%",
-               "how far Runge-Kutta 4 is off there, a twelfth at most", 2);
     out.check("uneven_frames", four.lost > 0.1 && kutta.worst < 0.01,
               "by frames of uneven length ball and remainder 4 loses more than a tenth of the "
               "throws near the middle "
@@ -98,12 +81,6 @@ void advice_bodies(const Settings&, lab::Findings& out) {
         "any way; 20 %% apart "
         "in %.0f and %.0f %%\n",
         100 * axis, 100 * any, 100 * far_axis, 100 * far);
-    out.number("near_axis", 100 * axis, "%",
-               "of throws about the third axis nearer declared equal than by passive, 5 % apart",
-               3);
-    out.number("near_any", 100 * any, "%", "the same of throws in any direction", 2);
-    out.number("far_axis", 100 * far_axis, "%", "about the third axis, 20 % apart", 2);
-    out.number("far_any", 100 * far, "%", "in any direction, 20 % apart", 2);
     out.check("nearly_equal", axis > 0.95 && any > 0.55 && far < 0.5,
               "two moments 5 % apart are better declared equal than stepped by passive, in most "
               "throws of any direction "

@@ -123,8 +123,6 @@ void edge(const Method& method, Worst& worst, lab::Findings& out) {
     std::printf("  %-32s %9.4f %9.4f %9.4f %9.4f\n", method.name, predicted(method, 0.01),
                 predicted(method, 0.1), predicted(method, 1), predicted(method, 10));
     out.number("edge_hard_" + id, predicted(method, 10), "", "longest stable omega h at zeta = 10");
-    out.number("edge_soft_" + id, predicted(method, 0.01), "",
-               "longest stable omega h at zeta = 0.01");
 }
 
 // Without damping. At ωh = 2 + δ Verlet grows by e^(2√δ) a step, to 10⁶ in 20,000 steps where δ is

@@ -214,8 +214,6 @@ void accuracy(lab::Findings& out) {
     out.number("swing_steps", steps, "", "in so many steps");
     out.number("swing_implicit", 100 * size(implicit_euler), "%",
                "what implicit Euler leaves of an oscillation");
-    out.number("swing_explicit", size(explicit_euler), "",
-               "what explicit Euler makes of an oscillation");
     out.check("stable_not_accurate", size(implicit_euler) < 0.3,
               "implicit Euler, which is stable, loses most of an oscillation in 13 steps, about a "
               "period, at omega h = 0.5");

@@ -117,10 +117,6 @@ void leave_out(const Settings&, lab::Findings& out) {
         std::printf("  %-14s %10.1f %10.1f %10.1f %10.1f\n", names[which], m.sorted, m.variant,
                     m.virtually, m.alike);
         const std::string key = keys[which];
-        out.number(key + "_variant_ratio", m.variant / m.sorted, "",
-                   "time of std::variant over sorted, " + key);
-        out.number(key + "_virtual_ratio", m.virtually / m.sorted, "",
-                   "time of virtual over sorted, " + key);
         out.number(key + "_alike_ratio", m.alike / m.sorted, "",
                    "time of boxes only over sorted, " + key, 1);
         const double off =

@@ -115,8 +115,8 @@ void prothero_robinson(const Settings&, lab::Findings& out) {
     };
     at_limit(explicit_euler, 2), at_limit(midpoint, 2), at_limit(heun, 2),
         at_limit(runge_kutta_4, 2.7852936);
-    out.number("prothero_steps", 1 / needed, "Hz", "steps a second that explicit Euler needs");
-    out.number("prothero_frame", std::ceil(1 / needed / 60), "", "the same a frame");
+    out.number("prothero_frame", std::ceil(1 / needed / 60), "",
+               "steps per frame that explicit Euler needs");
     out.check("prothero_explicit", fits && misses,
               "an explicit method blows up unless its step is as short as the pull asks for");
 }

@@ -136,10 +136,7 @@ void van_der_pol(lab::Findings& out) {
         {std::string("implicit Euler, adaptive"), double(account.steps), words("%.1e", error)});
     out.number("vdp_even", 2000, "", "even steps of the implicit methods");
     out.number("vdp_even_many", 200000, "", "a hundred times as many");
-    out.number("vdp_explicit_steps", 6e6, "", "steps with which explicit Euler does not blow up");
-    out.number("vdp_explicit_frame", 6e6 / 120, "", "the same a frame");
     out.number("vdp_adaptive_steps", double(account.steps), "", "adaptive steps");
-    out.number("vdp_refused", double(account.refused), "", "steps refused");
     out.number("vdp_adaptive_error", error, "", "error of the adaptive run", 2);
     out.number("vdp_even_jumps", double(even_jumps), "", "jumps with 200000 even steps");
     out.number("vdp_true_jumps", double(jumps), "", "jumps of the adaptive run");
@@ -213,7 +210,6 @@ void robertson(lab::Findings& out) {
     out.number("robertson_even", 400, "", "implicit steps to t = 40");
     out.number("robertson_adaptive_steps", double(account.steps), "", "adaptive steps to t = 1e11");
     out.number("robertson_error", 100 * error, "%", "largest error of a share at t = 1e11", 2);
-    out.number("robertson_shortest", account.shortest, "s", "the shortest step", 1);
     out.number("robertson_longest", account.longest, "s", "the longest step", 1);
     out.number("robertson_explicit_steps", explicit_steps, "",
                "steps of an explicit method to t = 1e11", 1);

@@ -112,8 +112,6 @@ void regions(const Settings& settings, lab::Findings& out) {
     for_each_stability_function([&](const auto& method) { lay_over(method, tally, out); });
     std::printf("  %d runs, %d grew, each as |R(z)| says; log of the growth within %.1e\n",
                 tally.points, tally.grew, tally.off);
-    out.number("region_runs", tally.points, "", "runs laid over the regions of stability");
-    out.number("region_off", tally.off, "", "measured growth against |R|, logarithm, worst", 1);
     out.check("regions", tally.agree && tally.worst < 1,
               "every run grows where |R(z)| > 1 and decays elsewhere, by the factor |R(z)|");
 

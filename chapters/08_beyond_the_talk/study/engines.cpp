@@ -275,8 +275,6 @@ void price(const Body& brick, const std::map<std::string, double>& ns, lab::Find
                2);
     out.number("engines_midpoint_price", over("implicit_midpoint"), "",
                "its time over that of the half-step Jacobian", 2);
-    out.number("engines_veselov_price", over("moser_veselov_2"), "",
-               "Moser-Veselov's time, of order two, over that of the half-step Jacobian", 2);
     out.number("engines_veselov_4_price", over("moser_veselov_4"), "", "the same of order four", 2);
     out.check("engines_midpoint_price", each > 2,
               "implicit midpoint: more than two Newton steps in a step of this box");

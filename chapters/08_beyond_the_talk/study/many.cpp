@@ -197,8 +197,6 @@ void many_springs(lab::Findings& out) {
                   " steps a pass: that point tells nothing"
             : pass + "they are " + times(alone_ns / several_ns) + " as fast as one by one: " + felt,
         "what the memory costs, in this run");
-    out.number("many_springs_passes", lanes_ns / several_ns, "",
-               "a million springs: several steps a pass, times as fast as one", 2);
 }
 
 void many_bodies(lab::Findings& out) {
@@ -305,8 +303,6 @@ void many_bodies(lab::Findings& out) {
     std::printf("    by the passive step in lanes %.1f, by Cayley %.1f\n", passive_ns, cayley_ns);
     out.number("many_bodies_ratio", alone_ns / lanes_ns, "",
                "ten thousand boxes: in lanes, times as fast as one by one", 2);
-    out.number("many_alone_ns", alone_ns, "ns", "a step of a box among ten thousand, one by one",
-               2);
     out.number("many_box_ns", lanes_ns, "ns", "a step of a box among ten thousand, in lanes", 2);
     out.number("many_ball_ns", balls_ns, "ns", "a step of a ball among ten thousand, in lanes", 2);
     const double start_boxes = 100 * std::round(start_ns / lanes_ns / 100);

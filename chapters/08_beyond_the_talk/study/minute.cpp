@@ -65,10 +65,6 @@ void minute(const Settings& settings, lab::Findings& out) {
             std::printf(" %7s %7s", three(E).c_str(), three(M).c_str());
             const auto name = [&](const char* what) { return "minute_" + k + "_" + id + what; };
             out.number(name("_energy"), E, "", "energy after a minute over that at the start");
-            out.number(name("_momentum"), M, "", "momentum after a minute over that at the start");
-            out.number(name("_swing"), 100 * off_E, "%", "how far the energy is off at most", 2);
-            out.number(name("_momentum_swing"), 100 * off_L, "%",
-                       "how far the momentum is off at most", 2);
             // A few ε a step, at the worst all one way.
             const double roundoff = 26 * 2.3e-16 * double(steps);
             const std::string of = std::string(": ") + c.words;

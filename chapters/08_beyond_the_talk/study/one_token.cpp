@@ -44,7 +44,6 @@ void one_token(const Settings& settings, lab::Findings& out) {
             "%%)\n",
             method.name.c_str(), E, least, most, 100 * rms, 100 * worst);
         out.number("token_" + k + "_energy", E, "", "energy at the end over that at the start");
-        out.number("token_" + k + "_error", 100 * rms, "%", "RMS error of omega over the spin", 2);
         if (k == "implicit") worst_of_talk = worst, lost_by_talk = 1 - E;
         if (k == "half_step") {
             out.number("token_swing", 100 * std::max(1 - least, most - 1), "%",
@@ -61,7 +60,6 @@ void one_token(const Settings& settings, lab::Findings& out) {
     out.number("token_seconds", seconds, "s", "how long the box is watched");
     out.text("token_moments", "(13, 10, 5) kg m²", "moments of the box");
     out.number("token_spin", settings.spin, "rad/s", "its spin about the intermediate axis");
-    out.number("token_tilt", settings.tilt, "rad/s", "its spin about the other two");
 
     // Does the energy drift? A quarter of an hour, the mean of the first and of the last minute.
     double first = 0, last = 0;

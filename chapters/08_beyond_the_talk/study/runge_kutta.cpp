@@ -46,7 +46,6 @@ void runge_kutta(const Settings&, lab::Findings& out) {
                     power, calm, 100 * loss);
     }
     out.number("rk4_calm", calm, "", "h|omega| at which Runge-Kutta 4 was watched for a minute");
-    out.number("rk4_throws", throws, "", "throws of each body");
     out.number("rk4_calm_spin", calm / h, "rad/s", "the spin that this is at 60 Hz");
     out.number("rk4_calm_loss", 100 * worst, "%", "of the energy that a minute takes at most", 2);
     out.check("rk4_fifth", fifth, "Runge-Kutta 4 loses energy with the fifth power of h");
