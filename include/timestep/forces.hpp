@@ -1,20 +1,21 @@
 #pragma once
 /// \file
-/// What a force depends on. A model says it by the arguments its `acceleration` takes, and nothing
-/// more reaches it:
+/// What a force depends on. A model declares it by the arguments of its `acceleration`, and gets no
+/// others:
 ///
 ///     acceleration()        constant           ConstantForce
 ///     acceleration(x)       position only      PositionForce
 ///     acceleration(x, v)    and velocity       VelocityForce
 ///
-/// The partial derivatives ∂a/∂x and ∂a/∂v, which implicit methods need, follow the same rule:
-/// `slope_x()` and `slope_v()` without arguments are constants, so the model is linear.
+/// The partial derivatives ∂a/∂x and ∂a/∂v, which implicit methods need, follow that rule:
+/// `slope_x()` and `slope_v()` without arguments are constants, so the model is linear. If a model
+/// has several overloads, the one with the fewest arguments is used.
 
 #include <timestep/state.hpp>
 
 namespace timestep {
 
-/// The acceleration is the same everywhere and always.
+/// The acceleration is constant.
 template <class Model>
 concept ConstantForce = requires(const Model& m) {
     m.acceleration();
@@ -35,15 +36,12 @@ concept VelocityForce = PositionForce<Model, X> ||
 
 /// \cond
 namespace detail {
-// The model's acceleration in the type in which the model gives it.
-template <class Model, class X>
-decltype(auto) given_acceleration(const Model& model, const X& x, const X& v) {
-    if constexpr (ConstantForce<Model>)
-        return model.acceleration();
-    else if constexpr (PositionForce<Model, X>)
-        return model.acceleration(x);
-    else if constexpr (VelocityForce<Model, X>)
-        return model.acceleration(x, v);
+template <class X, class A>
+X as_position(const A& given) {
+    static_assert(std::is_convertible_v<const A&, X>,
+                  "timestep: the acceleration must be what the position is: a number, or a "
+                  "vector of the same size");
+    return given;
 }
 }  // namespace detail
 /// \endcond
@@ -54,23 +52,25 @@ X acceleration(const Model& model, const X& x, const X& v) {
     static_assert(VelocityForce<Model, X>,
                   "timestep: a model needs a const member acceleration(), acceleration(x) or "
                   "acceleration(x, v)");
-    if constexpr (VelocityForce<Model, X>) {
-        static_assert(std::is_convertible_v<decltype(detail::given_acceleration(model, x, v)), X>,
-                      "timestep: the acceleration must be what the position is: a number, or a "
-                      "vector of the same size");
-        return detail::given_acceleration(model, x, v);
-    }
+    if constexpr (ConstantForce<Model>)
+        return detail::as_position<X>(model.acceleration());
+    else if constexpr (PositionForce<Model, X>)
+        return detail::as_position<X>(model.acceleration(x));
+    else if constexpr (VelocityForce<Model, X>)
+        return detail::as_position<X>(model.acceleration(x, v));
 }
 
-/// The acceleration of `model` at position `x`, m/s²: for methods of Verlet's kind, which need the
-/// force where they do not know the velocity yet, or never (I08).
+/// The acceleration of `model` at position `x`, m/s². Methods of Verlet's kind use it, because they
+/// evaluate the force before they know the velocity (I08).
 template <class X, class Model>
 X acceleration(const Model& model, const X& x) {
     static_assert(PositionForce<Model, X>,
                   "timestep: Verlet has no velocity to hand to a force: it needs acceleration() or "
                   "acceleration(x)");
-    if constexpr (PositionForce<Model, X>)
-        return acceleration(model, x, x);  // no force reads the third
+    if constexpr (ConstantForce<Model>)
+        return detail::as_position<X>(model.acceleration());
+    else if constexpr (PositionForce<Model, X>)
+        return detail::as_position<X>(model.acceleration(x));
 }
 
 /// The rate of change of a body's state, Newton's law in first-order form (N16, I04):
@@ -90,7 +90,7 @@ Y rate(const System& f, const FirstOrder<Y>& s) {
 
 /// \cond
 namespace detail {
-// A sum of forces is linear, or smooth, only when all that it adds up are: scene.hpp says so.
+// A sum of forces is linear, or smooth, only if all of its parts are (scene.hpp).
 template <class Model, class X>
 inline constexpr bool parts_are_linear = true;
 template <class Model, class X>
@@ -110,6 +110,7 @@ template <class Model, class X>
 concept HasSlopeV = requires(const Model& m) {
     m.slope_v();
 }
+|| requires(const Model& m, const X& x) { m.slope_v(x); }
 || requires(const Model& m, const X& x, const X& v) { m.slope_v(x, v); };
 }  // namespace detail
 /// \endcond
@@ -122,8 +123,8 @@ concept LinearForce = ConstantForce<Model> ||
      (PositionForce<Model, X> || requires(const Model& m) { m.slope_v(); }) &&
      detail::parts_are_linear<Model, X>);
 
-/// A force that the velocity enters linearly, if at all: a = a(x, 0) + slope_v·v with the same
-/// slope_v everywhere. What it does with the position is its own affair.
+/// A force that is linear in the velocity or does not depend on it: a = a(x, 0) + slope_v·v with a
+/// constant slope_v. It may depend on the position in any way.
 template <class Model, class X>
 concept LinearDamping = PositionForce<Model, X> || detail::parts_damp_linearly<Model, X>;
 
@@ -151,10 +152,12 @@ template <class X, class Model>
 auto slope_v(const Model& model, const X& x, const X& v) {
     if constexpr (PositionForce<Model, X>)
         return real_of<X>(0);
-    else if constexpr (requires { model.slope_v(x, v); })
-        return model.slope_v(x, v);
-    else
+    else if constexpr (requires { model.slope_v(); })
         return model.slope_v();
+    else if constexpr (requires { model.slope_v(x); })
+        return model.slope_v(x);
+    else
+        return model.slope_v(x, v);
 }
 
 }  // namespace timestep

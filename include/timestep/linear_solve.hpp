@@ -24,10 +24,10 @@ A identity() {
 /// The 0 of numbers and of vectors.
 template <class X>
 X zero() {
-    if constexpr (is_number<X>)
-        return X(0);
-    else
+    if constexpr (requires { X::Zero(); })
         return X::Zero();
+    else
+        return X{};
 }
 
 /// A matrix as it is, and a number as that number times the identity.

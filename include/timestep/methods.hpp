@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Every method of the course so far, for programs and tests that go through all of them.
+/// Every method of the course, for programs and tests that go through all of them.
 
 #include <tuple>
 

@@ -1,19 +1,36 @@
 #pragma once
 /// \file
-/// Which real number stands behind a number, a vector or a state; and what a state makes of the
-/// values it is given, so that a mistake meets one clear message.
+/// The real number type behind a number, a vector or a state; and the type that a state makes of
+/// the values it is given, so that a mistake gets one clear message.
 
 #include <concepts>
 #include <type_traits>
 
 namespace timestep {
 
-/// Is `X` one real number, a built-in one, or a pack of them that adds and multiplies as one does
-/// (lanes.hpp)?
+/// Whether `X` is one real number: a built-in one, or a pack that adds and multiplies as one number
+/// does (lanes.hpp).
 template <class X>
 inline constexpr bool is_number = std::is_arithmetic_v<X>;
 
-/// Calls `look(a, b, …)` with real numbers, or lane by lane where they are packs of them.
+/// A vector that a State can hold: it names its real number type and itself. Eigen's vectors do; a
+/// game's own vector needs the two `using` lines.
+///
+///     struct Vec3 {
+///         using Scalar = float;
+///         using PlainObject = Vec3;
+///         float x, y, z;
+///     };
+///
+/// The methods compute with `a + b`, `a - b`, `number * a` and `a / number`; run() also calls
+/// `bool is_finite(const Vec3&)`. Implicit methods need a force whose slopes are numbers, or Eigen.
+template <class X>
+concept StateVector = requires {
+    typename X::Scalar;
+}
+&&std::same_as<X, typename X::PlainObject>;
+
+/// Calls `look(a, b, …)` with real numbers, or lane by lane if they are packs.
 template <class Look, class Real, class... More>
 constexpr void for_each_number(const Look& look, const Real& a, const More&... more) {
     if constexpr (std::is_arithmetic_v<Real>)
@@ -26,7 +43,12 @@ constexpr void for_each_number(const Look& look, const Real& a, const More&... m
 namespace detail {
 template <class X>
 struct RealOf {
-    using type = typename X::Scalar;  // an Eigen vector, a State: they name their real number
+    using type = double;  // of a type that names none; a State refuses it
+};
+template <class X>
+requires requires { typename X::Scalar; }
+struct RealOf<X> {
+    using type = typename X::Scalar;  // an Eigen vector, a State
 };
 template <class X>
 requires is_number<X>
@@ -52,8 +74,12 @@ requires std::same_as<typename A::PlainObject, typename B::PlainObject>
 struct Kept<A, B> {
     using type = typename A::PlainObject;
 };
+template <class A>
+requires(!is_number<A> && !requires { typename A::PlainObject; }) struct Kept<A, A> {
+    using type = A;  // a State says what is missing
+};
 
-// Eigen names the vector that an expression computes; a vector names itself.
+// Eigen names the vector that an expression computes, and a vector names itself.
 template <class X>
 inline constexpr bool is_expression = false;
 template <class X>

@@ -2,9 +2,10 @@
 /// \file
 /// Many steps of one method: the loop around every picture of the course.
 
+#include <optional>
+
 #include <timestep/checks.hpp>
 #include <timestep/forces.hpp>
-#include <timestep/linear_solve.hpp>
 
 namespace timestep {
 
@@ -36,33 +37,17 @@ struct RunTypes {
                   "timestep: observe is called with each state, as in [](const auto& state) { }");
 };
 
-// The numbers that a step's formulas hold: h²; of a linear force 1 − h ∂a/∂v − h² ∂a/∂x, by which
-// an implicit step divides; of a first-order system that has a slope, 1 − h ∂f/∂y at the start. (A
-// slope that is itself no number, as that of √y at zero, harms no explicit method.)
-template <class Model, class S>
-void check_step(const Model& model, const S& s, real_of<S> h) {
-    bool good = is_finite(h * h);
-    if constexpr (requires { requires LinearForce<Model, std::decay_t<decltype(s.x)>>; })
-        good = good &&
-               is_finite(implicit_matrix(h, slope_v(model, s.x, s.v), slope_x(model, s.x, s.v)));
-    if constexpr (requires { model.slope_y(s.t, s.y); }) {
-        const auto& slope = model.slope_y(s.t, s.y);
-        good = good && (!is_finite(slope) || is_finite(implicit_matrix(h, slope, real_of<S>(0))));
-    }
-    if (!good)
-        refuse("step", h, "so short that its square, and that times the force's slope, is finite");
-}
 }  // namespace detail
 /// \endcond
 
 /// Takes `steps` steps of `h` seconds from `start` and returns the last state. Calls
 /// `observe(state)` with the start and after each step.
 ///
-/// The inputs are looked at once, here: throws `std::invalid_argument` when the step is not a
-/// finite number above zero, the count is negative or the start is not finite; and when h², or for
-/// a linear force 1 − h ∂a/∂v − h² ∂a/∂x, or for a first-order system h ∂f/∂y at the start, is too
-/// large for a number. Whether the result is finite is for the caller to ask, with is_finite():
-/// some methods blow up, and a course shows it.
+/// The inputs are checked once, here. Throws `std::invalid_argument` if the step is not a finite
+/// number above zero, the count is negative or the start is not finite. A method whose formulas
+/// hold more than that, such as h² or an implicit step's divisor, has a member `check_step(model,
+/// start, h)`, which is called here too. The result may be infinite or NaN, because some methods
+/// blow up: ask is_finite(), or use checked_run().
 template <class Method, class Model, class S, class Count, class Observe>
 S run(const Method& method, const Model& model, const S& start, real_of<S> h, Count steps,
       Observe&& observe) {
@@ -70,7 +55,8 @@ S run(const Method& method, const Model& model, const S& start, real_of<S> h, Co
     positive("step", h);
     not_negative("steps", static_cast<double>(steps));
     if (!is_finite(start)) refuse("start: must be a finite state");
-    detail::check_step(model, start, h);
+    if constexpr (requires { method.check_step(model, start, h); })
+        method.check_step(model, start, h);
 
     observe(start);
     if (steps == 0) return start;
@@ -95,35 +81,36 @@ S run(const Method& method, const Model& model, const S& start, real_of<S> h, Co
     }
 }
 
-/// The same without an observer.
+/// Takes `steps` steps of `h` seconds from `start` and returns the last state, without an observer.
 template <class Method, class Model, class S, class Count>
 S run(const Method& method, const Model& model, const S& start, real_of<S> h, Count steps) {
     return run(method, model, start, h, steps, [](const S&) {});
 }
 
-struct Verlet;
-
-/// A run whose result has been looked at.
+/// The last state of a run, and the step at which it stopped being finite.
 template <class S>
 struct CheckedRun {
-    S state;          ///< the last one
-    long blew_up_at;  ///< the first step after which the state was not finite; 0 if it always was
+    S state;                         ///< the last state
+    std::optional<long> blew_up_at;  ///< the first step whose state was not finite; empty if none
 };
 
-/// The same run, and one look at its result. One is enough: a step adds to what is there, and of
-/// what is not a finite number no sum is one again. Only a run that has blown up is repeated, with
-/// a look at each state, to say when. (Verlet's velocity is no part of the sum, and may come back:
-/// its runs are looked at state by state.) [checked]
+// One check at the end is enough: a step adds to the state, and a sum with an infinity or a NaN is
+// never finite again. Only a run that has blown up is repeated, with a check of each state. A
+// method that computes its velocity anew in each step (Verlet) may get a finite one back, so all of
+// its states are checked.
+/// Runs as run() does, and reports whether and when the state stopped being finite.
+/// [checked]
 template <class Method, class Model, class S, class Count>
-CheckedRun<S> checked_run(const Method& method, const Model& model, const S& start, real_of<S> h,
-                          Count steps) {
-    if constexpr (!std::is_same_v<Method, Verlet>) {
+[[nodiscard]] CheckedRun<S> checked_run(const Method& method, const Model& model, const S& start,
+                                        real_of<S> h, Count steps) {
+    if constexpr (!requires { requires Method::computes_velocity_anew; }) {
         const S end = run(method, model, start, h, steps);
-        if (is_finite(end)) return {end, 0};
+        if (is_finite(end)) return {end, std::nullopt};
     }
-    long seen = 0, blew_up_at = 0;
+    long seen = 0;
+    std::optional<long> blew_up_at;
     const S end = run(method, model, start, h, steps, [&](const S& s) {
-        if (blew_up_at == 0 && !is_finite(s)) blew_up_at = seen;
+        if (!blew_up_at && !is_finite(s)) blew_up_at = seen;
         ++seen;
     });
     return {end, blew_up_at};

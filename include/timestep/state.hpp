@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// States and their rates of change: what a method advances, and how fast it goes.
+/// States and their rates of change.
 
 #include <concepts>
 #include <type_traits>
@@ -12,7 +12,7 @@ namespace timestep {
 /// The state of a body that obeys Newton's law: time is the independent variable, position and
 /// velocity are the dependent ones (talk row I01).
 ///
-/// `X` is a real number or a fixed-size Eigen vector. Units: s, m, m/s.
+/// `X` is a real number, a fixed-size Eigen vector, or a StateVector of your own. Units: s, m, m/s.
 template <class X>
 struct State {
     static_assert(!std::is_integral_v<X>,
@@ -22,6 +22,10 @@ struct State {
     static_assert(!detail::is_expression<X>,
                   "timestep: a state holds vectors, not Eigen expressions of them: "
                   "State<Eigen::Vector3d>");
+    static_assert(
+        is_number<X> || detail::is_expression<X> || StateVector<X>,
+        "timestep: a state needs `using Scalar = ...` and `using PlainObject = ...` in the vector "
+        "that it holds: its real number type, and itself");
     using Scalar = real_of<X>;  ///< the real number type
 
     Scalar t;  ///< time, s
@@ -61,6 +65,10 @@ struct FirstOrder {
     static_assert(!detail::is_expression<Y>,
                   "timestep: a state holds vectors, not Eigen expressions of them: "
                   "FirstOrder<Eigen::Vector3d>");
+    static_assert(
+        is_number<Y> || detail::is_expression<Y> || StateVector<Y>,
+        "timestep: a state needs `using Scalar = ...` and `using PlainObject = ...` in the vector "
+        "that it holds: its real number type, and itself");
     using Scalar = real_of<Y>;  ///< the real number type
 
     Scalar t;  ///< time, s
@@ -72,15 +80,17 @@ template <class Y>
 FirstOrder(real_of<Y>, Y) -> FirstOrder<typename detail::Kept<Y, Y>::type>;
 /// \endcond
 
-/// Go on for a time `h` at a constant rate: t + h, x + h ẋ, v + h v̇.
+/// The state after `h` seconds at a constant rate: t + h, x + h ẋ, v + h v̇.
 template <class X>
-State<X> advance(const State<X>& s, real_of<X> h, const std::type_identity_t<Rate<X>>& rate) {
+[[nodiscard]] State<X> advance(const State<X>& s, real_of<X> h,
+                               const std::type_identity_t<Rate<X>>& rate) {
     return {s.t + h, s.x + h * rate.x, s.v + h * rate.v};
 }
 
-/// Go on for a time `h` at a constant rate: t + h, y + h ẏ.
+/// The state after `h` seconds at a constant rate: t + h, y + h ẏ.
 template <class Y>
-FirstOrder<Y> advance(const FirstOrder<Y>& s, real_of<Y> h, const std::type_identity_t<Y>& rate) {
+[[nodiscard]] FirstOrder<Y> advance(const FirstOrder<Y>& s, real_of<Y> h,
+                                    const std::type_identity_t<Y>& rate) {
     return {s.t + h, s.y + h * rate};
 }
 

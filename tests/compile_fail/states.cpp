@@ -229,3 +229,24 @@ int main() {
     return after_gyroscopic_torque(calm_half_step, inertia, omega, 0.01).in_the_body.x() > 2;
 #endif
 }
+
+// ---- vector of a game
+// A state has to know the real number type of a vector that is not Eigen's.
+// error: timestep: a state needs `using Scalar = ...` and `using PlainObject = ...` in the vector that it holds
+#include <timestep/methods/semi_implicit_euler.hpp>
+#include <timestep/models/spring.hpp>
+
+struct Vec2 {
+#ifndef MISUSE
+    using Scalar = float;
+    using PlainObject = Vec2;
+#endif
+    float x, y;
+    friend Vec2 operator+(const Vec2& a, const Vec2& b) { return {a.x + b.x, a.y + b.y}; }
+    friend Vec2 operator*(float s, const Vec2& a) { return {s * a.x, s * a.y}; }
+};
+
+int main() {
+    const timestep::State start{0, Vec2{1, 2}, Vec2{0, 0}};
+    return timestep::semi_implicit_euler.step(timestep::Spring(1.0f), start, 0.1f).x.x > 2;
+}

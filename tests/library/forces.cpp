@@ -73,6 +73,29 @@ TEST_CASE("slopes that vary are asked at the place and velocity", "[library]") {
     CHECK(slope_x(TwoSprings(), x, v) == TwoSprings().slope_x());
 }
 
+// A damper in a fluid that gets denser downwards, and a model that offers every overload.
+struct DenserBelow {
+    double acceleration(double x, double v) const { return slope_v(x) * v; }
+    double slope_x() const { return 0; }
+    double slope_v(double x) const { return x - 10; }
+};
+struct Every {
+    double acceleration(double x, double v) const { return x + v; }
+    double slope_x() const { return 1; }
+    double slope_x(double) const { return 2; }
+    double slope_x(double, double) const { return 3; }
+    double slope_v() const { return 1; }
+    double slope_v(double) const { return 2; }
+    double slope_v(double, double) const { return 3; }
+};
+
+TEST_CASE("both slopes take the overload with the fewest arguments", "[library]") {
+    CHECK(slope_x(Every(), 0.0, 0.0) == 1);
+    CHECK(slope_v(Every(), 0.0, 0.0) == 1);
+    STATIC_REQUIRE(SmoothForce<DenserBelow, double>);
+    CHECK(slope_v(DenserBelow(), 4.0, 1.0) == -6);
+}
+
 TEST_CASE("a vector's force is a vector", "[library]") {
     const Eigen::Vector3d x(1, 2, 3), v(10, 20, 30);
     CHECK(acceleration(Projectile(Eigen::Vector3d(0, 0, -10)), x, v) == Eigen::Vector3d(0, 0, -10));

@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 #include <timestep/methods.hpp>
+#include <timestep/models/decay.hpp>
+#include <timestep/models/pendulum.hpp>
 #include <timestep/models/projectile.hpp>
 #include <timestep/models/spring.hpp>
 #include <timestep/run.hpp>
@@ -96,6 +98,52 @@ TEST_CASE("a run that blows up goes on, and its end can be asked", "[library]") 
     const State end = run(explicit_euler, Spring(1e100), State{0, 1.0, 0.0}, 1.0, 10);
     CHECK_FALSE(is_finite(end));
     CHECK(end.t == 10);
+}
+
+// Past ωh = 1 the pendulum's equation may have several roots, and Newton–Raphson may find none.
+TEST_CASE("a step of an implicit method reports whether its equation is solved", "[library]") {
+    const Pendulum pendulum(1.0);
+    const State gentle{0, 1.0, 0.0};
+    long missed = 0;
+    const auto solves = [&](const auto& method) {
+        CAPTURE(method.name);
+        CHECK(method.try_step(pendulum, gentle, 0.5).converged);
+        CHECK(method.try_step(spring, gentle, 100.0).converged);
+        CHECK(method.try_step(Decay(-1.0), FirstOrder{0, 1.0}, 100.0).converged);
+        CHECK(method.try_step(pendulum, gentle, 0.5).state.x == method.step(pendulum, gentle, 0.5).x);
+        const double h = method.order == 1 ? 1.5 : 3;  // implicit midpoint solves over half the step
+        for (int i = 0; i < 2500; ++i) {
+            const State from{0, -3.14 + 0.1256 * (i % 50), -3 + 0.12 * double(i / 50)};
+            const auto [state, converged] = method.try_step(pendulum, from, h);
+            const double x = method.order == 1 ? state.x : (from.x + state.x) / 2;
+            const double left = state.v - from.v - h * pendulum.acceleration(x);
+            CHECK(converged == (std::fabs(left) < 1e-9));
+            missed += !converged;
+        }
+    };
+    solves(implicit_euler);
+    solves(implicit_midpoint);
+    CHECK(missed > 0);
+}
+
+// A force that counts how often it is evaluated.
+struct Counting {
+    mutable long evaluations = 0;
+    double acceleration(double x) const { return ++evaluations, -std::sin(x); }
+};
+
+TEST_CASE("velocity Verlet evaluates the force once per step if it keeps the acceleration", "[library][I10]") {
+    const Counting kept, anew;
+    State<double> state{0, 1, 0};
+    auto with_force = velocity_verlet.with_acceleration(kept, state);
+    for (int n = 0; n < 100; ++n) {
+        state = velocity_verlet.step(anew, state, n % 2 ? 0.1 : 0.05);
+        with_force = velocity_verlet.step(kept, with_force, n % 2 ? 0.1 : 0.05);
+    }
+    CHECK(anew.evaluations == 100 * velocity_verlet.cost.evaluations);
+    CHECK(kept.evaluations == 1 + 100);
+    CHECK(with_force.state.x == state.x);
+    CHECK(with_force.state.v == state.v);
 }
 
 // On a spring the coordinates do not know of each other, so a vector is stepped as its coordinates

@@ -2,9 +2,14 @@
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 
+#include <array>
+#include <cmath>
 #include <type_traits>
 
 #include <Eigen/Core>
+#include <timestep/methods.hpp>
+#include <timestep/models/spring.hpp>
+#include <timestep/run.hpp>
 #include <timestep/state.hpp>
 
 using namespace timestep;
@@ -64,4 +69,36 @@ TEST_CASE("rates add and scale as vectors do", "[library]") {
     const Rate<double> sum = 2.0 * (a + b) / 4;
     CHECK(sum.x == 5.5);
     CHECK(sum.v == 11);
+}
+
+// A game's own vector, which knows nothing of Eigen.
+namespace game {
+
+struct Vec3 {
+    using Scalar = float;
+    using PlainObject = Vec3;
+    float x, y, z;
+    friend Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend Vec3 operator*(float s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
+    friend Vec3 operator/(const Vec3& a, float s) { return {a.x / s, a.y / s, a.z / s}; }
+};
+bool is_finite(const Vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+
+}  // namespace game
+
+TEST_CASE("every method steps a game's own vector, to the bits of its coordinates", "[library]") {
+    STATIC_REQUIRE(StateVector<game::Vec3>);
+    STATIC_REQUIRE(StateVector<Eigen::Vector3f>);
+    STATIC_REQUIRE(!StateVector<std::array<float, 3>>);
+    const State start{0, game::Vec3{1, 2, 3}, game::Vec3{0, 0, 1}};
+    const auto steps = [&](const auto& method) {
+        const auto end = run(method, Spring(1.5f), start, 0.1f, 10);
+        const auto alone = run(method, Spring(1.5f), State<float>{0, 3, 1}, 0.1f, 10);
+        CAPTURE(method.name);
+        CHECK(end.x.z == alone.x);
+        CHECK(end.v.z == alone.v);
+    };
+    for_each_method(steps);
+    for_each_verlet_method(steps);
 }

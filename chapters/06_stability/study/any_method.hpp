@@ -49,9 +49,14 @@ struct AnyMethod {
     S(*from_one)
     (const Model&, const S&, Real) = nullptr;  // stays null where the force is not taken
     S (*from_two)(const Model&, const S&, const S&, Real) = nullptr;
+    void (*check)(const Model&, const S&, Real) = nullptr;
 
     template <class Method>
     AnyMethod(const Method&) : name(Method::name) {
+        if constexpr (takes<Method, Model, S>() && requires(const Model& f, const S& s, Real h) {
+                          Method{}.check_step(f, s, h);
+                      })
+            check = [](const Model& f, const S& s, Real h) { Method{}.check_step(f, s, h); };
         if constexpr (!takes<Method, Model, S>()) {
             return;
         } else if constexpr (timestep::TwoStepMethod<Method, Model, S>) {
@@ -65,6 +70,9 @@ struct AnyMethod {
     }
 
     bool takes_force() const { return from_one != nullptr; }
+    void check_step(const Model& f, const S& s, Real h) const {
+        if (check) check(f, s, h);
+    }
     S start(const Model& f, const S& s, Real h) const { return from_one(f, s, h); }
     S step(const Model& f, const S& before, const S& s, Real h) const {
         return from_two ? from_two(f, before, s, h) : from_one(f, s, h);

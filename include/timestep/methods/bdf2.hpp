@@ -2,6 +2,8 @@
 /// \file
 /// BDF2: a backward difference over two steps.
 
+#include <optional>
+
 #include <timestep/methods/implicit_midpoint.hpp>
 
 namespace timestep {
@@ -19,40 +21,47 @@ struct Bdf2 {
     static constexpr bool steps_commute =
         true;  ///< on a spring: of any two lengths, in either order
 
-    /// The first step, from one state alone.
+    /// The first step, of length h in seconds, from one state alone.
     template <class Model, class S>
-    S start(const Model& model, const S& state0, real_of<S> h) const {
+    [[nodiscard]] S start(const Model& model, const S& state0, real_of<S> h) const {
         return implicit_midpoint.step(model, state0, h);
     }
 
-    /// One step of length h on from `state1`; `state0` is h before it.
+    /// One step of length h, in seconds, on from `state1`; `state0` is h before it.
     /// [step]
     template <class Model, class X>
-    State<X> step(const Model& model, const State<X>& state0, const State<X>& state1,
-                  real_of<X> h) const {
+    [[nodiscard]] State<X> step(const Model& model, const State<X>& state0, const State<X>& state1,
+                                real_of<X> h) const {
         const State<X> from{state1.t + h / 3,  //
                             (4 * state1.x - state0.x) / 3, (4 * state1.v - state0.v) / 3};
         return implicit_euler.step(model, from, 2 * h / 3);
     }
     /// [step]
 
-    /// The same for a first-order system.
+    /// One step of length h, in seconds, of a first-order system, on from `state1`; `state0` is h
+    /// before it.
     template <class System, class Y>
-    FirstOrder<Y> step(const System& f, const FirstOrder<Y>& state0, const FirstOrder<Y>& state1,
-                       real_of<Y> h) const {
+    [[nodiscard]] FirstOrder<Y> step(const System& f, const FirstOrder<Y>& state0,
+                                     const FirstOrder<Y>& state1, real_of<Y> h) const {
         const FirstOrder<Y> from{state1.t + h / 3, (4 * state1.y - state0.y) / 3};
         return implicit_euler.step(f, from, 2 * h / 3);
+    }
+
+    /// Refuses a step h that implicit Euler refuses.
+    template <class Model, class S>
+    void check_step(const Model& model, const S& s, real_of<S> h) const {
+        implicit_euler.check_step(model, s, h);
     }
 };
 
 inline constexpr Bdf2 bdf2;  ///< the method as a value
 
-/// A motion by BDF2 in a game, where things happen between the steps.
+/// A motion under BDF2 in a game, where impulses happen between the steps.
 ///
-/// The formula takes the last two states for two points of one smooth curve. After an impulse, a
-/// bounce or a change of place they are not: a kick of 1 m/s, given to the latest state alone,
-/// becomes 1.5. So whatever does that tells `restart`, which forgets the older one. A step of
-/// another length than the one before is a restart, too, since the formula is that of equal steps.
+/// The formula assumes that the last two states lie on one smooth curve. After an impulse, a bounce
+/// or a change of place they do not: a kick of 1 m/s, given to the latest state alone, becomes 1.5.
+/// So call `restart` after each of those; it forgets the older state. A step of another length than
+/// the one before is a restart too, because the formula is the one for equal steps.
 /// [motion]
 template <class S>
 class Bdf2Motion {
@@ -62,9 +71,9 @@ public:
     const S& now() const { return now_; }  ///< the latest state
 
     /// Goes on from `state`, whatever was before.
-    void restart(const S& state) { now_ = before_ = state, last_h_ = 0; }
+    void restart(const S& state) { now_ = before_ = state, last_h_.reset(); }
 
-    /// One step of length h.
+    /// One step of length h, in seconds.
     template <class Model>
     void step(const Model& model, real_of<S> h) {
         const S next =
@@ -74,7 +83,7 @@ public:
 
 private:
     S now_, before_;
-    real_of<S> last_h_ = 0;
+    std::optional<real_of<S>> last_h_;  // empty after a start or a restart
 };
 /// [motion]
 

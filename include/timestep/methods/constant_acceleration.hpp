@@ -2,17 +2,18 @@
 /// \file
 /// The constant-acceleration step: the force is taken as constant over the step.
 
+#include <timestep/checks.hpp>
 #include <timestep/forces.hpp>
 #include <timestep/methods/cost.hpp>
 
 namespace timestep {
 
 /// The constant-acceleration step, which the talk calls Newton (I09). Each step is a piece of a
-/// parabola, so projectiles are stepped exactly, with any h.
+/// parabola, so the step is exact for projectiles at any h.
 ///
 /// On an undamped spring the step has determinant 1 + (ωh)²/2 and trace 2 − (ωh)²/2. Up to ωh = 4
-/// its eigenvalues are a pair with |λ| = √(1 + (ωh)²/2); beyond they are real and the larger grows
-/// faster still. It blows up for every ω > 0 and every h.
+/// its eigenvalues are a pair with |λ| = √(1 + (ωh)²/2). Beyond, they are real, and the larger one
+/// grows faster still. The step blows up for every ω > 0 and every h.
 struct ConstantAcceleration {
     static constexpr const char* name = "constant acceleration";  ///< for tables and keys
     static constexpr int order = 1;                ///< of the error after a whole run
@@ -21,10 +22,10 @@ struct ConstantAcceleration {
     static constexpr bool steps_commute =
         false;  ///< on a spring: of any two lengths, in either order
 
-    /// One step of length h.
+    /// One step of length h, in seconds.
     /// [step]
     template <class Model, class X>
-    State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
+    [[nodiscard]] State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
         const auto& [t1, x1, v1] = state1;
         const X a1 = acceleration(model, x1, v1);
         const X x2 = x1 + h * v1 + h * h / 2 * a1;
@@ -32,6 +33,12 @@ struct ConstantAcceleration {
         return {t1 + h, x2, v2};
     }
     /// [step]
+
+    /// Refuses a step whose square is too large for a number.
+    template <class Model, class X>
+    void check_step(const Model&, const State<X>&, real_of<X> h) const {
+        if (!is_finite(h * h)) refuse("step", h, "so short that its square is finite");
+    }
 };
 
 inline constexpr ConstantAcceleration constant_acceleration;  ///< the method as a value

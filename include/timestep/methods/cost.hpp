@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a step costs, in the units that do not depend on the machine (I12).
+/// What a step costs, in units that do not depend on the machine (I12).
 
 namespace timestep {
 

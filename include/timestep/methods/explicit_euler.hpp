@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Explicit Euler: extrapolate from what is known.
+/// Explicit Euler: extrapolate from the known state.
 
 #include <timestep/forces.hpp>
 #include <timestep/methods/cost.hpp>
@@ -8,7 +8,7 @@
 namespace timestep {
 
 /// Explicit Euler (N20, N21). The forward difference (y₂ − y₁)/h stands in for the derivative at
-/// the start of the step, so y₂ = y₁ + h f(t₁, y₁): everything on the right is known.
+/// the start of the step, so y₂ = y₁ + h f(t₁, y₁), whose right side is known.
 struct ExplicitEuler {
     static constexpr const char* name = "explicit Euler";  ///< for tables and keys
     static constexpr int order = 1;                        ///< of the error after a whole run
@@ -17,10 +17,10 @@ struct ExplicitEuler {
     static constexpr bool steps_commute =
         true;  ///< on a spring: of any two lengths, in either order
 
-    /// One step of length h.
+    /// One step of length h, in seconds.
     /// [step]
     template <class Model, class X>
-    State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
+    [[nodiscard]] State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
         const auto& [t1, x1, v1] = state1;
         const X a1 = acceleration(model, x1, v1);
         const X x2 = x1 + h * v1;
@@ -29,10 +29,11 @@ struct ExplicitEuler {
     }
     /// [step]
 
-    /// One step of length h of a first-order system.
+    /// One step of length h, in seconds, of a first-order system.
     /// [first order]
     template <class System, class Y>
-    FirstOrder<Y> step(const System& f, const FirstOrder<Y>& state1, real_of<Y> h) const {
+    [[nodiscard]] FirstOrder<Y> step(const System& f, const FirstOrder<Y>& state1,
+                                     real_of<Y> h) const {
         return advance(state1, h, rate(f, state1));
     }
     /// [first order]

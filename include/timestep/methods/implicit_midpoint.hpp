@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Implicit midpoint: the rate in the middle of the step, where nobody has been yet.
+/// Implicit midpoint: the rate in the middle of the step, which is not known yet.
 
 #include <timestep/methods/implicit_euler.hpp>
 
@@ -9,8 +9,8 @@ namespace timestep {
 /// The implicit midpoint rule: y₂ = y₁ + h f((y₁ + y₂)/2). Second order, and on the undamped spring
 /// it keeps the energy for every step size (N35).
 ///
-/// The middle m = (y₁ + y₂)/2 obeys m = y₁ + (h/2) f(m): implicit Euler over half the step. From
-/// the middle it is as far again to the end: y₂ = 2m − y₁.
+/// The middle m = (y₁ + y₂)/2 obeys m = y₁ + (h/2) f(m): implicit Euler over half the step. The end
+/// is as far from the middle as the start is: y₂ = 2m − y₁.
 struct ImplicitMidpoint {
     static constexpr const char* name = "implicit midpoint";    ///< for tables and keys
     static constexpr int order = 2;                             ///< of the error after a whole run
@@ -19,20 +19,41 @@ struct ImplicitMidpoint {
     static constexpr bool steps_commute =
         true;  ///< on a spring: of any two lengths, in either order
 
-    /// One step of length h.
-    /// [step]
+    /// One step of length h, in seconds, and whether its equation is solved.
     template <class Model, class X>
-    State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
-        const State<X> middle = implicit_euler.step(model, state1, h / 2);
-        return {state1.t + h, 2 * middle.x - state1.x, 2 * middle.v - state1.v};
+    [[nodiscard]] SolvedStep<State<X>> try_step(const Model& model, const State<X>& state1,
+                                                real_of<X> h) const {
+        const auto [middle, converged] = implicit_euler.try_step(model, state1, h / 2);
+        return {{state1.t + h, 2 * middle.x - state1.x, 2 * middle.v - state1.v}, converged};
     }
-    /// [step]
 
-    /// The same for a first-order system.
+    /// One step of length h, in seconds, of a first-order system, and whether its equation is
+    /// solved.
     template <class System, class Y>
-    FirstOrder<Y> step(const System& f, const FirstOrder<Y>& state1, real_of<Y> h) const {
-        const FirstOrder<Y> middle = implicit_euler.step(f, state1, h / 2);
-        return {state1.t + h, 2 * middle.y - state1.y};
+    [[nodiscard]] SolvedStep<FirstOrder<Y>> try_step(const System& f, const FirstOrder<Y>& state1,
+                                                     real_of<Y> h) const {
+        const auto [middle, converged] = implicit_euler.try_step(f, state1, h / 2);
+        return {{state1.t + h, 2 * middle.y - state1.y}, converged};
+    }
+
+    /// One step of length h, in seconds; try_step() also reports whether its equation is solved.
+    template <class Model, class X>
+    [[nodiscard]] State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
+        return try_step(model, state1, h).state;
+    }
+
+    /// One step of length h, in seconds, of a first-order system; try_step() also reports whether
+    /// its equation is solved.
+    template <class System, class Y>
+    [[nodiscard]] FirstOrder<Y> step(const System& f, const FirstOrder<Y>& state1,
+                                     real_of<Y> h) const {
+        return try_step(f, state1, h).state;
+    }
+
+    /// Refuses a step h that implicit Euler refuses.
+    template <class Model, class S>
+    void check_step(const Model& model, const S& s, real_of<S> h) const {
+        implicit_euler.check_step(model, s, h);
     }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Explicit midpoint: look half a step ahead, then go.
+/// Explicit midpoint: a whole step with the rate found half a step ahead.
 
 #include <timestep/forces.hpp>
 #include <timestep/methods/cost.hpp>
@@ -17,10 +17,10 @@ struct Midpoint {
     static constexpr bool steps_commute =
         true;  ///< on a spring: of any two lengths, in either order
 
-    /// One step of length h, of a State or a FirstOrder.
+    /// One step of length h, in seconds, of a State or a FirstOrder.
     /// [step]
     template <class Model, class S>
-    S step(const Model& f, const S& state1, real_of<S> h) const {
+    [[nodiscard]] S step(const Model& f, const S& state1, real_of<S> h) const {
         const auto k1 = rate(f, state1);
         const auto k2 = rate(f, advance(state1, h / 2, k1));
         return advance(state1, h, k2);

@@ -7,9 +7,9 @@
 
 namespace timestep {
 
-/// Semi-implicit, or symplectic, Euler (N29). Velocity is extrapolated as in explicit Euler, but
-/// the position moves with the NEW velocity. One character of difference, the same cost, and the
-/// spring no longer blows up while ωh < 2.
+/// Semi-implicit, or symplectic, Euler (N29). The velocity is extrapolated as in explicit Euler,
+/// but the position moves with the NEW velocity. It differs by one character, costs as much, and a
+/// spring does not blow up while ωh < 2.
 struct SemiImplicitEuler {
     static constexpr const char* name = "semi-implicit Euler";  ///< for tables and keys
     static constexpr int order = 1;                             ///< of the error after a whole run
@@ -18,10 +18,10 @@ struct SemiImplicitEuler {
     static constexpr bool steps_commute =
         false;  ///< on a spring: of any two lengths, in either order
 
-    /// One step of length h.
+    /// One step of length h, in seconds.
     /// [step]
     template <class Model, class X>
-    State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
+    [[nodiscard]] State<X> step(const Model& model, const State<X>& state1, real_of<X> h) const {
         const auto& [t1, x1, v1] = state1;
         const X v2 = v1 + h * acceleration(model, x1, v1);
         const X x2 = x1 + h * v2;
