@@ -36,13 +36,27 @@ concept VelocityForce = PositionForce<Model, X> ||
 
 /// \cond
 namespace detail {
-template <class X, class A>
-X as_position(const A& given) {
-    static_assert(std::is_convertible_v<const A&, X>,
-                  "timestep: the acceleration must be what the position is: a number, or a "
-                  "vector of the same size");
-    return given;
+// The model's acceleration in the type in which the model gives it.
+template <class Model, class X>
+decltype(auto) given_acceleration(const Model& model, const X& x) {
+    if constexpr (ConstantForce<Model>)
+        return model.acceleration();
+    else
+        return model.acceleration(x);
 }
+template <class Model, class X>
+decltype(auto) given_acceleration(const Model& model, const X& x, const X& v) {
+    if constexpr (PositionForce<Model, X>)
+        return given_acceleration(model, x);
+    else
+        return model.acceleration(x, v);
+}
+template <class Given, class X>
+struct AccelerationFits {
+    static_assert(std::is_convertible_v<Given, X>,
+                  "timestep: the acceleration must be what the position is: a number, or a vector "
+                  "of the same size");
+};
 }  // namespace detail
 /// \endcond
 
@@ -52,12 +66,11 @@ X acceleration(const Model& model, const X& x, const X& v) {
     static_assert(VelocityForce<Model, X>,
                   "timestep: a model needs a const member acceleration(), acceleration(x) or "
                   "acceleration(x, v)");
-    if constexpr (ConstantForce<Model>)
-        return detail::as_position<X>(model.acceleration());
-    else if constexpr (PositionForce<Model, X>)
-        return detail::as_position<X>(model.acceleration(x));
-    else if constexpr (VelocityForce<Model, X>)
-        return detail::as_position<X>(model.acceleration(x, v));
+    if constexpr (VelocityForce<Model, X>) {
+        using Given = decltype(detail::given_acceleration(model, x, v));
+        [[maybe_unused]] const detail::AccelerationFits<Given, X> fits;
+        return detail::given_acceleration(model, x, v);
+    }
 }
 
 /// The acceleration of `model` at position `x`, m/s². Methods of Verlet's kind use it, because they
@@ -67,10 +80,11 @@ X acceleration(const Model& model, const X& x) {
     static_assert(PositionForce<Model, X>,
                   "timestep: Verlet has no velocity to hand to a force: it needs acceleration() or "
                   "acceleration(x)");
-    if constexpr (ConstantForce<Model>)
-        return detail::as_position<X>(model.acceleration());
-    else if constexpr (PositionForce<Model, X>)
-        return detail::as_position<X>(model.acceleration(x));
+    if constexpr (PositionForce<Model, X>) {
+        using Given = decltype(detail::given_acceleration(model, x));
+        [[maybe_unused]] const detail::AccelerationFits<Given, X> fits;
+        return detail::given_acceleration(model, x);
+    }
 }
 
 /// The rate of change of a body's state, Newton's law in first-order form (N16, I04):

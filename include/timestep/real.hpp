@@ -13,12 +13,11 @@ namespace timestep {
 template <class X>
 inline constexpr bool is_number = std::is_arithmetic_v<X>;
 
-/// A vector that a State can hold: it names its real number type and itself. Eigen's vectors do; a
-/// game's own vector needs the two `using` lines.
+/// A vector that a State can hold: it names its real number type. Eigen's vectors do; a game's own
+/// vector needs one more line.
 ///
 ///     struct Vec3 {
 ///         using Scalar = float;
-///         using PlainObject = Vec3;
 ///         float x, y, z;
 ///     };
 ///
@@ -27,8 +26,7 @@ inline constexpr bool is_number = std::is_arithmetic_v<X>;
 template <class X>
 concept StateVector = requires {
     typename X::Scalar;
-}
-&&std::same_as<X, typename X::PlainObject>;
+};
 
 /// Calls `look(a, b, …)` with real numbers, or lane by lane if they are packs.
 template <class Look, class Real, class... More>
@@ -76,7 +74,7 @@ struct Kept<A, B> {
 };
 template <class A>
 requires(!is_number<A> && !requires { typename A::PlainObject; }) struct Kept<A, A> {
-    using type = A;  // a State says what is missing
+    using type = A;  // a vector of your own
 };
 
 // Eigen names the vector that an expression computes, and a vector names itself.

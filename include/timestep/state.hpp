@@ -23,9 +23,9 @@ struct State {
                   "timestep: a state holds vectors, not Eigen expressions of them: "
                   "State<Eigen::Vector3d>");
     static_assert(
-        is_number<X> || detail::is_expression<X> || StateVector<X>,
-        "timestep: a state needs `using Scalar = ...` and `using PlainObject = ...` in the vector "
-        "that it holds: its real number type, and itself");
+        is_number<X> || StateVector<X>,
+        "timestep: a state needs `using Scalar = ...` in the vector that it holds: its real "
+        "number type");
     using Scalar = real_of<X>;  ///< the real number type
 
     Scalar t;  ///< time, s
@@ -66,9 +66,9 @@ struct FirstOrder {
                   "timestep: a state holds vectors, not Eigen expressions of them: "
                   "FirstOrder<Eigen::Vector3d>");
     static_assert(
-        is_number<Y> || detail::is_expression<Y> || StateVector<Y>,
-        "timestep: a state needs `using Scalar = ...` and `using PlainObject = ...` in the vector "
-        "that it holds: its real number type, and itself");
+        is_number<Y> || StateVector<Y>,
+        "timestep: a state needs `using Scalar = ...` in the vector that it holds: its real "
+        "number type");
     using Scalar = real_of<Y>;  ///< the real number type
 
     Scalar t;  ///< time, s

@@ -232,14 +232,13 @@ int main() {
 
 // ---- vector of a game
 // A state has to know the real number type of a vector that is not Eigen's.
-// error: timestep: a state needs `using Scalar = ...` and `using PlainObject = ...` in the vector that it holds
+// error: timestep: a state needs `using Scalar = ...` in the vector that it holds: its real number type
 #include <timestep/methods/semi_implicit_euler.hpp>
 #include <timestep/models/spring.hpp>
 
 struct Vec2 {
 #ifndef MISUSE
     using Scalar = float;
-    using PlainObject = Vec2;
 #endif
     float x, y;
     friend Vec2 operator+(const Vec2& a, const Vec2& b) { return {a.x + b.x, a.y + b.y}; }

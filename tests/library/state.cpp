@@ -76,7 +76,6 @@ namespace game {
 
 struct Vec3 {
     using Scalar = float;
-    using PlainObject = Vec3;
     float x, y, z;
     friend Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     friend Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
