@@ -46,45 +46,6 @@ test_is_shown_both_sides_of_a_property() {
     says out 'they differ by'
 }
 
-test_is_told_where_an_answer_is_wrong() {
-    add_chapter 02_first_order_form
-    answers pendulum_rates 'return {s.v, -g \/ length * std::sin(std::fabs(s.x)) - drag * length * std::fabs(s.v) * s.v};'
-    says out 'only where s.x is negative'
-}
-
-test_is_told_of_whole_numbers_that_are_divided() {
-    returns() {
-        printf 'double velocity_now(double x0, double x1, double x2, double h) {\nreturn %s;\n}\n' "$1" >answer.cpp
-        expect 1 course check velocity_now --file answer.cpp
-    }
-    for value in '(x1 - x0) * (1/2)' 'h + 1 / 2' '/* 3/4
-        */ 1// 5/6
-        /2'; do
-        returns "$value"
-        says out 'divides whole numbers: in C++ 1 / 2 is 0.'
-        says out '1.0 / 2'
-    done
-    says out 'Line 3 divides'
-    silent_on out 'none of the mistakes'
-    printf 'double zeta_from_swings(double first, double later, int swings) { return 1 / swings; }\n' >answer.cpp
-    add_chapter 02_first_order_form
-    expect 1 course check zeta_from_swings --file answer.cpp
-    says out 'in C++ 1 / swings has lost what'
-    for value in 'later / swings' 'swings / 2' '1 / (first - swings)'; do
-        printf 'double zeta_from_swings(double first, double later, int swings) { return %s; }\n' "$value" >answer.cpp
-        expect 1 course check zeta_from_swings --file answer.cpp
-        silent_on out 'whole numbers'
-    done
-    printf 'double zeta_from_swings(double first, double later, int swings) { return 1 / (swings + 1); }\n' >answer.cpp
-    expect 1 course check zeta_from_swings --file answer.cpp
-    says out 'in C++ 1 / (swings + 1) has lost what'
-    for value in '4 / 2' 'h + 1.0 / 2' '1 / 2.0' 'h * 1 / 2' '1 / h' 'x1 / 2' '2 / 1e3' 'h // 1/2'; do
-        returns "$value
-        "
-        silent_on out 'whole numbers'
-    done
-}
-
 # As the problem matcher of .vscode/tasks.json reads it: where the line N of the file is marked.
 marks() {
     sed -n 's/.*"regexp": "\(.*\)",/\1/p' "$source/.vscode/tasks.json" >pattern
@@ -273,24 +234,6 @@ test_what_is_waited_for_is_told() {
     wait_until grep -q 'Waiting for your code' said
     kill $running
     wait $running || true
-}
-
-test_a_build_is_told_before_it_is_waited_for() {
-    printf '#!/bin/sh\n[ "$1" = --build ] || exit 0\ncat said err >heard 2>/dev/null\nwhile [ ! -e go ]; do sleep 0.1; done\n' >cmake
-    chmod +x cmake
-    for command in check watch; do
-        rm -f go
-        rm -rf build/exercises/found_ready
-        FIXTURE_SOURCE=$folder/source FIXTURE_BUILD=$folder/build FIXTURE_CMAKE=$folder/cmake FIXTURE_CTEST=false \
-            "$program" $command velocity_now >said 2>&1 &
-        running=$!
-        trap 'kill $running 2>/dev/null' EXIT
-        wait_until grep -q 'Building what a check of velocity_now needs' said
-        : >go
-        wait_until grep -q 'not started' said
-        kill $running 2>/dev/null || true
-        wait $running || true
-    done
 }
 
 test_hints_come_one_by_one_and_are_remembered() {

@@ -161,17 +161,17 @@ int main() {
         const std::string stays = "what stands, stays", moves = "what moves is moved";
         verdict = checker::session().check(
             "moved", counting(+[](double x, double v) { return v == 0 ? x + 1 : x + v * v; }), seed);
-        expect(verdict.property == stays && verdict.misconception.empty(),
+        expect(verdict.property == stays && verdict.diagnosis.label().empty(),
                "what is shown is none of the mistake, which is not named", seed, verdict);
         // Another mistake at x = 1, which is not to be shown for the one that is named.
         verdict = checker::session().check(
             "moved", counting(+[](double x, double v) { return x == 1   ? v
                                                                : v == 0 ? x
                                                                         : x + v * v; }), seed);
-        expect(verdict.misconception != "by_square" ||
+        expect(verdict.diagnosis.label() != "by_square" ||
                    (verdict.property == moves && verdict.arguments.substr(0, 3) != "(1,"),
                "what is shown is a case of the mistake that is named", seed, verdict);
-        named += verdict.misconception == "by_square";
+        named += verdict.diagnosis.label() == "by_square";
 
         verdict = checker::session().check(
             "moved",

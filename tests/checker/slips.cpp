@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "session.hpp"
+#include "diagnosed.hpp"
 #include "slips.hpp"
 
 namespace {
@@ -73,7 +73,7 @@ std::string named(double (*learner)(double, double, double)) {
         const double found = learner(each[0], each[1], each[2]);
         calls.push_back({each, {found}, std::fabs(found - landing(each[0], each[1], each[2])) < 1e-12});
     }
-    return diagnose("slips_test", function_of(&landing), calls);
+    return diagnosed("slips_test", function_of(&landing), calls);
 }
 
 }  // namespace
@@ -148,7 +148,7 @@ TEST_CASE("where one part twice as large and another half as large do the same, 
     const auto name = [](double (*learner)(double, double, double)) {
         std::vector<Call> calls;
         for (const Numbers& each : arguments()) calls.push_back({each, {learner(each[0], each[1], each[2])}, false});
-        return diagnose("tie_test", function_of(&with_quotient), calls);
+        return diagnosed("tie_test", function_of(&with_quotient), calls);
     };
     CHECK(name([](double x, double v, double h) { return 7 + 2 * v * v / (x * h); }).empty());
     CHECK(name([](double x, double v, double h) { return 7 - v * v / (x * h); }) == "slip_sign");
@@ -169,13 +169,13 @@ TEST_CASE("a slip that is off in one number of two is not named for what is off 
                                                                   return std::vector<double>{2 * x, v};
                                                               })}});
     CHECK(knows);
-    CHECK(diagnose("two_test", function_of(two), calls).empty());
+    CHECK(diagnosed("two_test", function_of(two), calls).empty());
 }
 
 TEST_CASE("a slip that changes nothing is not told where nothing but roundoff is wrong") {
     std::vector<Call> calls;
     for (double x = 1; x < 20; ++x) calls.push_back({{x}, {1 / x * (1 + 1e-15)}, false});
-    CHECK(diagnose("inverse_test", function_of(&inverse), calls).empty());
+    CHECK(diagnosed("inverse_test", function_of(&inverse), calls).empty());
 }
 
 TEST_CASE("two slips are not told where the answer is nothing but what was given, or no number") {
@@ -187,9 +187,9 @@ TEST_CASE("yes for no in every call is told") {
     const auto positive = +[](double x) { return x > 0; };
     std::vector<Call> calls;
     for (double x = -5; x < 5; ++x) calls.push_back({{x}, {x > 0 ? 0.0 : 1.0}, false});
-    CHECK(diagnose("no_test", function_of(positive), calls) == "negated");
+    CHECK(diagnosed("no_test", function_of(positive), calls) == "negated");
     calls.back() = {{4}, {1}, true};
-    CHECK(diagnose("no_test", function_of(positive), calls).empty());
+    CHECK(diagnosed("no_test", function_of(positive), calls).empty());
 }
 
 TEST_CASE("a mistake that shows in most calls is told, be there a guard more in some") {
@@ -202,7 +202,7 @@ TEST_CASE("a mistake that shows in most calls is told, be there a guard more in 
             const double x = each[0], v = each[1], h = each[2];
             calls.push_back({each, {h > most ? x + 1 : x - h * v / 4}, false});
         }
-        return diagnose("fair_test", function_of(+[](double x, double v, double h) { return x - h * v / 2; }), calls);
+        return diagnosed("fair_test", function_of(+[](double x, double v, double h) { return x - h * v / 2; }), calls);
     };
     CHECK(with_guards(1.85) == "half_the_slope");
     CHECK(with_guards(1.25).empty());
@@ -212,9 +212,9 @@ TEST_CASE("a count that is off by one wherever it is wrong is told, whatever it 
     const auto half = +[](int n) { return n / 2; };
     std::vector<Call> calls;
     for (int n = 0; n < 40; ++n) calls.push_back({{double(n)}, {double(n < 10 ? n / 2 : n / 2 + 1)}, n < 10});
-    CHECK(diagnose("count_test", function_of(half), calls) == "one_more");
+    CHECK(diagnosed("count_test", function_of(half), calls) == "one_more");
     calls.back().result[0] += 1;
-    CHECK(diagnose("count_test", function_of(half), calls).empty());
+    CHECK(diagnosed("count_test", function_of(half), calls).empty());
 }
 
 TEST_CASE("a mistake is not told that would have shown where the answer is right") {
@@ -224,7 +224,7 @@ TEST_CASE("a mistake is not told that would have shown where the answer is right
     const auto with = [](double wrong_from) {
         std::vector<Call> calls;
         for (double x = 1; x <= 200; ++x) calls.push_back({{x}, {x > wrong_from ? 10.0 : x}, x <= wrong_from});
-        return diagnose("denied_test", function_of(+[](double x) { return x; }), calls);
+        return diagnosed("denied_test", function_of(+[](double x) { return x; }), calls);
     };
     CHECK(with(10) == "at_most_ten");
     CHECK(with(190) == "is_10");

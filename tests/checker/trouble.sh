@@ -68,13 +68,6 @@ test_two_commands_at_once_lose_nothing() {
     is "$(ls -A source/.progress | tr '\n' ' ')" 'exercises.tsv lock '
 }
 
-test_more_hints_remembered_than_there_are() {
-    mkdir source/.progress
-    printf 'velocity_now\topen\t2147483647\n' >source/.progress/exercises.tsv
-    expect 0 course hint velocity_now
-    is "$(grep -c 'Hint [0-9] of' out)" 3
-}
-
 test_a_full_standard_output_is_no_success() {
     [ -e /dev/full ] || exit 77
     cp "$mistake" $file
@@ -110,22 +103,6 @@ test_an_interrupt_ends_all_and_leaves_nothing() {
     done
 }
 
-test_an_interrupt_ends_the_hidden_tests() {
-    own_build
-    {
-        printf '#include <csignal>\n'
-        sed 's/return not_started;.*/raise(SIGSTOP); return h;/' $file
-    } >stopped.cpp  # where it is waited for a minute: what only sleeps has two seconds
-    start_course check velocity_now --file stopped.cpp
-    wait_until sh -c '[ -e build/exercises/check_*/printed.txt ]'
-    kill $running
-    got=0
-    wait $running || got=$?
-    is $got 130
-    is "$(ls build/exercises | grep check_)" ''
-    ! ps -e -o args | grep -F "$folder/build/exercises/check_" | grep -v grep || fail 'it goes on'
-}
-
 test_a_killed_check_leaves_no_compiler() {
     own_build "$works_a_little & "'echo "$! $$" >running; wait'
     start_course check velocity_now
@@ -134,20 +111,6 @@ test_a_killed_check_leaves_no_compiler() {
     for process in $(cat running); do
         wait_until is_gone "$process"
     done
-}
-
-test_what_a_killed_check_has_left_is_swept() {
-    command -v flock >/dev/null || exit 77
-    own_build
-    mkdir build/exercises/check_killed build/exercises/check_at_work
-    : >build/exercises/check_killed/lock
-    flock --no-fork build/exercises/check_at_work/lock sleep 1000 &
-    at_work=$!
-    trap 'kill $at_work 2>/dev/null' EXIT
-    wait_until [ -e build/exercises/check_at_work/lock ]
-    expect 1 course check velocity_now
-    is "$(ls build/exercises | grep check_)" check_at_work
-    kill $at_work
 }
 
 test_watch_notices_what_is_saved_during_a_check() {
@@ -165,13 +128,6 @@ test_a_compiler_that_does_not_end_is_told_first() {
     read -r temporary locale <surroundings
     is "${temporary%_*} $locale" "$folder/build/exercises/check C.UTF-8"
     [ ! -e "$temporary" ] || fail 'the folder of temporary files is still there'
-}
-
-test_the_compiler_writes_no_endless_file() {
-    own_build
-    { cat $solved; echo "char big[300'000'000] = {1};"; } >big.cpp
-    expect 1 course check velocity_now --file big.cpp
-    says out 'What the compiler makes of the file is larger than 64 MB.'
 }
 
 # headers COMMAND: the header compiled beforehand is this fixture's own, and made again by the command.
@@ -214,24 +170,6 @@ test_a_damaged_header_is_made_again_and_no_answer_blamed() {
     says err '2 were graded before'
 }
 
-# Nobody's answer is wrong for that, and the next grading tries again.
-test_a_header_that_stays_damaged_is_the_courses_fault() {
-    headers :
-    mkdir -p class/ada class/ben
-    cp $solved class/ada
-    cp $solved class/ben
-    printf '#!/bin/sh\nhead -c 1000000 "%s" >"%s"\n' "$real_build/exercises/ready/${header##*/}" "$folder/$header" >cmake
-    sh cmake
-    expect 3 mend check velocity_now --file $solved
-    says err "course: the compiler refuses the course's own file, so no answer was checked"
-    expect 3 mend grade class --trust --exercise velocity_now
-    is "$(grep -c ',course_error$' class.grades/grades.csv)" 2
-    echo : >cmake
-    cp "$real_build/exercises/ready/${header##*/}" $header
-    expect 0 mend grade class --trust --exercise velocity_now
-    says out '2 of 2 right'
-}
-
 test_commands_that_are_damaged_say_how_they_are_made_again() {
     own_build
     for text in '' '{"compile": [' '{}'; do
@@ -249,25 +187,6 @@ test_commands_that_are_damaged_say_how_they_are_made_again() {
     expect 1 env FIXTURE_SOURCE="$folder/source" FIXTURE_BUILD="$folder/build" FIXTURE_CMAKE="$folder/cmake" FIXTURE_CTEST=false \
         "$program" check velocity_now
     says out 'not started'
-}
-
-test_closed_standard_files_are_not_taken_for_others() {
-    expect 1 sh -c "$(declared) check velocity_now <&-"
-    expect 1 sh -c "$(declared) check velocity_now <&- 2>&-"
-    got=0
-    sh -c "$(declared) check velocity_now <&- >&-" 2>err || got=$?
-    is $got 2
-    says err 'standard output: cannot be written'
-}
-
-test_another_missing_function_is_not_taken_for_the_learners() {
-    { sed 's/return not_started;.*/return velocity_now_of(h);/;s/^double/double velocity_now_of(double);\n&/' $file; } >other.cpp
-    expect 1 course check velocity_now --file other.cpp
-    says out 'velocity_now_of(double)'
-    silent_on out 'The file has no function'
-    echo '#include "exercise.hpp"' >none.cpp
-    expect 1 course check velocity_now --file none.cpp
-    says out 'The file has no function'
 }
 
 test_paths_are_shown_from_where_one_is() {

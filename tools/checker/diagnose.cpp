@@ -48,7 +48,7 @@ Numbers untold_of(const std::string& exercise, const Truth& truth, const Numbers
     constexpr double turned = 2;
     Numbers untold = roundoff_of(truth, arguments, right);
     double most = 0;
-    for (const Answer& answer : slips_of(exercise)) {
+    for (const Answer& answer : registered(exercise).slips) {
         const double gap = apart(slip::answered(answer, arguments, {}), right);
         if (gap < HUGE_VAL) most = std::max(most, turned * gap);
     }
@@ -222,7 +222,7 @@ Evidence differing(const Truth& truth, const std::vector<Call>& calls, bool are_
 std::pair<std::string, std::string> mistake_of(const std::string& exercise, const Evidence& evidence, bool counted) {
     std::string best, fair;
     double most = 0, most_fair = 0;
-    for (const Mistake& mistake : mistakes_of(exercise)) {
+    for (const Mistake& mistake : registered(exercise).mistakes) {
         const Fit fit = fit_of(mistake, evidence);
         const double all = fit.wrong_region + fit.where_right - fit.excused;
         if (fit.good(counted, evidence.tells_little) && all > most) most = all, best = mistake.name;
@@ -233,8 +233,8 @@ std::pair<std::string, std::string> mistake_of(const std::string& exercise, cons
 
 }  // namespace
 
-std::string diagnose(const std::string& exercise, const Truth& truth, const std::vector<Call>& calls) {
-    const bool are_many = within(exercise).relative == many_are_right;
+Diagnosis diagnose(const std::string& exercise, const Truth& truth, const std::vector<Call>& calls) {
+    const bool are_many = registered(exercise).within.relative == many_are_right;
     Evidence evidence = differing(truth, calls, are_many);
     if (evidence.wrong.empty()) return {};
     const bool counted = std::all_of(calls.begin(), calls.end(), [](const Call& call) {
@@ -246,39 +246,41 @@ std::string diagnose(const std::string& exercise, const Truth& truth, const std:
         if (!told.wrong.empty()) best = mistake_of(exercise, told, counted).first;
     }
     if (best.empty()) best = is_negated(calls, evidence) ? "negated" : generic_mistake_of(evidence);
-    if (best.empty()) best = slip_of(exercise, evidence, counted);
-    const bool is_open = best == not_told;
-    if (is_open) best.clear();
-    if (best.empty() && !counted) best = changed(truth, evidence);
+    if (!best.empty()) return {.mistake = best};
+    const auto slips = slips_of(exercise, evidence, counted);
+    if (slips && !slips->empty()) return {.slips = *slips};
+    if (!counted) best = changed(truth, evidence);
     const bool yes_or_no = std::all_of(calls.begin(), calls.end(),
                                        [](const Call& call) { return call.result[0] == 0 || call.result[0] == 1; });
-    if (best.empty() && counted && !yes_or_no) best = off_by_one(evidence);
-    const std::string where = wrong_region(truth, calls, evidence);
-    if (best.empty() && counted) best = is_near_thing(truth, evidence) ? "near" : where;
+    if (counted && !yes_or_no) best = off_by_one(evidence);
+    if (!best.empty()) return {.mistake = best};
+    const Diagnosis region = wrong_region(truth, calls, evidence);
     // Of whole numbers too many agree by chance with one of so many pairs.
-    if (!best.empty() || counted) return best;
+    if (counted) return is_near_thing(truth, evidence) ? Diagnosis{.mistake = "near"} : region;
     const Evidence some = some_of(std::move(evidence), 150);
     if (has_right_digits(some))
-        for (const Mistake& mistake : mistakes_of(exercise))
-            if (loses_as_many_digits(mistake, truth, some)) return mistake.name;
+        for (const Mistake& mistake : registered(exercise).mistakes)
+            if (loses_as_many_digits(mistake, truth, some)) return {.mistake = mistake.name};
     const std::string how = inexact(truth, some);
-    if (!how.empty() && how != "digits") return how;
-    const std::string told = where.empty() ? how : where;
-    if (some.tells_little || is_open) return told;
-    best = fair.empty() ? two_slips_of(exercise, some) : fair;
-    return best.empty() ? told : best;
+    if (!how.empty() && how != "digits") return {.mistake = how};
+    const Diagnosis told = region.empty() ? Diagnosis{.mistake = how} : region;
+    if (some.tells_little || !slips) return told;
+    if (!fair.empty()) return {.mistake = fair};
+    const std::vector<std::string> two = two_slips_of(exercise, some);
+    return two.empty() ? told : Diagnosis{.slips = two};
 }
 
-bool is_case_of(const std::string& exercise, const Truth& truth, const std::string& name, const Call& call) {
-    if (name.empty()) return true;
+bool is_case_of(const std::string& exercise, const Truth& truth, const Diagnosis& diagnosis, const Call& call) {
+    if (diagnosis.empty()) return true;
+    const Registered& known = registered(exercise);
     const Numbers right = truth.answer(call.arguments), roundoff = roundoff_of(truth, call.arguments, right);
     const bool is_wrong = !errs_alike(right, call.result, right, roundoff);
     constexpr std::size_t as_all = 10;  // calls that are wrong were this one
     const Evidence one{{as_all, &call}, {}, {as_all, right}, {as_all, roundoff}};
     const Numbers untold =
-        within(exercise).relative == many_are_right ? untold_of(exercise, truth, call.arguments, right) : roundoff;
-    for (const Mistake& mistake : mistakes_of(exercise)) {
-        if (mistake.name != name) continue;
+        known.within.relative == many_are_right ? untold_of(exercise, truth, call.arguments, right) : roundoff;
+    for (const Mistake& mistake : known.mistakes) {
+        if (mistake.name != diagnosis.mistake) continue;
         const Numbers made = mistake.made.answer(call.arguments);
         const bool is_its_own =
             !call.right &&
@@ -287,9 +289,9 @@ bool is_case_of(const std::string& exercise, const Truth& truth, const std::stri
                                            loses_as_many_digits(mistake, truth, one)));
     }
     if (!is_wrong) return false;
-    if (name.starts_with("slip_")) return is_case_of_slip(exercise, name, one);
-    if (name.starts_with("where_") || name.starts_with("is_")) return is_case_of_region(name, truth, call);
-    return is_case_of_generic_mistake(name, truth, one);
+    if (!diagnosis.slips.empty()) return is_case_of_slips(exercise, diagnosis.slips, one);
+    if (diagnosis.mistake.empty()) return is_case_of_region(diagnosis, truth, call);
+    return is_case_of_generic_mistake(diagnosis.mistake, truth, one);
 }
 
 }  // namespace checker

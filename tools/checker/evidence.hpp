@@ -2,6 +2,8 @@
 /// \file
 /// The calls of a check that tell one mistake from another.
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "session.hpp"
@@ -20,9 +22,9 @@ struct Evidence {
 
 inline constexpr std::size_t enough_calls = 2000;  ///< are looked at, of the wrong ones and of the right ones
 
-/// Is the call a case of the mistake of that name? The call that the learner is shown must be one.
+/// Is the call a case of what is diagnosed? The call that the learner is shown must be one.
 /// (diagnose.cpp)
-bool is_case_of(const std::string& exercise, const Truth& truth, const std::string& name, const Call& call);
+bool is_case_of(const std::string& exercise, const Truth& truth, const Diagnosis& diagnosis, const Call& call);
 
 /// How far one answer lies from another. What is not finite agrees with its like. (diagnose.cpp)
 double apart(const Numbers& a, const Numbers& b);
@@ -36,20 +38,18 @@ Numbers lost_within(double most, const Function& way, const Truth& truth, const 
 /// Are they one but for roundoff?
 bool is_same(const Numbers& made, const Numbers& found);
 
-/// The slip, or the two at once, that answer as the learner does: their kinds' names, as "slip_sign" or
-/// "slip_sign_term"; nothing where none does. `counted`: of a yes and a no, or of counts, many agree by chance; two
-/// slips at once are not asked then. (slips/diagnose_slip.cpp) Or `not_told`, where two do that say the opposite.
-inline constexpr const char* not_told = "slip_";
-std::string slip_of(const std::string& exercise, const Evidence& evidence, bool counted);
-std::string two_slips_of(const std::string& exercise, const Evidence& evidence);
+/// The forms of the slip that answers as the learner does; none where no slip does. `counted`: of a yes and a no, or of
+/// counts, many agree by chance. Nothing at all where two slips do that say the opposite. (slips/diagnose_slip.cpp)
+std::optional<std::vector<std::string>> slips_of(const std::string& exercise, const Evidence& evidence, bool counted);
+/// The forms of two slips at once.
+std::vector<std::string> two_slips_of(const std::string& exercise, const Evidence& evidence);
 /// `one`: a call as often as if it were all that are wrong.
-bool is_case_of_slip(const std::string& exercise, const std::string& name, const Evidence& one);
+bool is_case_of_slips(const std::string& exercise, const std::vector<std::string>& forms, const Evidence& one);
 
 /// Is the answer wrong only where one of the arguments is zero, negative or positive, or a list is empty, and is it
-/// there always what was given, or one whole number? "where_negative_2", "is_given", "where_zero_0_is_-1"; else
-/// nothing.
-std::string wrong_region(const Truth& truth, const std::vector<Call>& calls, const Evidence& evidence);
-bool is_case_of_region(const std::string& name, const Truth& truth, const Call& call);
+/// there always what was given, or one whole number? Nothing where neither is so.
+Diagnosis wrong_region(const Truth& truth, const std::vector<Call>& calls, const Evidence& evidence);
+bool is_case_of_region(const Diagnosis& diagnosis, const Truth& truth, const Call& call);
 /// Of counts, and of yes and no: is it wrong only where a little less of the arguments makes another of the right
 /// answer? (wcheck_in_process.cpp)
 bool is_near_thing(const Truth& truth, const Evidence& evidence);

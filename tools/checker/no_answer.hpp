@@ -23,12 +23,6 @@ enum class Kind {
 /// `not_started` and so on.
 const char* name_of(Kind kind);
 
-/// What is told of a too_slow that has not worked too long.
-inline constexpr const char *too_slow_asleep = "asleep", *too_slow_by_the_clock = "by the clock";
-
-/// What is told in place of a call's arguments where all calls have been answered and the program ends.
-inline constexpr const char* at_the_end = "at the end";
-
 /// Thrown by an Answer that gave none.
 struct NoAnswer : std::runtime_error {
     NoAnswer(Kind kind, const std::string& what, const std::string& trace = {})

@@ -3,11 +3,11 @@
 /// What goes through the pipes between the tests and the worker that holds the learner's code: a
 /// head, and so many bytes.
 
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 
-#include "numbers.hpp"
+#include <unistd.h>
 
 namespace checker {
 
@@ -21,7 +21,6 @@ enum class Reply : std::uint32_t {
     not_started,
     out_of_memory,
     arguments_changed,  ///< by a call, which is to read them only
-    mode_changed,       ///< how the processor calculates is not as it was
     crashed
 };
 
@@ -40,8 +39,27 @@ struct LastWords {
 };
 
 /// Reads exactly `size` bytes. False at the end of the pipe.
-bool read_all(int fd, void* to, std::size_t size);
+inline bool read_all(int fd, void* to, std::size_t size) {
+    for (char* at = static_cast<char*>(to); size > 0;) {
+        const ssize_t got = read(fd, at, size);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return false;
+        at += got;
+        size -= static_cast<std::size_t>(got);
+    }
+    return true;
+}
+
 /// Writes exactly `size` bytes. False where nobody reads.
-bool write_all(int fd, const void* from, std::size_t size);
+inline bool write_all(int fd, const void* from, std::size_t size) {
+    for (const char* at = static_cast<const char*>(from); size > 0;) {
+        const ssize_t put = write(fd, at, size);
+        if (put < 0 && errno == EINTR) continue;
+        if (put <= 0) return false;
+        at += put;
+        size -= static_cast<std::size_t>(put);
+    }
+    return true;
+}
 
 }  // namespace checker

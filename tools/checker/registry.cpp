@@ -1,59 +1,52 @@
-// What is known of the exercises: filled by sources that the build writes, before main.
+#include "registry.hpp"
 
 #include <map>
-
-#include "self_test.hpp"
+#include <stdexcept>
 
 namespace checker {
 
 namespace {
 
-std::map<std::string, std::vector<Mistake>>& mistakes() {
-    static std::map<std::string, std::vector<Mistake>> known;
-    return known;
-}
-
-std::map<std::string, Truth>& truths() {
-    static std::map<std::string, Truth> known;
-    return known;
-}
-
-std::map<std::string, Within>& tolerances() {
-    static std::map<std::string, Within> known;
-    return known;
-}
-
-std::map<std::string, Variants>& variants() {
-    static std::map<std::string, Variants> known;
-    return known;
+// In a function, since what fills it runs before main, in any order.
+std::map<std::string, Registered>& all() {
+    static std::map<std::string, Registered> exercises;
+    return exercises;
 }
 
 }  // namespace
 
-bool register_truth(const std::string& exercise, Truth truth) {
-    return truths().emplace(exercise, std::move(truth)).second;
+const Registered& registered(const std::string& exercise) {
+    const auto found = all().find(exercise);
+    if (found == all().end()) throw std::invalid_argument("'" + exercise + "' is no exercise of these tests");
+    return found->second;
 }
 
-const Truth& truth_of_exercise(const std::string& exercise) { return truths()[exercise]; }
+bool register_truth(const std::string& exercise, Truth truth) {
+    all()[exercise].truth = std::move(truth);
+    return true;
+}
 
 bool register_tolerance(const std::string& exercise, Within within) {
-    return tolerances().emplace(exercise, std::move(within)).second;
+    all()[exercise].within = std::move(within);
+    return true;
 }
 
-const Within& within(const std::string& exercise) { return tolerances()[exercise]; }
-
-bool register_mistakes(const std::string& exercise, std::vector<Mistake> list) {
-    return mistakes().emplace(exercise, std::move(list)).second;
+bool register_mistakes(const std::string& exercise, std::vector<Mistake> mistakes) {
+    all()[exercise].mistakes = std::move(mistakes);
+    return true;
 }
 
-const std::vector<Mistake>& mistakes_of(const std::string& exercise) { return mistakes()[exercise]; }
+bool register_slips(const std::string& exercise, std::vector<Answer> answers) {
+    all()[exercise].slips = std::move(answers);
+    return true;
+}
 
 bool register_variants(const std::string& exercise, const Answer& stub, const Answer& solution,
                        std::vector<std::pair<std::string, Answer>> correct) {
     correct.insert(correct.begin(), {"solution", solution});
-    return variants().emplace(exercise, Variants{stub, std::move(correct)}).second;
+    all()[exercise].stub = stub;
+    all()[exercise].correct = std::move(correct);
+    return true;
 }
-
-const Variants& variants_of(const std::string& exercise) { return variants()[exercise]; }
 
 }  // namespace checker

@@ -12,14 +12,15 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/personality.h>
 #include <sys/prctl.h>
-#include <sys/socket.h>
+#include <sys/resource.h>
+#include <sys/sysinfo.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "become_worker.hpp"
 #include "look.hpp"
-#include "memcheck.hpp"
+#include "finding.hpp"
 #include "pipe.hpp"
 
 namespace checker {
@@ -49,6 +50,72 @@ std::string hexadecimal(const void* address) {
     throw NoAnswer(Kind::crash, words.text, trace);
 }
 
+void limit(__rlimit_resource resource, std::size_t amount, std::size_t hard) {
+    const rlimit both{amount, hard};
+    setrlimit(resource, &both);
+}
+
+// In the child: the pipes and the file in place of all that was open, limits, and the program with an environment of
+// its own. What keeps it from running is written to `failed`.
+[[noreturn]] void become_worker(const std::string& program, const std::vector<std::string>& launcher, pid_t parent,
+                                int calls, int answers, int printed, int failed, const Limits& limits) {
+    setsid();  // a group of its own, and no terminal to type into
+    // It ends with its parent, which may have ended before this line.
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(1);
+    // First out of the way of the places they are to have.
+    for (int* const file : {&calls, &answers, &printed, &failed}) *file = fcntl(*file, F_DUPFD, 10);
+    dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+    dup2(printed, STDOUT_FILENO);
+    dup2(printed, STDERR_FILENO);
+    dup2(calls, calls_fd);
+    dup2(answers, answers_fd);
+    failed = dup3(failed, answers_fd + 1, O_CLOEXEC);
+    close_range(static_cast<unsigned>(failed) + 1, ~0u, 0);
+    for (const int signal : {SIGINT, SIGPIPE, SIGTERM}) std::signal(signal, SIG_DFL);
+    std::signal(SIGXFSZ, SIG_IGN);
+    limit(RLIMIT_CORE, 0, 0);
+    limit(RLIMIT_FSIZE, limits.printed_bytes, limits.printed_bytes);
+    if (!limits.sanitizers) limit(RLIMIT_AS, limits.megabytes << 20, limits.megabytes << 20);
+    const auto seconds = static_cast<std::size_t>(limits.total_seconds) + 1;
+    limit(RLIMIT_CPU, seconds, seconds + 1);  // first a signal that says why, then the end
+    // It counts all that the user runs, which is less than all that the machine runs.
+    struct sysinfo machine {};
+    const std::size_t threads = sysinfo(&machine) == 0 ? machine.procs + limits.threads : limits.threads;
+    limit(RLIMIT_NPROC, threads, threads);
+    // Memory is handed out and taken back full of bytes that make no sense, so that what was never written is no lucky
+    // zero.
+    const std::string tunables = "glibc.malloc.perturb=1:glibc.malloc.tcache_count=0";
+    // A sanitizer prints its report and aborts: the worker then tells the line.
+    const std::string most = std::to_string(limits.megabytes), reports = "abort_on_error=1:print_legend=0:";
+    std::vector<std::string> words = launcher,
+                             surroundings{
+                                 "UBSAN_OPTIONS=" + reports,
+                                 "ASAN_OPTIONS=" + reports +
+                                     "detect_leaks=0:handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0:"
+                                     "handle_abort=0:allocator_may_return_null=0:max_allocation_size_mb=" +
+                                     most + ":soft_rss_limit_mb=" + most};
+    if (launcher.empty()) {
+        // Some sanitizers do not find their places where these are drawn by lot.
+        if (limits.sanitizers) personality(ADDR_NO_RANDOMIZE);
+        words.push_back("worker");
+        surroundings.push_back("GLIBC_TUNABLES=" + tunables);
+    } else {
+        words.insert(words.end(), {"--setenv", "GLIBC_TUNABLES", tunables, "--", program});
+    }
+    const auto pointers = [](std::vector<std::string>& list) {
+        std::vector<char*> to;
+        for (std::string& word : list) to.push_back(word.data());
+        to.push_back(nullptr);
+        return to;
+    };
+    execvpe(launcher.empty() ? program.c_str() : words[0].c_str(), pointers(words).data(),
+            pointers(surroundings).data());
+    const int error = errno;
+    write_all(failed, &error, sizeof error);
+    _exit(127);
+}
+
 }  // namespace
 
 Remote::Remote(const std::string& program, const std::string& printed, const std::vector<std::string>& launcher,
@@ -65,21 +132,15 @@ Remote::Remote(const std::string& program, const std::string& printed, const std
     if (file < 0) throw NoAnswer(Kind::course_error, printed + ": cannot be written");
     if (pipe2(calls, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0 || pipe2(failed, O_CLOEXEC) != 0)
         throw NoAnswer(Kind::course_error, "no pipe to be had from the system");
-    int log[2] = {-1, -1};
-    if (limits.watch == Watch::memcheck &&
-        (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, log) != 0 || shutdown(log[1], SHUT_RD) != 0))
-        throw NoAnswer(Kind::course_error, "no socket to be had from the system");
-    log_ = log[0];
     prctl(PR_SET_CHILD_SUBREAPER, 1);  // what a child leaves behind becomes ours: see end()
     const pid_t parent = getpid();
     process_ = fork();
     if (process_ < 0) throw NoAnswer(Kind::course_error, "no process to be had from the system");
-    if (process_ == 0) become_worker(program, launcher, parent, calls[0], answers[1], file, failed[1], log[1], limits);
+    if (process_ == 0) become_worker(program, launcher, parent, calls[0], answers[1], file, failed[1], limits);
     close(calls[0]);
     close(answers[1]);
     close(failed[1]);
     close(file);
-    if (log[1] >= 0) close(log[1]);
     calls_ = calls[1];
     fcntl(calls_, F_SETFL, O_NONBLOCK);
     answers_ = answers[0];
@@ -93,7 +154,6 @@ Remote::~Remote() {
     end();
     if (calls_ >= 0) close(calls_);
     close(answers_);
-    if (log_ >= 0) close(log_);
 }
 
 // No more calls: the worker returns from its main, global variables are destroyed, and the pipe of answers ends.
@@ -104,25 +164,6 @@ void Remote::await_end() {
         hear(Reply::ready);
     } catch (const NoAnswer& ended) {  // it has left, as it should; and who speaks out of turn now has answered all
         if (ended.kind == Kind::crash || ended.kind == Kind::too_slow) throw;
-    }
-}
-
-void Remote::close_down() {
-    end();
-    overhear();
-    look_through(found_);
-}
-
-// Reads what memcheck has written by now. The first that it finds is what is told; the rest is
-// dropped.
-void Remote::overhear() {
-    char piece[4096];
-    while (log_ >= 0) {
-        const ssize_t got = recv(log_, piece, sizeof piece, MSG_DONTWAIT);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return;
-        if (got == 0) close(std::exchange(log_, -1));
-        if (got > 0 && found_.size() < (1 << 20)) found_.append(piece, static_cast<std::size_t>(got));
     }
 }
 
@@ -174,7 +215,7 @@ void Remote::begin_call() {
 
 // The first look of a call tells what was used before it, and is at most a turn late.
 void Remote::look(bool in_call) {
-    const processes::Look seen = processes::look_at(process_, launched_);
+    const processes::Look seen = processes::look_at(process_, true);
     next_look_ = now() + turn;
     if (seen.known) {
         if (call_used_ < 0) call_used_ = seen.seconds;
@@ -195,11 +236,12 @@ void Remote::look(bool in_call) {
 // much.
 void Remote::wait_for(int pipe, short event) {
     for (;;) {
-        pollfd waiting[] = {{pipe, event, 0}, {log_, POLLIN, 0}};
-        if (poll(waiting, 2, static_cast<int>(turn * 1000)) > 0) {
-            overhear();
-            if (waiting[0].revents != 0) return;
-        }
+        pollfd waiting{pipe, event, 0};
+        if (poll(&waiting, 1, static_cast<int>(turn * 1000)) > 0) return;
+        // A process that it has left behind may hold the pipe open.
+        siginfo_t how{};
+        waitid(P_PID, static_cast<id_t>(process_), &how, WEXITED | WNOHANG | WNOWAIT);
+        if (how.si_pid != 0 && poll(&waiting, 1, 0) == 0) gone();
         if (now() >= next_look_) look(true);
     }
 }
@@ -234,11 +276,6 @@ std::string Remote::hear(Reply expected) {
     if (head.reply == Reply::out_of_memory) throw NoAnswer(Kind::too_much_memory, "");
     if (head.reply == Reply::arguments_changed)
         throw NoAnswer(Kind::wrong, "the arguments are only read: after the call the caller's are as they were");
-    if (head.reply == Reply::mode_changed)
-        throw NoAnswer(Kind::wrong,
-                       "the call leaves the processor as it found it: rounding to nearest, no tiny "
-                       "number flushed to zero, full precision, no end of the program at 1/0, nothing "
-                       "left on the x87's stack");
     if (head.reply == Reply::crashed) crash(bytes);
     if (head.reply != expected)
         throw NoAnswer(Kind::left_early, "The program wrote to the pipe that its answers go through");
@@ -267,9 +304,8 @@ void Remote::gone() {
     for (int asleep = 0; asleep < 2 && now() < deadline; usleep(500)) {
         waitid(P_PID, static_cast<id_t>(process_), &how, WEXITED | WNOHANG | WNOWAIT);
         if (how.si_pid != 0) break;
-        overhear();
         if (now() < looked + turn) continue;
-        const processes::Look seen = processes::look_at(process_, launched_);
+        const processes::Look seen = processes::look_at(process_, true);
         looked = now();
         asleep += seen.asleep;
         if (used < 0) used = seen.seconds;

@@ -14,15 +14,11 @@
 
 namespace checker {
 
-/// Who looks over the worker's shoulder: nobody, the sanitizers it is compiled with, or valgrind's
-/// memcheck, which needs files of its own: there the worker may write files, too.
-enum class Watch { nobody, sanitizers, memcheck };
-
 /// How much a worker may take. Seconds are those of a processor: on a busy machine the clock goes
 /// on while others work. For who sleeps they are those in which he was seen asleep. The clock ends
 /// only what neither works nor sleeps, as far as the system tells.
 struct Limits {
-    Watch watch = Watch::nobody;
+    bool sanitizers = false;    ///< is it compiled with them? They need more room than a limit on addresses leaves
     double call_seconds = 2;    ///< for one answer
     double total_seconds = 8;   ///< for all of them
     double clock_seconds = 60;  ///< by the clock, for one answer; for all of them four times that
@@ -31,8 +27,8 @@ struct Limits {
     std::size_t threads = 256;  ///< above what the machine runs anyway
 };
 
-/// A worker with the learner's code, in a process and a process group of its own, which starts no
-/// other process and ends with this one. What it prints goes to a file.
+/// A worker with the learner's code, in a process and a process group of its own. It ends with this one, and so does
+/// every process that it has started. What it prints goes to a file.
 class Remote {
 public:
     /// Starts `program`; the file `printed` gets what it prints. `launcher` are the words of
@@ -51,8 +47,6 @@ public:
     /// The last call has been made: what the learner's code does at its end, it does now. Throws NoAnswer where that is
     /// a crash, or takes too much.
     void await_end();
-    /// Ends the worker. Throws NoAnswer where memcheck has found something.
-    void close_down();
 
 private:
     void begin_call();
@@ -62,15 +56,12 @@ private:
     std::string hear(Reply expected);
     void receive(void* to, std::size_t size);
     [[noreturn]] void gone();
-    void overhear();
     void end();
 
     Limits limits_;
     bool launched_;
     pid_t process_ = -1;
     int calls_ = -1, answers_ = -1;
-    int log_ = -1;                           // memcheck's: a socket, which nobody can open once more, and empty or cut
-    std::string found_;                      // what memcheck has written there
     std::uint64_t number_ = 0;               // of the last call
     std::size_t most_bytes_;                 // of its answer
     double begin_, call_begin_, next_look_;  // by the clock

@@ -15,7 +15,6 @@
 #include <cstdio>
 #include <string>
 
-#include "self_test.hpp"
 #include "session.hpp"
 #include "slips.hpp"
 
@@ -30,24 +29,24 @@ void expect(const std::string& variant, std::uint64_t seed, const Verdict& verdi
     const bool as_expected = misconception.empty()
                                  ? verdict.kind == kind
                                  : (verdict.kind == Kind::wrong || verdict.kind == Kind::not_finite) &&
-                                       verdict.misconception == misconception;
+                                       verdict.diagnosis.label() == misconception;
     if (as_expected) return;
     ++failures;
     std::printf("%s, seed %llu: must be %s %s, but is %s %s\n", variant.c_str(), static_cast<unsigned long long>(seed),
                 misconception.empty() ? name_of(kind) : "wrong:", misconception.c_str(), name_of(verdict.kind),
-                verdict.misconception.c_str());
+                verdict.diagnosis.label().c_str());
     if (!verdict.property.empty()) std::printf("  the property: %s\n", verdict.property.c_str());
     std::printf("  %s gives %s  %s\n", verdict.arguments.c_str(), verdict.result.c_str(), verdict.detail.c_str());
 }
 
 void test(const std::string& exercise, std::uint64_t seeds, std::uint64_t after) {
-    const Variants& all = variants_of(exercise);
+    const Registered& all = registered(exercise);
     expect("the stub", 1, session().check(exercise, all.stub, 1), Kind::not_started, "");
     for (const auto& [name, answer] : all.correct)
         for (std::uint64_t seed = after + 1; seed <= seeds; ++seed)
             expect(name, seed, session().check(exercise, answer, seed), Kind::pass, "");
     std::size_t messages = 0, short_ones = 0;
-    for (const auto& [name, made] : mistakes_of(exercise))
+    for (const auto& [name, made] : all.mistakes)
         for (std::uint64_t seed = after / 10 + 1; seed <= seeds / 10; ++seed) {
             const Verdict verdict = session().check(exercise, made.answer, seed);
             expect(name, seed, verdict, Kind::wrong, name);
@@ -55,7 +54,7 @@ void test(const std::string& exercise, std::uint64_t seeds, std::uint64_t after)
         }
     const auto print = [](std::uint64_t number) { return static_cast<unsigned long long>(number); };
     std::printf("%s: %zu right answers, %llu seeds each; %zu mistakes, %llu seeds each\n", exercise.c_str(),
-                all.correct.size(), print(seeds - after), mistakes_of(exercise).size(), print(seeds / 10 - after / 10));
+                all.correct.size(), print(seeds - after), all.mistakes.size(), print(seeds / 10 - after / 10));
     // One exercise's properties are of whole runs, and what is wrong is seen at the end of one.
     const bool can_be_short = exercise != "fourth_order_leapfrog", are_short = 2 * short_ones >= messages;
     if (can_be_short && !are_short) ++failures;
@@ -68,19 +67,19 @@ struct LeadsNowhere {};
 
 void test_slips(const std::string& exercise) {
     std::size_t caught = 0, named = 0, right = 0, nowhere = 0;
-    for (const Answer& answer : slips_of(exercise)) {
+    for (const Answer& answer : registered(exercise).slips) {
         std::vector<slip::Made> slips;
         const Answer noting = [&](const Numbers& arguments) {
             slip::note(answer, arguments, slips);
-            return truth_of_exercise(exercise).answer(arguments);
+            return registered(exercise).truth.answer(arguments);
         };
         session().check(exercise, noting, 1);
         const Answer without = [&](const Numbers& arguments) {
             const Numbers result = slip::answered(answer, arguments, {});  // none where it takes too many turns
-            return result.empty() ? truth_of_exercise(exercise).answer(arguments) : result;
+            return result.empty() ? registered(exercise).truth.answer(arguments) : result;
         };
         expect("a right answer, written so that it can slip", 1, session().check(exercise, without, 1), Kind::pass, "");
-        const bool is_solution = &answer == &slips_of(exercise).front();
+        const bool is_solution = &answer == &registered(exercise).slips.front();
         for (const slip::Made& made : slips) {
             if (!is_solution && made.form > slip::last_of_arithmetic) continue;  // no name is looked for there
             bool leads_nowhere = false;
@@ -89,7 +88,7 @@ void test_slips(const std::string& exercise) {
                 const Numbers result = slip::answered(answer, arguments, made);
                 leads_nowhere |= result.empty();
                 if (result.empty()) throw NoAnswer(Kind::crash, "a slip that leads nowhere");
-                const Numbers truth = truth_of_exercise(exercise).answer(arguments);
+                const Numbers truth = registered(exercise).truth.answer(arguments);
                 for (std::size_t i = 0; i < std::min(truth.size(), result.size()); ++i)
                     most = std::max(most, std::fabs(result[i] - truth[i]) / std::max(1e-300, std::fabs(truth[i])));
                 return result;
@@ -99,14 +98,14 @@ void test_slips(const std::string& exercise) {
                 ++nowhere;
             } else if (verdict.kind == Kind::pass) {
                 ++right;
-                if (within(exercise).relative != many_are_right && most > 1e-3) {
+                if (registered(exercise).within.relative != many_are_right && most > 1e-3) {
                     ++failures;
                     std::printf("%s: the slip %s at %d is off by %g, and passes\n", exercise.c_str(),
                                 slip::name_of(made.form), made.site, most);
                 }
             } else {
                 ++caught;
-                named += !verdict.misconception.empty();
+                named += !verdict.diagnosis.empty();
             }
         }
     }
@@ -120,7 +119,7 @@ void test_slips(const std::string& exercise) {
 
 }  // namespace checker
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     const std::string word = argc > 2 ? argv[2] : "";
     if (argc == 3 && word == "slips") {
         checker::test_slips(argv[1]);
@@ -131,13 +130,13 @@ int main(int argc, char** argv) {
     };
     std::uint64_t seeds = 0, after = 0;
     if (argc < 3 || argc > 4 || !number(word, seeds) || (argc == 4 && !number(argv[3], after)) || seeds < 10 ||
-        after > seeds - 10) {
-        std::fprintf(
-            stderr,
-            "self_test: takes EXERCISE SEEDS, of which there are 10 or more, and after how many of them to begin, at "
-            "least 10 before the last; or EXERCISE slips\n");
-        return 2;
-    }
+        after > seeds - 10)
+        throw std::invalid_argument(
+            "takes EXERCISE SEEDS, of which there are 10 or more, and after how many of them to begin, at least 10 "
+            "before the last; or EXERCISE slips");
     checker::test(argv[1], seeds, after);
     return checker::failures == 0 ? 0 : 1;
+} catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "self_test: %s\n", error.what());
+    return 2;
 }

@@ -56,13 +56,14 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
     search_.reset();
     calls_.clear();
     kept_ = 0;
-    truth_ = truth_of_exercise(exercise);
-    within_ = within(exercise);
-    within_.ways = &slips_of(exercise);
+    const Registered& known = registered(exercise);
+    truth_ = known.truth;
+    within_ = known.within;
+    within_.ways = &known.slips;
     first_wrong_.reset();
     shown_.reset();
     doubted_.reset();
-    ended_.reset();
+    no_answer_.reset();
     is_too_late_ = false;
     verdict_ = {};
     last_ = {};
@@ -74,11 +75,11 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
         verdict_.kind = Kind::course_error;
         verdict_.detail = "there are no tests for '" + exercise + "'";
     }
-    if (ended_ && verdict_.kind != Kind::pass && !is_too_late_) {
-        verdict_.kind = ended_->kind;
-        (ended_->kind == Kind::wrong ? verdict_.property : verdict_.detail) = ended_->what();
-        verdict_.trace = ended_->trace;
-        if (ended_->kind == Kind::wrong)
+    if (no_answer_ && verdict_.kind != Kind::pass && !is_too_late_) {
+        verdict_.kind = no_answer_->kind;
+        (no_answer_->kind == Kind::wrong ? verdict_.property : verdict_.detail) = no_answer_->what();
+        verdict_.trace = no_answer_->trace;
+        if (no_answer_->kind == Kind::wrong)
             calls_.clear(), shown_.reset(), doubted_.reset(), verdict_.detail.clear();  // which were not what is wrong
     }
     const bool all_hold = verdict_.kind == Kind::pass;
@@ -88,8 +89,8 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
         verdict_.property = "the answer is the right one wherever the task allows the arguments, to roundoff";
     }
     if (verdict_.kind == Kind::wrong || verdict_.kind == Kind::not_finite)
-        verdict_.misconception = diagnose(exercise, truth_, calls_);
-    const bool has_failed = (verdict_.kind == Kind::wrong && !ended_) || verdict_.kind == Kind::not_finite;
+        verdict_.diagnosis = diagnose(exercise, truth_, calls_);
+    const bool has_failed = (verdict_.kind == Kind::wrong && !no_answer_) || verdict_.kind == Kind::not_finite;
     if (has_failed && spoken_ && truth_.answer) shrink(all_hold ? first_wrong_in_ : verdict_.property);
     tell_call();
     if (verdict_.kind == Kind::wrong && !verdict_.right.empty()) verdict_.detail.clear();  // that says more
@@ -99,19 +100,19 @@ Verdict Session::check(const std::string& exercise, const Answer& answer, std::u
 Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
     forget_comparison();
     if (search_) return call_in_search(arguments, spoken);
-    if (ended_ && ended_->kind != Kind::not_finite) throw *ended_;
+    if (no_answer_ && no_answer_->kind != Kind::not_finite) throw *no_answer_;
     spoken_ = &spoken;
     Numbers result;
-    const auto end = [&](const NoAnswer& ended) {
-        ended_ = ended;
-        is_too_late_ = ended.kind == Kind::too_slow && verdict_.kind != Kind::pass;
+    const auto end = [&](const NoAnswer& none) {
+        no_answer_ = none;
+        is_too_late_ = none.kind == Kind::too_slow && verdict_.kind != Kind::pass;
         if (!is_too_late_) last_ = {arguments, {}};
-        throw ended;
+        throw none;
     };
     try {
         result = answer_(arguments);
-    } catch (const NoAnswer& ended) {
-        end(ended);
+    } catch (const NoAnswer& none) {
+        end(none);
     } catch (const exercise::NotStarted&) {
         end(NoAnswer(Kind::not_started, ""));
     }
@@ -126,7 +127,7 @@ Numbers Session::call(const Numbers& arguments, const Spoken& spoken) {
         if (!made.right && !shown_) shown_ = made;
     }
     if (!is_finite(result)) {
-        if (!ended_ && verdict_.kind == Kind::pass) ended_ = NoAnswer(Kind::not_finite, "");
+        if (!no_answer_ && verdict_.kind == Kind::pass) no_answer_ = NoAnswer(Kind::not_finite, "");
         throw NoAnswer(Kind::not_finite, "");
     }
     return result;
@@ -181,7 +182,7 @@ void Session::tell_call() {
     const Call& call = is_wrong && shown_ ? *shown_ : is_wrong && doubted_ ? *doubted_ : last_;
     const bool told = is_wrong && shown_;
     // What is named is what the wrong call shows, or nothing is.
-    if (told && !is_case_of(exercise_, truth_, verdict_.misconception, call)) verdict_.misconception.clear();
+    if (told && !is_case_of(exercise_, truth_, verdict_.diagnosis, call)) verdict_.diagnosis = {};
     const Digits given = digits_for(call);
     verdict_.arguments = spoken_->arguments(call.arguments, given);
     if (call.result.empty()) return;

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "answer.hpp"
+#include "finding.hpp"
 #include "no_answer.hpp"
-#include "truth.hpp"
+#include "registry.hpp"
 
 namespace checker {
 
@@ -19,22 +20,9 @@ struct Call {
     bool right = true;
 };
 
-/// A mistake that the course knows, and what it would have answered.
-struct Mistake {
-    std::string name;
-    Function made;
-};
-
 /// What a check has found.
-struct Verdict {
+struct Verdict : Finding {
     Kind kind = Kind::pass;
-    std::string property;       ///< the first that does not hold
-    std::string misconception;  ///< the mistake that would have answered just so
-    std::string detail;         ///< what is known of a crash and the like, or both sides of the property
-    std::string trace;          ///< of a crash: the addresses that lead to it
-    std::string arguments;      ///< of the call that it was noticed after: "(1, 2)"
-    std::string result;         ///< what it returned, if it did
-    std::string right;          ///< what it must return, where that was something else
 };
 
 /// The check that is going on. There is one at a time, because Catch2's tests are global.
@@ -89,7 +77,7 @@ private:
     std::optional<Call> first_wrong_, shown_;  // the first wrong answer of all, and of the property in hand
     std::optional<Call> doubted_;              // where only the property itself knows what is wrong
     std::string first_wrong_in_;               // the property that called for it
-    std::optional<NoAnswer> ended_;            // no use in calling again
+    std::optional<NoAnswer> no_answer_;        // no use in calling again
     bool is_too_late_ = false;                 // to be too slow: before, a property has failed
     Verdict verdict_;
 };
@@ -101,16 +89,8 @@ bool is_finite(const Numbers& numbers);
 /// How many numbers of more than four digits stand in a text.
 std::size_t long_numbers(const std::string& text);
 
-/// The mistake, by its name, that answers as the learner does wherever that is wrong; nothing where none does, or
+/// The mistake, the slips or the region that the answer is wrong by wherever it is wrong; nothing where none fits, or
 /// where two that differ do. (diagnose.cpp)
-std::string diagnose(const std::string& exercise, const Truth& truth, const std::vector<Call>& calls);
-
-/// What is known of an exercise, filled before main: the right answer, how near to it an answer must be, and mistakes.
-bool register_truth(const std::string& exercise, Truth truth);
-const Truth& truth_of_exercise(const std::string& exercise);
-bool register_tolerance(const std::string& exercise, Within within);
-const Within& within(const std::string& exercise);
-bool register_mistakes(const std::string& exercise, std::vector<Mistake> mistakes);
-const std::vector<Mistake>& mistakes_of(const std::string& exercise);
+Diagnosis diagnose(const std::string& exercise, const Truth& truth, const std::vector<Call>& calls);
 
 }  // namespace checker

@@ -100,11 +100,11 @@ void Session::shrink(const std::string& property) {
     const bool is_finite_asked = verdict_.kind == Kind::not_finite, by_call = shown_ || is_finite_asked;
     const bool all_hold = property != verdict_.property;
     Call& best = shown_ && !is_finite_asked ? *shown_ : doubted_ && !is_finite_asked ? *doubted_ : last_;
-    const std::string name = verdict_.misconception;
+    const Diagnosis diagnosis = verdict_.diagnosis;
     Found any, of_name;
     const auto take = [&](const Call& call, const std::string& said) {
         const double effort = effort_of(call);
-        if (effort < of_name.effort && is_case_of(exercise_, truth_, name, call)) of_name = {call, said, effort};
+        if (effort < of_name.effort && is_case_of(exercise_, truth_, diagnosis, call)) of_name = {call, said, effort};
         if (effort < any.effort) any = {call, said, effort};
     };
     const auto take_wrong = [&](const std::vector<Call>& calls) {

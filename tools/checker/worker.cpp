@@ -1,7 +1,6 @@
 #include "worker.hpp"
 
 #include <atomic>
-#include <cfenv>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -18,7 +17,6 @@
 
 #include "exercise.hpp"
 #include "pipe.hpp"
-#include "reported.hpp"
 
 namespace checker {
 
@@ -83,19 +81,6 @@ extern "C" void crashed(int signal) {
     _exit(1);
 }
 
-// What a sanitizer has found.
-void found(const char* what) {
-    if (is_of_too_much_memory(what)) {
-        reply(Reply::out_of_memory, nullptr, 0);
-        _exit(1);
-    }
-    LastWords words{};
-    words.places = backtrace(words.place, most_places);
-    std::strncpy(words.text, what, sizeof words.text - 1);
-    say_last(words, 0);
-    _exit(1);
-}
-
 void catch_crashes() {
     void* place;
     backtrace(&place, 1);  // which loads what it needs
@@ -110,7 +95,6 @@ void catch_crashes() {
     action.sa_flags = SA_ONSTACK | SA_RESETHAND | SA_NODEFER;
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) sigaction(signal, &action, nullptr);
     std::set_terminate(terminated);
-    hand_reports_to(found);
 }
 
 // Before the learner's global variables are made. What is printed goes out at once, for the process
@@ -118,31 +102,6 @@ void catch_crashes() {
 [[gnu::constructor(101)]] void get_ready() {
     std::setvbuf(stdout, nullptr, _IONBF, 0);
     catch_crashes();
-}
-
-// Rounds to nearest, flushes nothing to zero, goes on after 1/0, and has of the x87 full precision and an empty stack:
-// as every process begins, and as every caller expects it after a call. The processor is asked itself, since a
-// learner's file may have a fegetenv of its own.
-bool calculates_as_usual() {
-#if defined(__x86_64__)
-    struct {
-        std::uint32_t control, status, tags, others[4];
-    } x87;
-    std::uint32_t sse = 0;
-    // What stores the x87 masks its exceptions: it is loaded again.
-    asm volatile("stmxcsr %0\n\tfnstenv %1\n\tfldenv %1" : "=m"(sse), "=m"(x87));
-    const unsigned rounding = 3u << 13, flush = 1u << 15, denormals_are_zero = 1u << 6, masked = 0x3fu << 7;
-    const unsigned x87_mode = 0xf3f, x87_usual = 0x33f, x87_empty = 0xffff;
-    return (sse & (rounding | flush | denormals_are_zero | masked)) == masked &&
-           (x87.control & x87_mode) == x87_usual && (x87.tags & x87_empty) == x87_empty;
-#elif defined(__aarch64__)
-    std::uint64_t now = 0;
-    asm volatile("mrs %0, fpcr" : "=r"(now));
-    const unsigned rounding = 3u << 22, flush = 1u << 24, traps = 0x9fu << 8;
-    return (now & (rounding | flush | traps)) == 0;
-#else
-    return std::fegetround() == FE_TONEAREST;
-#endif
 }
 
 }  // namespace
@@ -155,10 +114,6 @@ int serve(const Answer& answer) {
         Numbers arguments(head.bytes / sizeof(double));
         if (!read_all(calls_fd, arguments.data(), head.bytes)) return 1;
         const Numbers result = answer(arguments);
-        if (!calculates_as_usual()) {
-            reply(Reply::mode_changed, nullptr, 0);
-            return 1;
-        }
         std::cout.flush();  // it has a buffer of its own after sync_with_stdio(false)
         reply(Reply::answer, result.data(), result.size() * sizeof(double));
     }

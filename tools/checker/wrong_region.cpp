@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 
 #include "evidence.hpp"
 
@@ -17,33 +16,38 @@ constexpr std::size_t many = 20;  // tell where a limit is
 constexpr std::size_t most_numbers = 12;
 
 struct Region {
-    std::string name;
-    std::function<bool(const Numbers&)> holds;
+    const char* name;
+    std::size_t argument;
+    bool (*holds)(double);
+
+    bool has(const Numbers& given) const { return holds(given[argument]); }
 };
 
-// "where_negative_2": the number 2 of the arguments, counted from 0; the length of the first list is the last of them.
+// Of each number of the arguments, counted from 0; the length of the first list is the last of them.
 std::vector<Region> regions(std::size_t leading, bool has_list) {
     std::vector<Region> all;
-    const auto add = [&](const char* what, std::size_t i, auto is) {
-        all.push_back({std::string("where_") + what + "_" + std::to_string(i),
-                       [i, is](const Numbers& given) { return is(given[i]); }});
-    };
-    const std::size_t count = std::min(leading, most_numbers);
-    for (std::size_t i = 0; i < count; ++i) {
-        add("zero", i, [](double x) { return x == 0; });
-        add("negative", i, [](double x) { return x < 0; });
-        add("positive", i, [](double x) { return x > 0; });
+    for (std::size_t i = 0; i < std::min(leading, most_numbers); ++i) {
+        all.push_back({"zero", i, [](double x) { return x == 0; }});
+        all.push_back({"negative", i, [](double x) { return x < 0; }});
+        all.push_back({"positive", i, [](double x) { return x > 0; }});
     }
-    if (has_list && leading <= most_numbers) add("empty", leading, [](double size) { return size == 0; });
+    if (has_list && leading <= most_numbers) all.push_back({"empty", leading, [](double size) { return size == 0; }});
     return all;
 }
 
-// Is one of the numbers above all those with which nearly all of the answers are right, or below? "where_above_2_1.5":
-// the least with which it is wrong is 1.5. Where all the others are zero, or next to nothing beside those with which it
-// is wrong: "where_nonzero_2".
-std::string beyond(const Truth& truth, const Evidence& evidence) {
+// As the learner reads it.
+std::string short_number(double number) {
+    char text[24];
+    std::snprintf(text, sizeof text, "%.3g", number);
+    return text;
+}
+
+// Is one of the numbers above all those with which nearly all of the answers are right, or below? The limit is the
+// least with which it is wrong. "nonzero" where all the others are zero, or next to nothing beside those with which it
+// is wrong.
+Diagnosis beyond(const Truth& truth, const Evidence& evidence) {
     if (evidence.wrong.size() < many || evidence.right.size() < many) return {};
-    std::string where;
+    Diagnosis where;
     for (std::size_t i = 0; i < std::min(truth.leading, most_numbers); ++i)
         for (const bool above : {true, false}) {
             double limit = HUGE_VAL;
@@ -63,13 +67,11 @@ std::string beyond(const Truth& truth, const Evidence& evidence) {
             const auto is_zero = [&](const Call* call) {
                 return is_beyond(call) || std::fabs(call->arguments[i]) <= nothing;
             };
-            char text[48];
             if (limit > 0 && std::all_of(evidence.right.begin(), evidence.right.end(), is_zero))
-                std::snprintf(text, sizeof text, "where_nonzero_%zu", i);
+                where = {.region = "nonzero", .argument = i};
             else
-                std::snprintf(text, sizeof text, "where_%s_%zu_%.3g", above ? "above" : "below", i,
-                              above ? limit : -limit);
-            where = text;
+                where = {
+                    .region = above ? "above" : "below", .argument = i, .limit = short_number(above ? limit : -limit)};
         }
     return where;
 }
@@ -105,12 +107,12 @@ std::string always(const Evidence& evidence) {
 
 }  // namespace
 
-std::string wrong_region(const Truth& truth, const std::vector<Call>& calls, const Evidence& evidence) {
+Diagnosis wrong_region(const Truth& truth, const std::vector<Call>& calls, const Evidence& evidence) {
     if (evidence.wrong.size() < few || evidence.right.size() < few) return {};
-    std::string where;
+    Diagnosis where;
     bool two = false;
     for (const Region& region : regions(truth.leading, truth.has_list)) {
-        const auto inside = [&](const Call* call) { return region.holds(call->arguments); };
+        const auto inside = [&](const Call* call) { return region.has(call->arguments); };
         if (!std::all_of(evidence.wrong.begin(), evidence.wrong.end(), inside)) continue;
         const auto right_inside = std::size_t(std::count_if(evidence.right.begin(), evidence.right.end(), inside));
         // What holds nearly everywhere, or is mostly right there, says nothing.
@@ -119,38 +121,31 @@ std::string wrong_region(const Truth& truth, const std::vector<Call>& calls, con
             continue;
         two = !where.empty();
         if (two) break;
-        where = region.name;
+        where = {.region = region.name, .argument = region.argument};
     }
     if (two)
-        where.clear();
+        where = {};
     else if (where.empty())
         where = beyond(truth, evidence);
-    const std::string what = always(evidence);
-    if (where.empty() && what.empty()) return {};
+    where.value = always(evidence);
     // An answer that is always so tells nothing of where it is wrong.
     const bool else_too = std::all_of(calls.begin(), calls.end(),
                                       [&](const Call& call) { return call.result == evidence.wrong[0]->result; });
-    if (else_too) return {};
-    return what.empty() ? where : where.empty() ? "is_" + what : where + "_is_" + what;
+    return else_too ? Diagnosis() : where;
 }
 
-bool is_case_of_region(const std::string& name, const Truth& truth, const Call& call) {
-    const auto is = name.rfind("is_");
-    const std::string what = is == std::string::npos ? "" : name.substr(is + 3),
-                      where = name.substr(0, is == std::string::npos ? is : is - (is > 0));
+bool is_case_of_region(const Diagnosis& diagnosis, const Truth& truth, const Call& call) {
     const Evidence one{{&call}, {}, {}, {}};
-    if (!what.empty() && !(what == "given" ? is_given(one) : always(one) == what)) return false;
+    const std::string& value = diagnosis.value;
+    if (!value.empty() && !(value == "given" ? is_given(one) : always(one) == value)) return false;
+    const double number = call.arguments[diagnosis.argument];
     for (const Region& region : regions(truth.leading, truth.has_list))
-        if (region.name == where) return region.holds(call.arguments);
-    std::size_t number = 0;
-    if (std::sscanf(where.c_str(), "where_nonzero_%zu", &number) == 1) return call.arguments[number] != 0;
-    double limit = 0;
-    char least[24] = "";
-    const bool above = std::sscanf(where.c_str(), "where_above_%zu_%lf", &number, &limit) == 2;
-    if (!above && std::sscanf(where.c_str(), "where_below_%zu_%lf", &number, &limit) != 2) return true;
-    std::snprintf(least, sizeof least, "%.3g", call.arguments[number]);
-    const double read = std::strtod(least, nullptr);  // as the limit is told
-    return above ? read >= limit : read <= limit;
+        if (region.name == diagnosis.region && region.argument == diagnosis.argument) return region.holds(number);
+    if (diagnosis.region == "nonzero") return number != 0;
+    if (diagnosis.region.empty()) return true;
+    const double limit = std::strtod(diagnosis.limit.c_str(), nullptr),
+                 read = std::strtod(short_number(number).c_str(), nullptr);  // as the limit is told
+    return diagnosis.region == "above" ? read >= limit : read <= limit;
 }
 
 bool is_near_thing(const Truth& truth, const Evidence& evidence) {

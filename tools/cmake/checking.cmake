@@ -103,8 +103,7 @@ function(timestep_check_learners told)
   # All that as JSON.
   timestep_json_words(compile "${CMAKE_CXX_COMPILER}" ${use_exercise} ${flags} ${includes})
   timestep_json_words(compile_eigen "${CMAKE_CXX_COMPILER}" ${use_exercise_eigen} ${flags} ${includes})
-  # For check --sanitize: without what is compiled beforehand, which was compiled otherwise. Here what was
-  # never written is to be seen as that.
+  # For check --sanitize: without what is compiled beforehand, which was compiled otherwise.
   set(sanitize -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
   # The room behind a vector's end. Only where the workers' own vector functions are inlined: shared with
@@ -115,7 +114,6 @@ function(timestep_check_learners told)
   list(JOIN sanitize " " CMAKE_REQUIRED_FLAGS)
   check_cxx_source_compiles("int main() {}" TIMESTEP_HAS_SANITIZERS)
   unset(CMAKE_REQUIRED_FLAGS)
-  list(REMOVE_ITEM flags -ftrivial-auto-var-init=pattern)
   timestep_json_words(bare "${CMAKE_CXX_COMPILER}" ${flags} ${includes} -include exercise.hpp)
   timestep_json_words(bare_eigen "${CMAKE_CXX_COMPILER}" ${flags} ${includes} -include exercise_eigen.hpp)
   if(TIMESTEP_HAS_SANITIZERS)
@@ -123,11 +121,8 @@ function(timestep_check_learners told)
   else()
     set(sanitize "[]")
   endif()
-  # The compiler's list of what it has read, and the assembler's, who reads by .incbin.
+  # The compiler's list of what it has read.
   set(lists -MD -MF @.d)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    list(APPEND lists -Xassembler --MD -Xassembler @.incbin.d)  # a comma in a folder's name ends a word of -Wa
-  endif()
   timestep_json_words(lists ${lists})
   # What an answer may bring for link-time optimization, with options of its own, is not made use of.
   # The linker that comes to an end first, where it is there.

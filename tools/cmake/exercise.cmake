@@ -140,7 +140,7 @@ namespace slips {
 "// Each in a namespace of its own; the headers they include are read before.
 #include \"@learners_header@\"
 #include \"@numbers_header@\"
-#include \"self_test.hpp\"
+#include \"registry.hpp\"
 
 namespace {
 namespace stub {

@@ -1,10 +1,8 @@
 # Every function test_… of a shell script in the current folder is a test. It is called as
 #   sh SCRIPT FUNCTION FOLDER SOURCE …
 # and is skipped where it ends with 77. Those in a script that TIMESTEP_LONG_SCRIPTS names are for
-# `./course test --all`, and so are these that take a minute each.
+# `./course test --all`.
 set(TIMESTEP_LONG_SCRIPTS bench.sh kit.sh)
-set(TIMESTEP_LONG_FUNCTIONS test_every_adversary_gets_its_verdict
-  test_a_right_answer_that_is_too_slow_to_be_watched)
 function(timestep_script_tests script label)
   file(STRINGS ${script} lines REGEX "^test_[a-z0-9_]+\\(\\)")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${script})
@@ -16,11 +14,8 @@ function(timestep_script_tests script label)
       COMMAND sh "${CMAKE_CURRENT_SOURCE_DIR}/${script}" ${function}
               "${CMAKE_CURRENT_BINARY_DIR}/${function}" "${PROJECT_SOURCE_DIR}" ${ARGN})
     set_tests_properties("${label} ${words}" PROPERTIES SKIP_RETURN_CODE 77)
-    if(script IN_LIST TIMESTEP_LONG_SCRIPTS OR function IN_LIST TIMESTEP_LONG_FUNCTIONS)
+    if(script IN_LIST TIMESTEP_LONG_SCRIPTS)
       set_tests_properties("${label} ${words}" PROPERTIES LABELS long)
-    endif()
-    if(function IN_LIST TIMESTEP_LONG_FUNCTIONS)  # first, or the others wait for it in the end
-      set_tests_properties("${label} ${words}" PROPERTIES COST 200)
     endif()
   endforeach()
 endfunction()

@@ -162,7 +162,7 @@ Grade check_one(const Submission& submission, const Exercise& exercise, const st
         const TemporaryFolder temporary;
         const fs::path copy = temporary.folder() / (exercise.name + ".cpp");
         write_whole(copy, answer);
-        const Verdict verdict = check_file(exercise, copy, seed, sandbox, Watch::nobody, patience);
+        const Verdict verdict = check_file(exercise, copy, seed, {.sandbox = sandbox, .patience = patience});
         grade.verdict = verdict.kind;
         grade.says = told(exercise, verdict, copy);
         for (const std::string& place : {copy.string(), shown(copy)})

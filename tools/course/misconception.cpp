@@ -1,7 +1,7 @@
 #include "misconception.hpp"
 
-#include <cstdlib>
 #include <map>
+#include <vector>
 
 #include "terminal.hpp"
 
@@ -10,7 +10,7 @@ namespace course {
 namespace {
 
 // What the answer is of the right one, where that is the same in every call.
-const std::map<std::string, std::string>& families() {
+const std::map<std::string, std::string>& generic_mistakes() {
     static const std::map<std::string, std::string> words{
         {"minus", "the negative of the right one: a sign is lost."},
         {"twice", "twice the right one."},
@@ -76,19 +76,15 @@ const std::map<std::string, std::string>& slips() {
     return words;
 }
 
-// Of "slip_sign" and "slip_sign_and_term".
-std::string of_slips(const std::string& name) {
-    const std::string begin = "slip_", between = "_and_";
-    if (name.compare(0, begin.size(), begin) != 0) return {};
-    const auto at = name.find(between);
-    const auto first = slips().find(name.substr(begin.size(), at == std::string::npos ? at : at - begin.size()));
-    if (first == slips().end()) return {};
+std::string of_slips(const std::vector<std::string>& forms) {
+    std::vector<std::string> words;
+    for (const std::string& form : forms)
+        if (const auto known = slips().find(form); known != slips().end()) words.push_back(known->second);
+    if (words.empty()) return {};
     const std::string as_right = "Your answer does what a right one does with ";
-    if (at == std::string::npos) return as_right + first->second + (first->second.back() == '?' ? "" : ".");
-    const auto second = slips().find(name.substr(at + between.size()));
-    if (second == slips().end()) return {};
-    if (first == second) return as_right + "two slips of one kind, each of them " + first->second + ".";
-    return as_right + "two slips at once: " + first->second + "; and " + second->second + ".";
+    if (words.size() == 1) return as_right + words[0] + (words[0].back() == '?' ? "" : ".");
+    if (words[0] == words[1]) return as_right + "two slips of one kind, each of them " + words[0] + ".";
+    return as_right + "two slips at once: " + words[0] + "; and " + words[1] + ".";
 }
 
 // What the numbers of the arguments are called, up to the first list, which is the last of them.
@@ -127,61 +123,43 @@ std::vector<std::string> numbers_in(const std::string& declaration) {
     return names;
 }
 
-// Of "where_zero_3", "is_given", "where_negative_0_is_-1": where the answer is wrong, and what it always is there.
-std::string of_where(const std::string& name, const std::string& declaration) {
-    std::string where, what;
-    const auto is = name.rfind("is_");
-    if (name.compare(0, 6, "where_") == 0) {
-        const auto behind = name.find('_', 6);
-        const std::vector<std::string> names = numbers_in(declaration);
-        const auto number = std::size_t(std::atoi(name.c_str() + behind + 1));
-        if (behind == std::string::npos || number >= names.size()) return {};
-        const std::string how = name.substr(6, behind - 6);
-        where = "only where " + names[number] + " is " + how;
-        if (how == "nonzero") {
-            where = "wherever " + names[number] + " is not zero, or nearly so";
-            if (is == std::string::npos)
-                return "Of all that was tried, your answer is wrong " + where + ". Where does " + names[number] +
-                       " come in?";
-        }
-        if (how == "above" || how == "below") {
-            const auto limit = name.find('_', behind + 1);
-            if (limit == std::string::npos) return {};
-            const std::string least = name.substr(limit + 1, is == std::string::npos ? is : is - 1 - (limit + 1));
-            where = "only where " + names[number] + " is " + least + (how == "above" ? " or more" : " or less");
-        }
-    } else if (is != 0) {
-        return {};
-    }
-    if (is != std::string::npos) what = name.substr(is + 3);
-    const bool is_yes_or_no = declaration.compare(0, 5, "bool ") == 0;
-    if (what == "given")
+// Where the answer is wrong, and what it always is there.
+std::string of_region(const checker::Diagnosis& found, const std::string& declaration) {
+    const std::vector<std::string> names = numbers_in(declaration);
+    if (found.argument >= names.size()) return {};
+    const std::string& name = names[found.argument];
+    std::string where = "only where " + name + " is " + found.region, what;
+    if (found.region == "nonzero") where = "wherever " + name + " is not zero, or nearly so";
+    if (!found.limit.empty())
+        where = "only where " + name + " is " + found.limit + (found.region == "above" ? " or more" : " or less");
+    const std::string wrong = "Of all that was tried, your answer is wrong " + where;
+    if (found.value.empty())
+        return wrong + (found.region == "nonzero" ? ". Where does " + name + " come in?"
+                                                  : ". Does that case have its own condition, or want one?");
+    if (found.value == "given")
         what = "what was given, unchanged: does it return too soon, or has a line no effect?";
-    else if (!what.empty())
-        what = "always " + (is_yes_or_no ? what == "0" ? "false" : "true" : what) +
+    else
+        what = "always " +
+               (!declaration.starts_with("bool ") ? found.value
+                : found.value == "0"              ? "false"
+                                                  : "true") +
                ": is there a condition too many, one too few, or a tolerance?";
-    if (what.empty())
-        return "Of all that was tried, your answer is wrong " + where +
-               ". Does that case have its own condition, or want one?";
-    if (where.empty()) return "Wherever your answer is wrong, it is " + what;
-    return "Of all that was tried, your answer is wrong " + where + ", and there it is " + what;
-}
-
-std::string told_of_kind(const std::string& name, const std::string& declaration) {
-    const std::string slip = of_slips(name);
-    return slip.empty() ? of_where(name, declaration) : slip;
+    return found.region.empty() ? "Wherever your answer is wrong, it is " + what : wrong + ", and there it is " + what;
 }
 
 }  // namespace
 
-std::string told_of(const Exercise& exercise, const std::string& misconception) {
+std::string told_of(const Exercise& exercise, const checker::Diagnosis& diagnosis) {
+    if (diagnosis.empty()) return {};
+    if (diagnosis.mistake.empty())
+        return wrapped(diagnosis.slips.empty() ? of_region(diagnosis, exercise.declaration) : of_slips(diagnosis.slips),
+                       2);
     const auto known = exercise.mistakes();
-    const auto mistake = known.find(misconception);
-    if (mistake != known.end()) return wrapped(mistake->second.says, 2) + wrapped("Hint: " + mistake->second.hint, 2);
-    const auto family = families().find(misconception);
-    if (family != families().end()) return wrapped("Wherever your answer is wrong, it is " + family->second, 2);
-    const std::string told = told_of_kind(misconception, exercise.declaration);
-    return told.empty() ? told : wrapped(told, 2);
+    if (const auto mistake = known.find(diagnosis.mistake); mistake != known.end())
+        return wrapped(mistake->second.says, 2) + wrapped("Hint: " + mistake->second.hint, 2);
+    const auto generic = generic_mistakes().find(diagnosis.mistake);
+    return generic == generic_mistakes().end() ? ""
+                                               : wrapped("Wherever your answer is wrong, it is " + generic->second, 2);
 }
 
 }  // namespace course

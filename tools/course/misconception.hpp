@@ -1,14 +1,15 @@
 #pragma once
 /// \file
-/// What a learner is told of a mistake, by the name that the checker gives it (tools/checker/diagnose.cpp).
+/// What a learner is told of a mistake that the checker has found (tools/checker/diagnose.cpp).
 
 #include <string>
 
+#include "../checker/finding.hpp"
 #include "exercises.hpp"
 
 namespace course {
 
-/// One paragraph or two for the screen; nothing where the name is none.
-std::string told_of(const Exercise& exercise, const std::string& misconception);
+/// One paragraph or two for the screen; nothing where nothing is known.
+std::string told_of(const Exercise& exercise, const checker::Diagnosis& diagnosis);
 
 }  // namespace course

@@ -4,15 +4,15 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <map>
 #include <optional>
 #include <random>
 #include <sstream>
 
-#include "read_json.hpp"
 #include <sys/prctl.h>
 
+#include "../checker/finding_json.hpp"
 #include "forbidden_includes.hpp"
+#include "read_json.hpp"
 #include "paths.hpp"
 #include "process.hpp"
 #include "stop.hpp"
@@ -126,32 +126,13 @@ int line_of_crash(const std::string& trace, const Words& around, const fs::path&
     return 0;
 }
 
-// What check has escaped.
-std::string unescaped(const std::string& line) {
-    std::string text;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const char kind = line[i] == '\\' && i + 1 < line.size() ? line[++i] : '\0';
-        if (kind == '\0' || kind == '\\')
-            text += line[i];
-        else if (kind == 'x') {
-            text += static_cast<char>(std::strtol(line.substr(i + 1, 2).c_str(), nullptr, 16));
-            i += 2;
-        } else
-            text += kind == 'n' ? '\n' : '\t';
-    }
-    return text;
-}
-
-// Lines  key<TAB>value; nothing where a key comes twice, for then somebody else has written, too.
-std::map<std::string, std::string> read_lines(const std::string& said) {
-    std::map<std::string, std::string> values;
-    std::istringstream lines(said);
-    for (std::string line; std::getline(lines, line);) {
-        const auto tab = line.find('\t');
-        if (tab == std::string::npos) continue;
-        if (!values.emplace(line.substr(0, tab), unescaped(line.substr(tab + 1))).second) return {};
-    }
-    return values;
+// What the hidden tests' program has printed: a verdict's kind and what was found. False where it is none.
+bool read_finding(const std::string& said, Verdict& verdict) {
+    const auto json = nlohmann::json::parse(said, nullptr, false);
+    if (!json.is_object() || !json.contains("kind")) return false;
+    verdict.kind = json.at("kind");
+    static_cast<checker::Finding&>(verdict) = json.at("finding");
+    return true;
 }
 
 // Compiles the answer in `file`, or the course's own.
@@ -238,8 +219,9 @@ bool commands_are_whole(const Exercise& exercise) {
     }
 }
 
-Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_t seed, const Sandbox* sandbox,
-                   Watch watch, int patience) {
+Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_t seed, const Manner& manner) {
+    const auto& [sandbox, sanitizers, usual_patience] = manner;
+    int patience = usual_patience;
     const auto begin = std::chrono::steady_clock::now();
     const std::string answer = answer_in(exercise, given);  // or one clear line
     const Commands commands = read_commands(exercise);
@@ -263,18 +245,13 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
         return verdict;
     };
 
-    Words compile = watch == Watch::nobody ? commands.compile : commands.bare;
-    Words link = commands.link;
+    Words compile = sanitizers ? commands.bare : commands.compile, link = commands.link;
     if (exercise.eigen || answer.find("Eigen") != std::string::npos)
-        patience *= 2;                          // its solvers take 5 to 9 s, all else some two
-    if (watch != Watch::nobody) patience *= 3;  // for everything is compiled anew
-    // So that nothing is put in order that memcheck could see.
-    if (watch == Watch::memcheck) compile.push_back("-O0");
-    if (watch == Watch::sanitizers)
-        for (const std::string& word : commands.sanitize) {
-            compile.push_back(word);
-            link.push_back(word);
-        }
+        patience *= 2;              // its solvers take 5 to 9 s, all else some two
+    if (sanitizers) patience *= 3;  // for everything is compiled anew
+    if (sanitizers)
+        for (Words* const words : {&compile, &link})
+            words->insert(words->end(), commands.sanitize.begin(), commands.sanitize.end());
     compile = compiling(compile, exercise, file, object);
     for (std::string word : commands.lists) {  // of what it reads, beside the object
         replace_all(word, "@", object.string());
@@ -285,40 +262,36 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
     put_before(compile, around);
     const bool compiles = succeeds(compile, temporary, verdict, patience);
     if (!compiles) stop_if_broken(around, verdict.compiler);
-    const std::string not_own =
-        forbidden_include(files_in({object.string() + ".d", object.string() + ".incbin.d"}), file);
-    if (!compiles && not_own.empty() && watch == Watch::nobody)
+    const std::string not_own = forbidden_include(object.string() + ".d", file);
+    if (!compiles && not_own.empty() && !sanitizers)
         stop_if_damaged(exercise, commands, sandbox, temporary, false, patience);
     if (!not_own.empty()) verdict.compiler = not_own;
     if (!compiles || !not_own.empty()) return ended("does_not_compile");
     link = linking(link, commands, object, worker);
     if (sandbox != nullptr) put_before(link, sandbox->before_compiler(link, temporary.folder(), {}));
     if (!succeeds(link, temporary, verdict, patience)) {
-        if (watch == Watch::nobody) stop_if_damaged(exercise, commands, sandbox, temporary, true, patience);
+        if (!sanitizers) stop_if_damaged(exercise, commands, sandbox, temporary, true, patience);
         return ended("does_not_compile");
     }
 
     // The learner's code is not to reach our files through /proc: what we print is the verdict.
     prctl(PR_SET_DUMPABLE, 0);
     Words check{commands.check, exercise.name, worker.string(), printed.string()};
-    if (watch != Watch::nobody) check.push_back(watch == Watch::sanitizers ? "sanitizers" : "memcheck");
+    if (sanitizers) check.push_back("sanitizers");
     around = sandbox != nullptr ? sandbox->before_worker(worker) : Words{};
     check.insert(check.end(), around.begin(), around.end());
     // It gives the learner's code its limits itself, and for all calls a few minutes by the clock.
     const Outcome outcome =
         run_within(check, {.seconds = 600, .processor_seconds = 60, .waiting_for = "Waiting for your code to answer"},
                    std::to_string(seed) + "\n");
-    auto said = read_lines(outcome.said);
+    Verdict found;
+    const bool is_found = read_finding(outcome.said, found);
     const auto text = printed_in(printed);
     verdict.printed = text.value_or("");
     stop_if_broken(around, verdict.printed);
-    if (said["verdict"] == "wrong" || said["verdict"] == "not_finite") verdict.property = said["property"];
-    verdict.misconception = said["misconception"];
-    verdict.detail = said["detail"];
-    verdict.arguments = said["arguments"];
-    verdict.result = said["result"];
-    verdict.right = said["right"];
-    if (meddled_with(outcome, said["verdict"])) {
+    static_cast<checker::Finding&>(verdict) = found;
+    if (found.kind != "wrong" && found.kind != "not_finite") verdict.property.clear();
+    if (meddled_with(outcome, found.kind)) {
         verdict.detail = "The program ended the checker, or wrote in its place";
         verdict.arguments = "(…)";
         return ended("left_early");
@@ -334,13 +307,27 @@ Verdict check_file(const Exercise& exercise, const fs::path& given, std::uint64_
         verdict.in_time = false;
         return ended("too_slow");
     }
-    if (outcome.status > 1 || said["verdict"].empty()) {
+    if (outcome.status > 1 || !is_found) {
         verdict.detail = outcome.too_slow ? "the hidden tests did not come to an end" : outcome.said;
         return ended("course_error");
     }
-    verdict.line = line_of_crash(said["trace"], around, worker, file);
-    if (said["verdict"] == "too_slow") verdict.in_time = false;
-    return ended(said["verdict"]);
+    verdict.line = line_of_crash(verdict.trace, around, worker, file);
+    if (found.kind == "too_slow") verdict.in_time = false;
+    return ended(found.kind);
+}
+
+Verdict check_sanitized(const Exercise& exercise, const fs::path& file, std::uint64_t seed) {
+    if (read_commands(exercise).sanitize.empty())
+        throw Stop(Status::missing,
+                   "check --sanitize: the compiler has no AddressSanitizer and no "
+                   "UndefinedBehaviorSanitizer to link with");
+    Verdict verdict = check_file(exercise, file, seed, {.sanitizers = true});
+    if (verdict.kind != "too_slow") return verdict;
+    // Watched, everything takes many times as long. What counts is the check that all others get.
+    verdict = check_file(exercise, file, seed);
+    if (verdict.kind == "pass")
+        verdict.remark = "The answer is right, but too slow to be watched: not all of it has been.";
+    return verdict;
 }
 
 }  // namespace course

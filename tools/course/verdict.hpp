@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 
+#include "../checker/finding.hpp"
 #include "exercises.hpp"
 #include "sandbox.hpp"
 #include "stop.hpp"
@@ -15,30 +16,20 @@ namespace course {
 
 /// What a check has found. `kind` is one of: pass, does_not_compile, not_started, wrong,
 /// not_finite, crash, too_slow, too_much_memory, left_early, course_error.
-struct Verdict {
+struct Verdict : checker::Finding {
     std::string kind;
-    std::string property;       ///< wrong: the first that does not hold
-    std::string misconception;  ///< the name of the known mistake that answers just so, if any
-    std::string detail;         ///< of a crash and the like
-    std::string arguments;      ///< of the last call: "(1, 2)"
-    std::string result;         ///< and what it returned
-    std::string right;          ///< what it must return, where that was something else
-    std::string compiler;       ///< what the compiler said, warnings included
-    std::string printed;        ///< what the learner's code printed
-    std::string remark;         ///< on the check itself
-    bool watched = false;       ///< was it asked for what the sanitizers see?
-    bool in_time = true;        ///< false where compiler or answer had not come to an end
-    int line = 0;               ///< of the learner's file where it crashed
+    std::string compiler;  ///< what the compiler said, warnings included
+    std::string printed;   ///< what the learner's code printed, or a sanitizer's report
+    std::string remark;    ///< on the check itself
+    bool watched = false;  ///< was it asked for what the sanitizers see?
+    bool in_time = true;   ///< false where compiler or answer had not come to an end
+    int line = 0;          ///< of the learner's file where it crashed
     std::uint64_t seed = 0;
     double seconds = 0;  ///< from the file to the verdict
 };
 
 /// The detail of a too_slow where it was not the answer that worked too long.
 inline constexpr const char* too_much_work_for_the_tests = "the hidden tests";
-
-/// Who looks over the shoulder of the learner's code: nobody; the sanitizers that the compiler
-/// builds in; valgrind's memcheck.
-enum class Watch { nobody, sanitizers, memcheck };
 
 /// The built files for a check are damaged: the compiler refuses the course's own file, too.
 class Damaged : public Stop {
@@ -64,15 +55,20 @@ std::vector<std::filesystem::path> parts_of_check(const Exercise& exercise);
 /// Are CMake's compile and link commands present and complete?
 bool commands_are_whole(const Exercise& exercise);
 
-/// Checks `file` as an answer to the exercise, with inputs drawn from `seed`; a stranger's in a
-/// sandbox, watched by nobody. The compiler has `patience` times what it has usually. Throws Stop where
+/// How a file is checked.
+struct Manner {
+    const Sandbox* sandbox = nullptr;  ///< a stranger's file is shut away
+    bool sanitizers = false;
+    int patience = 1;  ///< the compiler has so many times what it has usually
+};
+
+/// Checks `file` as an answer to the exercise, with inputs drawn from `seed`. Throws Stop where
 /// the file cannot be read or the machine is at fault, and Damaged.
 Verdict check_file(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed,
-                   const Sandbox* sandbox = nullptr, Watch watch = Watch::nobody, int patience = 1);
+                   const Manner& manner = {});
 
-/// The same with the sanitizers and, where nothing is wrong and it is there, with valgrind: errors
-/// that do not show in the numbers are crashes. Throws Stop(missing) where the compiler has no
-/// sanitizers.
+/// The same with the sanitizers: errors that do not show in the numbers are crashes, and their report is what was
+/// printed. Throws Stop(missing) where the compiler has no sanitizers.
 Verdict check_sanitized(const Exercise& exercise, const std::filesystem::path& file, std::uint64_t seed);
 
 }  // namespace course

@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "uncallable_definition.hpp"
 #include "misconception.hpp"
 #include "answer_lint.hpp"
 #include "terminal.hpp"
@@ -93,7 +92,7 @@ std::string call(const Exercise& exercise, const Verdict& verdict) { return exer
 
 // No call has been made where there are no arguments: only the file's variables.
 std::string when(const Exercise& exercise, const Verdict& verdict) {
-    if (verdict.arguments == "at the end")  // as the checker says it (tools/checker/ended.hpp)
+    if (verdict.arguments == checker::at_the_end)
         return "after the last call of " + exercise.name + ", when the program ended";
     return verdict.arguments.empty() ? "before the first call of " + exercise.name
                                      : "in the call " + call(exercise, verdict);
@@ -109,7 +108,7 @@ std::string wrong(const Exercise& exercise, const Verdict& verdict, const fs::pa
         text += "  It was noticed after the call\n" +
                 wrapped(call(exercise, verdict) + ", which returned " + verdict.result, 6) + "\n";
     if (!verdict.detail.empty()) text += wrapped(verdict.detail, 2) + "\n";
-    const std::string mistake = told_of(exercise, verdict.misconception);
+    const std::string mistake = told_of(exercise, verdict.diagnosis);
     const std::string seen = answer_lint(exercise, verdict, file);
     if (!mistake.empty()) return text + mistake + seen;
     if (!seen.empty()) return text + seen.substr(1);  // a blank line is there
@@ -128,7 +127,7 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
                                        ". Every answer "
                                        "must be a finite number.",
                                    2);
-        const std::string mistake = told_of(exercise, verdict.misconception);
+        const std::string mistake = told_of(exercise, verdict.diagnosis);
         return text + (mistake.empty() ? mistake : "\n" + mistake) + answer_lint(exercise, verdict, file);
     }
     if (kind == "crash") {
@@ -143,11 +142,11 @@ std::string why(const Exercise& exercise, const Verdict& verdict, const fs::path
             "Are its answers huge, or such that a loop over them never ends?",
             2);
     if (kind == "too_slow") {
-        const bool asleep = verdict.detail == "asleep";
+        const bool asleep = verdict.detail == checker::too_slow_asleep;
         const std::string in_time = "There was no answer in time (2 s " + std::string(asleep ? "of sleep" : "of work") +
                                     " for one call, 8 s for all), " + when(exercise, verdict);
         if (asleep) return wrapped(in_time + ". The code sleeps, or waits for what does not come.", 2);
-        if (verdict.detail == "by the clock")
+        if (verdict.detail == checker::too_slow_by_the_clock)
             return wrapped("There was no answer in a minute, " + when(exercise, verdict) +
                                ", though there was little work: is the code stopped, or waits it for a disk?",
                            2);
@@ -216,7 +215,7 @@ std::string as_json(const Exercise& exercise, const Verdict& verdict) {
     return nlohmann::ordered_json{{"exercise", exercise.name},
                                   {"verdict", verdict.kind},
                                   {"property", word_or_null(verdict.property)},
-                                  {"misconception", word_or_null(verdict.misconception)},
+                                  {"misconception", word_or_null(verdict.diagnosis.label())},
                                   {"seed", verdict.seed},
                                   {"seconds", std::round(verdict.seconds * 1000) / 1000}}
         .dump();

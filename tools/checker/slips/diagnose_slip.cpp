@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "evidence.hpp"
@@ -14,11 +13,6 @@ namespace {
 
 using slip::Form;
 using slip::Made;
-
-std::map<std::string, std::vector<Answer>>& known() {
-    static std::map<std::string, std::vector<Answer>> answers;
-    return answers;
-}
 
 constexpr long most_work =
     12'000'000;                  // places that may be passed while a slip, or two, are looked for: a tenth of a second
@@ -115,12 +109,6 @@ bool is_enough(const Evidence& evidence, bool counted) { return evidence.wrong.s
 
 }  // namespace
 
-bool register_slips(const std::string& exercise, std::vector<Answer> answers) {
-    return known().emplace(exercise, std::move(answers)).second;
-}
-
-const std::vector<Answer>& slips_of(const std::string& exercise) { return known()[exercise]; }
-
 namespace slip {
 
 const char* name_of(Form form) {
@@ -163,12 +151,13 @@ bool errs_alike(const Numbers& made, const Numbers& found, const Numbers& right,
 // The solution first: its slips are those that one thinks of. The conditions and variables of another way to write it
 // are not the learner's. Where one part twice as large, and another half as large, do the same, neither is told; nor
 // where two ways to write it disagree.
-std::string slip_of(const std::string& exercise, const Evidence& evidence, bool counted) {
-    if (!is_enough(evidence, counted) || is_no_number(evidence)) return {};
+std::optional<std::vector<std::string>> slips_of(const std::string& exercise, const Evidence& evidence, bool counted) {
+    const std::vector<std::string> none;
+    if (!is_enough(evidence, counted) || is_no_number(evidence)) return none;
     const long begin = slip::work();
     bool is_solution = true;
     Form told = Form::none;
-    for (const Answer& answer : slips_of(exercise)) {
+    for (const Answer& answer : registered(exercise).slips) {
         if (slip::work() - begin > most_work) break;
         const Fitting fitting(answer, evidence, counted, is_solution);
         std::vector<Made> slips = fitting.slips();
@@ -190,19 +179,19 @@ std::string slip_of(const std::string& exercise, const Evidence& evidence, bool 
             if (made.form < best.form) best = made;
             most = score.alike;
         }
-        if (are_two || (told != Form::none && best.form != Form::none && best.form != told)) return not_told;
+        if (are_two || (told != Form::none && best.form != Form::none && best.form != told)) return {};
         if (best.form != Form::none) told = best.form;
         if (is_solution && told != Form::none) break;
         is_solution = false;
     }
-    return told == Form::none ? "" : std::string("slip_") + slip::name_of(told);
+    return told == Form::none ? none : std::vector<std::string>{slip::name_of(told)};
 }
 
 // Of the solution alone: two slips in another way to write it could explain nearly everything.
-std::string two_slips_of(const std::string& exercise, const Evidence& evidence) {
-    if (evidence.wrong.size() < 10 || slips_of(exercise).empty()) return {};
+std::vector<std::string> two_slips_of(const std::string& exercise, const Evidence& evidence) {
+    if (evidence.wrong.size() < 10 || registered(exercise).slips.empty()) return {};
     const long begin = slip::work();
-    const Fitting fitting(slips_of(exercise).front(), evidence, false);
+    const Fitting fitting(registered(exercise).slips.front(), evidence, false);
     std::vector<Made> slips = fitting.slips();
     std::erase_if(slips, [](const Made& made) { return made.form > Form::factor && made.form != Form::variable; });
     std::pair best{Form::none, Form::none};
@@ -217,14 +206,12 @@ std::string two_slips_of(const std::string& exercise, const Evidence& evidence) 
             best = std::min(best, std::pair<Form, Form>(std::minmax(slips[a].form, slips[b].form)));
         }
     if (best.first == Form::none) return {};
-    return std::string("slip_") + slip::name_of(best.first) + "_and_" + slip::name_of(best.second);
+    return {slip::name_of(best.first), slip::name_of(best.second)};
 }
 
-bool is_case_of_slip(const std::string& exercise, const std::string& name, const Evidence& one) {
+bool is_case_of_slips(const std::string& exercise, const std::vector<std::string>& forms, const Evidence& one) {
     const Call& call = *one.wrong[0];
-    const std::string forms = name.substr(std::string("slip_").size());
-    bool is_solution = true;
-    for (const Answer& answer : slips_of(exercise)) {
+    for (const Answer& answer : registered(exercise).slips) {
         std::vector<Made> slips;
         const long places = slip::note(answer, call.arguments, slips);
         slips.push_back({slip::single_site, 1, Form::single});
@@ -232,14 +219,14 @@ bool is_case_of_slip(const std::string& exercise, const std::string& name, const
             const Numbers made = slip::answered(answer, call.arguments, first, second, 1000 + 30 * places);
             return errs_alike(made, call.result, one.truth[0], one.roundoff[0]);
         };
-        for (const Made& made : slips)
-            if (forms == slip::name_of(made.form) && answers_so(made, nullptr)) return true;
-        if (!std::exchange(is_solution, false) || forms.find("_and_") == std::string::npos) continue;
-        for (const Made& a : slips)
+        for (const Made& a : slips) {
+            if (forms[0] != slip::name_of(a.form)) continue;
+            if (forms.size() == 1 && answers_so(a, nullptr)) return true;
             for (const Made& b : slips)
-                if (a.site != b.site && forms == std::string(slip::name_of(a.form)) + "_and_" + slip::name_of(b.form) &&
-                    answers_so(a, &b))
+                if (forms.size() == 2 && a.site != b.site && forms[1] == slip::name_of(b.form) && answers_so(a, &b))
                     return true;
+        }
+        if (forms.size() == 2) return false;  // two at once are looked for in the solution alone
     }
     return false;
 }

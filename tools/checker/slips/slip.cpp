@@ -1,5 +1,7 @@
 #include "slip.hpp"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <numbers>
 
@@ -47,26 +49,23 @@ double turned(double x) {
     return x + off * (2 * next_share(*going.roundings) - 1);
 }
 
-int shared(int site, Form form, int count) {
-    int slip = 0;
-    if (count == 1) slip = chosen(site, {form});
-    if (count == 2) slip = chosen(site, {form, form});
-    return slip;
-}
-
 }  // namespace
 
 bool rounds() { return going.roundings != nullptr; }
 double rounded(double x) { return x * (1 + few_units * (2 * next_share(*going.roundings) - 1)); }
 
-int chosen(int site, std::initializer_list<Form> forms) {
+bool as_written(int site) {
     if (++going.work > going.most_work) throw Nowhere{};
+    const auto is_at = [site](const Made* slip) { return slip && slip->site == site; };
+    return !going.noted && !is_at(going.first) && !is_at(going.second);
+}
+
+int noted(int site, const Form* forms, std::size_t count) {
     if (going.noted) {
         const auto at = static_cast<std::size_t>(site);
         if (at >= going.passed->size()) going.passed->resize(at + 1);
-        int number = 0;
-        for (const Form form : forms)
-            if (++number, !(*going.passed)[at] && form != Form::none) going.noted->push_back({site, number, form});
+        for (std::size_t i = 0; i < count; ++i)
+            if (!(*going.passed)[at] && forms[i] != Form::none) going.noted->push_back({site, int(i) + 1, forms[i]});
         (*going.passed)[at] = true;
     }
     if (going.first && going.first->site == site) return going.first->number;
@@ -80,236 +79,163 @@ bool turn() {
 }
 
 double plus(int site, double l, double r) {
-    switch (chosen(site, {Form::sign, Form::sign, Form::term, Form::term, Form::twice, Form::twice, Form::half,
-                          Form::half, Form::absolute})) {
-        case 1:
-            return l - r;
-        case 2:
-            return r - l;
-        case 3:
-            return l;
-        case 4:
-            return r;
-        case 5:
-            return l + 2 * r;
-        case 6:
-            return 2 * l + r;
-        case 7:
-            return l + r / 2;
-        case 8:
-            return l / 2 + r;
-        case 9:
-            return std::fabs(l + r);
-        default:
-            return out(l + r, going.roundings && is_exact_sum(l, r));
-    }
+    const double sum = out(l + r, going.roundings && is_exact_sum(l, r));
+    if (as_written(site)) return sum;
+    return either(site, sum,
+                  {{Form::sign, l - r},
+                   {Form::sign, r - l},
+                   {Form::term, l},
+                   {Form::term, r},
+                   {Form::twice, l + 2 * r},
+                   {Form::twice, 2 * l + r},
+                   {Form::half, l + r / 2},
+                   {Form::half, l / 2 + r},
+                   {Form::absolute, std::fabs(l + r)}});
 }
 
 double minus(int site, double l, double r) {
-    switch (chosen(site, {Form::sign, Form::sign, Form::term, Form::term, Form::twice, Form::twice, Form::half,
-                          Form::half, Form::sign, Form::absolute, Form::limit, Form::limit})) {
-        case 1:
-            return l + r;
-        case 2:
-            return r - l;
-        case 3:
-            return l;
-        case 4:
-            return -r;
-        case 5:
-            return l - 2 * r;
-        case 6:
-            return 2 * l - r;
-        case 7:
-            return l - r / 2;
-        case 8:
-            return l / 2 - r;
-        case 9:
-            return -l - r;
-        case 10:
-            return std::fabs(l - r);
-        case 11:
-            return std::max(l - r, 0.0);
-        case 12:
-            return std::min(l - r, 0.0);
-        default:
-            return out(l - r, going.roundings && is_exact_sum(l, -r));
-    }
+    const double difference = out(l - r, going.roundings && is_exact_sum(l, -r));
+    if (as_written(site)) return difference;
+    return either(site, difference,
+                  {{Form::sign, l + r},
+                   {Form::sign, r - l},
+                   {Form::term, l},
+                   {Form::term, -r},
+                   {Form::twice, l - 2 * r},
+                   {Form::twice, 2 * l - r},
+                   {Form::half, l - r / 2},
+                   {Form::half, l / 2 - r},
+                   {Form::sign, -l - r},
+                   {Form::absolute, std::fabs(l - r)},
+                   {Form::limit, std::max(l - r, 0.0)},
+                   {Form::limit, std::min(l - r, 0.0)}});
 }
 
 double times(int site, double l, double r) {
-    switch (chosen(site, {Form::sign, Form::twice, Form::half, Form::factor, Form::factor, Form::upside_down,
-                          Form::upside_down, Form::power, Form::power, Form::absolute})) {
-        case 1:
-            return -(l * r);
-        case 2:
-            return 2 * (l * r);
-        case 3:
-            return l * r / 2;
-        case 4:
-            return l;
-        case 5:
-            return r;
-        case 6:
-            return l / r;
-        case 7:
-            return r / l;
-        case 8:
-            return l * l * r;
-        case 9:
-            return l * r * r;
-        case 10:
-            return std::fabs(l * r);
-        default:
-            return out(l * r, going.roundings && is_exact_product(l, r));
-    }
+    const double product = out(l * r, going.roundings && is_exact_product(l, r));
+    if (as_written(site)) return product;
+    return either(site, product,
+                  {{Form::sign, -(l * r)},
+                   {Form::twice, 2 * (l * r)},
+                   {Form::half, l * r / 2},
+                   {Form::factor, l},
+                   {Form::factor, r},
+                   {Form::upside_down, l / r},
+                   {Form::upside_down, r / l},
+                   {Form::power, l * l * r},
+                   {Form::power, l * r * r},
+                   {Form::absolute, std::fabs(l * r)}});
 }
 
 double over(int site, double l, double r) {
-    switch (chosen(site, {Form::sign, Form::twice, Form::half, Form::factor, Form::factor, Form::upside_down,
-                          Form::upside_down, Form::power, Form::power})) {
-        case 1:
-            return -(l / r);
-        case 2:
-            return 2 * (l / r);
-        case 3:
-            return l / r / 2;
-        case 4:
-            return l;
-        case 5:
-            return 1 / r;
-        case 6:
-            return l * r;
-        case 7:
-            return r / l;
-        case 8:
-            return l * l / r;
-        case 9:
-            return l / (r * r);
-        default:
-            return out(l / r, going.roundings && is_exact_quotient(l, r));
-    }
+    const double quotient = out(l / r, going.roundings && is_exact_quotient(l, r));
+    if (as_written(site)) return quotient;
+    return either(site, quotient,
+                  {{Form::sign, -(l / r)},
+                   {Form::twice, 2 * (l / r)},
+                   {Form::half, l / r / 2},
+                   {Form::factor, l},
+                   {Form::factor, 1 / r},
+                   {Form::upside_down, l * r},
+                   {Form::upside_down, r / l},
+                   {Form::power, l * l / r},
+                   {Form::power, l / (r * r)}});
 }
 
 double added(int site, double x) {
-    switch (chosen(site, {Form::sign, Form::term, Form::twice, Form::half})) {
-        case 1:
-            return -x;
-        case 2:
-            return 0;
-        case 3:
-            return 2 * x;
-        case 4:
-            return x / 2;
-        default:
-            return out(x, true);
-    }
+    if (as_written(site)) return out(x, true);
+    return either(site, out(x, true), {{Form::sign, -x}, {Form::term, 0.0}, {Form::twice, 2 * x}, {Form::half, x / 2}});
 }
 
 double negative(int site, double x) { return chosen(site, {Form::sign}) == 1 ? x : -x; }
 
 double pi() {
-    const int slip = shared(pi_site, Form::constant, 2);
-    return slip == 1 ? 3.14 : slip == 2 ? 3.1416 : std::numbers::pi;
+    if (as_written(pi_site)) return std::numbers::pi;
+    return either(pi_site, std::numbers::pi, {{Form::constant, 3.14}, {Form::constant, 3.1416}});
 }
 
 double angle(double x) {
-    const int slip = shared(angle_site, Form::degrees, 2);
     constexpr double degree = std::numbers::pi / 180;
-    return slip == 1 ? x / degree : slip == 2 ? x * degree : x;
+    if (as_written(angle_site)) return x;
+    return either(angle_site, x, {{Form::degrees, x / degree}, {Form::degrees, x * degree}});
 }
 
 bool without(int site) { return chosen(site, {Form::guard}) == 1; }
 
 double pick(int site, double one, std::initializer_list<double> others) {
-    constexpr Form v = Form::variable;
-    int slip = 0;
-    switch (others.size()) {
-        case 0:
-            return one;
-        case 1:
-            slip = chosen(site, {v});
-            break;
-        case 2:
-            slip = chosen(site, {v, v});
-            break;
-        case 3:
-            slip = chosen(site, {v, v, v});
-            break;
-        case 4:
-            slip = chosen(site, {v, v, v, v});
-            break;
-        case 5:
-            slip = chosen(site, {v, v, v, v, v});
-            break;
-        default:
-            slip = chosen(site, {v, v, v, v, v, v});
-    }
-    return slip == 0 ? one : others.begin()[slip - 1];
+    if (others.size() == 0 || as_written(site)) return one;
+    std::array<Slip<double>, 6> slips;
+    std::transform(others.begin(), others.end(), slips.begin(), [](double other) {
+        return Slip<double>{Form::variable, other};
+    });
+    return either(site, one, slips.data(), others.size());
 }
 
 // Left out, or another of its form in its place.
 double sin(int site, double x) {
     x = angle(x);
-    const int slip = chosen(site, {Form::function, Form::function});
-    return slip == 1 ? std::cos(x) : slip == 2 ? x : out(std::sin(turned(x)));
+    const double sine = out(std::sin(turned(x)));
+    return as_written(site) ? sine : either(site, sine, {{Form::function, std::cos(x)}, {Form::function, x}});
 }
 double cos(int site, double x) {
     x = angle(x);
-    const int slip = chosen(site, {Form::function, Form::function});
-    return slip == 1 ? std::sin(x) : slip == 2 ? x : out(std::cos(turned(x)));
+    const double cosine = out(std::cos(turned(x)));
+    return as_written(site) ? cosine : either(site, cosine, {{Form::function, std::sin(x)}, {Form::function, x}});
 }
 double exp(int site, double x) {
-    const int slip = chosen(site, {Form::function, Form::function});
-    return slip == 1 ? x : slip == 2 ? std::exp2(x) : out(std::exp(x));
+    const double y = out(std::exp(x));
+    return as_written(site) ? y : either(site, y, {{Form::function, x}, {Form::function, std::exp2(x)}});
 }
 double log(int site, double x) {
-    const int slip = chosen(site, {Form::function, Form::function, Form::function});
-    return slip == 1 ? x : slip == 2 ? std::log10(x) : slip == 3 ? std::log2(x) : out(std::log(x));
+    const double y = out(std::log(x));
+    if (as_written(site)) return y;
+    return either(site, y, {{Form::function, x}, {Form::function, std::log10(x)}, {Form::function, std::log2(x)}});
 }
 // The other of the two leaves out a 1.
 double log1p(int site, double x) {
-    const int slip = chosen(site, {Form::function, Form::term});
-    return slip == 1 ? x : slip == 2 ? std::log(x) : out(std::log1p(x));
+    const double y = out(std::log1p(x));
+    return as_written(site) ? y : either(site, y, {{Form::function, x}, {Form::term, std::log(x)}});
 }
 double expm1(int site, double x) {
-    const int slip = chosen(site, {Form::function, Form::term});
-    return slip == 1 ? x : slip == 2 ? std::exp(x) : out(std::expm1(x));
+    const double y = out(std::expm1(x));
+    return as_written(site) ? y : either(site, y, {{Form::function, x}, {Form::term, std::exp(x)}});
 }
 double exp2(int site, double x) {
-    const int slip = chosen(site, {Form::function, Form::function});
-    return slip == 1 ? x : slip == 2 ? std::exp(x) : out(std::exp2(x));
+    const double y = out(std::exp2(x));
+    return as_written(site) ? y : either(site, y, {{Form::function, x}, {Form::function, std::exp(x)}});
 }
 double log2(int site, double x) {
-    const int slip = chosen(site, {Form::function, Form::function, Form::function});
-    return slip == 1 ? x : slip == 2 ? std::log(x) : slip == 3 ? std::log10(x) : out(std::log2(x));
+    const double y = out(std::log2(x));
+    if (as_written(site)) return y;
+    return either(site, y, {{Form::function, x}, {Form::function, std::log(x)}, {Form::function, std::log10(x)}});
 }
 double cbrt(int site, double x) {
-    const int slip = chosen(site, {Form::function, Form::function});
-    return slip == 1 ? x : slip == 2 ? std::sqrt(x) : out(std::cbrt(x));
+    const double y = out(std::cbrt(x));
+    return as_written(site) ? y : either(site, y, {{Form::function, x}, {Form::function, std::sqrt(x)}});
 }
 double floor(int site, double x) {
-    const int slip = chosen(site, {Form::function, Form::function});
-    return slip == 1 ? std::ceil(x) : slip == 2 ? std::round(x) : std::floor(x);
+    const double y = std::floor(x);
+    return as_written(site) ? y : either(site, y, {{Form::function, std::ceil(x)}, {Form::function, std::round(x)}});
 }
 double ceil(int site, double x) {
-    const int slip = chosen(site, {Form::function, Form::function, Form::edge});
-    return slip == 1 ? std::floor(x) : slip == 2 ? std::round(x) : slip == 3 ? std::floor(x) + 1 : std::ceil(x);
+    const double y = std::ceil(x);
+    if (as_written(site)) return y;
+    return either(site, y,
+                  {{Form::function, std::floor(x)}, {Form::function, std::round(x)}, {Form::edge, std::floor(x) + 1}});
 }
 double pow(int site, double x, double y) {
-    const int slip = chosen(site, {Form::function, Form::exchanged, Form::upside_down, Form::upside_down});
-    return slip == 1   ? x
-           : slip == 2 ? std::pow(y, x)
-           : slip == 3 ? std::pow(x, -y)
-           : slip == 4 ? std::pow(x, 1 / y)
-                       : out(std::pow(x, y));
+    const double power = out(std::pow(x, y));
+    if (as_written(site)) return power;
+    return either(site, power,
+                  {{Form::function, x},
+                   {Form::exchanged, std::pow(y, x)},
+                   {Form::upside_down, std::pow(x, -y)},
+                   {Form::upside_down, std::pow(x, 1 / y)}});
 }
 double clamp(int site, double x, double low, double high) {
-    const int slip = chosen(site, {Form::guard, Form::guard, Form::guard});
-    return slip == 1   ? x
-           : slip == 2 ? std::max(x, low)
-           : slip == 3 ? std::min(x, high)
-                       : std::max(low, std::min(high, x));
+    const double y = std::max(low, std::min(high, x));
+    if (as_written(site)) return y;
+    return either(site, y, {{Form::guard, x}, {Form::guard, std::max(x, low)}, {Form::guard, std::min(x, high)}});
 }
 
 namespace {

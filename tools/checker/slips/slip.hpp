@@ -49,8 +49,30 @@ inline constexpr Form last_of_arithmetic = Form::power;
 /// Thrown where an answer with a slip leaves its vectors, or never ends: then nobody answers like that.
 struct Nowhere {};
 
-/// 0: as written; else the slip, one of `forms`, that is to be made at this place.
-int chosen(int site, std::initializer_list<Form> forms);
+/// Counts the place that is passed. Is all to be done as written there, and nothing to be noted?
+bool as_written(int site);
+/// Notes the slips that can be made at a place: there are `count`, with these forms. The number of the one that is to
+/// be made, from 1 on; 0: as written. Form::none stands for a slip that cannot be made there.
+int noted(int site, const Form* forms, std::size_t count);
+/// 0: as written; else the number of the slip, one of `forms`, that is to be made at this place.
+inline int chosen(int site, std::initializer_list<Form> forms) {
+    return as_written(site) ? 0 : noted(site, forms.begin(), forms.size());
+}
+/// A slip's form, and its value.
+template <class T>
+using Slip = std::pair<Form, T>;
+/// Where a place is not passed as written: its value, with the slip that is to be made.
+template <class T>
+T either(int site, const T& written, const Slip<T>* slips, std::size_t count) {
+    std::array<Form, 16> forms;
+    for (std::size_t i = 0; i < count; ++i) forms[i] = slips[i].first;
+    const int number = noted(site, forms.data(), count);
+    return number == 0 ? written : slips[number - 1].second;
+}
+template <class T>
+T either(int site, const T& written, std::initializer_list<Slip<T>> slips) {
+    return either(site, written, slips.begin(), slips.size());
+}
 /// Counts the turns of loops; always true.
 bool turn();
 
@@ -133,6 +155,19 @@ concept Terms = requires(const L& l, const R& r) {
     Plain<decltype(l - r)>(r);
 };
 
+/// `x` where it is of type T, and else `otherwise`.
+template <class T, class X>
+T as(const X& x, const T& otherwise) {
+    if constexpr (std::same_as<X, T>)
+        return x;
+    else
+        return otherwise;
+}
+template <class T, class X>
+inline constexpr Form if_same(Form form) {
+    return std::same_as<T, X> ? form : Form::none;
+}
+
 template <class L, class R>
 auto plus(int site, const L& l, const R& r) {
     if constexpr (Number<L> && Number<R> && !Whole<L, R>)
@@ -141,20 +176,14 @@ auto plus(int site, const L& l, const R& r) {
         return l + r;
     else {
         using T = Plain<decltype(l + r)>;
-        switch (chosen(site, {Form::sign, Form::term, Form::term, Form::twice, Form::half})) {
-            case 1:
-                return T(l - r);
-            case 2:
-                return T(l);
-            case 3:
-                return T(r);
-            case 4:
-                return T(l + scaled(r, 2));
-            case 5:
-                return T(l + scaled(r, 0.5));
-            default:
-                return with_roundoff(T(l + r));
-        }
+        const T sum = with_roundoff(T(l + r));
+        if (as_written(site)) return sum;
+        return either<T>(site, sum,
+                         {{Form::sign, T(l - r)},
+                          {Form::term, T(l)},
+                          {Form::term, T(r)},
+                          {Form::twice, T(l + scaled(r, 2))},
+                          {Form::half, T(l + scaled(r, 0.5))}});
     }
 }
 
@@ -166,22 +195,15 @@ auto minus(int site, const L& l, const R& r) {
         return l - r;
     else {
         using T = Plain<decltype(l - r)>;
-        switch (chosen(site, {Form::sign, Form::sign, Form::term, Form::term, Form::twice, Form::half})) {
-            case 1:
-                return T(l + r);
-            case 2:
-                return T(r - l);
-            case 3:
-                return T(l);
-            case 4:
-                return T(scaled(r, -1));
-            case 5:
-                return T(l - scaled(r, 2));
-            case 6:
-                return T(l - scaled(r, 0.5));
-            default:
-                return with_roundoff(T(l - r));
-        }
+        const T difference = with_roundoff(T(l - r));
+        if (as_written(site)) return difference;
+        return either<T>(site, difference,
+                         {{Form::sign, T(l + r)},
+                          {Form::sign, T(r - l)},
+                          {Form::term, T(l)},
+                          {Form::term, T(scaled(r, -1))},
+                          {Form::twice, T(l - scaled(r, 2))},
+                          {Form::half, T(l - scaled(r, 0.5))}});
     }
 }
 
@@ -191,32 +213,23 @@ auto times(int site, const L& l, const R& r) {
         return times(site, double(l), double(r));
     else {
         using T = Plain<decltype(l * r)>;
-        switch (chosen(site, {scales<T> ? Form::sign : Form::none, scales<T> ? Form::twice : Form::none,
-                              scales<T> ? Form::half : Form::none, std::same_as<L, T> ? Form::factor : Form::none,
-                              std::same_as<R, T> ? Form::factor : Form::none,
-                              std::same_as<L, R> && !scales<T> ? Form::exchanged : Form::none})) {
-            case 1:
-                return scaled(T(l * r), -1);
-            case 2:
-                return scaled(T(l * r), 2);
-            case 3:
-                return scaled(T(l * r), 0.5);
-            case 4:
-                if constexpr (std::same_as<L, T>) return T(l);
-                break;
-            case 5:
-                if constexpr (std::same_as<R, T>) return T(r);
-                break;
-            case 6:
-                if constexpr (std::same_as<L, R>) return T(r * l);
-                break;
-            default:
-                break;
+        if (as_written(site)) {
+            if constexpr (Whole<L, R>)
+                return T(l * r);
+            else
+                return T(with_roundoff(l) * with_roundoff(r));  // its own sums may cancel
         }
-        if constexpr (Whole<L, R>)
-            return T(l * r);
-        else
-            return T(with_roundoff(l) * with_roundoff(r));  // its own sums may cancel
+        const T product = l * r;
+        T exchanged = product;
+        if constexpr (std::same_as<L, R>) exchanged = r * l;
+        const auto if_scales = [](Form form) { return scales<T> ? form : Form::none; };
+        return either<T>(site, product,
+                         {{if_scales(Form::sign), scaled(product, -1)},
+                          {if_scales(Form::twice), scaled(product, 2)},
+                          {if_scales(Form::half), scaled(product, 0.5)},
+                          {if_same<L, T>(Form::factor), as<T>(l, product)},
+                          {if_same<R, T>(Form::factor), as<T>(r, product)},
+                          {std::same_as<L, R> && !scales<T> ? Form::exchanged : Form::none, exchanged}});
     }
 }
 
@@ -228,26 +241,15 @@ auto over(int site, const L& l, const R& r) {
         using T = Plain<decltype(l / r)>;
         if constexpr (std::integral<R>)
             if (r == 0) throw Nowhere{};
-        switch (chosen(site, {Form::sign, Form::twice, Form::half, std::same_as<L, T> ? Form::factor : Form::none,
-                              Form::upside_down})) {
-            case 1:
-                return scaled(T(l / r), -1);
-            case 2:
-                return scaled(T(l / r), 2);
-            case 3:
-                return scaled(T(l / r), 0.5);
-            case 4:
-                if constexpr (std::same_as<L, T>) return T(l);
-                break;
-            case 5:
-                return T(l * r);
-            default:
-                break;
-        }
-        if constexpr (Whole<L, R>)
-            return T(l / r);
-        else
-            return with_roundoff(T(l / r));
+        T quotient = l / r;
+        if constexpr (!Whole<L, R>) quotient = with_roundoff(quotient);
+        if (as_written(site)) return quotient;
+        return either<T>(site, quotient,
+                         {{Form::sign, scaled(quotient, -1)},
+                          {Form::twice, scaled(quotient, 2)},
+                          {Form::half, scaled(quotient, 0.5)},
+                          {if_same<L, T>(Form::factor), as<T>(l, quotient)},
+                          {Form::upside_down, T(l * r)}});
     }
 }
 
@@ -259,7 +261,7 @@ auto rest(int site, L l, R r) {
 
 // Is one less than the other? `back`: are the two asked about the other way round; `equal`: counts equality?
 template <class L, class R>
-bool less(int site, const L& l, const R& r, bool back, bool equal) {
+bool compare(int site, const L& l, const R& r, bool back, bool equal) {
     const int slip = chosen(site, {Form::reversed, Form::edge, Whole<L, R> ? Form::edge : Form::none});
     if (slip == 1) back = !back;
     if (slip == 2) equal = !equal;
@@ -274,117 +276,55 @@ bool less(int site, const L& l, const R& r, bool back, bool equal) {
     return back ? ask(r, l) : ask(l, r);
 }
 
-// An operator in two halves, for its precedence: `a + Plus{7} + b`.
-struct Plus {
-    int site;
-};
-struct Minus {
-    int site;
-};
-struct Times {
-    int site;
-};
-struct Over {
-    int site;
-};
-struct Rest {
-    int site;
-};
-struct Less {
-    int site;
-};
-struct AtMost {
-    int site;
-};
-struct More {
-    int site;
-};
-struct AtLeast {
-    int site;
-};
-struct Negative {
-    int site;
-};
+template <class L, class R>
+bool less(int site, const L& l, const R& r) {
+    return compare(site, l, r, false, false);
+}
+template <class L, class R>
+bool at_most(int site, const L& l, const R& r) {
+    return compare(site, l, r, false, true);
+}
+template <class L, class R>
+bool more(int site, const L& l, const R& r) {
+    return compare(site, l, r, true, false);
+}
+template <class L, class R>
+bool at_least(int site, const L& l, const R& r) {
+    return compare(site, l, r, true, true);
+}
 
+// An operator in two halves, for its precedence: `a + Plus{7} + b`.
 template <class Operator, class L>
 struct Half {
     L left;
     int site;
 };
+#define TIMESTEP_OPERATOR_THAT_SLIPS(Name, op, call)                        \
+    struct Name {                                                           \
+        int site;                                                           \
+    };                                                                      \
+    template <class L>                                                      \
+    Half<Name, Plain<L>> operator op(const L& l, Name at) {                 \
+        return {l, at.site};                                                \
+    }                                                                       \
+    template <class L, class R>                                             \
+    auto operator op(const Half<Name, L>& half, const R& r) {               \
+        return call(half.site, half.left, static_cast<const Plain<R>&>(r)); \
+    }
+TIMESTEP_OPERATOR_THAT_SLIPS(Plus, +, plus)
+TIMESTEP_OPERATOR_THAT_SLIPS(Minus, -, minus)
+TIMESTEP_OPERATOR_THAT_SLIPS(Times, *, times)
+TIMESTEP_OPERATOR_THAT_SLIPS(Over, /, over)
+TIMESTEP_OPERATOR_THAT_SLIPS(Rest, %, rest)
+TIMESTEP_OPERATOR_THAT_SLIPS(Less, <, less)
+TIMESTEP_OPERATOR_THAT_SLIPS(AtMost, <=, at_most)
+TIMESTEP_OPERATOR_THAT_SLIPS(More, >, more)
+TIMESTEP_OPERATOR_THAT_SLIPS(AtLeast, >=, at_least)
+#undef TIMESTEP_OPERATOR_THAT_SLIPS
 
-template <class L>
-Half<Plus, Plain<L>> operator+(const L& l, Plus at) {
-    return {l, at.site};
-}
-template <class L, class R>
-auto operator+(const Half<Plus, L>& half, const R& r) {
-    return plus<L, Plain<R>>(half.site, half.left, r);
-}
-template <class L>
-Half<Minus, Plain<L>> operator-(const L& l, Minus at) {
-    return {l, at.site};
-}
-template <class L, class R>
-auto operator-(const Half<Minus, L>& half, const R& r) {
-    return minus<L, Plain<R>>(half.site, half.left, r);
-}
-template <class L>
-Half<Times, Plain<L>> operator*(const L& l, Times at) {
-    return {l, at.site};
-}
-template <class L, class R>
-auto operator*(const Half<Times, L>& half, const R& r) {
-    return times<L, Plain<R>>(half.site, half.left, r);
-}
-template <class L>
-Half<Over, Plain<L>> operator/(const L& l, Over at) {
-    return {l, at.site};
-}
-template <class L, class R>
-auto operator/(const Half<Over, L>& half, const R& r) {
-    return over<L, Plain<R>>(half.site, half.left, r);
-}
-template <class L>
-Half<Rest, L> operator%(const L& l, Rest at) {
-    return {l, at.site};
-}
-template <class L, class R>
-auto operator%(const Half<Rest, L>& half, const R& r) {
-    return rest(half.site, half.left, r);
-}
-template <class L>
-Half<Less, L> operator<(const L& l, Less at) {
-    return {l, at.site};
-}
-template <class L, class R>
-bool operator<(const Half<Less, L>& half, const R& r) {
-    return less(half.site, half.left, r, false, false);
-}
-template <class L>
-Half<AtMost, L> operator<=(const L& l, AtMost at) {
-    return {l, at.site};
-}
-template <class L, class R>
-bool operator<=(const Half<AtMost, L>& half, const R& r) {
-    return less(half.site, half.left, r, false, true);
-}
-template <class L>
-Half<More, L> operator>(const L& l, More at) {
-    return {l, at.site};
-}
-template <class L, class R>
-bool operator>(const Half<More, L>& half, const R& r) {
-    return less(half.site, half.left, r, true, false);
-}
-template <class L>
-Half<AtLeast, L> operator>=(const L& l, AtLeast at) {
-    return {l, at.site};
-}
-template <class L, class R>
-bool operator>=(const Half<AtLeast, L>& half, const R& r) {
-    return less(half.site, half.left, r, true, true);
-}
-
+struct Negative {
+    int site;
+};
 template <class R>
 auto operator->*(Negative at, const R& r) {
     if constexpr (Number<R>)
@@ -402,18 +342,12 @@ auto added(int site, const X& x) {
         return added(site, double(x));
     else {
         using T = Plain<X>;
-        switch (chosen(site, {Form::sign, Form::term, Form::twice, Form::half})) {
-            case 1:
-                return scaled(T(x), -1);
-            case 2:
-                return scaled(T(x), 0);
-            case 3:
-                return scaled(T(x), 2);
-            case 4:
-                return scaled(T(x), 0.5);
-            default:
-                return T(x);
-        }
+        if (as_written(site)) return T(x);
+        return either<T>(site, x,
+                         {{Form::sign, scaled(T(x), -1)},
+                          {Form::term, scaled(T(x), 0)},
+                          {Form::twice, scaled(T(x), 2)},
+                          {Form::half, scaled(T(x), 0.5)}});
     }
 }
 
@@ -554,20 +488,9 @@ T pick(int site, const T& one, const Others&... others) {
     if constexpr (std::same_as<T, double> && (std::same_as<Others, double> && ...))
         return pick(site, one, {others...});
     else {
-        static constexpr std::array forms{std::same_as<T, Others> ? Form::variable : Form::none...};
-        static_assert(sizeof...(others) <= 6);
-        const auto form = [](std::size_t i) { return i < forms.size() ? forms[i] : Form::none; };
-        const int slip = chosen(site, {form(0), form(1), form(2), form(3), form(4), form(5)});
-        if (slip == 0) return one;
-        int at = 0;
-        T other = one;
-        const auto look = [&](const auto& each) {
-            ++at;
-            if constexpr (std::same_as<std::decay_t<decltype(each)>, T>)
-                if (at == slip) other = each;
-        };
-        (look(others), ...);
-        return other;
+        if (as_written(site)) return one;
+        const std::array slips{Slip<T>{if_same<T, Others>(Form::variable), as<T>(others, one)}...};
+        return either<T>(site, one, slips.data(), slips.size());
     }
 }
 

@@ -38,8 +38,4 @@ const char* name_of(Form form);
 
 }  // namespace slip
 
-/// The right answers of an exercise, written so that they can slip.
-bool register_slips(const std::string& exercise, std::vector<Answer> answers);
-const std::vector<Answer>& slips_of(const std::string& exercise);
-
 }  // namespace checker
