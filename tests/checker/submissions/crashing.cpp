@@ -1,5 +1,5 @@
-// Submissions that crash, or return no numbers, one after the other. Above each stands its name, and in its first line
-// what the checker must say of it:  // EXERCISE VERDICT: words that the message must hold, if any
+// Submissions that crash, or return no numbers. Above each stands its name, and in its
+// first line what the checker must say of it:  // EXERCISE VERDICT: words that the message must hold, if any
 
 // ---- a null pointer
 // velocity_now crash: Line 7:

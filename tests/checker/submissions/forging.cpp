@@ -1,5 +1,5 @@
-// Submissions that would have a verdict without a right answer, one after the other. Above each stands its name, and in its first line
-// what the checker must say of it:  // EXERCISE VERDICT: words that the message must hold, if any
+// Submissions that would have a verdict without a right answer. Above each stands its name, and in its
+// first line what the checker must say of it:  // EXERCISE VERDICT: words that the message must hold, if any
 
 // ---- a pass in the checkers place
 // velocity_now left_early: ended the checker, or wrote in its place

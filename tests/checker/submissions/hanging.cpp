@@ -1,5 +1,5 @@
-// Submissions that take too long, too much memory, or leave something running, one after the other. Above each stands its name, and in its first line
-// what the checker must say of it:  // EXERCISE VERDICT: words that the message must hold, if any
+// Submissions that take too long or too much memory, or leave something running. Above each stands its name, and in its
+// first line what the checker must say of it:  // EXERCISE VERDICT: words that the message must hold, if any
 
 // ---- an endless loop
 // velocity_now too_slow: in time (2 s of work

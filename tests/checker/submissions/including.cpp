@@ -1,5 +1,5 @@
-// Submissions that do not compile, or are not the learner's own, one after the other. Above each stands its name, and in its first line
-// what the checker must say of it:  // EXERCISE VERDICT: words that the message must hold, if any
+// Submissions that do not compile, or are not the learner's own. Above each stands its name, and in its
+// first line what the checker must say of it:  // EXERCISE VERDICT: words that the message must hold, if any
 
 // ---- includes the solution
 // velocity_now does_not_compile: includes solutions/01_derivatives/velocity_now.cpp

@@ -1,5 +1,5 @@
-// Submissions whose message matters, one after the other. Above each stands its name, and in its first line
-// what the checker must say of it:  // EXERCISE VERDICT: words that the message must hold, if any
+// Submissions whose message matters. Above each stands its name, and in its
+// first line what the checker must say of it:  // EXERCISE VERDICT: words that the message must hold, if any
 
 // ---- a mistake nobody planted
 // velocity_now wrong: Your answer matches none of the mistakes
