@@ -1,14 +1,9 @@
-// Every method in every scene of chapter 7: error, time and work. ./course bench builds it and
-// hands over to it. Each scene that is measured is kept; a run that was killed goes on after the
-// last one.
+// Every method in every scene of chapter 7: error, time and work. ./course bench builds it and hands over to it.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <exception>
-#include <limits>
 
-#include "count.hpp"
 #include "files.hpp"
 #include "options.hpp"
 #include "results.hpp"
@@ -25,10 +20,9 @@ using course::Stop;
 namespace {
 
 struct Asked {
-    bool quick = false, json = false, again = false;
+    bool quick = false, json = false;
     fs::path out;
     std::vector<std::string> scenes;  // in the order of the page
-    std::string count;                // a scene: only take its runs, for callgrind to count
 };
 
 contest::Scene scene_of(const std::string& id) {
@@ -42,18 +36,10 @@ contest::Scene scene_of(const std::string& id) {
 Asked read_words(int argc, char** argv) {
     Asked asked;
     std::vector<std::string> given;
-    const auto into = [](auto& word) {
-        return [&word](const std::string& value) {
-            word = value;
-            return std::string();
-        };
-    };
     lab::Options options("./course bench");
     options.add("--quick", asked.quick);
     options.add("--json", asked.json);
-    options.add("--again", asked.again);
-    options.add("--out", into(asked.out));
-    options.add("--count", into(asked.count));
+    options.add("--out", [&](const std::string& folder) { return asked.out = folder, std::string(); });
     options.add(
         "--scene", [&](const std::string& id) { return given.push_back(id), std::string(); }, true);
     try {
@@ -71,67 +57,10 @@ Asked read_words(int argc, char** argv) {
     return asked;
 }
 
-// ---- Instructions
-// --------------------------------------------------------------------------------
-
-// So many steps are counted. callgrind is slow, and the longer runs follow from these.
-constexpr long most_counted = 30L << 6;
-
-void run_for_callgrind(const contest::Scene& scene) {
-    for (const auto& entry : scene.entries) {
-        entry.run(contest::marks);  // libraries are bound with the first call
-        for (long steps = contest::marks; steps <= most_counted; steps *= 2) counted([&] { entry.run(steps); });
-    }
-}
-
-double steps_taken(const contest::Point& p) { return contest::duration / p.step; }
-
-// The instructions of each point's run. Each entry was counted at 30, 60, … steps; where its points
-// go on, a further step costs what one did between the two longest runs counted.
-void take_over(const std::vector<double>& counts, Measured& measured) {
-    std::size_t next = 0;
-    long counted_per_entry = 0;
-    for (long steps = contest::marks; steps <= most_counted; steps *= 2) ++counted_per_entry;
-    const auto& points = measured.points;
-    for (std::size_t first = 0; first < points.size(); next += std::size_t(counted_per_entry)) {
-        if (next + std::size_t(counted_per_entry) > counts.size()) return;
-        std::size_t i = first;
-        for (; i < points.size() && points[i].method == points[first].method &&
-               points[i].library == points[first].library;
-             ++i) {
-            const std::size_t k = i - first;
-            if (k < std::size_t(counted_per_entry)) {
-                measured.instructions[i] = counts[next + k];
-                continue;
-            }
-            const std::size_t last = first + std::size_t(counted_per_entry) - 1;
-            const double further = (measured.instructions[last] - measured.instructions[last - 1]) /
-                                   (steps_taken(points[last]) - steps_taken(points[last - 1]));
-            measured.instructions[i] =
-                measured.instructions[last] + further * (steps_taken(points[i]) - steps_taken(points[last]));
-        }
-        first = i;
-    }
-}
-
-// ---- Measuring
-// -----------------------------------------------------------------------------------
-
-Measured measure(const std::string& id, const Asked& asked, const std::string& which, course::ProgressLine& progress,
-                 bool& can_count) {
-    progress.now(which + ": the reference");
-    const contest::Scene scene = scene_of(id);
-    Measured measured{scene.title, scene.reference_error, {}, {}};
-    measured.points = contest::measure(scene, asked.quick ? contest::quick : contest::full,
-                                       [&](const std::string& what) { progress.now(which + ": " + what); });
-    measured.instructions.assign(measured.points.size(), std::numeric_limits<double>::quiet_NaN());
-    if (asked.quick || !can_count) return measured;
-    progress.now(which + ": counting instructions");
-    const Counts counts = count_instructions({"--count", id});
-    can_count = counts.failure.empty();
-    if (!can_count) progress.say("bench: instructions are not counted: " + counts.failure);
-    take_over(counts.instructions, measured);
-    return measured;
+Measured measure(const contest::Scene& scene, bool quick, const std::string& which, course::ProgressLine& progress) {
+    return {scene.title, scene.reference_error,
+            contest::measure(scene, quick ? contest::quick : contest::full,
+                             [&](const std::string& what) { progress.now(which + ": " + what); })};
 }
 
 void prepare(const fs::path& folder) {
@@ -143,52 +72,23 @@ void prepare(const fs::path& folder) {
         throw Stop(Status::bad_use, "--out " + folder.string() + ": cannot write there (" + error.message() + ")");
 }
 
-// What is kept of this setup, so that it need not be measured; says what it does with what it
-// finds.
-std::vector<std::optional<Measured>> find_all_kept(const Asked& asked, const Setup& setup) {
-    std::vector<std::optional<Measured>> all(asked.scenes.size());
-    if (asked.again) return all;
-    std::size_t kept = 0;
-    std::string other;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        Kept found = find_kept(asked.out / (asked.scenes[i] + ".csv"), setup);
-        if (!found.other.empty()) other = found.other;
-        kept += found.measured.has_value();
-        all[i] = std::move(found.measured);
-    }
-    const std::string place = course::shown(asked.out);
-    if (!other.empty())
-        std::fprintf(stderr, "bench: results in %s are of another %s: these scenes are measured anew\n", place.c_str(),
-                     other.c_str());
-    if (kept > 0)
-        std::fprintf(stderr, "bench: %zu of %zu scenes are in %s already; --again measures them, too\n", kept,
-                     all.size(), place.c_str());
-    return all;
-}
-
 void run(const Asked& asked) {
     const Setup setup = bench::setup(asked.quick ? "quick" : "full");
     prepare(asked.out);
     course::write_whole(asked.out / "meta.json", about_json(setup, asked.scenes));
-    auto kept = find_all_kept(asked, setup);
 
     course::ProgressLine progress;
     std::vector<Measured> all;
-    bool can_count = true, can_draw = true;
-    for (std::size_t i = 0; i < asked.scenes.size(); ++i) {
-        const fs::path csv = asked.out / (asked.scenes[i] + ".csv");
-        if (!kept[i]) {
-            kept[i] = measure(asked.scenes[i], asked,
-                              "scene " + std::to_string(i + 1) + " of " + std::to_string(asked.scenes.size()) + ", " +
-                                  asked.scenes[i],
-                              progress, can_count);
-            keep(csv, setup, *kept[i]);
-        }
-        all.push_back(*kept[i]);
+    bool can_draw = true;
+    for (const auto& id : asked.scenes) {
+        const std::string which =
+            "scene " + std::to_string(all.size() + 1) + " of " + std::to_string(asked.scenes.size()) + ", " + id;
+        progress.now(which + ": the reference");
+        all.push_back(measure(scene_of(id), asked.quick, which, progress));
+        const fs::path csv = asked.out / (id + ".csv");
+        course::write_whole(csv, as_csv(setup, all.back()));
+        can_draw = can_draw && draw(csv, all.back());
     }
-    progress.now("drawing");
-    for (std::size_t i = 0; i < all.size() && can_draw; ++i)
-        can_draw = draw(asked.out / (asked.scenes[i] + ".csv"), all[i]);
     progress.clear();
 
     if (asked.json)
@@ -199,7 +99,7 @@ void run(const Asked& asked) {
     if (!asked.json) std::printf("\n");
     for (const auto& peer : missing_peers()) std::fprintf(people, "Not installed, so not measured: %s\n", peer.c_str());
     if (!can_draw) std::fprintf(people, "No figures: gnuplot is not installed (package gnuplot-nox)\n");
-    std::fprintf(people, "Every run, as CSV%s: %s\n", can_draw ? ", and a figure a scene" : "",
+    std::fprintf(people, "Every run, as CSV%s: %s\n", can_draw ? ", and a figure per scene" : "",
                  fs::absolute(asked.out).lexically_normal().c_str());
     course::flush();
 }
@@ -208,11 +108,7 @@ void run(const Asked& asked) {
 
 int main(int argc, char** argv) {
     try {
-        const Asked asked = read_words(argc, argv);
-        if (asked.count.empty())
-            run(asked);
-        else
-            run_for_callgrind(scene_of(asked.count));
+        run(read_words(argc, argv));
         return 0;
     } catch (const Stop& stop) {
         std::fprintf(stderr, "bench: %s\n", stop.what());

@@ -42,7 +42,6 @@ std::vector<std::string> options_of(const Contest& contest, const std::string& f
     std::vector<std::string> options{"--out", contest.out.value_or((paths().build / "runs" / folder).string())};
     if (contest.quick) options.push_back("--quick");
     if (contest.json) options.push_back("--json");
-    if (contest.again) options.push_back("--again");
     for (const auto& scene : contest.scenes) options.insert(options.end(), {"--scene", scene});
     return options;
 }
@@ -54,8 +53,6 @@ void bench(const Contest& contest) {
 }
 
 void bench_loops() { run_each({"bench_loops_O2", "bench_loops_O3_native"}); }
-
-void bench_gyroscopic() { run_each({"bench_gyroscopic_O2", "bench_gyroscopic_O3_native"}); }
 
 void bench_many() { run_each({"bench_many_O2", "bench_many_O2_native", "bench_many_O3_native"}); }
 

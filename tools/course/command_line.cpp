@@ -87,23 +87,18 @@ void declare_bench(CLI::App& app, Asked& asked) {
     const auto bench =
         app.add_subcommand("bench", "error against run time (work–precision diagrams), every method in every scene");
     Contest& contest = asked.contest;
-    bench->add_flag("--quick", contest.quick, "a minute in all, without counting instructions");
+    bench->add_flag("--quick", contest.quick, "a minute in all");
     bench->add_option("--scene", contest.scenes, "this scene only; may be given again")
         ->type_name("NAME")
         ->allow_extra_args(false);
-    bench->add_flag("--again", contest.again, "measure again what has been measured");
     bench->add_flag("--json", contest.json, "every run as JSON, for programs");
     bench->add_option("--out", asked.out, "leave results (CSV) and figures in this folder")->type_name("DIR");
-    bench->footer(
-        "Each scene is kept when it is measured: a run that was stopped goes on after the last one. Results\n"
-        "of another compiler, flags, CPU or program are not taken over.");
     bench->require_subcommand(0, 1);
     const auto table = [&](const char* name, const char* words) {
         return bench->add_subcommand(name, words)->footer("");  // that of bench itself is not theirs
     };
     table("loops", "the library beside loops written by hand, and the targets");
-    table("gyroscopic", "the gyroscopic solvers beside Bullet's, and the target");
-    table("many", "springs and bodies by the thousand, and the targets");
+    table("many", "springs and bodies by the thousand, beside other libraries and Bullet, and the targets");
     const auto engines =
         table("engines", "gyroscopic rules inside Bullet, ODE, Box3D and Jolt, before and after: two minutes");
     engines->add_flag("--quick", contest.quick, "fewer throws and shorter flights: half a minute");
@@ -253,12 +248,11 @@ void bench_or_table(const CLI::App& bench, Asked& asked) {
         return;
     }
     const std::string name = others.front()->get_name();
-    for (const char* option : {"--quick", "--scene", "--again", "--json", "--out"})
+    for (const char* option : {"--quick", "--scene", "--json", "--out"})
         if (bench.get_option(option)->count() > 0)
             throw Stop(Status::bad_use,
                        std::string(option) + ": bench " + name + " does not take it (./course bench --help)");
     if (name == "loops") bench_loops();
-    if (name == "gyroscopic") bench_gyroscopic();
     if (name == "many") bench_many();
     if (name == "engines") {
         asked.contest.out = given(*others.front(), "--out", asked.out);

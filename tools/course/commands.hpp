@@ -72,7 +72,7 @@ void new_exercise(const std::string& chapter, const std::string& name);
 
 /// What is asked of `bench`: which scenes, how hard to try, where the results go.
 struct Contest {
-    bool quick = false, json = false, again = false;
+    bool quick = false, json = false;
     std::optional<std::string> out;   ///< a folder; none given: in the build folder
     std::vector<std::string> scenes;  ///< none given: all
 };
@@ -82,9 +82,6 @@ void bench(const Contest& contest);
 
 /// What the library costs over a loop written by hand, and over Boost.odeint's.
 void bench_loops();
-
-/// What a gyroscopic solver costs beside Bullet's.
-void bench_gyroscopic();
 
 /// What a spring and a body cost among many, in lanes and otherwise.
 void bench_many();

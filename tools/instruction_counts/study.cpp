@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "cases.hpp"
-#include "count.hpp"
 #include "lab.hpp"
 
 namespace {
@@ -26,7 +25,7 @@ std::vector<Case> all_cases() {
 void take_all_below_callgrind() {
     for (const Case& one : all_cases())
         for (const long steps : {one.few, one.few, 2 * one.few})  // the first of the three warms up
-            bench::counted([&] { one.steps(steps); });
+            counted([&] { one.steps(steps); });
 }
 
 // The bars are those of g++ 12 on x86-64. A later compiler may write either loop better: it counts, and holds none.
@@ -218,7 +217,7 @@ int main(int argc, char** argv) {
     if (argc == 2 && std::string(argv[1]) == "--counted") return take_all_below_callgrind(), 0;
     lab::Program program("instruction_counts", "instructions per step, counted by callgrind");
     return program.run(argc, argv, [](lab::Findings& out) {
-        const bench::Counts counts = bench::count_instructions({"--counted"});
+        const Counts counts = count_instructions();
         if (counts.failure.empty()) return Study(out, counts.instructions).run();
         std::printf("instructions are not counted: %s\n", counts.failure.c_str());
         for (const char* name : Study::numbers) out.text(name, "", "instructions a step");  // pages show no value

@@ -1,4 +1,6 @@
-#include "count.hpp"
+// Instructions, counted by callgrind: the program starts itself a second time below it.
+
+#include "cases.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -10,24 +12,21 @@
 namespace fs = std::filesystem;
 
 // callgrind finds it by its name: not inlined, not copied.
-extern "C" [[gnu::noinline]] void bench_counted_work(const std::function<void()>* work) {
+extern "C" [[gnu::noinline]] void counted_work(const std::function<void()>* work) {
     (*work)();
     asm volatile("" ::: "memory");  // a call, and no jump at the end
 }
 
-namespace bench {
+void counted(const std::function<void()>& work) { counted_work(&work); }
 
-void counted(const std::function<void()>& work) { bench_counted_work(&work); }
-
-Counts count_instructions(const std::vector<std::string>& arguments) {
+Counts count_instructions() {
     std::string folder = (fs::temp_directory_path() / "timestep_count_XXXXXX").string();
     if (mkdtemp(folder.data()) == nullptr) return {{}, "there is no folder for temporary files"};
     std::string command =
-        "valgrind --tool=callgrind --toggle-collect=bench_counted_work --dump-after=bench_counted_work"
+        "valgrind --tool=callgrind --toggle-collect=counted_work --dump-after=counted_work"
         " --combine-dumps=yes '--callgrind-out-file=" +
-        folder + "/counts' '" + fs::read_symlink("/proc/self/exe").string() + "'";
-    for (const auto& word : arguments) command += " " + word;
-    FILE* const said = popen((command + " 2>&1").c_str(), "r");
+        folder + "/counts' '" + fs::read_symlink("/proc/self/exe").string() + "' --counted 2>&1";
+    FILE* const said = popen(command.c_str(), "r");
     std::string last;
     for (char line[1000]; said != nullptr && std::fgets(line, sizeof line, said) != nullptr;) last = line;
     const int status = said == nullptr ? -1 : pclose(said);
@@ -44,5 +43,3 @@ Counts count_instructions(const std::vector<std::string>& arguments) {
     fs::remove_all(folder);
     return counts;
 }
-
-}  // namespace bench
