@@ -44,6 +44,7 @@ libclang-rt-dev      have_sanitizers_of clang++
 chromium             have_one chromium google-chrome
 chromium-driver      have_one chromedriver
 poppler-utils        have_one pdftotext
+clang-format         have_one clang-format
 python3-selenium     have_file lib/python3/dist-packages/selenium/__init__.py
 libboost-dev         have_file include/boost/numeric/odeint.hpp
 libgsl-dev           have_file include/gsl/gsl_odeiv2.h

@@ -1,5 +1,5 @@
 #pragma once
-// A run folded into one number, and a row of the table: hash, kind of number, scene, method.
+// A run folded into one number, and a row of the table: hash in float, hash in double, scene, method.
 
 #include <bit>
 #include <cstdint>
@@ -36,25 +36,22 @@ public:
     void add(const FirstOrder<Y>& s) {
         add(s.t), add(s.y);
     }
-    template <class Real>
-    void add(const SpinState<Real>& s) {
-        add(s.t), add(s.q.coeffs()), add(s.omega);
-    }
-    template <class Real>
-    void add(const RigidState<Real>& s) {
-        add(s.t), add(s.q.coeffs()), add(s.omega);
-    }
+    template <class Turning>
+    requires requires(const Turning& s) { s.q.coeffs(), s.omega; }
+    void add(const Turning& s) { add(s.t), add(s.q.coeffs()), add(s.omega); }
     unsigned long long value() const { return value_; }
 
 private:
     std::uint64_t value_ = 14695981039346656037u;
 };
 
-inline constexpr int bits_steps = 10000;
+inline constexpr int steps = 10000;
 
-template <class Real>
-inline constexpr const char* name_of = sizeof(Real) == 4 ? "float" : "double";
-
-inline void row(const Hash& hash, const char* real, const char* scene, const char* method) {
-    std::printf("%016llx  %-6s  %-24s  %s\n", hash.value(), real, scene, method);
+// Prints a row. `run` adds to a Hash what it computes with numbers of type Real.
+template <class Run>
+void row(const char* scene, const char* method, const Run& run) {
+    Hash in_float, in_double;
+    run.template operator()<float>(in_float);
+    run.template operator()<double>(in_double);
+    std::printf("%016llx  %016llx  %-24s  %s\n", in_float.value(), in_double.value(), scene, method);
 }

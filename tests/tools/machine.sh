@@ -46,6 +46,7 @@ clang clang++
 chromium chromium
 chromium-driver chromedriver
 poppler-utils pdftotext
+clang-format clang-format
 libeigen3-dev include/eigen3/Eigen/Core
 catch2 include/catch2/catch_all.hpp
 doxygen-awesome-css share/doxygen-awesome-css/doxygen-awesome.css

@@ -133,7 +133,7 @@ test_setup_installs_and_builds_nothing() {
     silent_on calls 'cmake -S'
     silent_on calls chromium
     expect 0 course setup --all --yes
-    says err 'this machine lacks: bubblewrap libclang-rt-dev chromium chromium-driver poppler-utils python3-selenium libboost-dev libgsl-dev libsundials-dev libbullet-dev libode-dev libc++-dev libc++abi-dev nodejs g++-aarch64-linux-gnu qemu-user g++-i686-linux-gnu g++-mingw-w64-x86-64-posix wine'
+    says err 'this machine lacks: bubblewrap libclang-rt-dev chromium chromium-driver poppler-utils clang-format python3-selenium libboost-dev libgsl-dev libsundials-dev libbullet-dev libode-dev libc++-dev libc++abi-dev nodejs g++-aarch64-linux-gnu qemu-user g++-i686-linux-gnu g++-mingw-w64-x86-64-posix wine'
     : >calls
     expect 0 course setup --all
     is "$(lines calls)" 0

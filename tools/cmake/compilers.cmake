@@ -17,13 +17,12 @@ foreach(compiler GNU CLANG)
 endforeach()
 set(TIMESTEP_GNU_NAME g++)
 set(TIMESTEP_CLANG_NAME clang++)
-# What the compiler of this build does to the tests that compile something is seen by all who run the tests;
-# what the other one does, where they take their time.
-set(TIMESTEP_GNU_LABEL "")
-set(TIMESTEP_CLANG_LABEL "")
+# The tests that compile something: with this build's compiler for all who run the long tests, with the other one before
+# a release.
 foreach(compiler IN LISTS TIMESTEP_COMPILERS)
-  if(NOT TIMESTEP_${compiler} STREQUAL CMAKE_CXX_COMPILER)
-    set(TIMESTEP_${compiler}_LABEL long)
+  set(TIMESTEP_${compiler}_TIER release)
+  if(TIMESTEP_${compiler} STREQUAL CMAKE_CXX_COMPILER)
+    set(TIMESTEP_${compiler}_TIER long)
   endif()
 endforeach()
 

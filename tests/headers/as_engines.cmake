@@ -3,17 +3,18 @@
 # - C++23 without exceptions and run-time types. What is refused then ends the program with its line, or is handed
 #   to the engine's own function;
 # - -ffast-math is refused by one line, by gyroscopic.h as by the other headers;
-# - gyroscopic.h as C99, C17 and C++.
-# Called with COMPILER, INCLUDE, EIGEN, WORK and HERE, the folder of this file; CC is a C compiler, or empty.
+# - gyroscopic.h as C99, C17 and C++11.
+# Called with COMPILER, CC (a C compiler), ROOT, EIGEN and WORK.
 cmake_minimum_required(VERSION 3.25)
 
-file(MAKE_DIRECTORY "${WORK}")
-file(GLOB_RECURSE headers RELATIVE "${INCLUDE}" "${INCLUDE}/*.hpp")
+set(here "${CMAKE_CURRENT_LIST_DIR}")
+set(include "${ROOT}/include")
+file(GLOB_RECURSE headers RELATIVE "${include}" "${include}/*.hpp")
 list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>")
 list(JOIN headers "\n" all)
-file(WRITE "${WORK}/all.cpp" "${all}\n#include \"${HERE}/take_home.cpp\"\n")
-set(warnings -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion -Werror)
-set(compile "${COMPILER}" ${warnings} -ffp-contract=off "-I${INCLUDE}" -isystem "${EIGEN}")
+file(WRITE "${WORK}/all.cpp" "${all}\n#include \"${here}/as_engines.cpp\"\n")
+set(warnings -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion -Werror "-I${include}")
+set(compile "${COMPILER}" ${warnings} -ffp-contract=off -isystem "${EIGEN}")
 
 function(must_succeed)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -29,16 +30,6 @@ function(must_refuse program says)
     message(SEND_ERROR "${program}: must end with\n${says}\nbut ends with ${status} and\n${line}")
   endif()
 endfunction()
-
-must_succeed(${compile} -std=c++20 -fsyntax-only "${WORK}/all.cpp")
-set(bare ${compile} -std=c++2b -fno-exceptions -fno-rtti)
-must_succeed(${bare} "${WORK}/all.cpp" -o "${WORK}/bare")
-must_refuse("${WORK}/bare" "timestep: mass = -1: must be finite and greater than zero")
-must_succeed(${bare} "-DTIMESTEP_REFUSED(line)=(std::fprintf(stderr, \"engine: %s\\n\", line), std::exit(3))"
-  "${HERE}/take_home.cpp" -o "${WORK}/hook")
-must_refuse("${WORK}/hook" "engine: mass = -1: must be finite and greater than zero")
-
-# One line refuses -ffast-math.
 function(must_refuse_fast_math)
   execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C.UTF-8 ${ARGN} -ffast-math -fsyntax-only
     RESULT_VARIABLE status ERROR_VARIABLE output)
@@ -47,21 +38,21 @@ function(must_refuse_fast_math)
     message(SEND_ERROR "${ARGN} -ffast-math: one line must refuse it, but:\n${errors}")
   endif()
 endfunction()
-set(calls "${HERE}/../c/calls.c")
-must_refuse_fast_math(${compile} -std=c++20 "-include" timestep/rigid/shapes.hpp -x c++ /dev/null)
-must_refuse_fast_math(${compile} -std=c++11 -x c++ "${calls}")
-if(CC)
-  must_refuse_fast_math("${CC}" -std=c99 "-I${INCLUDE}" "${calls}")
-endif()
 
-# At every level: what must be inlined has to be inlined by all of them.
-foreach(level -O0 -O1 -O2 -O3 -Os)
-  if(CC)
-    must_succeed("${CC}" -std=c99 ${warnings} -Wfloat-conversion ${level} -c "-I${INCLUDE}" "${calls}"
-      -o "${WORK}/calls.o")
-  endif()
+must_succeed(${compile} -std=c++20 -fsyntax-only "${WORK}/all.cpp")
+set(bare ${compile} -std=c++2b -fno-exceptions -fno-rtti)
+must_succeed(${bare} "${WORK}/all.cpp" -o "${WORK}/bare")
+must_refuse("${WORK}/bare" "timestep: mass = -1: must be finite and greater than zero")
+must_succeed(${bare} "-DTIMESTEP_REFUSED(line)=(std::fprintf(stderr, \"engine: %s\\n\", line), std::exit(3))"
+  -DONLY_REFUSE "${here}/as_engines.cpp" -o "${WORK}/hook")
+must_refuse("${WORK}/hook" "engine: mass = -1: must be finite and greater than zero")
+
+set(calls "${ROOT}/engines/tests/calls.c")
+must_refuse_fast_math(${compile} -std=c++20 -include timestep/rigid/shapes.hpp -x c++ /dev/null)
+must_refuse_fast_math(${compile} -std=c++11 -x c++ "${calls}")
+must_refuse_fast_math("${CC}" -std=c99 "-I${include}" "${calls}")
+must_succeed("${CC}" -std=c17 ${warnings} -fsyntax-only "${calls}")
+foreach(level -O0 -O1 -O2 -O3 -Os)  # what must be inlined has to be inlined by all of them
+  must_succeed("${CC}" -std=c99 ${warnings} -Wfloat-conversion ${level} -c "${calls}" -o "${WORK}/calls.o")
   must_succeed(${compile} -std=c++11 -Wold-style-cast -x c++ ${level} -c "${calls}" -o "${WORK}/calls.o")
 endforeach()
-if(CC)
-  must_succeed("${CC}" -std=c17 ${warnings} -fsyntax-only "-I${INCLUDE}" "${calls}")
-endif()
