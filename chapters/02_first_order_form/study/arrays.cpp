@@ -105,10 +105,8 @@ Compared many_in_one_array(const Settings& settings) {
 // Two characters side by side, tied by a spring a tenth as stiff as their legs.
 void coupled(const Settings& settings, lab::Findings& out) {
     const double k = settings.stiffness;
-    /// [row]
     const CoupledSprings row(Vector2(settings.mass, settings.mass), Vector3(k, k / 10, k));
     const State start{0, Vector2(dip, 0), Vector2(0, 0)};
-    /// [row]
     const double seconds = 12 * settings.period();
     auto& curve = out.table("coupled.tsv", {"t", "x1", "x2"});
     for (int i = 0; i <= 600; ++i) {

@@ -103,10 +103,8 @@ double momentum_error(const Tether<double>& tether, const State<Vector3>& start,
 }
 
 void tether(lab::Findings& out) {
-    /// [tether]
     const Tether rope(6.0, 1.0);  // rad/s along the rope, and 1 m long at rest
     const State start{0, Vector3(1.6, 0, 0.4), Vector3(0, 3, 1.5)};
-    /// [tether]
     const double seconds = 8;
     auto& orbit = out.table("orbit_tether.tsv", {"x", "y", "z"});
     run(runge_kutta_4, rope, start, 1.0 / 256, 256L * 8, [&](const State<Vector3>& s) {

@@ -13,7 +13,6 @@ namespace {
 constexpr int samples = 720;  // a swing, half a degree at a time
 constexpr int frames = 60;    // of the film
 
-/// [lag]
 // By how many samples must v be shifted to the right to look most like x? The one with the largest
 // correlation Σ x(t) v(t − lag) wins.
 int lag_of_velocity(const std::vector<double>& x, const std::vector<double>& v) {
@@ -30,7 +29,6 @@ int lag_of_velocity(const std::vector<double>& x, const std::vector<double>& v) 
     }
     return best;
 }
-/// [lag]
 
 void oscillation(const Spring<double>& spring, const State<double>& start, double period,
                  lab::Findings& out) {

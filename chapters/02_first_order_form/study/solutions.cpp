@@ -34,12 +34,10 @@ bool solve(const char* name, const char* equation, const System& f, double x0, c
 
 void first_order(lab::Findings& out) {
     out.section("First-order equations");
-    /// [systems]
     const auto constant = [](double, double) { return 0.5; };             // ẋ = 1/2
     const auto time_only = [](double t, double) { return std::cos(t); };  // ẋ = cos t
     const Decay decay{-1.0};                                              // ẋ = −x
     const Decay growth{0.5};                                              // ẋ = x/2
-    /// [systems]
     const bool line = solve(
         "line", "x' = 1/2", constant, -1, [](double t) { return -1 + 0.5 * t; }, out);
     const bool integral = solve(

@@ -17,7 +17,6 @@ namespace {
 // The eigenvalues' magnitude is rounded a few times, by ε each.
 constexpr double roundoff = 8 * 2.2e-16;
 
-/// [limit]
 template <class Method>
 double limit(const Method& method, double zeta) {
     const DampedSpring model(1.0, zeta);
@@ -26,7 +25,6 @@ double limit(const Method& method, double zeta) {
     };
     return largest_stable_step(stable, 20.0);
 }
-/// [limit]
 
 // λ = −ζ ± √(ζ² − 1) in units of ω are the spring's own rates; |1 + hλ| ≤ 1 for both.
 double explicit_limit(double zeta) {

@@ -121,11 +121,9 @@ void energies(const Settings& settings, lab::Findings& out) {
 
     const Spring spring(settings.omega);
     const double h = settings.step, w2 = settings.omega * settings.omega;
-    /// [kept]
     const auto kept = [&](const State<double>& s) {
         return spring.energy(s) - h * w2 * s.x * s.v / 2;
     };
-    /// [kept]
     const State start{0, 1.0, 0.0};
     double least = 1, most = 1, sum = 0, drift = 0;
     const long steps = 1000000;

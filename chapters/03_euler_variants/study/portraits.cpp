@@ -22,13 +22,11 @@ struct Portrait {
 template <class Method>
 Portrait portrait(const Method& method, const Settings& settings, lab::Findings& out) {
     const std::string id = lab::id(Method::name);
-    /// [portrait]
     const Spring spring(settings.omega);
     const State start{0, 1.0, 0.0};  // pulled out by one metre and let go
     auto& table = out.table(id + ".tsv", {"t", "x", "v_over_omega"});
     const auto row = [&](const auto& s) { table.row({s.t, s.x, s.v / settings.omega}); };
     const State end = run(method, spring, start, settings.step, settings.steps, row);
-    /// [portrait]
     // As far as double reaches: what is smaller loses digits, what is larger is soon no number.
     double reached = 1;
     long steps = -1;  // the start is looked at, too
@@ -97,7 +95,6 @@ void backwards(const Settings& settings, lab::Findings& out) {
     const long steps = std::min(settings.steps, 40L);
     auto& there = out.table("there.tsv", {"t", "x", "v_over_omega"});
     auto& back = out.table("back.tsv", {"t", "x", "v_over_omega"});
-    /// [backwards]
     State state{0, 1.0, 0.0};
     for (long i = 0; i < steps; ++i) {
         there.row({state.t, state.x, state.v / settings.omega});
@@ -108,7 +105,6 @@ void backwards(const Settings& settings, lab::Findings& out) {
         back.row({state.t, state.x, state.v / settings.omega});
         state = explicit_euler.step(spring, state, -settings.step);
     }
-    /// [backwards]
     back.row({state.t, state.x, state.v / settings.omega});
     const double miss = std::hypot(state.x - 1, state.v / settings.omega);
     std::printf(

@@ -21,7 +21,6 @@ const State<double> start{0, 1.0, 0.0};
 // Calls look(n, exact, semi-implicit position, Verlet position) for each step.
 template <class Look>
 void side_by_side(const Spring<double>& spring, double h, long steps, const Look& look) {
-    /// [side by side]
     State semi = semi_implicit_euler.step(spring, start, h);
     State before = start, now = semi;  // Verlet begins with the same two positions
     for (long n = 1; n <= steps; ++n) {
@@ -31,7 +30,6 @@ void side_by_side(const Spring<double>& spring, double h, long steps, const Look
         before = now;
         now = next;
     }
-    /// [side by side]
 }
 
 // In float: the error after two seconds against the step, for plain Verlet and velocity Verlet.

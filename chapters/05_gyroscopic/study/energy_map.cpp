@@ -15,14 +15,12 @@ namespace {
 using V = Vector3<double>;
 using Body = PrincipalInertia<double>;
 
-/// [gain]
 // The energy after one step with h|ω| = size, over the energy before.
 template <class Solver>
 double gain(const Solver& solver, const Body& inertia, const V& direction, double size) {
     const V next = solver.step(inertia, direction, size);
     return kinetic_energy(inertia, next) / kinetic_energy(inertia, direction);
 }
-/// [gain]
 
 // A body whose largest moment is 1 and whose smallest is 1/ratio. The triangle rule leaves the
 // middle one between 1 − 1/ratio and 1, at the place `middle` (0 to 1).

@@ -13,7 +13,6 @@ namespace {
 
 using V = Vector3<double>;
 
-/// [residual]
 // What is missing in I(ω₂ − ω₁) + h ω₂ × Iω₂ = 0, and its derivative by ω₂.
 V residual(const Matrix3<double>& I, const V& omega1, const V& omega2, double h) {
     return I * (omega2 - omega1) + h * omega2.cross(I * omega2);
@@ -21,7 +20,6 @@ V residual(const Matrix3<double>& I, const V& omega1, const V& omega2, double h)
 Matrix3<double> jacobian(const Matrix3<double>& I, const V& omega2, double h) {
     return I + h * (skew(omega2) * I - skew(V(I * omega2)));
 }
-/// [residual]
 
 // Rounds until the residual is down to roundoff; 50 if it never is. `observe` sees it each round.
 template <class Observe>

@@ -121,13 +121,13 @@ void one_throw(const Settings& settings, lab::Findings& out) {
         table.row({name, said(without[index]), said(with[index]), std::string(most)});
         std::printf("%-24s %-26s %-26s\n", name.c_str(), said(without[index]).c_str(),
                     said(with[index]).c_str());
-        out.number("plane_" + key + "_spin", with[index].spin, "rad/s",
-                   name + ": spin at the end, with rolling resistance", 2);
         if (with[index].rest >= 0)
             out.number("plane_" + key + "_rest", with[index].rest, "s",
                        name + ": at rest, with rolling resistance", 2);
         ++index;
     }
+    out.number("plane_dropped_spin", with[1].spin, "rad/s",
+               "dropped: spin at the end, with rolling resistance", 2);
     const Outcome &expl = with[0], &dropped = with[1], &old = with[2], &implicit = with[3],
                   &converged = with[4], &passive = with[5];
     out.number("plane_blown_up", expl.blown_up, "s", "explicit: blown up, with rolling resistance",
@@ -234,12 +234,12 @@ void many_throws(const Settings& settings, lab::Findings& out) {
         table.row({name, word, double(rested), double(lost_ones), double(gained), double(upright)});
         std::printf("%-24s %-9s %8d %8d %8d %8d\n", name.c_str(), word.c_str(), rested, lost_ones,
                     gained, upright);
-        const std::string prefix = "throws_" + word + "_" + key + "_";
-        out.number(prefix + "gained", gained, "", "throws that gained energy");
-        if (key == "passive" && arms == plane::Arms::start)
+        if (key == "passive" && arms == plane::Arms::start) {
+            out.number("throws_start_passive_gained", gained, "", "throws that gained energy");
             out.check("throws_arms", gained > 0,
                       "with the arms of engines, contacts add energy even to throws with the "
                       "passive step");
+        }
         if (key == "passive" && arms == plane::Arms::middle)
             out.check("throws_passive", rested == throws && gained == 0,
                       "passive step, arms in the middle: all come to rest and none gains energy");

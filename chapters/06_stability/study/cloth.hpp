@@ -50,7 +50,6 @@ public:
     // pull with half of that, as they are slanted at both ends. No other pattern pulls harder.
     double fastest() const { return std::sqrt(8 * stiffness_ / mass_); }  // rad/s
 
-    /// [force]
     // Weight, and every link pulls its ends together: stiffness times what it is
     // too long.
     Vector force() const {
@@ -65,9 +64,7 @@ public:
         hold(f);
         return f;
     }
-    /// [force]
 
-    /// [slope]
     // By how much a link pulls harder when its far end moves: with the whole stiffness
     // along it, across it as a taut string does. A slack link would push aside; that
     // is left out, so that the matrix has positive eigenvalues only (Baraff and
@@ -79,7 +76,6 @@ public:
         const Matrix3 onto = along * along.transpose();
         return stiffness_ * (onto + taut * (Matrix3::Identity() - onto));
     }
-    /// [slope]
 
     // What holds the two corners: whatever pulls them, they do not move.
     void hold(Vector& y) const {
@@ -93,13 +89,11 @@ private:
     Vector x_, v_;
 };
 
-/// [explicit]
 // Semi-implicit Euler: cheap, and stable while h ω < 2 for the fastest swing.
 inline void step_explicit(Cloth& cloth, double h) {
     cloth.v() += h / cloth.mass() * cloth.force();
     cloth.x() += h * cloth.v();
 }
-/// [explicit]
 
 // One step of implicit Euler, the force followed along its tangent: with K = −∂f/∂x
 //     v₂ = v₁ + Δv,   (m + h² K) Δv = h (f − h K v₁),   x₂ = x₁ + h v₂.
@@ -112,7 +106,6 @@ public:
         slopes_.reserve(cloth.links().size());
         for (const auto& link : cloth.links()) slopes_.push_back(cloth.slope(link));
     }
-    /// [matrix free]
     Vector k_times(const Vector& y) const {
         Vector result = Vector::Zero(y.size());
         for (std::size_t i = 0; i < slopes_.size(); ++i) {
@@ -125,7 +118,6 @@ public:
         cloth_.hold(result);
         return result;
     }
-    /// [matrix free]
     Vector times(const Vector& y) const { return cloth_.mass() * y + h_ * h_ * k_times(y); }
     Vector right_side() const { return h_ * (cloth_.force() - h_ * k_times(cloth_.v())); }
     const std::vector<Cloth::Matrix3>& slopes() const { return slopes_; }

@@ -34,13 +34,11 @@ public:
     void add(const Kind& kind, const BodyState<double>& start) {
         all_.push_back({kind, start});
     }
-    //! [variant]
     template <class Scene>
     void step(const Scene& scene, double h) {
         for (auto& [any, motion] : all_)
             std::visit([&, &m = motion](const auto& kind) { scene.step(kind, m, h); }, any);
     }
-    //! [variant]
 
 private:
     std::vector<std::pair<std::variant<Ball, Capsule, Box>, BodyState<double>>> all_;

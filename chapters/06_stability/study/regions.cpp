@@ -18,7 +18,6 @@ namespace {
 constexpr double pi = 3.141592653589793, eps = 2.2e-16;
 constexpr int fade = 100, count = 300;  // steps
 
-/// [growth]
 // What a step multiplies by, measured by stepping ẏ = λy. The scene is linear, so
 // after each step it may be brought back to size 1 without changing how it goes on.
 template <class Method>
@@ -39,7 +38,6 @@ double measured_growth(const Method& method, Complex z) {
     }
     return std::exp(log_growth / count);
 }
-/// [growth]
 
 // By how much may the logarithm of a measured growth be off? A step's terms, up to |z|⁴/24, are
 // rounded by ε each, and so is the sum of the logarithms at each addition. Of BDF2's two motions

@@ -5,7 +5,6 @@
 
 #include <timestep/methods/implicit_euler.hpp>
 
-/// [sdirk]
 // Two stages, each an implicit Euler step of length γh with γ = (3 + √3)/6 (Nørsett 1974,
 // Crouzeix 1975). The rates found there are k₁ at t + γh and k₂ at t + (1 − γ)h:
 //     y₂ = y₁ + h (k₁ + k₂)/2
@@ -26,6 +25,5 @@ struct Sdirk3 {
         return {state.t + h, state.y + h * (k1 + k2) / 2};
     }
 };
-/// [sdirk]
 
 inline constexpr Sdirk3 sdirk_3;
