@@ -23,6 +23,7 @@ test_bad_use_of_bench_is_refused_in_one_line() {
     refuses "--out '': must be the name of a folder" --quick --scene spring --out ''
     refuses '--quick: bench loops does not take it' loops --quick
     refuses '--json: bench many does not take it' --json many
+    refuses '--scene: bench many does not take it' many --scene spring
     [ ! -e build/runs ] || fail 'something was left'
 }
 

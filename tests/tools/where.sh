@@ -87,9 +87,9 @@ test_an_unknown_name_is_one_line_with_near_ones() {
         : >build/chapters/$other/run/done
     done
     expect 2 course where maen
-    is "$(cat err)" "course: 'maen': no run has a number, check, data file or figure of that name; near to it: 03_swing/mean"
+    is "$(cat err)" "course: 'maen': no run has a number, check, data file or figure of that name; near to it: mean"
     expect 2 course where 3/swing
-    says err 'near to it: 03_swing/swing.svg, 03_swing/swing.tsv'
+    says err 'near to it: swing.'
     for name in '' 3/ 7/mean 3/nothing_like_it; do
         expect 2 course where "$name"
         is "$(lines err)" 1

@@ -42,15 +42,15 @@ bool starts_with_any(const std::string& text, std::initializer_list<const char*>
                        [&](const char* beginning) { return text.starts_with(beginning); });
 }
 
-// What CMake says of its own accord; anything else is a fixture of ours, named by a COMMENT.
+// Is this a line of CMake's own, not the COMMENT of one of our commands?
 bool is_routine(const std::string& text) {
     return starts_with_any(
         text, {"Building", "Linking", "Built target", "Generating", "Scanning", "Consolidate", "Re-running",
                "Re-checking", "Cleaning", "Completed", "No ", "Performing", "Creating", "Automatic"});
 }
 
-// The lines that say why: from the first failure on, without the names and commands of what failed,
-// which are long and stand in the log.
+// The lines that say why a build failed: from the first failure on, without the long names and commands, which are in
+// the log.
 std::vector<std::string> reason(const std::vector<std::string>& log) {
     const std::size_t most = 30;
     const auto begin = std::find_if(log.begin(), log.end(), [](const std::string& line) {
@@ -72,14 +72,14 @@ void mark_ready(const std::vector<fs::path>& marks, fs::file_time_type begin) {
     fs::create_directories(marks.front().parent_path(), ignored);
     for (const auto& mark : marks) {
         write_whole(mark, "");
-        fs::last_write_time(mark, begin, ignored);  // what was touched while it was built is new
+        fs::last_write_time(mark, begin, ignored);  // what changed during the build counts as new
     }
 }
 
 // Debian changes this file whenever a package is installed or removed.
 const fs::path packages = "/var/lib/dpkg/status";
 
-// Has CMake configured this course here, to the end?
+// Has CMake configured this course here completely?
 bool is_configured() {
     std::error_code ignored;
     const auto is_written = [&](const char* name) {
@@ -92,8 +92,8 @@ bool is_configured() {
     return false;
 }
 
-// The learner's edition is configured when there is something to build: its course program comes
-// built. Again where a package has been installed or removed, as what CMake looks for may be there now.
+// A learner's edition is configured when there is something to build, since its course program comes built; and again
+// after a package was installed or removed, since CMake may find more or less.
 void configure_kit(ProgressLine& progress) {
     const fs::path &root = paths().source, mark = paths().build / "packages_seen";
     const bool fresh = !is_configured();
@@ -146,7 +146,7 @@ bool is_ready(const Exercise& exercise) {
            all_there(exercise);
 }
 
-// Tells once what it is that takes more than a second.
+// Prints once, after a second, what takes so long.
 class Late {
 public:
     Late(ProgressLine& progress, std::string what) : progress_(progress), what_(std::move(what)) {}
@@ -162,8 +162,7 @@ private:
     std::chrono::steady_clock::time_point end_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
 };
 
-// CMake's first error. Its words are broken into lines, indented by two, and end with an empty one or with where
-// it was.
+// CMake's first error. CMake breaks it into lines, indents them by two, and ends it with an empty line or a call stack.
 class FirstError {
 public:
     void hear(const std::string& line) {
@@ -176,7 +175,7 @@ public:
             if (!ended_ && words != std::string::npos) text_ += (text_.empty() ? "" : " ") + line.substr(words);
         }
     }
-    // Its first sentence: two blanks stand before the next.
+    // Its first sentence; CMake puts two blanks before the next.
     std::string text() const {
         return text_.empty() ? "CMake could not configure the build" : text_.substr(0, text_.find(".  "));
     }
@@ -193,7 +192,7 @@ const char* const other_builds = "Another ./course is building here; this goes o
 void build(const std::vector<std::string>& targets, ProgressLine& progress, const std::string& what) {
     std::error_code ignored;
     fs::create_directories(paths().build, ignored);
-    // A build that asks this program for a transcript, say, is not to be waited for.
+    // A build may itself run this program, for a transcript on a page: it must not wait for that build.
     std::optional<Lock> one_at_a_time;
     const char* const builder = std::getenv("TIMESTEP_BUILDS_IN");
     if (builder == nullptr || builder != paths().build.string()) {
@@ -257,7 +256,7 @@ void make_ready(const std::vector<Exercise>& exercises, ProgressLine& progress) 
 void make_again(const std::vector<Exercise>& exercises, bool header, ProgressLine& progress) {
     progress.say("The files for checking " + exercises.front().name + " are damaged; building them again");
     std::error_code ignored;
-    const std::string build = paths().build.string() + "/";  // what comes built with a learner's edition stays
+    const std::string build = paths().build.string() + "/";  // what a learner's edition brings stays
     for (const Exercise& exercise : exercises) {
         auto parts = parts_of_check(exercise);
         if (header) parts.erase(parts.begin(), parts.end() - 1);

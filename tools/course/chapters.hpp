@@ -38,7 +38,7 @@ std::vector<Chapter> read_chapters();
 /// The chapter meant by `3`, `03`, `euler_variants` or `03_euler_variants`, if there is one.
 std::optional<Chapter> chapter_of(const std::string& name);
 
-/// The same. Throws Stop(bad_use) where there is none.
+/// That chapter. Throws Stop(bad_use) if there is none.
 Chapter find_chapter(const std::string& name);
 
 }  // namespace course

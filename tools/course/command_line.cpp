@@ -25,14 +25,14 @@ struct Asked {
     bool yes = false, all = false, study = false, json = false, open = false, pdf = false, sanitize = false;
     bool with_solutions = false, release = false;
     std::string chapter, exercise, kit, name;
-    std::string seed, file, out;  // empty is a value, too: whether they were given, CLI11 knows
+    std::string seed, file, out;  // an empty word is a value, too; see `given`
     std::vector<std::string> chapter_options;
     Question question;
     Contest contest;
     Grading grading;
 };
 
-// What `advise` may be told of springs besides.
+// Further options of `advise` for springs.
 template <class Number>
 void declare_springs(CLI::App& advise, Question& question, const Number& number) {
     advise.add_option("--kind", question.kind, "spring, chain, cloth, tether (it only pulls) or hinge")
@@ -76,7 +76,7 @@ void declare_advise(CLI::App& app, Asked& asked) {
            "recommend the cheapest method with at most this error in the first period; without it the list decides, "
            "and the table uses 1");
     declare_springs(*advise, question, number);
-    // Of a body.
+    // For a body.
     number("--count", question.count, "NUMBER", "so many bodies like this one (1)");
     advise->add_flag("--contacts", question.contacts, "it touches others");
     advise->add_flag("--callback", question.callback, "all you can change is its spin, before the engine's step");
@@ -95,7 +95,7 @@ void declare_bench(CLI::App& app, Asked& asked) {
     bench->add_option("--out", asked.out, "leave results (CSV) and figures in this folder")->type_name("DIR");
     bench->require_subcommand(0, 1);
     const auto table = [&](const char* name, const char* words) {
-        return bench->add_subcommand(name, words)->footer("");  // that of bench itself is not theirs
+        return bench->add_subcommand(name, words)->footer("");  // the footer of bench itself is for bench alone
     };
     table("loops", "the library beside loops written by hand, and the targets");
     table("many", "springs and bodies by the thousand, beside other libraries and Bullet, and the targets");
@@ -188,7 +188,7 @@ void declare(CLI::App& app, Asked& asked) {
     declare_new(app, asked);
     declare_grade(app, asked);
     declare_bench(app, asked);
-    // For the front door of a learner's edition, which has installed what it needs.
+    // The front door of a learner's edition calls this after it has installed what is missing.
     app.add_subcommand("setup", "")->group("")->add_flag("--all", asked.all, "");
     declare_advise(app, asked);
     const auto kit = app.add_subcommand("kit", "write the learner's edition: no tests, no solutions");
@@ -200,7 +200,7 @@ void declare(CLI::App& app, Asked& asked) {
     site->add_flag("--pdf", asked.pdf, "print all of it as a book: build/site/timestep.pdf")->excludes(open);
 }
 
-// The word after an option; CLI11's own optional takes '' for no word.
+// The word after an option, '' included, which CLI11's own optional takes for none.
 std::optional<std::string> given(const CLI::App& app, const char* option, const std::string& word) {
     return app.get_option(option)->count() > 0 ? std::optional(word) : std::nullopt;
 }
@@ -216,7 +216,7 @@ std::optional<std::uint64_t> seed_from(const std::optional<std::string>& given) 
     return seed;
 }
 
-// Those who are checked can read it.
+// The command line can be read by the code that is checked.
 void blank_seed(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
@@ -227,7 +227,7 @@ void blank_seed(int argc, char** argv) {
     }
 }
 
-// Of a row of numbers: where one is missing, CLI11 would read the next option in its place.
+// A row of numbers with one missing: CLI11 would read the next option in its place.
 void check_rows(int argc, char** argv) {
     for (int i = 1; i < argc; ++i)
         for (const std::string option : {"--frames", "--inertia", "--spin"}) {
@@ -263,7 +263,7 @@ void bench_or_table(const CLI::App& bench, Asked& asked) {
 }  // namespace
 
 Status obey(int argc, char** argv) {
-    // What stands after -- is the chapter's study's and none of our business.
+    // The words after -- are for the chapter's study.
     const auto end = std::find(argv + 1, argv + argc, std::string("--"));
     Asked asked;
     if (end != argv + argc) asked.chapter_options.assign(end + 1, argv + argc);

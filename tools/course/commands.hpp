@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the course program can do, one function a command. Each throws Stop when it cannot.
+/// The commands of the course program, one function each. Each throws Stop if it fails.
 
 #include <cstdint>
 #include <optional>
@@ -15,54 +15,54 @@ void list(bool json);
 /// Builds everything, runs every chapter, makes the site, and closes with a table.
 void tour();
 
-/// Which tests: those that are over in minutes, all that CI runs, or all that there are, before a release.
+/// Which tests: the quick ones, all that CI runs, or all that run before a release.
 enum class Tests { quick, all, of_release };
 
-/// Builds and runs the tests. But for the quick ones, a skipped check counts as a failure.
+/// Builds and runs the tests. Unless only the quick ones run, a skipped test counts as a failure.
 void test(Tests which);
 
-/// Runs a chapter's program and leaves what it writes and its picture in the folder `out` (none given: in the
-/// build folder). With `study` all else that the chapter measures, too; `options` go to the study.
+/// Runs a chapter's program and leaves its data and its picture in the folder `out` (default: in the build folder).
+/// With `study` it runs the study, too, with these `options`.
 void run(const std::string& chapter, bool study, const std::optional<std::string>& out,
          const std::vector<std::string>& options);
 
-/// Says which line wrote a number, check, data file or figure, what it is, and which pages use it: `03/energy_mean`,
-/// or `energy_mean` for all that are called so. Throws Stop(bad_use) naming what is called nearly so.
+/// Prints which line wrote a number, check, data file or figure, what it is, and which pages use it. The name is
+/// `03/energy_mean`, or `energy_mean` for those of all runs. Throws Stop(bad_use) with the nearest name if there is
+/// none.
 void where(const std::string& name);
 
-/// Checks answers: of one exercise (`file` instead of the learner's own, which is then not counted
-/// as done), or of all that have been begun, in a chapter (`5`) or in the course. With `sanitize`, errors count that do
-/// not show in the numbers. Throws Stop(wrong) where one is not right.
+/// Checks answers: to one exercise (in `file`, which does not count as done, or in the learner's own), or to all that
+/// have been begun, in a chapter (`5`) or in the course. With `sanitize`, errors count that do not show in the numbers.
+/// Throws Stop(wrong) if one is not right.
 void check(const std::string& exercise, const std::optional<std::string>& file, bool json,
            const std::optional<std::uint64_t>& seed, bool sanitize);
 
-/// What is asked of `grade`.
+/// The options of `grade`.
 struct Grading {
-    std::string place;                   ///< a submission, or a folder of them
-    std::vector<std::string> exercises;  ///< none given: all that anybody has handed in
-    std::optional<std::string> out;      ///< none given: NAME.grades where one is
-    std::optional<std::uint64_t> seed;   ///< none given: drawn anew
-    int jobs = 0;                        ///< at a time; 0: as many as there are cores
-    bool one = false;                    ///< `place` is one submission, whatever it holds
+    std::string place;                   ///< a submission, or a folder of submissions
+    std::vector<std::string> exercises;  ///< none: all that were handed in
+    std::optional<std::string> out;      ///< default: NAME.grades beside `place`
+    std::optional<std::uint64_t> seed;   ///< default: a random one
+    int jobs = 0;                        ///< at the same time; 0: the number of cores
+    bool one = false;                    ///< `place` is one submission, whatever is in it
     bool trust = false;                  ///< without isolation
-    bool again = false;                  ///< also what has been graded
+    bool again = false;                  ///< also those that have been graded before
 };
 
-/// Grades submissions, each shut away from the machine and from the others. Throws Stop(wrong)
-/// where one is not right.
+/// Grades submissions, each isolated from the machine and from the others. Throws Stop(wrong) if one is not right.
 void grade(const Grading& grading);
 
-/// Checks an exercise (none given: the first that has not been passed) whenever its file is saved,
+/// Checks an exercise (default: the first that has not been passed) whenever its file is saved,
 /// and goes on to the next after a pass.
 void watch(const std::string& exercise);
 
-/// Shows one hint more than the last time.
+/// Shows one more hint than the last time.
 void hint(const std::string& exercise);
 
-/// After a pass, the course's answer beside the learner's.
+/// After a pass, shows the course's answer beside the learner's.
 void solution(const std::string& exercise);
 
-/// Makes the learner's file, or `all` of them, what it was at the beginning; the answer is kept.
+/// Sets the learner's file, or `all` files, back to the beginning; the answer is kept beside.
 void reset(const std::string& exercise, bool all);
 
 /// Adds a chapter, or an exercise to a chapter: an example that builds, to be filled in. With `all` the chapter also
@@ -70,11 +70,11 @@ void reset(const std::string& exercise, bool all);
 void new_chapter(const std::string& name, bool all);
 void new_exercise(const std::string& chapter, const std::string& name);
 
-/// What is asked of `bench`: which scenes, how hard to try, where the results go.
+/// The options of `bench`: which scenes, how thorough, where the results go.
 struct Contest {
     bool quick = false, json = false;
-    std::optional<std::string> out;   ///< a folder; none given: in the build folder
-    std::vector<std::string> scenes;  ///< none given: all
+    std::optional<std::string> out;   ///< a folder; default: in the build folder
+    std::vector<std::string> scenes;  ///< none: all
 };
 
 /// Every method in every scene, error against run time.
@@ -83,13 +83,13 @@ void bench(const Contest& contest);
 /// What the library costs over a loop written by hand, and over Boost.odeint's.
 void bench_loops();
 
-/// What a spring and a body cost among many, in lanes and otherwise.
+/// What a spring and a body cost among many, in SIMD lanes and without.
 void bench_many();
 
-/// Gyroscopic rules inside physics engines; of those only whose name begins with `engine`.
+/// Gyroscopic rules inside physics engines: those whose name begins with `engine`, or all.
 void bench_engines(const Contest& contest, const std::optional<std::string>& engine);
 
-/// What is asked of `advise`: a spring or a spinning body, and a step. What was not given is empty.
+/// The options of `advise`: a spring or a spinning body, and a step. An option that was not given is empty.
 struct Question {
     std::optional<double> omega, stiffness, mass, damping, zeta;  ///< rad/s, N/m, kg, N s/m, no unit
     std::optional<double> step, rate;                             ///< s, 1/s
@@ -109,17 +109,18 @@ struct Question {
     bool kicks = false, keep_size = false;                       ///< impulses; a fast oscillation that is to stay
 };
 
-/// What every method makes of it: will it blow up, what does it cost, how wrong is it?
+/// Prints for every method: will it blow up, what does it cost, how large is its error?
 void advise(const Question& question, bool json);
 
-/// Writes the learner's edition of the course into `folder`, which is new or empty; with the solutions, which it shows
-/// after a pass, if they are asked for.
+/// Writes the learner's edition of the course into `folder`, which is new or empty; `with_solutions` packs the
+/// solutions.
 void kit(const std::string& folder, bool with_solutions);
 
-/// Brings the site up to date and says where it is; `open` shows it in the browser; `pdf` prints it as a book instead.
+/// Brings the site up to date and prints its address; `open` opens it in the browser; `pdf` prints it as a book
+/// instead.
 void site(bool open, bool pdf);
 
-/// In a learner's edition: configures it, which says what does not fit this machine.
+/// Configures a learner's edition, which says what does not fit this machine.
 void setup_kit();
 
 }  // namespace course

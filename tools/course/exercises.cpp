@@ -45,7 +45,7 @@ std::string Exercise::place() const {
 }
 fs::path Exercise::file() const { return paths().source / "exercises" / chapter / (name + ".cpp"); }
 fs::path Exercise::stub() const {
-    // The learner's edition brings it, whether it has been configured or not.
+    // A learner's edition brings it, configured or not.
     return (is_kit() ? paths().source / "kit/generated" : paths().build / "exercises/generated") / (name + "_stub.cpp");
 }
 fs::path Exercise::about() const { return told_of_all() / chapter / name / "about.json"; }
@@ -114,7 +114,7 @@ Exercise find_exercise(const std::string& name) {
                                                   : "the nearest is " + near + " (./course list shows them)"));
 }
 
-// What cannot be read is the learner's in any case: a link that leads nowhere, say.
+// A file that cannot be read, as a link that leads nowhere, counts as the learner's own.
 bool untouched(const Exercise& exercise) {
     try {
         return contents(exercise.file()) == contents(exercise.stub());

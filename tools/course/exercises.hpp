@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The exercises, as their folders say.
+/// The exercises, read from their folders.
 
 #include <filesystem>
 #include <map>
@@ -27,43 +27,42 @@ struct Exercise {
     std::vector<std::string> hints;
     std::string learned;
 
-    /// What is told of it, about.json.
+    /// Its about.json.
     std::filesystem::path about() const;
-    /// What the build has made of mistakes.diff, for those who tell the learner.
+    /// What the build has made of mistakes.diff: what is said to the learner.
     std::filesystem::path told() const;
-    /// The mistakes that are known, by their names. Throws Stop(bad_use).
+    /// The known mistakes, by name. Throws Stop(bad_use).
     std::map<std::string, Misconception> mistakes() const;
 
     /// 1.1
     std::string place() const;
     /// The learner's file, `exercises/01_derivatives/velocity_now.cpp` in the checkout.
     std::filesystem::path file() const;
-    /// The same, as it is before the learner has touched it.
+    /// The learner's file as it is at the beginning.
     std::filesystem::path stub() const;
-    /// Its declaration, which is read before the learner's file.
+    /// The header with its declaration, which the compiler reads before the learner's file.
     std::filesystem::path declared() const;
-    /// The course's answer, which is not in every learner's edition.
+    /// The course's answer. Not every learner's edition has it.
     std::filesystem::path solution() const;
     bool has_solution() const;
 };
 
-/// Is this the learner's edition, which has no tests, and solutions only where the teacher has packed them?
+/// Is this a learner's edition? It has no tests, and solutions only if the teacher has packed them.
 bool is_kit();
 
-/// All exercises, in the order of the course. Throws Stop(bad_use) naming an about.json that cannot
-/// be used.
+/// All exercises, in the order of the course. Throws Stop(bad_use) with the name of an about.json that cannot be used.
 std::vector<Exercise> read_exercises();
 
-/// The exercise meant by `velocity_now`, `1.1` or its file, if there is one.
+/// The exercise called `velocity_now`, `1.1`, or by its file; nothing if there is none.
 std::optional<Exercise> exercise_of(const std::string& name);
 
-/// The same. Throws Stop(bad_use), with the name that is nearest, where there is none.
+/// That exercise. Throws Stop(bad_use) with the nearest name if there is none.
 Exercise find_exercise(const std::string& name);
 
-/// Is the learner's file as it was before the learner has touched it?
+/// Is the learner's file as it was at the beginning?
 bool untouched(const Exercise& exercise);
 
-/// The text of an answer. Throws Stop(bad_use), one clear line, where it cannot be read.
+/// The text of an answer. Throws Stop(bad_use) if it cannot be read.
 std::string answer_in(const Exercise& exercise, const std::filesystem::path& file);
 
 }  // namespace course

@@ -22,7 +22,7 @@ namespace course {
 
 namespace fs = std::filesystem;
 
-// Only a regular file has an end that is sure to come.
+// Only of a regular file is it sure that reading ends.
 std::string contents(const fs::path& file) {
     const std::size_t most = 1 << 20;
     const auto refuse = [&](const std::string& why) {
@@ -76,7 +76,7 @@ std::string shown(const fs::path& file) {
     return sanitized_line(here.empty() || here.size() > whole.size() ? whole : here);
 }
 
-#ifndef _WIN32  // where files are only read and written (tools/checker/here.cpp)
+#ifndef _WIN32  // where files are only read and written (tools/checker/check_in_process.cpp)
 namespace {
 
 double seconds(const timespec& time) {
@@ -101,7 +101,7 @@ std::optional<double> written_at(const fs::path& file) {
     return seconds(status.st_mtim);
 }
 
-// Where a file system knows no locks, we do without.
+// On a file system without locks there is none.
 Lock::Lock(const fs::path& file, const std::string& waiting)
     : file_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
     if (file_ < 0) throw Stop(Status::bad_use, file.string() + ": cannot be written (" + std::strerror(errno) + ")");

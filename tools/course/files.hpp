@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Reading and writing whole files, where others may be at work, too.
+/// Reading and writing whole files, locks, and folders for what is not whole yet.
 
 #include <filesystem>
 #include <optional>
@@ -8,25 +8,24 @@
 
 namespace course {
 
-/// A whole file of at most 1 MB. Throws Stop(bad_use) where it cannot be read.
+/// The contents of a file of at most 1 MB. Throws Stop(bad_use) if it cannot be read.
 std::string contents(const std::filesystem::path& file);
 
-/// Writes a file beside and moves it into place, so that a full disk costs nothing. Throws
-/// Stop(bad_use) where that cannot be done, and leaves the file as it was.
+/// Writes a file beside `file` and moves it into place. Throws Stop(bad_use) if that fails, as on a full disk; the old
+/// file then stays as it was.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
-/// A file's path for people, in one line that no terminal obeys: from where they are, unless the
-/// path from the root is shorter.
+/// A file's path for people, safe to print: relative to the current folder, or absolute if that is shorter.
 std::string shown(const std::filesystem::path& file);
 
-/// Has this file, or anything in this folder, been touched since `since` (in seconds), or is it
-/// gone? What counts is when the system noticed, which nobody can set back.
+/// Has this file, or anything in this folder, changed since `since` (in seconds), or is it gone? Compares the inode's
+/// change time, which nobody can set back.
 bool touched_since(const std::filesystem::path& place, double since);
 
-/// When this file was last written, in seconds; nothing where it is not there.
+/// When this file was last written, in seconds; nothing if it does not exist.
 std::optional<double> written_at(const std::filesystem::path& file);
 
-/// A folder of a new name in `parent`, for what is not whole yet. It goes, with all that is in it, unless it is moved.
+/// A folder with a new name in `parent`, for what is not whole yet. The destructor removes it, unless it was moved.
 class UnfinishedFolder {
 public:
     /// Throws std::filesystem::filesystem_error.
@@ -41,8 +40,8 @@ private:
     std::filesystem::path path_;
 };
 
-/// While it lives, nobody else has a lock on this file, which is made where there is none. Who waits for it for a
-/// second is told `waiting`. Throws Stop(bad_use) where it cannot be opened.
+/// Holds a lock on this file, which is created if it does not exist. After one second of waiting for another's lock it
+/// prints `waiting`. Throws Stop(bad_use) if the file cannot be opened.
 class Lock {
 public:
     explicit Lock(const std::filesystem::path& file, const std::string& waiting = {});
@@ -50,7 +49,7 @@ public:
     Lock(const Lock&) = delete;
     Lock& operator=(const Lock&) = delete;
 
-    /// Has somebody a lock on this file at the moment?
+    /// Does anybody hold a lock on this file now?
     static bool is_held(const std::filesystem::path& file);
 
 private:

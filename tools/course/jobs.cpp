@@ -27,7 +27,7 @@ struct Job {
     std::string said;
 };
 
-// Its strings may hold any bytes, which MessagePack takes and JSON does not.
+// MessagePack, since the strings may hold bytes that JSON does not allow.
 std::string packed(const Grade& grade) {
     const json value{grade.submission, grade.exercise, grade.verdict, grade.says,
                      grade.seed,       grade.seconds,  grade.in_time};
@@ -42,7 +42,7 @@ Grade unpacked(const std::string& bytes) {
     return {value[0], value[1], value[2], value[3], value[4], value[5], value[6]};
 }
 
-// Ends with its parent, tidily.
+// Ends with its parent.
 [[noreturn]] void work_in_child(pid_t parent, int pipe, const std::function<Grade()>& work) {
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != parent) _exit(1);
@@ -76,7 +76,7 @@ public:
         running_.push_back({which, child, ends[0], {}});
     }
 
-    // Listens for a while; hands on what has come to its end.
+    // Waits briefly for output; passes on the grades of processes that have ended.
     void listen(const std::function<void(std::size_t, const Grade&)>& done) {
         std::vector<pollfd> pipes;
         for (const Job& job : running_) pipes.push_back({job.pipe, POLLIN, 0});

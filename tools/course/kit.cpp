@@ -59,7 +59,7 @@ public:
     void keep() const { fs::rename(folder_.path(), wanted_); }
 
 private:
-    TidyEnd tidy_end_;  // over when all else is
+    TidyEnd tidy_end_;  // the last to go
     fs::path wanted_;
     UnfinishedFolder folder_;
 };
@@ -76,7 +76,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
     return files;
 }
 
-// What people are told of an exercise.
+// The about.json for learners.
 std::string told_of(const Exercise& exercise) {
     return nlohmann::ordered_json{{"number", exercise.number},
                                   {"title", exercise.title},
@@ -90,7 +90,7 @@ std::string told_of(const Exercise& exercise) {
            "\n";
 }
 
-// A built file without the names and lines of its sources.
+// Copies a built file without the names and lines of its sources.
 void copy_stripped(const fs::path& from, const fs::path& to, const std::string& what_to_strip) {
     const Outcome outcome = run_within({"strip", what_to_strip, "-o", to.string(), from.string()}, {60});
     if (outcome.status != 0)
@@ -132,7 +132,7 @@ void write_kit(const Kit& kit, bool with_solutions) {
     write_exercises(kit, with_solutions);
 }
 
-// The folder that is meant, from the root and without links. Throws where it cannot become a kit.
+// The absolute path of the folder, without links. Throws Stop if it cannot become a kit.
 fs::path wanted(const std::string& name) {
     const auto refuse = [&](const std::string& why) {
         throw Stop(Status::bad_use, "kit: '" + sanitized_line(name) + "' " + why);
@@ -162,7 +162,7 @@ fs::path wanted(const std::string& name) {
 
 }  // namespace
 
-// Says what in the learner's edition does not fit this machine, before anything is to be built.
+// Configures a learner's edition, which says what does not fit this machine.
 void setup_kit() {
     if (!is_kit()) throw Stop(Status::bad_use, "run this command as ./course setup");
     {

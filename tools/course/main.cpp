@@ -8,7 +8,7 @@
 #include "command_line.hpp"
 #include "terminal.hpp"
 
-// If one of the three is closed, the next file that is opened would be taken for it.
+// If one of the three is closed, the next opened file would take its number.
 static void open_standard_files() {
     for (int file = 0; file < 3; ++file)
         if (fcntl(file, F_GETFD) < 0) open("/dev/null", O_RDONLY);

@@ -73,7 +73,7 @@ private:
         made_.push_back(folder);
     }
 
-    TidyEnd tidy_end_;  // over when all else is
+    TidyEnd tidy_end_;  // the last to go
     std::vector<fs::path> made_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Where things are, and how long we wait for them. The tests put their own in the place of these.
+/// Where things are, and how long the compiler may take. Tests link paths of their own.
 
 #include <filesystem>
 #include <string>
@@ -11,8 +11,8 @@ struct Paths {
     std::filesystem::path source;  ///< the checkout
     std::filesystem::path build;   ///< the build folder that this program belongs to
     std::string cmake, ctest;      ///< the programs that made the build folder
-    /// So long a compiler may work for a learner's file, in a processor's time; by the clock it has
-    /// ten times that, for it may have neighbours.
+    /// Processor time that a compiler may use for a learner's file. By the clock it has ten times that, since the
+    /// machine may be busy.
     int compiler_seconds = 9;
 };
 

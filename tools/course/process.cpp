@@ -30,13 +30,13 @@ double now() {
     return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-// A program at work, and the socket that all it prints comes through.
+// A running program, and the socket for its output.
 struct Running {
     pid_t process;
     int output;
 };
 
-// Returns only where it fails.
+// Returns only if it fails.
 void become(const std::vector<std::string>& command) {
     std::vector<char*> words;
     for (const auto& word : command) words.push_back(const_cast<char*>(word.c_str()));
@@ -64,7 +64,7 @@ Running start(const std::vector<std::string>& command, const std::function<void(
     _exit(127);
 }
 
-// What came next within so many seconds: its size, 0 for the end, -1 for nothing yet.
+// Reads the next output within `seconds`: returns its size, 0 at the end, -1 if there was none yet.
 ssize_t hear(int from, char* piece, std::size_t size, double seconds) {
     pollfd waiting{from, POLLIN, 0};
     if (poll(&waiting, 1, static_cast<int>(seconds * 1000) + 1) <= 0) return -1;
@@ -79,15 +79,14 @@ int wait_for(pid_t process) {
     return status;
 }
 
-// Waits for so many seconds, or until there is an interrupt; false where it has not come to an end.
+// Waits for `seconds`; false if the process has not ended by then.
 bool has_ended(pid_t process, int& status, double seconds) {
     for (const double end = now() + seconds; waitpid(process, &status, WNOHANG) == 0; usleep(1000))
         if (now() > end) return false;
     return true;
 }
 
-// Ctrl-C reaches the whole group. While a child runs it is the child's to die of, and ours to tidy
-// up after: what `system` does, too.
+// Ctrl-C reaches the whole group. While a child runs, the child dies of it and we tidy up, as `system` does.
 class LeaveInterruptToChild {
 public:
     LeaveInterruptToChild() : before_(std::signal(SIGINT, SIG_IGN)) {}
@@ -99,14 +98,13 @@ private:
     void (*before_)(int);
 };
 
-// In the new process. Its words are to be read by us: English, but with all letters, since the C
-// locale proper spells the compiler's ω as \U000003c9.
+// Called in the new process. C.UTF-8: we read its English words, and the plain C locale spells ω as \U000003c9.
 void confine(const Allowance& allowance) {
     const auto limit = [](auto resource, std::size_t most) {
         const rlimit both{most, most};
         if (most > 0) setrlimit(resource, &both);
     };
-    // At the first limit it is told why it ends, by a signal's name; at the second it is killed.
+    // The first limit ends it by a signal whose name says why; the second kills it.
     const auto seconds = static_cast<rlim_t>(allowance.processor_seconds);
     const rlimit first{seconds, seconds + 1};
     if (seconds > 0) setrlimit(RLIMIT_CPU, &first);
@@ -116,7 +114,7 @@ void confine(const Allowance& allowance) {
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
     limit(RLIMIT_AS, allowance.megabytes << 20);
     limit(RLIMIT_FSIZE, allowance.file_megabytes << 20);
-    // It counts all that the user runs, which is less than all that the machine runs.
+    // The limit counts the user's processes, which are no more than the machine's.
     struct sysinfo machine {};
     if (allowance.processes > 0 && sysinfo(&machine) == 0) limit(RLIMIT_NPROC, machine.procs + allowance.processes);
     setenv("LC_ALL", "C.UTF-8", 1);
@@ -124,7 +122,7 @@ void confine(const Allowance& allowance) {
     if (!allowance.temporary.empty()) setenv("TMPDIR", allowance.temporary.c_str(), 1);
 }
 
-// A process that ends that group of others, and all in it, when this one ends before its time.
+// A process that kills that group if this process dies first.
 class Guard {
 public:
     explicit Guard(pid_t group) {
@@ -134,7 +132,7 @@ public:
         close_range(0, ~0u, 0);
         sigset_t all, end;
         sigfillset(&all);
-        sigprocmask(SIG_SETMASK, &all, nullptr);  // what is meant for its parent is not for it
+        sigprocmask(SIG_SETMASK, &all, nullptr);  // signals are for its parent
         sigemptyset(&end);
         sigaddset(&end, SIGUSR1);
         prctl(PR_SET_PDEATHSIG, SIGUSR1);
@@ -154,8 +152,8 @@ private:
     pid_t guard_;
 };
 
-// Tells, once a second, whether that process and all that come of it have worked in so many seconds. It is
-// the looks that count: on a busy machine much time may go by between two of them.
+// Looks once per second whether a process or its descendants work. It counts looks, not seconds: on a busy machine much
+// time may pass between two looks.
 class Idleness {
 public:
     Idleness(pid_t process, double seconds) : process_(process), seconds_(seconds) {}
@@ -212,7 +210,7 @@ int listen(const std::vector<std::string>& command, const std::function<void(std
 
 Outcome run_within(const std::vector<std::string>& command, const Allowance& allowance, const std::string& input) {
     const std::size_t most = 1'000'000;
-    const double turn = 0.1;  // between two looks at the clock and for an interrupt
+    const double turn = 0.1;  // s, between two looks at the clock
     int read_end = -1;
     if (!input.empty()) {  // a pipe has room for it
         int ends[2];
@@ -246,7 +244,7 @@ Outcome run_within(const std::vector<std::string>& command, const Allowance& all
             listening = size != 0;
             if (size < 0) outcome.waited = idleness.is_too_long();
             if (size <= 0) continue;
-            // Of what is too long the beginning and the end, where a compiler says why it ended.
+            // Of long output keep the beginning, and the end, where a compiler says why it stopped.
             std::string& part = outcome.said.size() < most ? outcome.said : end;
             part.append(piece, static_cast<std::size_t>(size));
             if (end.size() > 2 * sizeof piece) end.erase(0, end.size() - sizeof piece);
@@ -258,13 +256,13 @@ Outcome run_within(const std::vector<std::string>& command, const Allowance& all
     close(running.output);
     outcome.said += end;
     outcome.too_slow = !ended;
-    // First it may end by itself: the compiler removes what it has begun, the checker ends the
-    // learner's code, which has a group of its own.
+    // First it may end by itself: a compiler removes its unfinished files, the checker ends the learner's code, which
+    // has its own group.
     if (!ended) {
         kill(-group, SIGTERM);
         ended = has_ended(group, status, 1);
     }
-    kill(-group, SIGKILL);  // and what it may have left behind
+    kill(-group, SIGKILL);  // and any process that it left behind
     if (!ended) status = wait_for(group);
     stop_if_interrupted();
     outcome.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
@@ -284,7 +282,7 @@ TidyEnd::TidyEnd() {
     remember.sa_handler = remember_signal;
     for (std::size_t i = 0; i < signals.size(); ++i) {
         sigaction(signals[i], nullptr, &before_[i]);
-        // What is ignored stays ignored: nohup, or a script that runs us beside other things.
+        // An ignored signal stays ignored, as under nohup.
         if (before_[i].sa_handler != SIG_IGN) sigaction(signals[i], &remember, nullptr);
     }
 }

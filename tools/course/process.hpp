@@ -12,44 +12,41 @@
 
 namespace course {
 
-/// Runs `command` and hands on all it prints (standard output and error together) as it comes;
-/// calls `silence` for every second in which nothing comes. Returns its exit status. Throws Stop
-/// where it cannot be started or was ended by a signal.
+/// Runs `command` and passes on all it prints (standard output and error together) at once; calls `silence` for every
+/// second without output. Returns the exit status. Throws Stop if the command cannot be started or a signal ended it.
 int listen(
     const std::vector<std::string>& command, const std::function<void(std::string_view)>& heard,
     const std::function<void()>& silence = [] {});
 
-/// Becomes this program, with all that this one has: terminal, output, process. Throws Stop where it
-/// cannot be started.
+/// Replaces this program by another in the same process. Throws Stop if that one cannot be started.
 [[noreturn]] void hand_over(const std::vector<std::string>& command);
 
-/// How much a program may take. 0: as much as it likes.
+/// Limits of a program. 0 means no limit.
 struct Allowance {
     double seconds;
     std::size_t megabytes = 0;       ///< of memory
     std::size_t file_megabytes = 0;  ///< of a file that it writes
-    std::size_t processes = 0;       ///< and threads, above what the machine runs anyway
+    std::size_t processes = 0;       ///< and threads, in addition to those that the machine runs already
     std::string temporary = {};      ///< the folder for its temporary files; empty: the usual one
     int processor_seconds = 0;       ///< of each of its processes
-    double idle_seconds = 0;         ///< in which none of them does any work
-    std::string waiting_for = {};    ///< what people are told who wait for it
+    double idle_seconds = 0;         ///< without any work in any of them
+    std::string waiting_for = {};    ///< what Wait prints meanwhile
 };
 
 struct Outcome {
     int status = 0;         ///< its exit status; 128 + signal where one ended it
     bool too_slow = false;  ///< it was stopped
-    bool waited = false;    ///< and that because it did no work
-    std::string said;  ///< standard output and error together, of a million bytes and more the beginning and the end
+    bool waited = false;    ///< because it did no work
+    std::string said;  ///< standard output and error together; of more than a million bytes, the beginning and the end
 };
 
-/// Runs `command`, which is to speak English, to its end or to the end of its allowance, and then
-/// ends the whole process group. It has no terminal, and what it prints cannot be opened once more to
-/// be read: nothing can wait for what never comes. Throws Stop where it cannot be started, and where there was an
-/// interrupt (see TidyEnd).
-/// `input`, of at most some kilobytes, is what it reads.
+/// Runs `command` in an English locale until it ends or reaches a limit, then kills its whole process group. The
+/// command has no terminal, and its output is a socket, which it cannot open again to read: it cannot wait for input.
+/// It reads `input`, which is at most some kilobytes. Throws Stop if it cannot be started, and after an interrupt (see
+/// TidyEnd).
 Outcome run_within(const std::vector<std::string>& command, const Allowance& allowance, const std::string& input = {});
 
-/// Cuts what comes in pieces into whole lines.
+/// Cuts output that comes in pieces into lines.
 class Lines {
 public:
     explicit Lines(std::function<void(const std::string&)> line) : line_(std::move(line)) {}
@@ -60,9 +57,8 @@ private:
     std::string rest_;
 };
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP end nothing by themselves: whoever waits looks at
-/// `interrupted`, and throws, so that destructors run. A signal that nobody has looked at ends the
-/// program after it.
+/// While one exists, SIGINT, SIGTERM and SIGHUP only set `interrupted`: whoever waits checks it and throws, so that
+/// destructors run. A signal that nobody has checked ends the program when the last TidyEnd goes.
 class TidyEnd {
 public:
     TidyEnd();
@@ -74,10 +70,10 @@ private:
     std::array<struct sigaction, 3> before_;
 };
 
-/// Has there been a signal that nobody has thrown for?
+/// Was there a signal for which nobody has thrown yet?
 bool interrupted();
 
-/// Throws Stop(interrupted) if so.
+/// Throws Stop(interrupted) if there was.
 void stop_if_interrupted();
 
 }  // namespace course

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// How far the learner has come: a small text file in the checkout, kept by the names of the
-/// exercises, so that it outlives new builds and new versions of the course.
+/// The learner's progress: a small text file in the checkout, by exercise name, so that it outlives new builds and new
+/// versions of the course.
 
 #include <functional>
 #include <map>
@@ -17,12 +17,10 @@ struct Remembered {
     int hints = 0;  ///< how many have been shown
 };
 
-/// What is remembered of all. Throws Stop(bad_use) where the file cannot be read or holds what this
-/// course has not written.
+/// Progress in all exercises. Throws Stop(bad_use) if the file cannot be read or has another format.
 std::map<std::string, Remembered> read_progress();
 
-/// Changes what is remembered, one command at a time. Where `change` throws, or the file cannot be
-/// written, it stays as it was.
+/// Changes the progress, under a lock. If `change` throws or the file cannot be written, it stays as it was.
 void change_progress(const std::function<void(std::map<std::string, Remembered>&)>& change);
 
 /// `passed`, `started` or `not started`.

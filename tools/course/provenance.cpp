@@ -27,7 +27,7 @@ struct Thing {
     int line = 0;
 };
 
-// A run, and the sources that it comes from: a chapter's, or what is measured beside the chapters.
+// A run, and the folder of its sources.
 struct Run {
     std::string folder;
     fs::path sources, place;
@@ -42,7 +42,7 @@ std::vector<std::string> cells_of(const std::string& line) {
     return cells;
 }
 
-// The lines of a file below its first.
+// The rows of a table, without its head.
 std::vector<std::vector<std::string>> rows_of(const fs::path& file) {
     std::vector<std::vector<std::string>> rows;
     std::ifstream lines(file);
@@ -62,8 +62,8 @@ std::string first_line_of(const fs::path& file) {
 
 std::string from_root(const fs::path& file) { return fs::relative(file, paths().source).generic_string(); }
 
-// What no program has told of is where its name stands in a source: a small program's data and the
-// figures.
+// The data of a chapter's program, and figures: no run says which line wrote them, so the line is the first that names
+// them.
 void find_named(Run& run, const std::string& kind, const std::string& name, const char* ending) {
     std::error_code none;  // a learner's edition lacks some
     for (const auto& entry : fs::recursive_directory_iterator(run.sources, none)) {
@@ -100,7 +100,7 @@ void read_things(Run& run) {
     }
 }
 
-// The run named by what stands before the slash, or all that there are.
+// The run of this folder, or all runs.
 std::vector<Run> runs_meant(const std::string& folder) {
     std::vector<Run> runs;
     const fs::path all = paths().build / "chapters";
@@ -117,21 +117,12 @@ std::vector<Run> runs_meant(const std::string& folder) {
     return runs;
 }
 
-std::string near_names(const std::vector<Run>& runs, const std::string& name) {
-    std::vector<std::pair<std::size_t, std::string>> near;
+std::string near_name(const std::vector<Run>& runs, const std::string& name) {
+    std::vector<std::string> names;
     for (const auto& run : runs)
-        for (const auto& thing : run.things) {
-            const bool part = name.size() > 3 && thing.name.find(name) != std::string::npos;
-            const std::size_t away = part ? 1 : distance(name, thing.name);
-            if (away <= std::max<std::size_t>(2, name.size() / 3))
-                near.emplace_back(away, run.folder + "/" + thing.name);
-        }
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
-    std::string words;
-    for (std::size_t i = 0; i < std::min<std::size_t>(near.size(), 4); ++i)
-        words += (i == 0 ? "; near to it: " : ", ") + near[i].second;
-    return words;
+        for (const auto& thing : run.things) names.push_back(thing.name);
+    const std::string near = nearest(name, names);
+    return near.empty() ? "" : "; near to it: " + near;
 }
 
 // Does the directive {{words}} of this page show the thing? `own` is the run of the page's chapter.
@@ -150,7 +141,7 @@ bool shows(const std::string& words, const std::string& own, const Thing& thing)
     return (far ? reference : own + "/" + reference) == thing.folder + "/" + thing.name;
 }
 
-// The lines that show the thing, or draw from it, by file.
+// The lines of pages and plots that use it, by file.
 std::map<std::string, std::set<std::ptrdiff_t>> uses_of(const Thing& thing) {
     std::map<std::string, std::set<std::ptrdiff_t>> uses;
     std::error_code none;
@@ -173,7 +164,7 @@ std::map<std::string, std::set<std::ptrdiff_t>> uses_of(const Thing& thing) {
     return uses;
 }
 
-// Has the source been changed since it was run, so that the line may stand elsewhere now?
+// Has the source changed since the run, so that the line may have moved?
 bool has_changed(const Thing& thing, const Run& run) {
     const auto done = written_at(run.place / "done"), written = written_at(paths().source / thing.file);
     return done && (!written || *written > *done);
@@ -223,8 +214,8 @@ void where(const std::string& asked) {
         throw Stop(
             Status::missing,
             "'" + asked + "': no run that was made here has that name; ./course tour makes those of " + not_made);
-    throw Stop(Status::bad_use, "'" + asked + "': no run has a number, check, data file or figure of that name" +
-                                    near_names(runs, name));
+    throw Stop(Status::bad_use,
+               "'" + asked + "': no run has a number, check, data file or figure of that name" + near_name(runs, name));
 }
 
 }  // namespace course

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Reading JSON: compiled once, and optimised, for what every command waits for.
+/// Reading JSON: compiled once and optimised, since every command reads some.
 
 #include <string>
 
@@ -8,10 +8,10 @@
 
 namespace course {
 
-/// What the text says. Throws nlohmann::json::exception where it is no JSON.
+/// Throws nlohmann::json::exception if the text is not JSON.
 nlohmann::json read_json(const std::string& text);
 
-/// The same; where it is no JSON, a value that is_discarded().
+/// Returns a value that is_discarded() if the text is not JSON.
 nlohmann::json try_read_json(const std::string& text);
 
 }  // namespace course

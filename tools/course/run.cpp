@@ -83,7 +83,7 @@ std::string read(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// A study speaks of its own --help, which the reader has through us.
+// A study names its own --help; the reader gets that through ./course.
 std::string with_our_help(std::string text, const Chapter& chapter, const std::string& name) {
     const std::string help = chapter.program + " --help lists";
     const auto at = text.find(help);
@@ -91,7 +91,7 @@ std::string with_our_help(std::string text, const Chapter& chapter, const std::s
     return text;
 }
 
-// A list as CMake takes it.
+// A list for CMake.
 std::string cmake_list(const std::vector<std::string>& words) {
     std::string list;
     for (const auto& word : words) {
@@ -101,7 +101,7 @@ std::string cmake_list(const std::vector<std::string>& words) {
     return list;
 }
 
-// What went wrong with a run, or what its program had to say besides its output.
+// What went wrong with a run, or what its program printed on standard error.
 struct Complaint {
     Status status;
     std::string text;
@@ -112,7 +112,7 @@ std::string trimmed(std::string text) {
     return text;
 }
 
-// CMake's own error, which comes in several lines; where in our scripts it arose is left out.
+// CMake's own error, in one line, without the place in our scripts.
 std::string cmake_error(const std::string& error) {
     std::istringstream lines(error);
     std::string words;
@@ -126,7 +126,7 @@ std::string cmake_error(const std::string& error) {
 
 fs::path built(const std::string& program) { return paths().build / "chapters" / program; }
 
-// Program, study and figures, by the same script that the build uses.
+// Runs program, study and plots by the script that the build uses.
 Complaint make_run(const Chapter& chapter, bool study, const fs::path& folder,
                    const std::vector<std::string>& options) {
     const fs::path source = paths().source;

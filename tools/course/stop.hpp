@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// How a command ends when it does not end well.
+/// How a command ends when it fails.
 
 #include <stdexcept>
 #include <string>
@@ -16,7 +16,7 @@ enum class Status {
     interrupted = 130  ///< by Ctrl-C, as shells count it
 };
 
-/// Ends the command: a line for people, a status for programs.
+/// Ends the command with a line for people and an exit status for programs.
 class Stop : public std::runtime_error {
 public:
     Stop(Status status, const std::string& line) : std::runtime_error(line), status_(status) {}

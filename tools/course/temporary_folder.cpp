@@ -13,7 +13,7 @@ namespace {
 
 const char* const lock = "lock";
 
-// What a check has left behind that was killed.
+// Removes what a killed check has left behind.
 void sweep(const fs::path& temporaries) {
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(temporaries, ignored)) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A place for what a check makes on its way.
+/// A folder for the files that a check makes.
 
 #include <filesystem>
 #include <optional>
@@ -10,8 +10,7 @@
 
 namespace course {
 
-/// A folder for one check, gone with it, by Ctrl-C, too. Throws Stop(bad_use) where there can be
-/// none.
+/// A folder for one check. It goes with the check, after Ctrl-C, too. Throws Stop(bad_use) if it cannot be made.
 class TemporaryFolder {
 public:
     TemporaryFolder();
@@ -22,7 +21,7 @@ public:
     const std::filesystem::path& folder() const { return folder_; }
 
 private:
-    TidyEnd tidy_end_;  // over when all else is
+    TidyEnd tidy_end_;  // the last to go
     std::filesystem::path folder_;
     std::optional<Lock> in_use_;
 };

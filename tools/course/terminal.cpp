@@ -28,17 +28,6 @@ std::string cut(const std::string& text, std::size_t width) {
     return text.substr(0, end);
 }
 
-// Control characters, of which C2 80 to C2 9F are the later half; U+2028 to U+202E and U+2066 to
-// U+2069, which end lines and turn the direction of writing.
-bool is_obeyed(const std::string& character) {
-    if (character.size() == 1)
-        return (static_cast<unsigned char>(character[0]) < ' ' && character != "\n" && character != "\t") ||
-               character == "\x7F";
-    return (character >= "\xC2\x80" && character <= "\xC2\x9F") ||
-           (character >= "\xE2\x80\xA8" && character <= "\xE2\x80\xAE") ||
-           (character >= "\xE2\x81\xA6" && character <= "\xE2\x81\xA9");
-}
-
 }  // namespace
 
 std::size_t character_at(const std::string& text, std::size_t at) {
@@ -96,9 +85,9 @@ std::size_t width_of(const std::string& text) {
 std::string sanitized(const std::string& text) {
     std::string safe;
     for (std::size_t i = 0; i < text.size();) {
-        const std::size_t size = character_at(text, i);
-        const std::string character = text.substr(i, std::max<std::size_t>(size, 1));
-        safe += size == 0 || is_obeyed(character) ? std::string(character.size(), '?') : character;
+        const std::string character = text.substr(i, std::max<std::size_t>(character_at(text, i), 1));
+        const bool plain = character == " " || character == "\n" || character == "\t" || is_seen(character);
+        safe += plain ? character : std::string(character.size(), '?');
         i += character.size();
     }
     return safe;
@@ -139,7 +128,8 @@ std::string wrapped(const std::string& text, std::size_t indent) {
     return line.empty() ? lines : lines + std::string(indent, ' ') + line + "\n";
 }
 
-std::size_t distance(const std::string& a, const std::string& b) {
+// Edits from one word to another: a letter changed, missing, added, or two that changed places.
+static std::size_t distance(const std::string& a, const std::string& b) {
     std::vector<std::size_t> before, row(b.size() + 1), next(b.size() + 1);
     for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
     for (std::size_t i = 1; i <= a.size(); ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// What people see: colours and a line that is rewritten on a terminal, plain lines elsewhere.
+/// Text for people: safe to print, wrapped, padded; and progress, as one rewritten line on a terminal, as lines
+/// elsewhere.
 
 #include <chrono>
 #include <string>
@@ -23,20 +24,20 @@ std::size_t columns();
 /// `text` in lines of at most 80 characters, each after `indent` blanks and with its end.
 std::string wrapped(const std::string& text, std::size_t indent);
 
-/// `text` with "?" in place of what a terminal would obey: control characters but newline and tab,
-/// signs that turn the direction of writing, and what is no UTF-8.
+/// `text` with "?" in place of what is not seen (see is_seen), apart from blank, newline and tab: a terminal may obey
+/// it.
 std::string sanitized(const std::string& text);
 
-/// The same in one line.
+/// `sanitized` text in one line: newlines and tabs become "?", too.
 std::string sanitized_line(const std::string& text);
 
 /// `text`, with "…" for what follows after `most` characters.
 std::string shortened(const std::string& text, std::size_t most);
 
-/// Is this character of UTF-8 one that people see, and that no terminal and no format takes for more? A blank is.
+/// Is this UTF-8 character visible? Blanks, control and format characters are not.
 bool is_seen(const std::string& character);
 
-/// How many bytes the character has that begins there in `text`; 0 where none does in UTF-8.
+/// Number of bytes of the UTF-8 character that begins at `at`; 0 if none does.
 std::size_t character_at(const std::string& text, std::size_t at);
 
 /// Number of characters of UTF-8 text.
@@ -45,16 +46,13 @@ std::size_t width_of(const std::string& text);
 /// Puts `by` in the place of every `what`.
 void replace_all(std::string& text, const std::string& what, const std::string& by);
 
-/// How many letters one word is away from another: changed, left out, too many, or two that changed places.
-std::size_t distance(const std::string& a, const std::string& b);
-
 /// The name that is nearest to `word`, whose capitals and hyphens do not count; "" where none is near.
 std::string nearest(const std::string& word, const std::vector<std::string>& names);
 
-/// Writes out what has been printed. Throws Stop(bad_use) where nobody gets it: a full disk.
+/// Flushes standard output. Throws Stop(bad_use) if that fails, as on a full disk.
 void flush();
 
-/// While it lives, people are told what they wait for (see Wait).
+/// While one exists, Wait prints what people wait for.
 class TellWaits {
 public:
     TellWaits();
@@ -67,11 +65,11 @@ public:
 class ProgressLine {
 public:
     ~ProgressLine() { clear(); }
-    /// Something worth a line of its own, wherever it is read.
+    /// Prints a line that stays.
     void say(const std::string& line);
-    /// How far it is: rewritten in place on a terminal, elsewhere told where a minute brought no line.
+    /// Shows how far the work is: in place on a terminal; elsewhere in a line, at most one per minute.
     void now(const std::string& line);
-    /// Shows the same line again with the seconds that have gone by.
+    /// Shows that line again, with the seconds since the beginning.
     void tick();
     void clear();
 
@@ -80,11 +78,11 @@ private:
     std::string line_;  // drawn at this moment, if any
 };
 
-/// Tells what is waited for, once a second has gone by without it, where there is a TellWaits: on a terminal in a line
-/// that goes when the wait is over, elsewhere in one that stays.
+/// After one second prints what is waited for, if there is a TellWaits: on a terminal in a line that goes when the wait
+/// is over, elsewhere in a line that stays.
 class Wait {
 public:
-    /// "" tells nothing.
+    /// "" prints nothing.
     explicit Wait(std::string what) : what_(std::move(what)) {}
     /// To be called now and then.
     void look();

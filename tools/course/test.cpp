@@ -41,7 +41,7 @@ std::vector<std::string> skipped(const std::string& summary) {
     return names;
 }
 
-// Which tests are left to another `command`, as ctest lists them: "  Test #3: headers stand alone".
+// Prints which tests are left to another `command`. ctest lists them: "  Test #3: headers stand alone".
 void print_left_out(const char* label, const char* command) {
     std::string list;
     listen({paths().ctest, "--test-dir", paths().build.string(), "-N", "-L", label},
@@ -55,7 +55,7 @@ void print_left_out(const char* label, const char* command) {
     }
     if (names.empty()) return;
     std::printf("\nLeft to %s, for they take their time: %zu tests, among them\n", command, names.size());
-    // One of each kind: what stands before the first colon or bracket tells the kind.
+    // One of each kind: the first word of its name is the kind.
     std::set<std::string> kinds;
     for (const auto& name : names) {
         const std::string words = name.substr(0, name.find_first_of(":("));
@@ -79,8 +79,8 @@ void test(Tests which) {
     else
         build({"quick_tests", "docs"}, progress);
 
-    // ctest's words pass through as they come; only its closing summary waits for what we have to
-    // add about skipped checks, so that the summary comes last.
+    // ctest's output passes through at once. Its closing summary waits, so that it comes after our list of skipped
+    // tests.
     std::string summary;
     Lines lines([&](const std::string& line) {
         if (!summary.empty() || begins_summary(line)) {
@@ -90,7 +90,7 @@ void test(Tests which) {
             std::fflush(stdout);
         }
     });
-    // One more than there are processors: many a test waits for what sleeps.
+    // One more than there are processors: some tests only wait.
     const std::string jobs = std::to_string(1 + std::max(1u, std::thread::hardware_concurrency()));
     std::vector<std::string> command{
         paths().ctest, "--test-dir", paths().build.string(), "--output-on-failure", "--no-tests=error",

@@ -22,7 +22,7 @@ namespace course {
 
 namespace {
 
-// How long the chapter's run took, as the run itself has measured it.
+// The time of the chapter's run, which the run has measured.
 double seconds_of(const Chapter& chapter) {
     const auto path = chapter.run() / "seconds.txt";
     std::ifstream file(path);
@@ -62,15 +62,14 @@ void print_table(const std::vector<Chapter>& chapters) {
 void grow(const std::vector<Chapter>& chapters, ProgressLine& progress) {
     build({"first_chapter"}, progress);
     progress.say("  The site is there, and grows: " + site_address());
-    const auto exercises = read_exercises();  // the first of which its reader may want to check
+    const auto exercises = read_exercises();  // the reader may want to check the first one now
     if (!exercises.empty()) make_ready({exercises.front()}, progress);
-    // One after the other, and the next is compiled while one runs: else all would come at the
-    // end.
+    // One after the other, while the next one is compiled. Otherwise all would appear at the end.
     for (std::size_t i = 1; i < chapters.size(); ++i) {
         std::vector<std::string> targets{"grow_" + chapters[i].folder};
         if (i + 1 < chapters.size()) targets.push_back(chapters[i + 1].program);
         build(targets, progress);
-        usleep(100'000);  // for whoever waits to build something
+        usleep(100'000);  // lets another ./course build that waits
     }
     build({"docs"}, progress);
 }

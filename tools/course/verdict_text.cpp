@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// At most 200 characters. Of an assertion what it asserts, which stands behind a long name of the function it is in.
+// At most 200 characters. An assertion's text comes after the long name of its function, which is shortened.
 std::string to_the_point(const std::string& line) {
     constexpr std::size_t most = 200;
     const auto point = line.find(": Assertion ");
@@ -23,7 +23,7 @@ std::string to_the_point(const std::string& line) {
     return shortened(line.substr(0, point), 80) + shortened(line.substr(point), most - 80);
 }
 
-// The first `most` lines, none too long, and how many there were.
+// The first `most` lines, shortened, and how many more there are.
 std::string head_of(const std::string& text, int most, const std::string& indent) {
     std::istringstream lines(text);
     std::string head;
@@ -36,7 +36,7 @@ std::string head_of(const std::string& text, int most, const std::string& indent
 
 // What the linker says, in the words of the exercise.
 std::string of_linker(const Exercise& exercise, const std::string& said, const fs::path& file) {
-    // In the words of one linker or the other.
+    // GNU ld's words, and lld's.
     if (said.find("undefined reference to `" + exercise.name + "(") != std::string::npos ||
         said.find("undefined reference to '" + exercise.name + "(") != std::string::npos ||
         said.find("undefined symbol: " + exercise.name + "(") != std::string::npos) {
@@ -52,7 +52,7 @@ std::string of_linker(const Exercise& exercise, const std::string& said, const f
     return {};
 }
 
-// The header of that name is read before the learner's file.
+// The compiler reads a header with the exercise's declaration before the learner's file.
 std::string of_declaration(const Exercise& exercise, const std::string& said, const fs::path& file) {
     if (said.find("what the exercise declares:") == std::string::npos) return {};
     const std::string otherwise = uncallable_definition(contents(file), exercise.name);
@@ -69,7 +69,7 @@ std::string does_not_compile(const Exercise& exercise, const Verdict& verdict, c
     return why;
 }
 
-// Nothing where there is none: by #line a file has as many lines as it likes.
+// "" if there is no such line: #line can claim any number.
 std::string line_of(const fs::path& file, int number) {
     std::istringstream lines(contents(file));
     std::string line;
@@ -78,7 +78,7 @@ std::string line_of(const fs::path& file, int number) {
     return shortened(sanitized(line), 200);
 }
 
-// The line on which the function is defined; the first where it is written in a way of its own.
+// The line on which the function is defined; 1 if it is written in an unusual way.
 int definition(const Exercise& exercise, const fs::path& file) {
     const std::string head = exercise.declaration.substr(0, exercise.declaration.find('(') + 1);
     std::istringstream lines(contents(file));
@@ -90,7 +90,7 @@ int definition(const Exercise& exercise, const fs::path& file) {
 
 std::string call(const Exercise& exercise, const Verdict& verdict) { return exercise.name + verdict.arguments; }
 
-// No call has been made where there are no arguments: only the file's variables.
+// Without arguments there was no call yet: the file's variables were initialised.
 std::string when(const Exercise& exercise, const Verdict& verdict) {
     if (verdict.arguments == checker::at_the_end)
         return "after the last call of " + exercise.name + ", when the program ended";

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A verdict in words that a beginner understands at once, or as JSON.
+/// A verdict in plain words, or as JSON.
 
 #include <string>
 
@@ -8,11 +8,11 @@
 
 namespace course {
 
-/// What is printed of a verdict. `file` is the answer that was checked.
+/// What the learner reads. `file` is the answer that was checked.
 std::string told(const Exercise& exercise, const Verdict& verdict, const std::filesystem::path& file);
 
-/// Below it, for an editor: "FILE:LINE: error: words", the line on which it crashed or on which the function begins.
-/// Nothing where there is nothing to mark, or the compiler has marked it.
+/// "FILE:LINE: error: words" for an editor: the line of the crash, or the first line of the function. Nothing if there
+/// is nothing to mark, or if the compiler's own message marks it.
 std::string marked(const Exercise& exercise, const Verdict& verdict, const std::filesystem::path& file);
 
 /// A verdict's kind in two or three words: "does not compile".

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// What a process has done so far, as the system tells it: its work, not the time that has gone by,
-/// which on a busy machine is mostly other people's.
+/// How much processor time a process has used. Time by the clock says little on a busy machine.
 
 #include <sys/types.h>
 
