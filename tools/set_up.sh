@@ -1,7 +1,7 @@
-# What the course needs, whether it is there, and how it is installed. ./course reads this file where something
-# may be missing; it has set root, build and kit, and has the words say, stop and on_terminal.
+# What the course needs, and how it is installed. ./course reads this file when something may be missing; it has set root,
+# build and kit, and defines say, stop and on_terminal.
 
-# What the course needs: the Debian package, and how to see that it (or its like) is there.
+# Debian packages, each with the test that it, or something equivalent, is there.
 needs='
 g++                  have_compiler
 cmake                have_cmake 3 25
@@ -17,27 +17,27 @@ libcli11-dev         have_file include/CLI/CLI.hpp
 nlohmann-json3-dev   have_file include/nlohmann/json.hpp
 valgrind             have_one valgrind
 '
-# What lets the site's panels move: wished for where the site is made, and done without where a system has none.
-wishes='
+# Packages that compile the site's panels for the browser. Without them the panels stand still.
+for_panels='
 clang                    have_wasm
 lld                      have_wasm
 wasi-libc                have_wasm
 libc++-dev-wasm32        have_wasm
 libclang-rt-dev-wasm32   have_wasm
 '
-# The other desks of tests/same_bits: arm64, Windows, 32 bits, and the C++ library of macOS and its like.
-desks='
+# Other platforms for tests/same_bits: arm64, Windows, 32 bits, and libc++, which macOS uses.
+platforms='
 libc++-dev                 have_libcxx
 libc++abi-dev              have_libcxx
 nodejs                     have_one node nodejs
-g++-aarch64-linux-gnu      have_desk aarch64-linux-gnu-g++ g++-aarch64-linux-gnu
-qemu-user                  have_desk qemu-aarch64 qemu-user
-g++-i686-linux-gnu         have_desk i686-linux-gnu-g++ g++-i686-linux-gnu
-g++-mingw-w64-x86-64-posix have_desk x86_64-w64-mingw32-g++-posix g++-mingw-w64-x86-64-posix
-wine                       have_desk wine wine
+g++-aarch64-linux-gnu      have_platform aarch64-linux-gnu-g++ g++-aarch64-linux-gnu
+qemu-user                  have_platform qemu-aarch64 qemu-user
+g++-i686-linux-gnu         have_platform i686-linux-gnu-g++ g++-i686-linux-gnu
+g++-mingw-w64-x86-64-posix have_platform x86_64-w64-mingw32-g++-posix g++-mingw-w64-x86-64-posix
+wine                       have_platform wine wine
 '
-# What only some checks need, and the libraries that chapter 7 measures beside ours: installed by --all,
-# skipped by the tests where it is not there.
+# Packages for some tests, and the libraries that chapter 7 compares with ours. --all installs them; tests that need a
+# missing one are skipped.
 extras="
 clang                have_one clang++
 libclang-rt-dev      have_sanitizers_of clang++
@@ -51,12 +51,12 @@ libgsl-dev           have_file include/gsl/gsl_odeiv2.h
 libsundials-dev      have_sundials
 libbullet-dev        have_file include/bullet/BulletDynamics/Dynamics/btRigidBody.h
 libode-dev           have_file include/ode/ode.h
-$desks"
-# What grade needs, to shut strangers' code away.
+$platforms"
+# What grade needs to isolate submissions.
 isolation='
 bubblewrap           have_one bwrap
 '
-# Where headers and the like may be, besides what the reader tells CMake.
+# Where headers may be, besides CMAKE_PREFIX_PATH.
 places=${COURSE_PLACES:-/usr/local /usr /opt/homebrew}
 places="$(echo "${CMAKE_PREFIX_PATH:-}" | tr ':;' '  ') $places"
 
@@ -66,14 +66,14 @@ have_one() { for name; do command -v "$name" >/dev/null && return; done; return 
 have_file() { for place in $places; do [ -e "$place/$1" ] && return; done; return 1; }
 # shellcheck disable=SC2086  # CXX may carry options
 have_compiler() { set -- ${CXX:-c++}; have_one "$1" c++ g++ clang++; }
-# Of a learner's edition: of the kind that it was made with, unless the reader names one (CMakeLists.txt).
+# A learner's edition needs a compiler of the kind that made it, unless the reader names one (CMakeLists.txt).
 have_compiler_of_kit() { [ -n "${CXX:-}" ] && have_compiler || have_one "$1"; }
 have_cmake() {
     found=$(cmake --version 2>/dev/null | sed -n '1s/[^0-9]*\([0-9]*\)\.\([0-9]*\).*/\1 \2/p')
     [ -n "$found" ] && { [ "${found% *}" -gt "$1" ] ||
         { [ "${found% *}" -eq "$1" ] && [ "${found#* }" -ge "$2" ]; }; }
 }
-# C++ for WebAssembly stands where Clang's version says.
+# libc++ for WebAssembly is in a folder with Clang's version.
 have_wasm() {
     for place in $places; do
         set -- "$place"/lib/llvm-*/include/wasm32-wasi/c++/v1
@@ -81,8 +81,8 @@ have_wasm() {
     done
     return 1
 }
-# A compiler for another processor: not wished for on other machines than these, nor where the system has no such package.
-have_desk() {
+# A compiler for another processor: only needed on x86-64, and only if the system has such a package.
+have_platform() {
     have_one "$1" || [ "$(uname -m)" != x86_64 ] || [ "$(candidate "$2")" = '(none)' ]
 }
 have_libcxx() {
@@ -101,7 +101,7 @@ have_catch2() {
     have_file include/catch2/catch_all.hpp || [ -e "$build/_deps/catch2-src/CMakeLists.txt" ]
 }
 
-# SUNDIALS 6; a system that has another version is left as it is.
+# SUNDIALS 6; another version of the system counts as there.
 have_sundials() {
     have_file include/arkode/arkode_erkstep.h || case $(candidate libsundials-dev) in
     6.*) return 1 ;;
@@ -117,34 +117,34 @@ missing() {
     done
 }
 
-# The wishes that are not there and that this system has, or may have: one without lists of packages is not asked.
-missing_wishes() {
+# The missing packages for panels, if this system has them all, or has no lists of packages yet.
+missing_for_panels() {
     [ -z "$kit" ] && [ ! -e "$build/panels_stand_still" ] || return 0
-    wish=$(missing "$wishes")
-    [ -z "$wish" ] || have_one apt-get || {
-        say_panels_stand_still "there is no apt-get here to install what they need, in Debian $wish"
+    lacking=$(missing "$for_panels")
+    [ -z "$lacking" ] || have_one apt-get || {
+        say_panels_stand_still "there is no apt-get here to install what they need, in Debian $lacking"
         return
     }
-    for package in $wish; do
+    for package in $lacking; do
         case "$(candidate "$package")/$(candidate gnuplot-nox)" in
         '(none)'/* | /?*) say_panels_stand_still "this system has no package $package"; return ;;
         esac
     done
-    printf '%s' "$wish"
+    printf '%s' "$lacking"
 }
-# Once for a build folder.
+# Said once per build folder.
 say_panels_stand_still() {
     say "the site's panels stand still: $1"
     mkdir -p "$build" && : >"$build/panels_stand_still"
 }
-panels_stand_still() { say_panels_stand_still "$1. This lets them move: $apt_install $(missing "$wishes")"; }
+panels_stand_still() { say_panels_stand_still "$1. This lets them move: $apt_install $(missing "$for_panels")"; }
 
 # ---- Installing --------------------------------------------------------------------------------
 
 apt_install='apt-get install --yes --no-install-recommends'
 
-# Runs apt-get with the arguments given, its words kept in $log. Shows it at work: on a terminal in
-# one line, elsewhere by a line for each package that we named.
+# Runs apt-get with these arguments; its output goes to $log. Shows progress: on a terminal in one line, elsewhere in a
+# line for each package that we named.
 apt() {
     { $sudo env LC_ALL=C DEBIAN_FRONTEND=noninteractive apt-get --quiet --yes \
         -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "$@" </dev/null 2>&1; echo "status $?"; } | tee -a "$log" |
@@ -160,15 +160,15 @@ apt() {
     [ "$(tail -n 1 "$log")" = 'status 0' ]
 }
 
-# Is there a Catch2 3 among the packages of this system?
+# Does this system have a package of Catch2 3?
 offers_catch2() {
     case $(candidate catch2) in
     '' | [012].* | '(none)') return 1 ;;
     esac
 }
 
-# Debian 12 itself has Catch2 2; its backports have Catch2 3. We take it from there, on the mirror
-# that this machine uses for Catch2 2, by a source list of our own: the machine's is not touched.
+# Debian 12 has Catch2 2; its backports have Catch2 3. It is installed from there, from the mirror that this machine uses,
+# by a source list of our own: the machine's own list stays as it is.
 catch2_from_backports() {
     ! have_file include/catch2/catch.hpp || return 1  # somebody uses Catch2 2: leave it alone
     # shellcheck disable=SC2046  # its words: catch2 | version | mirror suite/main …
@@ -188,16 +188,16 @@ catch2_from_backports() {
     return $status
 }
 
-# Installs what is needed alone, after the wishes have failed with it.
-without_wishes() {
-    [ -n "$wished" ] || return 1
+# Installs only what is needed, after that has failed together with the packages for panels.
+without_panels() {
+    [ -n "$wanted_for_panels" ] || return 1
     panels_stand_still 'apt-get failed'
-    packages=${packages%"$wished"}
+    packages=${packages%"$wanted_for_panels"}
     # shellcheck disable=SC2086  # a list of words
     [ -z "$packages" ] || apt install --no-install-recommends $packages
 }
 
-# No right to install: says which command to give somebody who has it.
+# Without the right to install: prints the command for somebody who has it.
 refuse() {
     packages=$wanted
     offers_catch2 || packages=$(echo "$wanted" | sed 's/catch2 //')  # CMake fetches it
@@ -226,7 +226,7 @@ install() {
         sudo=
     elif have_one sudo; then
         sudo=sudo
-    elif [ "$wanted" = "$wished" ]; then
+    elif [ "$wanted" = "$wanted_for_panels" ]; then
         panels_stand_still 'you are not root, so I cannot install what they need'
         return
     else
@@ -238,14 +238,14 @@ install() {
         case $answer in
         '' | [yY]*) ;;
         *)
-            [ "$wanted" != "$wished" ] || { panels_stand_still 'nothing was installed'; return; }
+            [ "$wanted" != "$wanted_for_panels" ] || { panels_stand_still 'nothing was installed'; return; }
             refuse 'nothing was installed'
             ;;
         esac
     fi
     if [ -n "$sudo" ]; then
         if on_terminal; then sudo -v; else sudo -n true 2>/dev/null; fi || {
-            [ "$wanted" != "$wished" ] || { panels_stand_still 'sudo does not let me install what they need'; return; }
+            [ "$wanted" != "$wanted_for_panels" ] || { panels_stand_still 'sudo does not let me install what they need'; return; }
             refuse 'sudo does not let me install it'
         }
     fi
@@ -256,7 +256,7 @@ install() {
     packages=$wanted
     offers_catch2 || packages=$(echo "$wanted" | sed 's/catch2 //')
     # shellcheck disable=SC2086  # a list of words
-    [ -z "$packages" ] || apt install --no-install-recommends $packages || without_wishes ||
+    [ -z "$packages" ] || apt install --no-install-recommends $packages || without_panels ||
         stop 3 "apt-get failed: $(sed -n 's/^E: //p' "$log" | head -n 1) (all that it said: $log)"
     case $wanted in *"catch2 "*)
         have_catch2 || catch2_from_backports ||
@@ -267,8 +267,7 @@ install() {
     rm -f "$log"
 }
 
-# Sees to it that all is there that the command needs; `installed` says whether anything had to be. The words are
-# those given to ./course, the command first.
+# Installs what the command lacks. Called with the arguments of ./course; sets `installed` to yes if anything was missing.
 set_up() {
     command=$1
     list=$needs
@@ -289,8 +288,8 @@ set_up() {
         esac
     done
     installed=no
-    wished=
-    case $command in tour | test | setup | kit) wished=$(missing_wishes) ;; esac
-    wanted=$(missing "$list")$wished
+    wanted_for_panels=
+    case $command in tour | test | setup | kit) wanted_for_panels=$(missing_for_panels) ;; esac
+    wanted=$(missing "$list")$wanted_for_panels
     [ -z "$wanted" ] || { install; installed=yes; }
 }

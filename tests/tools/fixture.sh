@@ -34,7 +34,7 @@ END
 new_chapter() {
     mkdir -p "source/chapters/$1" "build/chapters/$1/run"
     cat >"source/chapters/$1/about.json" <<END
-{"title": "$2", "question": "Why?", "needs": [], "builds_on": [], "claims": $4, "picture": "$3", "figures": ["$3"]}
+{"title": "$2", "question": "Why?", "claims": $4, "picture": "$3"}
 END
     mkdir "source/chapters/$1/study"
     : >"source/chapters/$1/figures.gp"

@@ -13,23 +13,17 @@ tests() {
     done >build/CTestTestfile.cmake
 }
 
-test_all_passing_ends_with_the_summary() {
+test_the_summary_comes_last_and_a_failing_test_shows_its_words() {
     tests one=0 two=0
     expect 0 course test
     says out 'Test #1: one'
     says out '100% tests passed, 0 tests failed out of 2'
     is "$(tail -n 1 out | sed 's/=.*//')" 'Total Test time (real) '
-    silent_on out setup
-    says calls "--build $folder/build"
     says calls 'quick_tests docs'
-}
-
-test_a_failing_test_is_status_1_and_shows_its_words() {
     tests one=0 'number two=5'
     expect 1 course test
     says out 'words of number two'
     silent_on out 'words of one'
-    silent_on out Skipped
     says out '50% tests passed, 1 tests failed out of 2'
 }
 
@@ -39,39 +33,33 @@ test_skipped_checks_are_named_with_the_command_that_helps() {
     is "$(grep -A 3 '^Skipped' out)" 'Skipped, because this machine lacks what they need:
   pages in a browser
   memory checker
-To add it: ./course setup --all'
+This command installs what they need: ./course setup --all'
     # The summary still comes last.
-    is "$(sed -n '/^To add it/,$p' out | sed -n 3p | sed 's/passed.*/passed/')" '100% tests passed'
+    is "$(sed -n '/^This command/,$p' out | sed -n 3p | sed 's/passed.*/passed/')" '100% tests passed'
 }
 
-test_long_tests_are_left_to_all_and_named() {
-    tests one=0 'headers stand alone=5' 'kit: works=5' 'kit: is made=5'
-    for test in 'headers stand alone' 'kit: works' 'kit: is made'; do
-        echo "set_tests_properties(\"$test\" PROPERTIES LABELS long)" >>build/CTestTestfile.cmake
-    done
+# label NAME LABELS
+label() { echo "set_tests_properties(\"$1\" PROPERTIES LABELS \"$2\")" >>build/CTestTestfile.cmake; }
+
+test_long_tests_are_left_to_all_and_to_release_and_named() {
+    tests one=0 'headers stand alone=5' 'kit: works=5' 'kit: is made=5' 'Windows: by wine=5'
+    label 'headers stand alone' long
+    label 'kit: works' long
+    label 'kit: is made' long
+    label 'Windows: by wine' release
     expect 0 course test
     silent_on out 'words of headers'
-    says out 'Left to ./course test --all, for they take their time: 3 tests, among them'
+    says out './course test --all also runs 3 tests that take longer, among them'
     says out '  headers stand alone'
     is "$(grep -c '^  kit: ' out)" 1
+    says out './course test --release also runs 1 tests that take longer, among them'
     expect 1 course test --all
-    says out 'words of headers'
-    silent_on out 'Left to'
-}
-
-test_what_a_release_is_tested_with_is_left_to_it_and_named() {
-    tests one=0 'Windows: by wine=5'
-    echo 'set_tests_properties("Windows: by wine" PROPERTIES LABELS release)' >>build/CTestTestfile.cmake
-    for all in '' --all; do
-        expect 0 course test $all
-        silent_on out 'words of Windows'
-        says out 'Left to ./course test --release, for they take their time: 1 tests, among them'
-        says out '  Windows: by wine'
-    done
-    expect 1 course test --release
     says calls 'all docs kit'
+    says out 'words of headers'
+    silent_on out 'words of Windows'
+    expect 1 course test --release
     says out 'words of Windows'
-    silent_on out 'Left to'
+    silent_on out 'also runs'
 }
 
 test_with_all_or_release_a_skipped_check_fails() {

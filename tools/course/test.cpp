@@ -54,7 +54,7 @@ void print_left_out(const char* label, const char* command) {
             names.push_back(line.substr(name + 2));
     }
     if (names.empty()) return;
-    std::printf("\nLeft to %s, for they take their time: %zu tests, among them\n", command, names.size());
+    std::printf("\n%s also runs %zu tests that take longer, among them\n", command, names.size());
     // One of each kind: the first word of its name is the kind.
     std::set<std::string> kinds;
     for (const auto& name : names) {
@@ -103,7 +103,7 @@ void test(Tests which) {
     if (!left_out.empty()) {
         std::printf("\nSkipped, because this machine lacks what they need:\n");
         for (const auto& name : left_out) std::printf("  %s\n", name.c_str());
-        std::printf("To add it: ./course setup --all\n");
+        std::printf("This command installs what they need: ./course setup --all\n");
     }
     if (which == Tests::quick) print_left_out("long", "./course test --all");
     if (which != Tests::of_release) print_left_out("release", "./course test --release");
