@@ -1,7 +1,6 @@
 # The preset `windows`, configured and built in a folder of its own, and what it makes run by wine. A chapter's program
-# prints the same account and writes the same data as here, a panel draws the same picture, the studies hold the same
-# checks and find the same numbers, the tests of the library, of the chapters and of gyroscopic.h pass, and an answer to
-# an exercise is checked.
+# prints the same account and writes the same data as here, the studies hold the same checks, the tests of the library, of
+# the chapters and of gyroscopic.h pass, and an answer to an exercise is checked.
 #
 # Called with ROOT, WORK, HERE (where this build has the chapters' programs, and what the studies have left), NAMES (of
 # those), CATCH2 (its source; may be empty: CMake fetches it) and WINE (the folder of its drive).
@@ -52,15 +51,13 @@ function(run where name)
   file(WRITE "${folder}/printed.txt" "${out}")
 endfunction()
 
-# The file must be the same here and there, but for how a line ends. `without`, a regular expression, is left out: what
-# is measured with a clock, or differs from one compiler to the next as the page says.
-function(compare name file without)
+# The file must be the same here and there, but for how a line ends. What matches `clock` was measured.
+function(compare name file clock)
   foreach(where here there)
     file(READ "${WORK}/${where}/${name}/${file}" ${where})
     string(REPLACE "\r\n" "\n" ${where} "${${where}}")
-    if(without)
-      string(REGEX REPLACE "${without}" "\n" ${where} "${${where}}")
-      string(REGEX REPLACE "\n+" "\n" ${where} "${${where}}")
+    if(clock)
+      string(REGEX REPLACE "${clock}" "\n" ${where} "${${where}}")
     endif()
   endforeach()
   if(here STREQUAL "" OR NOT here STREQUAL there)
@@ -87,51 +84,22 @@ foreach(name IN LISTS NAMES)
   endforeach()
 endforeach()
 
-# What a number differs in from one compiler to the next: chapter 2's two builds of one program, a sum's last bits, and
-# what stands in a source that reads a clock or (chapter 8) is a price by another's.
-set(differs bits_[a-z]+ passive_over "(ns|cost)_[a-z0-9_]+" [a-z0-9_]+_price)
+# A study holds the same checks.
 foreach(name IN LISTS NAMES)
   file(GLOB study "${ROOT}/chapters/*_${name}/study/study.cpp")
   if(NOT study)
     continue()
   endif()
   run(there ${name}_study --out found)
-  file(GLOB left "${HERE}/*_${name}/run/places.tsv")  # by the build, where it makes pages
+  file(GLOB left "${HERE}/*_${name}/run/checks.tsv")  # by the build, where it makes pages
   if(left)
-    cmake_path(GET left PARENT_PATH left)
-    file(COPY "${left}/numbers.tsv" "${left}/checks.tsv" "${left}/places.tsv" DESTINATION "${WORK}/here/${name}_study/found")
+    file(COPY "${left}" DESTINATION "${WORK}/here/${name}_study/found")
   else()
     run(here ${name}_study --out found)
   endif()
-  set(without ${differs})
-  file(STRINGS "${WORK}/here/${name}_study/found/places.tsv" places REGEX "\tnumber\t")
-  foreach(place IN LISTS places)
-    if(place MATCHES "^([^\t]+)\tnumber\t(.+):[0-9]+$")
-      set(number "${CMAKE_MATCH_1}")
-      file(STRINGS "${ROOT}/${CMAKE_MATCH_2}" clock REGEX "#include (<chrono>|\"timing[.]hpp\"|\"contest/)")
-      if(clock)
-        list(APPEND without "${number}")
-      endif()
-    endif()
-  endforeach()
-  list(JOIN without "|" without)
-  compare(${name}_study found/numbers.tsv "\n(${without})\t[^\t\n]*")
   compare(${name}_study found/checks.tsv "")
 endforeach()
 run(there derivatives_study --out found)  # over what the first has left
-
-file(GLOB panels "${ROOT}/chapters/*/live/*.cpp")
-foreach(panel IN LISTS panels)
-  cmake_path(GET panel STEM name)
-  file(STRINGS "${panel}" words REGEX "^// still: ")
-  string(REGEX REPLACE "^// still: " "" words "${words}")
-  separate_arguments(words UNIX_COMMAND "${words}")
-  list(PREPEND words clock=2)  # what measures sees no other clock
-  run(there live_${name} ${words} --still picture.svg)
-  run(here live_${name} ${words} --still picture.svg)
-  compare(live_${name} picture.svg "")
-  compare(live_${name} printed.txt "")
-endforeach()
 
 foreach(tests tests/timestep_tests engines/tests/c_tests)
   step("${tests}" "${ROOT}/tests/same_bits/wine.sh" "${WORK}/${tests}.exe" "~[proof]")

@@ -1,7 +1,6 @@
 # What is built for Windows, read with the words and rules of Microsoft's compiler switched on, and what only others know
 # forbidden: words, and extensions of g++. (Its standard library is not here: it is g++'s that is read, beforehand.)
-# Called with COMPILER, ROOT, EIGEN, CATCH2 (the folders of its headers), WORK, and the PART that is read: programs (with
-# the library's headers and examples, and the panels), studies, or the library's tests.
+# Called with COMPILER, ROOT, EIGEN, CATCH2 (the folders of its headers) and WORK.
 cmake_minimum_required(VERSION 3.25)
 
 # g++'s standard library asks for these, which no compiler of Microsoft's kind has.
@@ -26,36 +25,29 @@ function(read)
 endfunction()
 
 set(include "${ROOT}/include")
-set(programs_sources chapters/*/*.cpp chapters/*/live/*.cpp docs/library/*.cpp)
-set(studies_sources chapters/*/study/*.cpp chapters/*/study/*/*.cpp tools/lab/*.cpp tools/bench/contest/*.cpp)
-set(tests_sources tests/advise/*.cpp tests/library/*.cpp tests/chapters/*.cpp engines/tests/*.cpp)
-list(TRANSFORM ${PART}_sources PREPEND "${ROOT}/")
-file(GLOB sources ${${PART}_sources})
+set(named tests/advise/*.cpp tests/library/*.cpp tests/chapters/*.cpp engines/tests/*.cpp)
+set(sources ${named} chapters/*/*.cpp chapters/*/live/*.cpp chapters/*/study/*.cpp chapters/*/study/*/*.cpp
+  docs/library/*.cpp tools/lab/*.cpp tools/bench/contest/*.cpp)
+list(TRANSFORM named PREPEND "${ROOT}/")
+list(TRANSFORM sources PREPEND "${ROOT}/")
+file(GLOB named ${named})
+file(GLOB sources ${sources})
 list(FILTER sources EXCLUDE REGEX "/tools/lab/options[.]cpp$")  # the one that reads CLI11
 list(FILTER sources EXCLUDE REGEX "/engines/tests/(bullet_adapter|ode_adapter|patches|record)[.]cpp$")  # Linux alone has them
-if(PART STREQUAL "programs")
-  file(GLOB_RECURSE headers RELATIVE "${include}" "${include}/*.hpp" "${include}/timestep/*.h")
-  list(REMOVE_ITEM headers timestep/gyroscopic/rules.h timestep/gyroscopic/flying.h timestep/gyroscopic/lanes.h)  # which gyroscopic.h includes
-  list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>")
-  list(JOIN headers "\n" all)
-  file(MAKE_DIRECTORY "${WORK}")
-  file(WRITE "${WORK}/all.cpp" "${all}\n")
-  list(APPEND sources "${WORK}/all.cpp")
-endif()
-if(NOT sources)
-  message(FATAL_ERROR "no sources of ${PART} found")
-endif()
+file(GLOB_RECURSE headers RELATIVE "${include}" "${include}/*.hpp" "${include}/timestep/*.h")
+list(FILTER headers EXCLUDE REGEX "gyroscopic/(rules|flying|lanes)[.]h$")  # which gyroscopic.h includes
+list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>")
+list(JOIN headers "\n" all)
+file(WRITE "${WORK}/all.cpp" "${all}\n")
+list(APPEND sources "${WORK}/all.cpp")
 
 # CTest calls a test by its name, and Windows hands on no letters but these.
-if(PART STREQUAL "tests")
-  file(GLOB named "${ROOT}/tests/advise/*.cpp" "${ROOT}/tests/library/*.cpp" "${ROOT}/tests/chapters/*.cpp" "${ROOT}/engines/tests/*.cpp")
-  foreach(source IN LISTS named)
-    file(READ "${source}" text)
-    if(text MATCHES "TEST_CASE\\([ \n]*\"([^\"\n]*[^ -~\n][^\"\n]*)\"")
-      message(FATAL_ERROR "${source}: the test's name must be of ASCII's letters: ${CMAKE_MATCH_1}")
-    endif()
-  endforeach()
-endif()
+foreach(source IN LISTS named)
+  file(READ "${source}" text)
+  if(text MATCHES "TEST_CASE\\([ \n]*\"([^\"\n]*[^ -~\n][^\"\n]*)\"")
+    message(FATAL_ERROR "${source}: the test's name must be of ASCII's letters: ${CMAKE_MATCH_1}")
+  endif()
+endforeach()
 
 # What is not ours: the standard library, Eigen and Catch2, as any of the sources or of our headers includes it.
 file(GLOB_RECURSE ours "${include}/*.hpp" "${include}/*.h" "${ROOT}/chapters/*.hpp" "${ROOT}/tests/support/*.hpp"
