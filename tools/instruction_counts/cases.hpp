@@ -1,5 +1,5 @@
 #pragma once
-// What is counted. Each source of this folder hands out its cases; count.cpp has callgrind count them.
+// What is counted. Each source of this folder hands out its cases; study.cpp has callgrind count them.
 
 #include <functional>
 #include <string>
@@ -19,14 +19,3 @@ std::vector<Case> functions_for_c();     // gyroscopic.cpp
 
 // A number that the compiler does not know: 1. And where results go, or the compiler would leave out the steps.
 inline volatile double unknown_one = 1, kept;
-
-// Where the program runs below callgrind, this work is counted.
-void counted(const std::function<void()>& work);
-
-struct Counts {
-    std::vector<double> instructions;  // of each call of `counted`, in their order
-    std::string failure;               // why there are none
-};
-
-// Starts this program again below callgrind, with the word "--counted".
-Counts count_instructions();

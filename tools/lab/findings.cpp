@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -18,13 +17,6 @@ namespace lab {
 namespace fs = std::filesystem;
 
 namespace {
-
-bool has_no_number(const std::string& rows) {
-    for (const char* word : {"\tnan", "\t-nan", "\tinf", "\t-inf"})
-        for (auto at = rows.find(word); at != std::string::npos; at = rows.find(word, at + 1))
-            if (const auto end = rows.find_first_of("\t\n", at + 1); end - at == std::strlen(word)) return true;
-    return false;
-}
 
 std::string join(const std::vector<std::string>& cells) {
     std::string line = cells.front();
@@ -47,6 +39,23 @@ std::string formatted(double value, int digits) {
 
 }  // namespace
 
+std::string processor() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);)
+        if (line.starts_with("model name")) return line.substr(line.find(": ") + 2);
+    return "an unknown processor";
+}
+
+std::string compiler() {
+#if defined(__clang__)
+    return "clang " + std::to_string(__clang_major__);
+#elif defined(__GNUC__)
+    return "g++ " + std::to_string(__GNUC__);
+#else
+    return "an unknown compiler";
+#endif
+}
+
 std::string id(const std::string& name) {
     std::string word;
     for (const char c : name) word += std::isalnum(static_cast<unsigned char>(c)) ? char(std::tolower(c)) : '_';
@@ -64,7 +73,9 @@ void Table::row(std::vector<Cell> cells) {
             words.push_back(*word);
         } else {
             char text[40];
-            std::snprintf(text, sizeof text, "%.12g", std::get<double>(cell));
+            const double value = std::get<double>(cell);
+            finite_ = finite_ && std::isfinite(value);
+            std::snprintf(text, sizeof text, "%.12g", value);
             words.push_back(text);
         }
     }
@@ -97,6 +108,7 @@ void Findings::add_place(const char* kind, const std::string& name, Place from) 
 
 void Findings::number(const std::string& name, double value, const std::string& unit, const std::string& meaning,
                       int digits, Place from) {
+    finite_ = finite_ && std::isfinite(value);
     add_number(name, formatted(value, digits), unit, meaning, from);
 }
 
@@ -113,11 +125,6 @@ void Findings::check(const std::string& name, bool holds, const std::string& sta
 Table& Findings::table(const std::string& file, std::vector<std::string> columns, Place from) {
     add_place("data", file, from);
     return tables_.emplace_back(file, std::move(columns));
-}
-
-bool Findings::holds_no_number() const {
-    return has_no_number(numbers_) ||
-           std::any_of(tables_.begin(), tables_.end(), [](const Table& table) { return has_no_number(table.text()); });
 }
 
 // The files are written into a folder of their own inside the target, whose name no other run has. When all of them are

@@ -2,6 +2,7 @@
 /// \file
 /// What a study hands to a page: data for the figures, numbers, and checks; and its options. Standard C++ only.
 
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <string>
@@ -42,8 +43,10 @@ public:
 
     const std::string& file() const { return file_; }
     const std::string& text() const { return text_; }
+    bool finite() const { return finite_; }  ///< all of its numbers
 
 private:
+    bool finite_ = true;
     std::string file_;
     std::size_t columns_;
     std::string text_;
@@ -68,8 +71,11 @@ public:
     Table& table(const std::string& file, std::vector<std::string> columns, Place from = Place::here());
 
     const std::vector<std::string>& failed() const { return failed_; }
-    /// Is a number or a cell a NaN or infinite? The page's own run must have none.
-    bool holds_no_number() const;
+    /// Is every number and every cell finite? In the page's own run they must be.
+    bool finite() const {
+        return finite_ &&
+               std::all_of(tables_.begin(), tables_.end(), [](const Table& table) { return table.finite(); });
+    }
     /// Writes every file into `folder`, each of them whole. A full disk changes no file there. Throws
     /// `std::runtime_error`.
     void save(const std::string& folder) const;
@@ -78,6 +84,7 @@ private:
     void add_number(const std::string& name, const std::string& value, const std::string& unit,
                     const std::string& meaning, Place from);
     void add_place(const char* kind, const std::string& name, Place from);
+    bool finite_ = true;
     std::deque<Table> tables_;  // a deque: references to its tables stay good
     std::vector<std::string> names_, failed_;
     std::string numbers_ = "name\tvalue\tunit\tmeaning\n";

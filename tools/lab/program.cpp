@@ -127,7 +127,7 @@ int Program::run(int argc, char** argv, const std::function<void(Findings&)>& bo
         if (std::fflush(stdout) != 0 || std::ferror(stdout))
             throw std::runtime_error("standard output: cannot be written");
         // Other options are there to be played with: what no longer holds then is no error.
-        if (!changed_ && findings.holds_no_number()) throw std::logic_error("a NaN or an infinity was written");
+        if (!changed_ && !findings.finite()) throw std::logic_error("a NaN or an infinity was written");
         const bool failed = !findings.failed().empty() && !changed_;
         if (!failed && !folder_.empty()) findings.save(folder_);
         for (const auto& statement : findings.failed())

@@ -6,9 +6,8 @@
 
 #include <timestep/rigid/inertia.hpp>
 
-// A body is given by how far its mass reaches along its axes: A, B and C, the means of x², y² and
-// z². Its moments are B + C, C + A and A + B, so the triangle rule holds by itself. A, B and C are
-// even in the logarithm between 1/ratio and 1.
+// A, B and C, the means of x², y² and z², are even in the logarithm between 1/ratio and 1. The moments B + C, C + A and
+// A + B always keep the triangle rule.
 class RandomBody {
 public:
     explicit RandomBody(unsigned long seed) : random_(seed) {}
