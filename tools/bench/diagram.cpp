@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// As gnuplot reads a text between single quotes.
+// A text between single quotes, for gnuplot.
 std::string quoted(const std::string& text) {
     std::string words = "'";
     for (const char c : text) words += c == '\'' ? std::string("''") : std::string(1, c);
@@ -28,14 +28,14 @@ bool same_entry(const contest::Point& a, const contest::Point& b) {
     return a.method == b.method && a.library == b.library;
 }
 
-// Where the points of an entry end that begin at this one: after how many.
+// The index after the last point of the entry that begins at `first`.
 std::size_t end_of(const Measured& measured, std::size_t first) {
     std::size_t end = first;
     while (end < measured.points.size() && same_entry(measured.points[first], measured.points[end])) ++end;
     return end;
 }
 
-// Every entry a line: ours as in all figures, other libraries each in a colour of its own.
+// One line per entry: ours as in all figures, each other library in a colour of its own.
 std::string script(const fs::path& csv, const fs::path& svg, const Measured& measured) {
     const char* const colours[] = {"#666666", "#cc79a7", "#4c72b0", "#8172b3", "#937860", "#64b5cd"};
     std::ostringstream text;
@@ -60,8 +60,7 @@ std::string script(const fs::path& csv, const fs::path& svg, const Measured& mea
         text << look << " = " << (ours ? "exists(\"" + name + "\") ? value(\"" + name + "\") : " : "") << "\"lc rgb '"
              << colours[(ours ? std::size_t(entries) : library) % 6] << "' lw 1.2 dt " << (ours ? "1" : "(6,3)")
              << "\"\n";
-        // Row 0 holds the names of the columns. What diverged lies at the upper edge; no error is
-        // no place on a logarithm.
+        // Row 0 holds the names of the columns. Diverged runs lie at the upper edge; an error of zero has no logarithm.
         plots += (plots.empty() ? "plot " : ", \\\n  ") + quoted(csv.string()) + " every ::" + std::to_string(i + 1) +
                  "::" + std::to_string(end_of(measured, i)) +
                  " using 7:(strcol(10) eq 'true' ? 100 : $6 > 1e-16 ? $6 : 1e-16) with linespoints @" + look + " pt " +

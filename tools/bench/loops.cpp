@@ -1,6 +1,5 @@
-// What the library costs: the loop written by hand, ours, and Boost.odeint's, on one spring. Each
-// step waits for the one before, so that nothing hides. `bench_loops_O2` and
-// `bench_loops_O3_native` are this file with the flags in their names.
+// What the library costs on one spring, beside a loop written by hand and Boost.odeint. Each step depends on the one
+// before, so its whole latency counts. `bench_loops_O2` and `bench_loops_O3_native` are this file with those flags.
 
 #include <algorithm>
 #include <array>
@@ -128,7 +127,7 @@ template <class Stepper>
     return x[0];
 }
 
-// Its implicit Euler needs uBLAS, which older Boosts have not brought to C++20.
+// Its implicit Euler needs uBLAS, which does not compile as C++20 in older Boosts.
 const Loop odeint_loops[] = {[](Run r) { return odeint_rate(odeint::euler<Two>(), r); }, odeint_semi_implicit, nullptr,
                              odeint_velocity_verlet, [](Run r) { return odeint_rate(odeint::runge_kutta4<Two>(), r); }};
 #else
@@ -187,7 +186,7 @@ bool agree(std::vector<Row>& rows) {
     return good;
 }
 
-// In turns; the fastest turn is the one that nothing disturbed.
+// All loops in turns; the fastest turn of each is the least disturbed.
 void measure_times(std::vector<Row>& rows) {
     constexpr long steps = 10000;
     for (int turn = 0; turn < 500; ++turn)

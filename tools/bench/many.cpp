@@ -1,5 +1,5 @@
-// What a body costs where there are many: springs and gyroscopic steps in lanes, beside loops
-// written by hand, other libraries and the memory itself. The flags are in the programs' names.
+// What one of many springs or bodies costs, in lanes, beside loops written by hand, other libraries and the memory
+// itself. The flags are in the programs' names.
 
 #include "many.hpp"
 

@@ -25,7 +25,7 @@ inline double time_of(const Row& row) {
     return 1e9 * seconds / (double(row.passes) * row.steps);
 }
 
-// In turns; the fastest turn is the one that nothing disturbed. A turn takes some 100 µs or a pass.
+// All rows in turns; the fastest turn of each is the least disturbed. A turn takes about 100 µs, or one pass.
 inline void measure(std::vector<Row>& rows, int turns) {
     for (Row& row : rows) {
         row.pass();

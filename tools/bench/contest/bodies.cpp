@@ -1,4 +1,4 @@
-// Rigid bodies as entries: what is the same for all of them.
+// Rigid bodies as entries: what all of them share.
 
 #include "bodies.hpp"
 

@@ -23,8 +23,7 @@ Place place(const timestep::Matrix3<Real>& R) {
     return Place(numbers.data(), numbers.data() + 9);
 }
 
-// A body that is stepped. One call of `advance` takes a whole run: what the call costs is nothing
-// beside it.
+// A body that is stepped. One call of `advance` takes a whole run, so the cost of the call does not count.
 class Runner {
 public:
     virtual ~Runner() = default;
@@ -38,9 +37,8 @@ public:
 Entry stepped(const std::string& method, const std::string& library,
               std::unique_ptr<Runner>);  // bodies.cpp
 
-// restart() puts a `Body` back to the start; step(h) steps it; count(work, h), called before,
-// counts what that step asks for; place() tells where it is, and number() any number that depends
-// on all steps.
+// A `Body` has restart(), which puts it back to the start; step(h); count(work, h), called before a step, which adds
+// what that step evaluates and solves; place(); and number(), any number that depends on all steps.
 template <class Body>
 class RunnerOf : public Runner {
 public:
@@ -48,7 +46,7 @@ public:
 
     void restart() override { body_.restart(); }
     void advance(double h, long steps) override {
-        Body body = body_;  // nobody else looks at the copy: it may stay in registers
+        Body body = body_;  // nobody else has a pointer to the copy: it may stay in registers
         for (long i = 0; i < steps; ++i) body.step(h);
         body_ = body;
     }
@@ -65,8 +63,8 @@ Entry stepped(const std::string& method, const std::string& library, const Body&
     return stepped(method, library, std::unique_ptr<Runner>(new RunnerOf<Body>(body)));
 }
 
-// What one step asks for: the gyroscopic torque ω × Iω is the force of a free body, and a solve is
-// one of three equations, by a formula or not.
+// What one step needs. The gyroscopic torque ω × Iω is the force of a free body; a solve is one of three equations, by
+// a formula or not.
 template <class Solver, class Inertia, class Real>
 void count(Work& work, const Solver& solver, const Inertia& inertia, const timestep::RigidState<Real>& s, Real h) {
     using namespace timestep;
@@ -95,8 +93,8 @@ struct Turning {
     Real number() const { return s.q.w(); }
 };
 
-// Runge-Kutta 4 on orientation and ω in one array. It leaves the rotations by its error, and is
-// brought back once a step.
+// Runge-Kutta 4 on orientation and ω in one array. Its error takes the orientation off the rotations; once per step it
+// is scaled back.
 template <class Inertia>
 struct TurningByRungeKutta {
     timestep::FreeBody<Inertia> model;

@@ -1,6 +1,5 @@
 #pragma once
-// A contest: one scene, many methods, and what is measured of each. The error is measured in one
-// run, the time in others.
+// A contest: one scene, many methods, and the error and time of each. One run measures the error, others the time.
 
 #include <functional>
 #include <string>
@@ -9,25 +8,24 @@
 namespace contest {
 
 inline constexpr double duration = 4;  // s, of every scene: with 240 steps it is stepped at 60 Hz
-inline constexpr int marks = 30;       // a run is looked at so often, at even distances
+inline constexpr int marks = 30;       // places per run at which it is compared, evenly spaced
 
 using Place = std::vector<double>;  // where everything is: coordinates, or a rotation matrix
 using Track = std::vector<Place>;   // the places at the marks, the last one at the end
 
-// What a run asked for. A method that chooses its steps itself says how many it took.
+// What a run needed. A method that chooses its own steps says how many it took.
 struct Work {
     long steps = 0;        // taken
     long evaluations = 0;  // of the force
-    long solves = 0;       // of a linear system: as often as an implicit method asks for the slope
+    long solves = 0;       // of a linear system: one per evaluation of the slope by an implicit method
 };
 
-// A method in a scene. `steps` is a multiple of `marks`. A method that chooses its own steps
-// (adaptive) takes it as a wish for accuracy: in a step it allows itself (marks/steps)² of the
-// scene's size.
+// A method in a scene. `steps` is a multiple of `marks`. A method that chooses its own steps (adaptive) takes it as an
+// accuracy: its tolerance per step is (marks/steps)² of the scene's size.
 struct Entry {
     std::string method, library;
-    std::function<Track(long steps)> track;  // the run, watched
-    std::function<void(long steps)> run;     // the same run, watched by nobody: this one is timed
+    std::function<Track(long steps)> track;  // the run, with its places
+    std::function<void(long steps)> run;     // the same run alone: this one is timed
     std::function<Work(long steps)> work;    // the same run, counted
     bool adaptive = false;
 };
@@ -37,7 +35,7 @@ struct Scene {
     double size = 1;             // what an error of 100 % is: metres, or radians
     Track reference = {};        // where everything truly is
     double reference_error = 0;  // how well that is known, as a share of `size`; 0: exact
-    double patience = 1;         // its runs may take so much longer than those of other scenes
+    double patience = 1;         // how many times longer its runs may take than those of other scenes
     std::vector<Entry> entries = {};
 };
 
@@ -53,7 +51,7 @@ struct Point {
     bool diverged = false;  // not a number, or wrong by more than a hundred sizes
 };
 
-inline volatile double sink;  // what a timed run finds goes here: the compiler has to compute it
+inline volatile double sink;  // a timed run writes its result here, so that the compiler has to compute it
 
 // A run, and its errors.
 Point watched(const Scene& scene, const Entry& entry, long steps);
@@ -62,7 +60,7 @@ Point watched(const Scene& scene, const Entry& entry, long steps);
 struct Effort {
     long most_steps;     // no run is longer
     double longest_run;  // s; a method whose run takes longer is given no shorter steps
-    int rounds;          // every run is timed so often, in turns with all others
+    int rounds;          // how often every run is timed, in turns with all others
 };
 inline constexpr Effort page{30L << 13, 1e-3, 5}, quick{30L << 15, 4e-3, 9}, full{30L << 19, 0.1, 25};
 
@@ -73,15 +71,15 @@ std::vector<Point> measure(const Scene& scene, const Effort& effort,
 // The distance of two places as a share of the scene's size.
 double distance(const Scene& scene, const Place& a, const Place& b);
 
-// The fastest way that an entry reaches an accuracy at every mark and keeps it with all shorter
-// steps, read off between two points on the double logarithmic diagram.
+// The fastest run that reaches an accuracy at every mark, where all shorter steps reach it too; interpolated between
+// two points of the double logarithmic diagram.
 struct Cheapest {
     std::string method, library;  // empty: none reaches it
     double seconds = 0, step = 0;
 };
 Cheapest cheapest(const std::vector<Point>& points, double accuracy, const std::function<bool(const Point&)>& among);
 
-// In words. Two digits are all that a measured number has: 1234 becomes 1200, and 6.21e-7 s 620 ns.
+// In words, with two digits, as measured numbers have no more: 1234 becomes 1200, and 6.21e-7 s becomes 620 ns.
 std::string rounded(double value);
 std::string time_in_words(double seconds);
 

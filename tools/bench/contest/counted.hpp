@@ -1,11 +1,11 @@
 #pragma once
-// Counting what a method asks for.
+// Counts a method's evaluations.
 
 #include "contest.hpp"
 
 namespace contest {
 
-// A model that counts how often it is asked, and otherwise is the one it wraps.
+// A model that counts its evaluations, and otherwise is the one it wraps.
 template <class Model>
 struct Counted {
     const Model* model;

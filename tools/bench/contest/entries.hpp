@@ -22,7 +22,7 @@ Place place(const timestep::State<X>& s) {
         return Place(s.x.begin(), s.x.end());
 }
 
-// What the timed run is for.
+// The result of the timed run.
 template <class State>
 void drain(const State& s) {
     if constexpr (std::is_arithmetic_v<decltype(s.x)>)
@@ -31,16 +31,15 @@ void drain(const State& s) {
         sink = double(s.x[0]);
 }
 
-// A method on a problem. A call takes all steps of a run: what the call costs is nothing beside
-// them.
+// A method on a problem. One call takes all steps of a run, so the cost of the call does not count.
 template <class S>
 struct Stepper {
     using Real = timestep::real_of<S>;
     virtual ~Stepper() = default;
 
     virtual void advance(S& s, Real h, long steps) const = 0;      // s goes so many steps on
-    virtual Work count(const S& s, Real h, long steps) const = 0;  // what these ask for
-    virtual bool two_step() const = 0;  // where the next step goes, one state alone does not say
+    virtual Work count(const S& s, Real h, long steps) const = 0;  // what these steps need
+    virtual bool two_step() const = 0;                             // the next step depends on more than one state
 };
 
 template <class Method, class Model, class S>
@@ -60,9 +59,8 @@ struct StepperOf : Stepper<S> {
     bool two_step() const override { return timestep::TwoStepMethod<Method, Model, S>; }
 };
 
-// Where the steps lead, mark by mark. A method of one step goes on from the last mark. One of two
-// steps comes anew from the start each time, and so does a run that has blown up: from what is no
-// number run() does not go on.
+// The places at the marks. A one-step method goes on from the last mark. A two-step method starts again at the
+// beginning for each mark, and so does a run that has blown up: run() refuses to start from a NaN.
 template <class S>
 Track track(const Stepper<S>& stepper, const S& start, timestep::real_of<S> h, long steps) {
     const long every = steps / marks;
@@ -91,7 +89,7 @@ Entry entry(const std::string& method, const std::string& library, std::unique_p
     };
     e.work = [=](long steps) {
         const Work work = stepper->count(start, h(steps), steps);
-        const Work before = stepper->count(start, h(steps), 0);  // run() looks at the force, too
+        const Work before = stepper->count(start, h(steps), 0);  // run() evaluates the force, too
         return Work{steps, work.evaluations - before.evaluations, work.solves - before.solves};
     };
     return e;

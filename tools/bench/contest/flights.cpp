@@ -25,7 +25,7 @@ const State thrown{0, Eigen::Vector2d(0, 0), Eigen::Vector2d(15, 20)};
 
 template <class Real>
 auto through_air() {
-    // One number, in every precision.
+    // The same k in every precision.
     const double k = Drag<double>::from_terminal_speed(20.0, g).k;
     return timestep::Scene{Projectile(Eigen::Matrix<Real, 2, 1>(0, -g)), Drag<Real>(k)};
 }
@@ -48,7 +48,7 @@ constexpr double drop = 5;           // m
 const Drag<double> beach_ball = Drag<double>::from_terminal_speed(8.0, g);
 
 /// [bouncing]
-// As games do it: step, and when the ball has sunk into the ground, put it back and turn it round.
+// As games do it: take a step; if the ball is below the ground, mirror its height and its velocity.
 template <class Method>
 struct Bouncing {
     static constexpr const char* name = Method::name;
@@ -109,7 +109,7 @@ Scene projectile() {
     return scene;
 }
 
-// The reference is as good as twice the steps make no difference to it, and as a double can say it.
+// The reference's error is its difference from a run with half as many steps, or the roundoff of a double.
 Scene drag() {
     Scene scene{"drag", "a projectile in air, 20 m/s at most when it falls", 10};
     scene.reference = through_air(30L << 10);
@@ -122,8 +122,8 @@ Scene drag() {
     return scene;
 }
 
-// Methods of two steps are left out: after a bounce they would have to start anew. The other
-// libraries are, too: they would look for the moment of the bounce, which is another problem.
+// Two-step methods are left out: after a bounce they would have to start again. The other libraries are left out, too:
+// they would search for the moment of the bounce, which is another problem.
 Scene bouncing_ball() {
     Scene scene{"bouncing_ball", "a ball that bounces five times", drop};
     scene.reference = true_heights();

@@ -18,10 +18,9 @@ gsl_odeiv2_system system_of(const Problem& problem) {
     return {problem.slope, nullptr, problem.start.size(), problem.model.get()};
 }
 
-// GSL's rk4 is not Runge-Kutta 4 alone. It crosses each step once in one step and once in two half
-// steps; it goes on with the latter, and the difference is its estimate of the error. So it ends
-// where Runge-Kutta 4 with half the step ends, and asks for the force 11 times a step. Nobody can
-// tell it to leave out the estimate.
+// GSL's rk4 is more than Runge-Kutta 4. It takes each step once whole and once as two halves; it goes on with the
+// halves, and the difference estimates the error. It ends where Runge-Kutta 4 with half the step ends, and evaluates
+// the force 11 times per step. The estimate cannot be switched off.
 class Doubling : public Solver {
 public:
     explicit Doubling(const Problem& problem)
@@ -61,7 +60,7 @@ public:
           system_(system_of(problem_)),
           y_(problem_.start),
           driver_(gsl_odeiv2_driver_alloc_y_new(&system_, gsl_odeiv2_step_rk8pd, 1e-3, 1, 1), gsl_odeiv2_driver_free) {
-        gsl_set_error_handler_off();  // it would end the program; we look at what is returned
+        gsl_set_error_handler_off();  // it would end the program; the status that is returned tells enough
     }
 
     void restart(long steps) override {

@@ -1,4 +1,4 @@
-// How a contest is measured: errors first, then time, everybody in turns.
+// How a contest is measured: errors first, then times, all entries in turns.
 
 #include "contest.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Looking at the clock takes some 25 ns, and it ticks no finer: short runs are timed by the dozen.
+// Reading the clock takes about 25 ns, which is also its resolution: short runs are timed by the dozen.
 constexpr double long_enough = 2e-5;  // s
 
 /// [batch]
@@ -27,22 +27,21 @@ double seconds_of(const Entry& entry, long steps, long runs) {
 }
 /// [batch]
 
-// The runs it takes until the clock can tell; by the way, data and code are fetched into the
-// caches.
+// How many runs the clock can resolve. They also bring data and code into the caches.
 long runs_for(const Entry& entry, long steps) {
     long runs = 1;
     while (seconds_of(entry, steps, runs) * double(runs) < long_enough) runs *= 2;
     return runs;
 }
 
-// The page looks up what everybody makes of 240 Hz, and ours of 960 Hz where a step is cheap. A
-// machine that is slow, or busy with others, keeps nobody from there.
+// The page quotes every entry at 240 Hz, and ours at 960 Hz where a step is cheap. So each entry gets that far, on a
+// slow or busy machine too.
 long looked_up(const Scene& scene, const Entry& entry) {
     const double rate = entry.library == "Timestep" && scene.patience == 1 ? 960 : 240;
     return std::lround(rate * duration);
 }
 
-// At the roundoff floor shorter steps make nothing better.
+// At the roundoff floor shorter steps gain nothing.
 bool at_the_floor(const std::vector<Point>& points) {
     if (points.size() < 3) return false;
     const Point* last = &points.back();
@@ -65,7 +64,7 @@ double distance(const Scene& scene, const Place& a, const Place& b) {
     return std::isnan(distance) ? std::numeric_limits<double>::infinity() : distance;
 }
 
-// The error in a run of its own: looking costs time.
+// The error is measured in a run of its own: recording the places costs time.
 Point watched(const Scene& scene, const Entry& entry, long steps) {
     Point point{scene.id, entry.method, entry.library, steps};
     const Track track = entry.track(steps);
@@ -94,7 +93,7 @@ std::vector<Point> measure(const Scene& scene, const Effort& effort,
             all.push_back({&entry, points.back(), runs});
             double& seconds = all.back().point.seconds;
             seconds = seconds_of(entry, steps, runs);
-            // Or was it disturbed?
+            // It may have been disturbed.
             for (int again = 0; again < 5 && seconds > scene.patience * effort.longest_run; ++again)
                 seconds = std::min(seconds, seconds_of(entry, steps, runs));
             const bool too_long = seconds > scene.patience * effort.longest_run;

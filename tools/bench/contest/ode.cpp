@@ -28,7 +28,7 @@ struct World {
         dMassSetParameters(&mass, 1, 0, 0, 0, I.x(), I.y(), I.z(), 0, 0, 0);
         dBodySetMass(body, &mass);
         dBodySetGyroscopicMode(body, 1);
-        dWorldQuickStep(world, 0.01);  // it asks for its memory in the first step
+        dWorldQuickStep(world, 0.01);  // allocates its memory in the first step
     }
     ~World() {
         dWorldDestroy(world);
@@ -37,10 +37,9 @@ struct World {
     World(const World&) = delete;
 };
 
-// ODE steps worlds, not bodies: the time is that of finding the bodies that touch (none), of the
-// solver for contacts (there are none), and of the body. Its gyroscopic solver is the passive
-// step's rule (I − h[L]) ω₂ = Iω₁, in world coordinates with two 3×3 inverses; and the orientation
-// it turns as we do, q + h/2 ω q scaled back, unless dBodySetFiniteRotationMode asks for the
+// ODE steps worlds, not bodies: the time includes the search for bodies that touch and the contact solver, both without
+// work here. Its gyroscopic solver is the passive step's rule (I − h[L]) ω₂ = Iω₁, in world coordinates with two 3×3
+// inverses. It updates the orientation as we do, q + h/2 ω q scaled back, unless dBodySetFiniteRotationMode selects the
 // exponential map.
 struct OdeBody {
     std::shared_ptr<World> in;

@@ -1,5 +1,5 @@
-// Boost.odeint's solvers, for the forces of the scenes. Its states here are std::array: no memory
-// is asked for, the compiler sees all.
+// Boost.odeint's solvers, for the forces of the scenes. Its states here are std::array: nothing is allocated, and the
+// compiler sees everything.
 
 #ifdef TIMESTEP_WITH_ODEINT
 
@@ -32,8 +32,8 @@ namespace contest::odeint {
 using timestep::State;
 using namespace boost::numeric::odeint;
 
-// Any of its steppers for ẏ = f(y), with a fixed step. (A stepper that keeps the force for the next
-// step asks for it anew in each call, and gets the same number.)
+// Any of its steppers for ẏ = f(y), with a fixed step. (A stepper that keeps the force for the next step evaluates it
+// again in each call, with the same result.)
 /// [fixed]
 template <class Stepper, class Model, class X>
 struct Fixed {
@@ -49,7 +49,7 @@ struct Fixed {
     void advance(Y& all, double h, long steps) const {
         const auto f = [this](const Y& y, Y& dydt, double) { slope<X>(model, y.data(), dydt.data()); };
         double t = 0;
-        Y y = all;  // nobody else looks at the copy: it may stay in registers
+        Y y = all;  // nobody else has a pointer to the copy: it may stay in registers
         Stepper stepper;
         for (long i = 0; i < steps; ++i, t += h) stepper.do_step(f, y, t, h);
         all = y;
@@ -58,9 +58,8 @@ struct Fixed {
 };
 /// [fixed]
 
-// Its symplectic Euler moves the coordinates with the old momenta, and then the momenta at the new
-// coordinates. Semi-implicit Euler is that with the parts exchanged: here the velocity is the
-// coordinate, and the position the momentum.
+// Its symplectic Euler moves the coordinates with the old momenta, and then the momenta at the new coordinates.
+// Exchange the two and it is semi-implicit Euler: here the velocity is the coordinate, and the position the momentum.
 template <class Model, class X>
 struct SymplecticEuler {
     using Y = std::pair<Half<X>, Half<X>>;  // v, x

@@ -1,4 +1,4 @@
-// Solvers of another library as entries: what is the same for all of them.
+// Solvers of other libraries as entries: what all of them share.
 
 #include "peers/peer.hpp"
 

@@ -1,6 +1,5 @@
 #pragma once
-// Other people's libraries as entries, each where CMake has found it. Where a method is one of ours
-// it bears the name that ours has.
+// Other libraries as entries, each where CMake has found it. A method that the course has, too, has the same name.
 
 #include "contest.hpp"
 
@@ -16,7 +15,7 @@
 
 namespace contest {
 
-// A few of each library: those that are ours, and the ones it would itself recommend.
+// A few methods of each library: those that the course has, too, and those that the library recommends.
 template <class Model, class S>
 void enter_peers([[maybe_unused]] Scene& scene, [[maybe_unused]] const Model& model, [[maybe_unused]] const S& start) {
 #ifdef TIMESTEP_WITH_ODEINT

@@ -29,8 +29,7 @@ Place place_of(const plane::BodyState& m) {
     return all;
 }
 
-// What the contacts take is not counted. It is the same for all: up to four passes of twelve
-// rounds.
+// The work of the contacts is not counted. It is the same for all: up to four passes of twelve rounds.
 template <class Solver>
 struct OnPlane {
     Solver solver;
@@ -83,7 +82,7 @@ Scene capsule_on_plane() {
         const OnPlane<Solver> at_start{solver, body, ice, start};
         scene.entries.push_back(stepped(solver.name, "Timestep", at_start));
     });
-    // Chapter 5 tells why one pays for contacts' arms of the middle; on ice one need not.
+    // Chapter 5 says why contacts need the arms of the middle; on ice they do not.
     plane::Ground cheap = ice;
     cheap.arms = plane::Arms::start;
     const OnPlane<PassiveGyroscopic> cheaper{passive_gyroscopic, body, cheap, start};

@@ -12,8 +12,7 @@ namespace contest {
 using Start = timestep::RigidState<double>;
 using Moments = timestep::PrincipalInertia<double>;
 
-// Both know nothing of two equal moments; where our own solvers make use of them, `which` says that
-// theirs do not: ", three moments".
+// Neither library uses two equal moments. Where our solvers do, `which` says that theirs do not: ", three moments".
 void enter_bullet(Scene& scene, const Moments& inertia, const Start& start, const std::string& which);
 void enter_ode(Scene& scene, const Moments& inertia, const Start& start, const std::string& which);
 

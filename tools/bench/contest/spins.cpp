@@ -14,7 +14,7 @@ namespace contest {
 
 namespace {
 
-// A spin of numbers that `float` has, too: nobody starts from elsewhere.
+// A spin that `float` represents exactly, so that all entries start alike.
 template <class Real>
 RigidState<Real> spun(double x, double y, double z) {
     return {0, Quaternion<Real>::Identity(), {Real(x), Real(y), Real(z)}};
@@ -34,7 +34,7 @@ void enter_solvers(Scene& scene, const Inertia& inertia, const RigidState<double
     scene.entries.push_back(stepped(runge_kutta_4.name, "Timestep", body));
 }
 
-// Other people's, with ours in the numbers that Bullet computes with.
+// The other libraries, and ours in `float`, as Bullet computes.
 void enter_others(Scene& scene, double I1, double I2, double I3, const RigidState<double>& start,
                   const std::string& which) {
     const PrincipalInertia<float> inertia{float(I1), float(I2), float(I3)};
@@ -44,7 +44,7 @@ void enter_others(Scene& scene, double I1, double I2, double I3, const RigidStat
     enter_ode(scene, {I1, I2, I3}, start, which);
 }
 
-// At the marks, in `long double`: of the formulas' roundoff nothing is left in `double`.
+// At the marks, in `long double`: the formulas' roundoff is below that of `double`.
 template <class Exact>
 Track orientations(const Exact& exact) {
     Track track;
@@ -65,7 +65,7 @@ Scene dzhanibekov() {
     const RigidState<double> start = spun<double>(0.25, 10, 0.25);
     const ExactFreeBody<long double> exact(box(12.0L, 1.0L, 2.0L, 3.0L), spun<long double>(0.25, 10, 0.25));
     scene.reference = orientations([&](long double t) { return exact(t).q; });
-    scene.reference_error = 1e-12;  // so well an integration, which the tumble disturbs, confirms it
+    scene.reference_error = 1e-12;  // an integration, which the tumble disturbs, agrees that well
     enter_solvers(scene, inertia, start);
     const auto& I = inertia.moments;
     enter_others(scene, I.x(), I.y(), I.z(), start, "");
@@ -88,7 +88,7 @@ Scene symmetric_top() {
         return Quaternion<long double>(Turn(about_L, L.normalized()) * Turn(about_z, Vector3<long double>::UnitZ()));
     });
     enter_solvers(scene, inertia, start);
-    // Who does not know that two moments are equal.
+    // Solvers that do not use the two equal moments.
     const std::string which = ", three moments";
     const PrincipalInertia<double> three(inertia.across, inertia.across, inertia.along);
     enter(scene, implicit_gyroscopic, three, start, which);

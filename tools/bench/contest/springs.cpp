@@ -1,4 +1,4 @@
-// Three springs that one number says all about.
+// Three springs of one number each.
 
 #include <timestep/models/damped_spring.hpp>
 #include <timestep/models/spring.hpp>
@@ -9,7 +9,7 @@ using namespace timestep;
 
 namespace contest {
 
-// Twice: the second time in float, to show its floor.
+// Two methods run in float as well, to show its floor.
 Scene spring() {
     Scene spring = spring_scene("spring", "a spring, one oscillation a second", 1, Spring(hertz), State{0, 1.0, 0.0});
     const Spring single(static_cast<float>(hertz));

@@ -16,7 +16,7 @@ namespace contest::sundials {
 
 namespace {
 
-// What both solvers need: the problem, and a vector of theirs.
+// The problem, and SUNDIALS' vector for it: both solvers need them.
 class Unknowns {
 public:
     explicit Unknowns(const Problem& problem) : problem_(problem) {
@@ -45,13 +45,12 @@ private:
     N_Vector y_ = nullptr;
 };
 
-// A run that has blown up is no error here: nothing is printed.
+// A run may blow up here: SUNDIALS prints nothing about it.
 void silent(int, const char*, const char*, char*, void*) {}
 
-// ARKODE steps any table of Runge and Kutta's kind. This is the classical one, without an estimate
-// of the error, and with a fifth stage of weight zero: the force at the end of the step, which it
-// keeps for the next one. Some of its releases (6.4 among them) take the fourth stage for that
-// where there is no fifth, as it stands at the end of the step, too: then they are of order three.
+// ARKODE steps any Runge-Kutta table. This is the classical one, without an error estimate, and with a fifth stage of
+// weight zero: the force at the end of the step, which ARKODE keeps for the next step. Without the fifth stage some of
+// its releases (6.4 among them) keep the fourth, which is at the end of the step, too: their order is then three.
 class RungeKutta4 : public Solver {
 public:
     explicit RungeKutta4(const Problem& problem) : Solver(false), unknowns_(problem) {
@@ -93,9 +92,8 @@ private:
     int status_ = 0;
 };
 
-// CVODE chooses order and step, and at a mark reads its polynomial: Adams' methods up to order 12,
-// each step iterated as it stands; or backward differences (BDF) up to order 5, by Newton's
-// iteration with the force's slopes.
+// CVODE chooses order and step, and at a mark evaluates its polynomial: Adams' methods up to order 12 with fixed-point
+// iteration, or backward differences (BDF) up to order 5 with Newton's iteration and the force's slopes.
 class Multistep : public Solver {
 public:
     Multistep(const Problem& problem, int kind)
@@ -142,7 +140,7 @@ public:
         CVodeGetNumSteps(solver_, &taken);
         return taken;
     }
-    // Each of Newton's iterations solves a linear system. The matrix is factorised more rarely.
+    // Each Newton iteration solves a linear system. The matrix is factorised less often.
     long solves() const override {
         long iterations = 0;
         if (linear_) CVodeGetNumNonlinSolvIters(solver_, &iterations);

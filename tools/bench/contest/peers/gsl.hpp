@@ -1,6 +1,6 @@
 #pragma once
-// The GNU Scientific Library, which reaches a force through a pointer to a function, and hands that
-// a pointer to the model. So its solvers are compiled once, for every force.
+// The GNU Scientific Library calls a force through a pointer to a function and passes it a pointer to the model, so its
+// solvers are compiled once for all forces.
 
 #include "peer.hpp"
 

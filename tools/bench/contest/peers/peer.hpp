@@ -17,8 +17,7 @@ inline double tolerance(long steps) {
     return share * share;
 }
 
-// A solver and its problem. One call of `advance` takes a whole run: what the call costs is nothing
-// beside it.
+// A solver and its problem. One call of `advance` takes a whole run, so the cost of the call does not count.
 class Solver {
 public:
     explicit Solver(bool is_adaptive) : adaptive(is_adaptive) {}
@@ -28,11 +27,11 @@ public:
     const bool adaptive;
     // Back to the start, for a run of so many steps.
     virtual void restart(long steps) = 0;
-    // So many steps on; if adaptive, so many marks.
+    // Goes n steps on; an adaptive solver goes n marks on.
     virtual void advance(long n) = 0;
-    // Where things are: the coordinates.
+    // The coordinates.
     virtual const double* place() const = 0;
-    // Since the start. Who is not adaptive need not count its steps.
+    // Since the start. Only an adaptive solver counts its steps.
     virtual long steps_taken() const { return 0; }
     virtual long solves() const { return 0; }
 };

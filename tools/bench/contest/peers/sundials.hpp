@@ -1,7 +1,6 @@
 #pragma once
-// SUNDIALS: Runge and Kutta's method by ARKODE, multistep methods by CVODE. They reach a force
-// through a pointer to a function, and hand that a pointer to the model. So they are compiled once,
-// for every force.
+// SUNDIALS: Runge-Kutta 4 by ARKODE, multistep methods by CVODE. They call a force through a pointer to a function and
+// pass it a pointer to the model, so they are compiled once for all forces.
 
 #include <nvector/nvector_serial.h>
 #include <sunmatrix/sunmatrix_dense.h>
