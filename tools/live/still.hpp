@@ -125,8 +125,10 @@ private:
         }
     }
     void path(const std::string& fill, const std::string& line) {
-        svg_ += "<path d=\"" + path_ + (fill == "none" ? "" : "Z") + "\" fill=\"" + fill + "\" stroke=\"" + line +
-                "\" stroke-width=\"" + stroke_ + "\" opacity=\"" + strength_ + "\" stroke-linejoin=\"round\"" +
+        const bool veil = strength_ != "1" && (fill == "#333333" || fill == "#ffffff");  // light or shadow on a body
+        svg_ += std::string(veil ? "<path class=\"veil\"" : "<path") + " d=\"" + path_ + (fill == "none" ? "" : "Z") +
+                "\" fill=\"" + fill + "\" stroke=\"" + line + "\" stroke-width=\"" + stroke_ + "\" opacity=\"" +
+                strength_ + "\" stroke-linejoin=\"round\"" +
                 (dashes_.empty() ? "" : " stroke-dasharray=\"" + dashes_ + "\"") + "/>\n";
         begun_ = false;  // it may be drawn once more, but the next move begins another
     }

@@ -1,27 +1,15 @@
 #include "chapter.hpp"
 
 #include "error.hpp"
-#include "json.hpp"
 #include "text.hpp"
 
 #include <algorithm>
 #include <cctype>
 
+#include <nlohmann/json.hpp>
+
 namespace page {
 namespace {
-
-std::string one(const Json& about, const std::string& key, const std::string& file) {
-    const auto found = about.find(key);
-    if (found == about.end() || found->second.size() != 1 || found->second.front().empty()) {
-        throw Error{file, 1, "\"" + key + "\" must be a string"};
-    }
-    return found->second.front();
-}
-
-std::vector<std::string> list(const Json& about, const std::string& key) {
-    const auto found = about.find(key);
-    return found == about.end() ? std::vector<std::string>{} : found->second;
-}
 
 /// Chapters live in folders like 03_euler_variants.
 bool is_chapter(const std::string& folder) {
@@ -61,16 +49,14 @@ std::vector<Chapter> load_chapters(const std::filesystem::path& root) {
         chapter.folder = folder;
         chapter.number = std::stoi(folder.substr(0, 2));
         const std::string file = chapter.about();
-        const Json about = parse_json(read_file(root / file), file);
-        chapter.title = one(about, "title", file);
-        chapter.question = one(about, "question", file);
-        chapter.picture = one(about, "picture", file);
-        chapter.builds_on = list(about, "builds_on");
-        chapter.claims = list(about, "claims");
-        chapter.figures = list(about, "figures");
-        if (chapter.figures.empty()) {
-            chapter.figures = {chapter.picture};
-        }
+        const nlohmann::json about = read_json(root / file, file);
+        chapter.title = required(about, "title", file);
+        chapter.question = required(about, "question", file);
+        chapter.picture = required(about, "picture", file);
+        chapter.builds_on = strings(about, "builds_on", file);
+        chapter.claims = strings(about, "claims", file);
+        chapter.figures = strings(about, "figures", file);
+        if (chapter.figures.empty()) chapter.figures = {chapter.picture};
         chapter.has_more = std::filesystem::exists(root / chapter.source(true));
         for (const std::string& row : chapter.claims) {
             if (!is_row(row)) {
@@ -80,6 +66,33 @@ std::vector<Chapter> load_chapters(const std::filesystem::path& root) {
         chapters.push_back(chapter);
     }
     return chapters;
+}
+
+nlohmann::json read_json(const std::filesystem::path& path, const std::string& file) {
+    const std::string text = read_file(path);
+    try {
+        nlohmann::json json = nlohmann::json::parse(text);
+        if (!json.is_object()) throw Error{file, 1, "must be an object: { … }"};
+        return json;
+    } catch (const nlohmann::json::parse_error& wrong) {
+        const std::size_t before = std::min(wrong.byte == 0 ? 0 : wrong.byte - 1, text.size());
+        const auto end = text.begin() + static_cast<std::ptrdiff_t>(before);
+        throw Error{file, 1 + static_cast<int>(std::count(text.begin(), end, '\n')), wrong.what()};
+    }
+}
+
+std::string required(const nlohmann::json& about, const std::string& key, const std::string& file) {
+    const auto found = about.find(key);
+    if (found == about.end() || !found->is_string() || found->get<std::string>().empty())
+        throw Error{file, 1, "\"" + key + "\" must be a string"};
+    return *found;
+}
+
+std::vector<std::string> strings(const nlohmann::json& about, const std::string& key, const std::string& file) {
+    const nlohmann::json list = about.value(key, nlohmann::json::array());
+    if (!list.is_array() || !std::all_of(list.begin(), list.end(), [](const auto& one) { return one.is_string(); }))
+        throw Error{file, 1, "\"" + key + "\" must be a list of strings"};
+    return list;
 }
 
 }  // namespace page

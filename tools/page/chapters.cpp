@@ -1,7 +1,6 @@
 // What stands around a chapter, and the list of them all.
 
 #include "directives.hpp"
-#include "exercise.hpp"
 #include "text.hpp"
 
 #include <algorithm>
@@ -49,9 +48,7 @@ std::string chapter_header(Context& context, const std::string& source) {
     std::string name;
     const std::string program = chapter.program();
     const std::string number = std::to_string(chapter.number);
-    std::vector<std::filesystem::path> inputs;
-    const std::size_t exercises = load_exercises(context.root(), chapter.folder, inputs).size();
-    context.inputs.insert(inputs.begin(), inputs.end());
+    const int exercises = number_of_exercises(context, chapter);
     std::string facts =
         "Chapter " + number + " of " + std::to_string(context.chapters().size()) + " · " + minutes_to_read(source) +
         " minutes to read" +
@@ -98,7 +95,7 @@ std::string chapter_footer(const Context& context) {
            link(after == nullptr ? "\\ref in_your_engine \"In your engine\"" : reference(*after), "next") + "</div>\n";
 }
 
-std::string chapters_markdown(Context& context) {
+std::string chapters_markdown(Context& context, const Directive&) {
     std::string list = "\n\\htmlonly[block]<div class=\"chapters\">\\endhtmlonly\n";
     for (const Chapter& chapter : context.chapters()) {
         std::string picture;

@@ -1,9 +1,10 @@
-// Numbers and checks: what a sentence on a page rests on.
+// Numbers, checks and tables: what a sentence on a page rests on.
 
 #include "directives.hpp"
 #include "number.hpp"
 #include "text.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace page {
@@ -27,6 +28,42 @@ Number look_up(Context& context, std::string reference) {
     }
     number.unit = bare ? "" : number.unit;
     return number;
+}
+
+/// A cell as a number, "× 1.5" and "57 %" among them, set so that no line breaks in it. Empty: words.
+std::string number_cell(const std::string& cell) {
+    static const std::string times = "× ", percent = " %";
+    if (parse_number(cell)) {
+        return typeset(cell, "");
+    }
+    if (cell.starts_with(times) && parse_number(cell.substr(times.size()))) {
+        return "×\u00a0" + typeset(cell.substr(times.size()), "");
+    }
+    const std::string before = cell.substr(0, cell.size() - std::min(cell.size(), percent.size()));
+    return cell.ends_with(percent) && parse_number(before) ? typeset(before, "%") : "";
+}
+
+/// A column is set flush right when there are numbers in it; the first only when it has no words.
+bool is_numeric(const Table& table, std::size_t column) {
+    bool any = false, words = false;
+    for (const std::vector<std::string>& row : table.rows) {
+        const bool number = !number_cell(row[column]).empty();
+        any = any || number;
+        words = words || (!number && !row[column].empty() && row[column] != "–");
+    }
+    return any && (column > 0 || !words);
+}
+
+/// A bar in a formula becomes TeX's; any other would end the cell.
+std::string with_bars_kept(const std::string& cell) {
+    std::string kept;
+    bool formula = false;
+    for (const char c : cell) {
+        if (c == '$') formula = !formula;
+        if (c == '|' && !formula) kept += '\\';
+        kept += c;
+    }
+    return kept;
 }
 
 }  // namespace
@@ -81,6 +118,45 @@ std::string with_marks_joined(std::string page) {
         }
     }
     return page;
+}
+
+bool is_measured(Context& context, const Directive& directive, const std::string& folder) {
+    if (directive.arguments.size() != 1) {
+        throw std::invalid_argument{"{{where name}} takes one name"};
+    }
+    const std::string& reference = directive.arguments.front();
+    std::string name;
+    return !context
+                .run_of(
+                    reference.find('/') == std::string::npos && !folder.empty() ? folder + "/" + reference : reference,
+                    name)
+                .number(name)
+                .value.empty();
+}
+
+std::string table_markdown(Context& context, const Directive& directive) {
+    if (directive.arguments.size() != 1) {
+        throw std::invalid_argument{"a table is {{table file.tsv}}"};
+    }
+    std::string file;
+    RunData& run = context.run_of(directive.arguments.front(), file);
+    const Table table = run.table(file);
+    std::string names = "|", rule = "|", body;
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+        names += ' ';
+        names += replace_all(table.columns[column], "_", " ") + " |";
+        rule += is_numeric(table, column) ? "---:|" : "---|";
+    }
+    for (const std::vector<std::string>& row : table.rows) {
+        body += "|";
+        for (const std::string& cell : row) {
+            // Words may hold formulas and Markdown: the cell is filled like the page itself.
+            const std::string number = number_cell(cell);
+            body += " " + (number.empty() ? with_bars_kept(cell) : number) + " |";
+        }
+        body += "\n";
+    }
+    return "\n" + names + "\n" + rule + "\n" + body;
 }
 
 }  // namespace page

@@ -2,6 +2,7 @@
 
 #include "chapter.hpp"
 #include "run_data.hpp"
+#include "scanner.hpp"
 
 #include <filesystem>
 #include <map>
@@ -14,6 +15,12 @@ namespace page {
 /// Where a claim is taught or drawn: one line of a page's index file.
 struct IndexEntry {
     std::string row, kind, page, anchor, title;  ///< kind: "section" or "figure"
+};
+
+/// A part of a chapter's program.
+struct Part {
+    std::string code;
+    int first_line;
 };
 
 /// A figure in the order in which a page's or a chapter's are numbered.
@@ -60,9 +67,14 @@ public:
     std::set<std::string> anchors;                         ///< ids of those figures
     std::set<std::filesystem::path> inputs;                ///< files read besides the runs'
     std::map<std::string, std::string> pages;              ///< what goes on pages beside this one: file, Markdown
-    bool draft = false;                                    ///< what no run has left yet becomes a gap
-    int gaps = 0;                                          ///< so many, in a draft
-    std::filesystem::path indexes;                         ///< for the page of the talks
+    Heading heading{};                                     ///< directly above; without an id where text stands between
+    std::string program;                                   ///< the chapter's
+    std::vector<Part> parts;                               ///< of it, as the page shows them
+    std::size_t parts_shown = 0;
+    bool asked = false;             ///< between {{ask: …}} and {{answered}}
+    bool draft = false;             ///< what no run has left yet becomes a gap
+    int gaps = 0;                   ///< so many, in a draft
+    std::filesystem::path indexes;  ///< for the page of the talks
 
 private:
     std::filesystem::path root_, runs_;

@@ -1,120 +1,244 @@
-// link_sources: turns links to source files into links to their pages in the finished site.
-//
-// A page links to a source as `source:tests/library/run.cpp#l00042`, for the name that Doxygen
-// gives to that file's page depends on all the other files. Here, after Doxygen, the names are
-// known: each source page carries its file in its title.
-//
-// And of the links that Doxygen guesses in listings stay those that are meant (listings.hpp), and who
-// hears a page read is told which part of it is what.
+// link_sources: gives links and colours to the code on the pages of the finished site, as only then all names are
+// known.
 //
 //     link_sources SITE TAGS [UNLINKED]
 //
-// A source in the folder UNLINKED is left without a link: the learner's edition shows no tests.
+// A page links to a source as `source:tests/library/run.cpp#l00042`: the name of that file's page depends on all the
+// other files. A source in the folder UNLINKED is left without a link, since the learner's edition shows no tests.
+//
+// In a listing Doxygen links each name that it knows from anywhere: `dot` of one program to the product of two vectors.
+// TAGS, the names that Doxygen left, tells which names mean one thing only. And Doxygen 1.9 colours parts of names as
+// words of C++, the `float` and `int` of floating_point, and misses others.
 
-#include "error.hpp"
-#include "listings.hpp"
 #include "text.hpp"
 
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <set>
 #include <string_view>
 
 namespace {
 
 namespace fs = std::filesystem;
+using page::between;
+
+// ---- Links to sources -------------------------------------------------------------------------------
+
 using SourcePages = std::map<std::string, std::string>;
 
-/// `<title>Timestep: include/timestep/run.hpp Source File</title>` tells
-/// `include/timestep/run.hpp`.
+/// `<title>Timestep: include/timestep/run.hpp Source File</title>` names the file of a source's page.
 SourcePages find_source_pages(const fs::path& site) {
     SourcePages pages;
     for (const auto& entry : fs::directory_iterator{site}) {
         const std::string name = entry.path().filename().string();
-        if (!name.ends_with("_source.html")) {
-            continue;
-        }
-        const std::string html = page::read_file(entry.path());
-        const std::size_t begin = html.find("<title>");
-        const std::size_t colon = html.find(": ", begin);
-        const std::size_t end = html.find(" Source File</title>", begin);
-        if (begin != std::string::npos && colon < end && end != std::string::npos) {
-            pages[html.substr(colon + 2, end - colon - 2)] = name;
-        }
+        if (!name.ends_with("_source.html")) continue;
+        const std::string title = between(page::read_file(entry.path()), "<title>", "</title>");
+        pages[between(title, ": ", " Source File")] = name;
     }
     return pages;
 }
 
-/// The page with its links resolved. A source that the site does not show is an Error, but for one
-/// that is to be left without a link.
-std::string resolve(const std::string& html, const SourcePages& pages, const std::string& name,
-                    const std::string& unlinked) {
-    const std::string marker = "href=\"source:";
-    std::string resolved;
-    std::size_t at = 0;
-    while (true) {
-        const std::size_t link = html.find(marker, at);
-        resolved += html.substr(at, link - at);
-        if (link == std::string::npos) {
-            return resolved;
-        }
-        const std::size_t path = link + marker.size();
-        const std::size_t end = html.find_first_of("#\"", path);
+/// The page with its links resolved. Throws page::Error for a source that the site does not show.
+std::string with_source_links(std::string html, const SourcePages& pages, const std::string& name,
+                              const std::string& unlinked) {
+    static const std::string marker = "href=\"source:";
+    for (std::size_t at = 0; (at = html.find(marker, at)) != std::string::npos;) {
+        const std::size_t path = at + marker.size(), end = html.find_first_of("#\"", path);
         const std::string file = html.substr(path, end - path);
-        if (!unlinked.empty() && file.starts_with(unlinked)) {
-            at = html.find('"', path) + 1;
-            continue;
-        }
         const auto found = pages.find(file);
-        if (found == pages.end()) {
+        if (!unlinked.empty() && file.starts_with(unlinked)) {
+            html.erase(at, html.find('"', path) + 1 - at);
+        } else if (found == pages.end()) {
             throw page::Error{name, 1, "links to " + file + ", which the site does not show"};
-        }
-        resolved += "href=\"" + found->second;
-        at = end;
-    }
-}
-
-/// A source's page whose lines have their place by `id` alone: by `name`, too, they weigh a tenth more.
-std::string named_once(const std::string& html) {
-    static const std::string open = "<a id=\"l", again = " name=\"l";
-    std::string once;
-    std::size_t done = 0;
-    for (std::size_t at = html.find(open); at != std::string::npos; at = html.find(open, at)) {
-        at = html.find('"', at + open.size()) + 1;
-        if (html.compare(at, again.size(), again) == 0) {
-            once += html.substr(done, at - done);
-            done = at = html.find('"', at + again.size()) + 1;
+        } else {
+            html.replace(at, end - at, "href=\"" + found->second);
         }
     }
-    return once + html.substr(done);
+    return html;
 }
 
-/// Is it a page of what the library has, whose examples speak of nothing else?
-bool is_of_library(const std::string& name) {
-    return name.starts_with("group__") || name.starts_with("struct") || name.starts_with("class") ||
-           name.starts_with("namespace") || name.starts_with("concept");
+// ---- Links to names ---------------------------------------------------------------------------------
+
+/// The classes and namespaces that have a function or a variable of that name.
+using Owners = std::map<std::string, std::set<std::string>>;
+
+Owners read_owners(const fs::path& tags) {
+    Owners owners;
+    std::string owner, kind;
+    bool in_file = false;
+    for (const std::string& line : page::split_lines(page::read_file(tags))) {
+        if (const std::string compound = between(line, "<compound kind=\"", "\""); !compound.empty()) {
+            owner.clear(), kind.clear();
+            in_file = compound != "struct" && compound != "class" && compound != "namespace";
+        }
+        if (const std::string member = between(line, "<member kind=\"", "\""); !member.empty()) kind = member;
+        const std::string name = between(line, "<name>", "</name>");
+        if (in_file || name.empty()) continue;
+        if (owner.empty()) owner = name;
+        if (kind == "function" || kind == "variable") owners[name].insert(owner);
+    }
+    return owners;
 }
 
-/// What Doxygen does not say of its page: which part is what, for those who hear it read.
-std::string with_named_parts(std::string html) {
-    struct Part {
-        std::string_view begin, said;
+/// A link of Doxygen's in a listing.
+struct Link {
+    std::size_t begin, end;
+    std::string kind, address, name;
+
+    /// Does the code declare the name there? A type stands before it.
+    bool declares(const std::string& html) const {
+        const std::string_view before = std::string_view{html}.substr(0, begin);
+        const bool keyword = before.ends_with("</span> ");
+        const std::string_view span = keyword ? before.substr(before.rfind("<span")) : "";
+        return span.find("keywordtype") != span.npos || span.find(">auto<") != span.npos || before.ends_with("</a> ") ||
+               before.ends_with("&gt; ") || before.ends_with("&amp; ");
+    }
+    bool is_type() const { return kind != "hl_function" && kind != "hl_variable" && kind != "hl_enumvalue"; }
+};
+
+Link next_link(const std::string& html, std::size_t from, std::size_t to) {
+    Link link{html.find("<a class=\"code ", from), 0, "", "", ""};
+    if (link.begin >= to) return {to, to, "", "", ""};
+    link.end = html.find("</a>", link.begin) + 4;
+    const std::string tag = html.substr(link.begin, link.end - link.begin);
+    link.kind = between(tag, "code ", "\"");
+    link.address = between(tag, "href=\"", "\"");
+    link.name = between(tag, ">", "</a>");
+    return link;
+}
+
+/// One listing of a page, and whether it quotes a header of the library.
+struct Listing {
+    std::size_t begin, end;
+    bool of_library;
+};
+
+std::vector<Listing> listings_of(const std::string& html) {
+    static const std::string open = "<div class=\"fragment\">", close = "<!-- fragment -->";
+    std::vector<Listing> listings;
+    for (std::size_t at = html.find(open); at != std::string::npos; at = html.find(open, at + 1)) {
+        const std::size_t figure = html.rfind("<figure class=\"listing\"", at), end = html.find(close, at);
+        if (end == std::string::npos) break;
+        const bool quotes = figure != std::string::npos && html.find("</figure>", figure) > at;
+        listings.push_back(
+            {at, end, quotes && html.substr(figure, at - figure).find(">include/") != std::string::npos});
+    }
+    return listings;
+}
+
+/// The page without the links that may mean something else. What Doxygen shows beside a link goes with it.
+std::string with_meant_links(std::string html, const Owners& owners) {
+    const auto declared = [&html](const Listing& in, std::set<std::string>& names) {
+        for (Link link = next_link(html, in.begin, in.end); link.begin < in.end;
+             link = next_link(html, link.end, in.end))
+            if (!link.is_type() && link.declares(html)) names.insert(link.name);
     };
-    static constexpr Part parts[]{
-        {"<div id=\"doc-content\"", " role=\"main\""},
-        {"<div id=\"titlearea\"", " role=\"banner\""},
-        {"<div id=\"side-nav\"", " role=\"navigation\" aria-label=\"Contents\""},
-        {"<div id=\"nav-path\"", " role=\"navigation\" aria-label=\"Where this page is\""},
-        {"<div class=\"headertitle\"><div class=\"title\"", " role=\"heading\" aria-level=\"1\""}};
-    for (const auto& [begin, said] : parts) {
-        const std::size_t at = html.find(begin);
-        if (at != std::string::npos) {
-            html.insert(at + begin.size(), said);
+    std::set<std::string> own;  // what the programs on this page declare
+    for (const Listing& listing : listings_of(html))
+        if (!listing.of_library) declared(listing, own);
+
+    const auto stays = [&](const Link& link, const Listing& in, const std::set<std::string>& own_here) {
+        if (link.is_type()) return link.name.size() > 1;  // V is a parameter of some template
+        if (link.name.find("::") != std::string::npos) return true;
+        const char after = html[link.end];
+        if (html[link.begin - 1] == '.' || link.kind == "hl_enumvalue") return false;
+        if (link.kind == "hl_function" && after != '(' && after != '&' && after != '{') return false;
+        const auto found = owners.find(link.name);
+        const bool one = found == owners.end() || found->second.size() == 1;
+        if (!in.of_library) return one && own.count(link.name) == 0;
+        const bool of_class = link.address.starts_with("struct") || link.address.starts_with("class");
+        return one || (!of_class && own_here.count(link.name) == 0);
+    };
+    std::vector<Listing> listings = listings_of(html);
+    for (auto each = listings.rbegin(); each != listings.rend(); ++each) {
+        std::set<std::string> own_here, kept;
+        declared(*each, own_here);
+        std::string code = html.substr(each->begin, each->end - each->begin), linked;
+        std::size_t done = each->begin;
+        for (Link link = next_link(html, done, each->end); link.begin < each->end;
+             link = next_link(html, link.end, each->end)) {
+            const bool keep = stays(link, *each, own_here);
+            if (keep) kept.insert(link.address);
+            linked += html.substr(done, link.begin - done) +
+                      (keep ? html.substr(link.begin, link.end - link.begin) : link.name);
+            done = link.end;
+        }
+        linked += html.substr(done, each->end - done);
+        static const std::string tip = "<div class=\"ttc\"";
+        for (std::size_t at = 0; (at = linked.find(tip, at)) != std::string::npos;) {
+            const std::size_t line = linked.find('\n', at);
+            const bool shown =
+                kept.count(between(linked.substr(at, line - at), "<div class=\"ttname\"><a href=\"", "\""));
+            shown ? void(at = line) : void(linked.erase(at, line + 1 - at));
+        }
+        html.replace(each->begin, each->end - each->begin, linked);
+    }
+    return html;
+}
+
+// ---- Colours ----------------------------------------------------------------------------------------
+
+/// Doxygen's class for a word of C++20; nothing for any other.
+std::string kind_of(const std::string& word) {
+    static const std::string
+        types = " bool char double float int long short signed unsigned void ",
+        flow = " break case catch continue default do else for goto if return switch throw try while ",
+        others =
+            " alignas auto class concept const const_cast consteval constexpr constinit decltype "
+            "delete dynamic_cast enum explicit extern false friend inline mutable namespace new "
+            "noexcept nullptr operator override private protected public requires sizeof static "
+            "static_assert static_cast struct template this thread_local true typedef typename union "
+            "using virtual volatile ";
+    const std::string one = " " + word + " ";
+    const auto in = [&one](const std::string& words) { return words.find(one) != std::string::npos; };
+    return in(types) ? "keywordtype" : in(flow) ? "keywordflow" : in(others) ? "keyword" : "";
+}
+
+/// A listing without Doxygen's colours of words, and with ours.
+std::string with_keywords(const std::string& listing) {
+    std::string coloured;
+    int inside = 0;  // of comments, texts and links, which have their colour
+    for (std::size_t at = 0; at < listing.size();) {
+        if (listing.compare(at, 16, "<div class=\"ttc\"") == 0) {  // what is shown beside a link
+            const std::size_t end = listing.find('\n', at);
+            coloured += listing.substr(at, end - at);
+            at = std::min(end, listing.size());
+        } else if (listing.compare(at, 20, "<span class=\"keyword") == 0) {
+            const std::size_t begin = listing.find('>', at) + 1, end = listing.find("</span>", begin);
+            // A part of a longer word: the word goes on behind it.
+            std::string word = listing.substr(begin, end - begin);
+            for (at = end + 7; at < listing.size() && page::in_word(listing[at]);) word += listing[at++];
+            const bool is_part = !coloured.empty() && page::in_word(coloured.back());
+            const std::string kind = is_part ? "" : kind_of(word);
+            coloured += kind.empty() ? word : "<span class=\"" + kind + "\">" + word + "</span>";
+        } else if (listing[at] == '<' || listing[at] == '&') {
+            const std::size_t end = listing.find(listing[at] == '<' ? '>' : ';', at);
+            const std::string tag = listing.substr(at, end + 1 - at);
+            inside += (tag.starts_with("<span") || tag.starts_with("<a ")) - (tag == "</span>" || tag == "</a>");
+            coloured += tag;
+            at = end + 1;
+        } else if (page::in_word(listing[at])) {
+            const std::size_t begin = at;
+            while (at < listing.size() && page::in_word(listing[at])) ++at;
+            const std::string word = listing.substr(begin, at - begin);
+            const bool is_part = !coloured.empty() && page::in_word(coloured.back());
+            const bool goes_on = listing.compare(at, 20, "<span class=\"keyword") == 0;
+            const std::string kind = inside > 0 || is_part || goes_on ? "" : kind_of(word);
+            coloured += kind.empty() ? word : "<span class=\"" + kind + "\">" + word + "</span>";
+        } else {
+            coloured += listing[at++];
         }
     }
-    static constexpr std::string_view icon = "><span class=\"icondoc\"", label = " aria-label=\"Source\"";
-    for (std::size_t at = html.find(icon); at != std::string::npos; at = html.find(icon, at + label.size() + 1)) {
-        html.insert(at, label);
+    return coloured;
+}
+
+std::string with_colours(std::string html) {
+    const std::vector<Listing> listings = listings_of(html);
+    for (auto each = listings.rbegin(); each != listings.rend(); ++each) {
+        const std::string listing = html.substr(each->begin, each->end - each->begin);
+        if (listing.find("<span class=\"") != std::string::npos)  // else it is a command, no C++
+            html.replace(each->begin, listing.size(), with_keywords(listing));
     }
     return html;
 }
@@ -127,25 +251,17 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
-        const SourcePages pages = find_source_pages(argv[1]);
-        const page::Listings listings{argv[1], argv[2]};
+        const SourcePages sources = find_source_pages(argv[1]);
+        const Owners owners = read_owners(argv[2]);
         for (const auto& entry : fs::directory_iterator{argv[1]}) {
             const std::string name = entry.path().filename().string();
-            if (entry.path().extension() == ".html") {
-                const std::string html = page::read_file(entry.path());
-                std::string resolved;
-                if (name.ends_with("_source.html")) {
-                    resolved = named_once(html);
-                } else {
-                    resolved = listings.meant(resolve(html, pages, name, argc == 4 ? argv[3] : ""));
-                    resolved = is_of_library(name) ? page::Listings::calls_alone(resolved)
-                                                   : page::Listings::types_alone(resolved);
-                }
-                resolved = with_named_parts(page::with_keywords(resolved));
-                if (resolved != html) {
-                    page::write_file(entry.path(), resolved);
-                }
-            }
+            if (entry.path().extension() != ".html") continue;
+            const std::string html = page::read_file(entry.path());
+            const bool is_source = name.ends_with("_source.html");
+            const std::string changed = with_colours(
+                is_source ? html
+                          : with_source_links(with_meant_links(html, owners), sources, name, argc == 4 ? argv[3] : ""));
+            if (changed != html) page::write_file(entry.path(), changed);
         }
         return 0;
     } catch (const std::exception& wrong) {

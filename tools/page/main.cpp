@@ -4,12 +4,10 @@
 // output that it shows; this program puts them in, and fails where one of them does not exist.
 // README.md beside this file tells what may stand in a source.
 
-#include "context.hpp"
+#include "directives.hpp"
 #include "svg_for_web.hpp"
 #include "error.hpp"
 #include "fill.hpp"
-#include "image.hpp"
-#include "claims.hpp"
 #include "options.hpp"
 #include "text.hpp"
 
@@ -60,26 +58,20 @@ bool parse(int argc, char** argv, Options& options) {
 /// frames of a film, and a live panel's module, come as scripts: `pageBytes["figures/…"] = "base64"`. (A page that is
 /// opened from its file can read scripts alone.)
 void copy_figures(const page::Context& context, const fs::path& folder) {
+    const auto dark = page::load_dark_colours(context.root() / "tools/figures/dark.tsv");
     for (const auto& [name, drawn] : context.figures) {
         const std::string content = page::read_file(drawn);
-        if (drawn.extension() != ".svg") {
+        try {
+            if (drawn.extension() == ".svg") {
+                page::write_file(folder / name, page::svg_for_web(content, dark));
+                continue;
+            }
             page::write_file(folder / (name + ".js"),
                              "pageBytes[\"figures/" + name + "\"] = \"" + page::base64(content) + "\";\n");
-        }
-        if (drawn.extension() == ".svg") {
-            try {
-                page::write_file(folder / name, page::for_pages(content));
-            } catch (const std::invalid_argument& wrong) {
-                throw page::Error{drawn.string(), 1, wrong.what()};
-            }
-        } else if (drawn.extension() == ".gif") {
-            fs::path still = folder / name;
-            still.replace_extension(".still.gif");
-            try {
-                page::write_file(still, page::first_frame(content));
-            } catch (const std::invalid_argument& wrong) {
-                throw page::Error{drawn.string(), 1, wrong.what()};
-            }
+            if (drawn.extension() == ".gif")
+                page::write_file((folder / name).replace_extension(".still.gif"), page::first_frame(content));
+        } catch (const std::invalid_argument& wrong) {
+            throw page::Error{drawn.string(), 1, wrong.what()};
         }
     }
 }
@@ -134,9 +126,7 @@ int main(int argc, char** argv) {
         // A page of an earlier build must not pass for this one's.
         for (const char* written : {"--output", "--index"}) {
             std::error_code ignored;
-            if (page::may_be_replaced(options[written])) {
-                fs::remove(options[written], ignored);
-            }
+            if (fs::is_regular_file(options[written], ignored)) fs::remove(options[written], ignored);
         }
         std::cerr << wrong.what() << "\n";
         return 2;

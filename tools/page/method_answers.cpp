@@ -31,7 +31,7 @@ std::string link(const Context& context, const std::string& where) {
 
 }  // namespace
 
-std::string which_markdown(const Context& context, const Directive& directive) {
+std::string method_answers_markdown(Context& context, const Directive& directive) {
     if (directive.arguments.empty()) {
         throw std::invalid_argument{"{{which}} takes names of answers, of tools/advise/which_method.hpp"};
     }

@@ -7,7 +7,7 @@
 // that GROUPS has for it. Programs and tests are no interface: of them Doxygen reads nothing, and shows them in the
 // source browser only.
 
-#include "snippet.hpp"
+#include "directives.hpp"
 #include "text.hpp"
 
 #include <iostream>

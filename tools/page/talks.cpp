@@ -1,16 +1,55 @@
 // The talks row by row: what they show, and where the course teaches, draws and tests it.
 
 #include "directives.hpp"
-#include "error.hpp"
-#include "claims.hpp"
-#include "tagged_tests.hpp"
 #include "text.hpp"
 
+#include <algorithm>
+#include <regex>
 #include <stdexcept>
 #include <utility>
 
 namespace page {
 namespace {
+
+/// The rows of a file whose first cell is a claim.
+std::vector<Row> claims_of(const std::filesystem::path& file, std::size_t cells) {
+    std::vector<Row> rows = rows_of(file, cells);
+    for (const Row& row : rows)
+        if (!is_row(row.cells.front())) throw Error{file.string(), row.line, "must begin with a claim"};
+    return rows;
+}
+
+/// Every index file in the folder.
+std::vector<IndexEntry> load_indexes(const std::filesystem::path& folder) {
+    std::set<std::filesystem::path> files;
+    if (std::filesystem::is_directory(folder))
+        for (const auto& entry : std::filesystem::directory_iterator{folder})
+            if (entry.path().extension() == ".tsv") files.insert(entry.path());
+    std::vector<IndexEntry> index;
+    for (const std::filesystem::path& file : files)
+        for (const auto& [cells, line] : claims_of(file, 5))
+            index.push_back({cells[0], cells[1], cells[2], cells[3], cells[4]});
+    return index;
+}
+
+/// The tests below these folders, by file and line. Nothing is compiled for it.
+std::vector<TestPlace> load_tests(Context& context) {
+    std::set<std::filesystem::path> sources;
+    for (const char* folder : {"tests/advise", "tests/chapters", "tests/library"}) {
+        if (!std::filesystem::is_directory(context.root() / folder)) continue;
+        for (const auto& entry : std::filesystem::directory_iterator{context.root() / folder})
+            if (entry.path().extension() == ".cpp" && !entry.path().filename().string().starts_with("."))
+                sources.insert(entry.path());
+    }
+    std::vector<TestPlace> tests;
+    for (const std::filesystem::path& source : sources) {
+        const std::string file = std::filesystem::proximate(source, context.root()).generic_string();
+        const std::vector<TestPlace> found = tagged_tests(read_file(source), file);
+        tests.insert(tests.end(), found.begin(), found.end());
+    }
+    context.inputs.insert(sources.begin(), sources.end());
+    return tests;
+}
 
 struct Sources {
     std::map<std::string, TalkRow> talks;
@@ -20,21 +59,18 @@ struct Sources {
 
 std::string index_links(const Sources& sources, const std::string& row, const std::string& kind) {
     std::string links;
-    for (const IndexEntry& entry : sources.index) {
-        if (entry.row == row && entry.kind == kind) {
+    for (const IndexEntry& entry : sources.index)
+        if (entry.row == row && entry.kind == kind)
             links += (links.empty() ? "" : "<br>") + ("<a href=\"" + entry.page + "#" + entry.anchor) + "\">" +
                      escape_markdown(entry.title) + "</a>";
-        }
-    }
     return links;
 }
 
 /// A test's name where neither Doxygen nor the page tool shall find Markdown in it.
 std::string plain_html(const std::string& name) {
     std::string html = escape_html(name);
-    for (const auto& [mark, entity] : {std::pair{"$", "&#36;"}, {"`", "&#96;"}, {"{", "&#123;"}, {"\\", "&#92;"}}) {
+    for (const auto& [mark, entity] : {std::pair{"$", "&#36;"}, {"`", "&#96;"}, {"{", "&#123;"}, {"\\", "&#92;"}})
         html = replace_all(html, mark, entity);
-    }
     return html;
 }
 
@@ -107,27 +143,76 @@ std::string row_markdown(Context& context, const Sources& sources, const std::st
 
 }  // namespace
 
-std::string talks_markdown(Context& context) {
-    if (context.indexes.empty()) {
-        throw std::invalid_argument{"{{talks}} needs the option --indexes"};
+/// Adjacent string literals, "so" " much", as the one that the compiler makes of them.
+static std::string joined(const std::string& literals) {
+    std::string text;
+    bool inside = false;
+    for (std::size_t at = 0; at < literals.size(); ++at) {
+        if (literals[at] == '"')
+            inside = !inside;
+        else if (inside)
+            text += literals[at] == '\\' ? literals[++at] : literals[at];
     }
+    return text;
+}
+
+std::vector<TestPlace> tagged_tests(const std::string& text, const std::string& file) {
+    static const std::string literals = R"re(((?:\s*"(?:[^"\\]|\\.)*")+))re";
+    static const std::regex test{"[A-Z_]*TEST_CASE\\(" + literals + "," + literals}, tag{R"(\[([^\[\]]*)\])"};
+    std::vector<TestPlace> tests;
+    for (std::sregex_iterator each{text.begin(), text.end(), test}, end; each != end; ++each) {
+        if (each->position() > 0 && text[static_cast<std::size_t>(each->position()) - 1] != '\n') continue;
+        const int line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + each->position(), '\n'));
+        const std::string name = joined((*each)[1]), tags = joined((*each)[2]);
+        for (std::sregex_iterator row{tags.begin(), tags.end(), tag}; row != end; ++row)
+            if (is_row((*row)[1].str())) tests.push_back({(*row)[1], name, file, line});
+    }
+    return tests;
+}
+
+std::map<std::string, TalkRow> load_talks(const std::filesystem::path& file) {
+    std::map<std::string, TalkRow> talks;
+    for (const auto& [cells, line] : claims_of(file, 5)) {
+        if (cells[2].empty()) throw Error{file.string(), line, cells[0] + " has no text"};
+        if (!talks.emplace(cells[0], TalkRow{cells[1], cells[2], cells[3], split_words(cells[4]), line}).second)
+            throw Error{file.string(), line, cells[0] + " stands here twice"};
+    }
+    return talks;
+}
+
+std::string index_lines(const std::vector<IndexEntry>& index) {
+    std::string lines;
+    for (const IndexEntry& entry : index)
+        lines += entry.row + "\t" + entry.kind + "\t" + entry.page + "\t" + entry.anchor + "\t" + entry.title + "\n";
+    return lines;
+}
+
+std::string claims_markdown(Context& context, const Directive& directive) {
+    const Chapter* chapter = context.chapter();
+    if (chapter == nullptr || directive.arguments.empty() || context.heading.id.empty())
+        throw std::invalid_argument{"{{claims N22 N24}} stands directly below a heading that has an id"};
+    std::string badges;
+    for (const std::string& row : directive.arguments) {
+        if (std::count(chapter->claims.begin(), chapter->claims.end(), row) == 0)
+            throw std::out_of_range{"\"" + row + "\" is none of this chapter's claims"};
+        context.index.push_back({row, "section", context.page() + ".html", context.heading.id, context.heading.title});
+        badges += " <a class=\"row\" href=\"talks.html#row_" + row + "\">" + row + "</a>";
+    }
+    return "\n<div class=\"claims\">In the talks:" + badges + "</div>\n";
+}
+
+std::string talks_markdown(Context& context, const Directive&) {
+    if (context.indexes.empty()) throw std::invalid_argument{"{{talks}} needs the option --indexes"};
     const std::filesystem::path file = context.root() / "docs/talks.tsv";
-    const Sources sources{load_talks(file), load_indexes(context.indexes), load_tests(context.root())};
+    const Sources sources{load_talks(file), load_indexes(context.indexes), load_tests(context)};
     context.inputs.insert(file);
-    for (const std::filesystem::path& source : test_sources(context.root())) {
-        context.inputs.insert(source);
-    }
     std::string tables;
     for (const Chapter& chapter : context.chapters()) {
-        if (chapter.claims.empty()) {
-            continue;
-        }
+        if (chapter.claims.empty()) continue;
         tables += "\n## " + chapter.heading() + " {#talks_" + chapter.id() + "}\n\n" +
                   "<table class=\"talks\">\n<tr><th>Row</th><th>What the talks show</th>"
                   "<th>Taught in</th><th>Drawn in</th><th>Tested by</th></tr>\n";
-        for (const std::string& row : chapter.claims) {
-            tables += row_markdown(context, sources, row, chapter);
-        }
+        for (const std::string& row : chapter.claims) tables += row_markdown(context, sources, row, chapter);
         tables += "</table>\n";
     }
     return tables;

@@ -1,7 +1,5 @@
 #include "text.hpp"
 
-#include "error.hpp"
-
 #include <cctype>
 #include <fstream>
 #include <sstream>
@@ -19,28 +17,15 @@ std::string read_file(const std::filesystem::path& path) {
     return content.str();
 }
 
-bool may_be_replaced(const std::filesystem::path& path) {
-    std::error_code unknown;
-    const std::filesystem::file_status there = std::filesystem::status(path, unknown);
-    return !std::filesystem::exists(there) || std::filesystem::is_regular_file(there);
-}
-
 void write_file(const std::filesystem::path& path, std::string_view content) {
-    if (!may_be_replaced(path)) {
-        throw Error{path.string(), 1, "is there already and is no plain file: it stays"};
-    }
     std::error_code failed;
-    if (path.has_parent_path()) {
-        std::filesystem::create_directories(path.parent_path(), failed);
-    }
+    if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), failed);
     std::filesystem::path draft = path;
     draft += ".part";
     std::ofstream file{draft, std::ios::binary};
     file << content;
     file.close();
-    if (file) {
-        std::filesystem::rename(draft, path, failed);
-    }
+    if (file) std::filesystem::rename(draft, path, failed);
     if (!file || failed) {
         std::filesystem::remove(draft, failed);
         throw Error{path.string(), 1, "cannot be written"};
@@ -82,6 +67,25 @@ std::vector<std::string> split_words(std::string_view text) {
     return words;
 }
 
+std::vector<Row> rows_of(const std::filesystem::path& file, std::size_t cells) {
+    std::vector<Row> rows;
+    int line = 0;
+    for (const std::string& text : split_lines(read_file(file))) {
+        ++line;
+        if (text.empty() || text.starts_with('#')) continue;
+        rows.push_back({split(text, '\t'), line});
+        if (rows.back().cells.size() != cells)
+            throw Error{file.string(), line, "must have " + std::to_string(cells) + " cells with tabs between"};
+    }
+    return rows;
+}
+
+std::string between(const std::string& text, const std::string& open, const std::string& close, std::size_t from) {
+    const std::size_t begin = text.find(open, from);
+    const std::size_t end = begin == std::string::npos ? begin : text.find(close, begin + open.size());
+    return end == std::string::npos ? "" : text.substr(begin + open.size(), end - begin - open.size());
+}
+
 bool in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 std::string_view trim(std::string_view text) {
@@ -102,24 +106,8 @@ std::string replace_all(std::string text, std::string_view from, std::string_vie
 
 std::string escape_html(std::string_view text) {
     std::string escaped;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                escaped += "&amp;";
-                break;
-            case '<':
-                escaped += "&lt;";
-                break;
-            case '>':
-                escaped += "&gt;";
-                break;
-            case '"':
-                escaped += "&quot;";
-                break;
-            default:
-                escaped += c;
-        }
-    }
+    for (const char c : text)
+        escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string{c};
     return escaped;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "error.hpp"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -10,11 +12,7 @@ namespace page {
 /// The whole file. Throws Error (line 1) when it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
-/// Nothing is there, or a plain file; not a folder, a pipe or a device.
-bool may_be_replaced(const std::filesystem::path& path);
-
-/// Writes the file whole or not at all: beside its place first, then moved there. Throws Error,
-/// also when what is there may not be replaced.
+/// Writes the file whole or not at all: beside its place first, then moved there. Throws Error.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
 std::vector<std::string> split(std::string_view text, char separator);
@@ -24,6 +22,17 @@ std::vector<std::string> split_lines(std::string_view text);
 
 /// The words between blanks.
 std::vector<std::string> split_words(std::string_view text);
+
+/// The rows of a table of tab-separated cells, without empty lines and those that begin with #. Throws Error for a row
+/// that has not so many cells.
+struct Row {
+    std::vector<std::string> cells;
+    int line;
+};
+std::vector<Row> rows_of(const std::filesystem::path& file, std::size_t cells);
+
+/// The text between `open` and the next `close`; empty where they are not there.
+std::string between(const std::string& text, const std::string& open, const std::string& close, std::size_t from = 0);
 
 /// May it stand in a name of C++?
 bool in_word(char c);
@@ -38,14 +47,14 @@ std::string escape_html(std::string_view text);
 /// For text that Doxygen's Markdown shall show as it is.
 std::string escape_markdown(std::string_view text);
 
-/// For an attribute of an HTML tag that stands in Markdown. Doxygen escapes the value itself, so
-/// only what would end the value, or a table's cell, is replaced.
+/// For an attribute of an HTML tag that stands in Markdown. Doxygen escapes the value itself: only what would end the
+/// value, or a table's cell, is replaced.
 std::string attribute(std::string_view text);
 
 /// Any bytes as text: a script may hand them to a page that is opened from its file, which may read no other file.
 std::string base64(std::string_view bytes);
 
-/// A claim's id: N or I and two digits.
+/// Is it a claim's id, N or I and two digits?
 bool is_row(std::string_view word);
 
 }  // namespace page

@@ -1,7 +1,7 @@
-// Figures: what a run has drawn, with a caption.
+// Figures: what a run has drawn, with a caption; live panels; and pieces of their lines between words.
 
 #include "directives.hpp"
-#include "image.hpp"
+#include "svg_for_web.hpp"
 #include "text.hpp"
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 
 namespace page {
 
-std::string first_sentence(const std::string& caption) {
+/// The caption's first sentence without marks, for those who cannot see the picture.
+static std::string first_sentence(const std::string& caption) {
     std::string plain;
     bool in_tag = false;
     for (const char c : replace_all(caption, "\\f$", "")) {
@@ -89,20 +90,6 @@ std::vector<Numbered> figures_of(std::string_view source, const std::string& fil
     return order;
 }
 
-bool is_measured(Context& context, const Directive& directive, const std::string& folder) {
-    if (directive.arguments.size() != 1) {
-        throw std::invalid_argument{"{{where name}} takes one name"};
-    }
-    const std::string& reference = directive.arguments.front();
-    std::string name;
-    return !context
-                .run_of(
-                    reference.find('/') == std::string::npos && !folder.empty() ? folder + "/" + reference : reference,
-                    name)
-                .number(name)
-                .value.empty();
-}
-
 namespace {
 
 /// The figures of a chapter's page that its run leaves out.
@@ -174,7 +161,8 @@ std::string see_markdown(Context& context, const Directive& directive) {
     return html;
 }
 
-std::string figure_markdown(Context& context, const Directive& directive, const std::string& caption) {
+std::string figure_markdown(Context& context, const Directive& directive) {
+    const std::string& caption = directive.text;
     if (directive.arguments.empty() || trim(caption).empty()) {
         throw std::invalid_argument{"a figure is {{figure file.svg N22: caption}}"};
     }
@@ -220,6 +208,68 @@ std::string figure_markdown(Context& context, const Directive& directive, const 
            "</a><figcaption>\\endhtmlonly\n<span class=\"figure-number\">" +
            label(context.chapter(), context.order, find(context.order, folder + "/" + file)) + ".</span> " +
            std::string{trim(caption)} + "\n\\htmlonly[block]</figcaption></figure>\\endhtmlonly\n";
+}
+
+std::string live_markdown(Context& context, const Directive& directive) {
+    const std::string& caption = directive.text;
+    if (directive.arguments.size() != 1 || trim(caption).empty()) {
+        throw std::invalid_argument{"a live panel is {{live panel: caption}} or {{live 03_chapter/panel: caption}}"};
+    }
+    const std::string& reference = directive.arguments.front();
+    const std::size_t slash = reference.find('/');
+    if (slash == std::string::npos && context.chapter() == nullptr) {
+        throw std::invalid_argument{"{{live " + reference +
+                                    "}}: outside of a chapter a panel is named 03_chapter/panel"};
+    }
+    const std::string folder = slash == std::string::npos ? context.chapter()->folder : reference.substr(0, slash);
+    const std::string name = reference.substr(slash + 1);  // npos + 1 is 0
+    const std::string source = "chapters/" + folder + "/live/" + name + ".cpp";
+    if (!std::filesystem::exists(context.root() / source)) {
+        throw std::out_of_range{source + ": there is no such panel"};
+    }
+    const std::string anchor = "live-" + name;
+    if (!context.anchors.insert(anchor).second) {
+        throw std::out_of_range{name + " is shown twice on this page"};
+    }
+    const std::filesystem::path made = context.runs() / folder / "live";
+    const std::filesystem::path still = made / (name + ".svg"), module = made / (name + ".wasm");
+    if (!std::filesystem::exists(still) && context.draft) {
+        ++context.gaps;
+        return "\n<div class=\"gap\">(a live panel is to come here)</div>\n";
+    }
+    const std::string shown = folder + "/live_" + name;
+    context.figures.emplace(shown + ".svg", still);
+    context.inputs.insert(still);
+    std::string attributes;
+    if (std::filesystem::exists(module)) {  // else there is no compiler for it here, and the picture stands still
+        context.figures.emplace(shown + ".wasm", module);
+        context.inputs.insert(module);
+        attributes = " data-live=\"" + folder + "/" + name + "\" data-module=\"figures/" + shown + ".wasm\"";
+    }
+    const ImageSize size = image_size(still);
+    return "\n\\htmlonly[block]<figure id=\"" + anchor + "\" class=\"picture live\"" + attributes +
+           " style=\"--width:" + std::to_string(size.width) + "px\"><a class=\"card\" href=\"figures/" + shown +
+           ".svg\"><img src=\"figures/" + shown + ".svg\" alt=\"" + escape_html(first_sentence(caption)) +
+           "\" width=\"" + std::to_string(size.width) + "\" height=\"" + std::to_string(size.height) +
+           "\" loading=\"lazy\"></a><figcaption>\\endhtmlonly\n" + std::string{trim(caption)} + " (" +
+           source_link(source, 1, "Its C++") + ".)" + "\n\\htmlonly[block]</figcaption></figure>\\endhtmlonly\n";
+}
+
+std::string legend_line_markdown(Context& context, const Directive& directive) {
+    if (directive.arguments.size() != 1) {
+        throw std::invalid_argument{"{{line passive_gyroscopic}} takes one name out of tools/figures/style.gp"};
+    }
+    const std::string& name = directive.arguments[0];
+    const std::filesystem::path style = context.root() / "tools/figures/style.gp";
+    context.inputs.insert(style);
+    for (const std::string& line : split_lines(read_file(style))) {  // name = "lc rgb '#123456' lw 2 dt 1"
+        const std::vector<std::string> words = split_words(line);
+        if (words.size() < 9 || words[0] != name || words[1] != "=" || words[2] != "\"lc" || words[7] != "dt") continue;
+        const char* dashes = words[8] == "1\"" ? "solid" : "dashed";
+        return "<span class=\"line\" style=\"border-top: 3px " + std::string{dashes} + " " + words[4].substr(1, 7) +
+               "\"></span>";
+    }
+    throw std::out_of_range{"tools/figures/style.gp draws no line \"" + name + "\""};
 }
 
 }  // namespace page
